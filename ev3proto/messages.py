@@ -10,15 +10,13 @@ from collections import namedtuple
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from dataclasses import fields as dataclass_fields
-from functools import partial
-from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Protocol, cast
+from importlib import import_module
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Protocol
 
 from ev3proto.errors import BuildError, Fault
-from ev3proto.schema.fields import REPLIES, REQUESTS, Fields
-from ev3proto.schema.header import HEADER_SIZE, build_frame, write_memory
 from ev3proto.tables.declaration import Declaration, Parameter
 from ev3proto.tables.encoding import GLOBAL, LOCAL, Encoding
-from ev3proto.tables.frame import LENGTH_FIELD, MessageType
+from ev3proto.tables.frame import MessageType
 from ev3proto.tables.system import SystemStatus
 
 
@@ -176,11 +174,8 @@ class OperationReader(Protocol):
     def selector(self, data: bytes, at: int) -> Argument | None:
         """The CMD argument of the operation at an offset."""
 
-    def arguments(self, data: bytes, at: int) -> tuple[Argument, ...]:
-        """What follows opcode and CMD."""
-
-    def readable_arguments(self, data: bytes, at: int, end: int) -> tuple[Argument, ...]:
-        """The same where the operation ends too early."""
+    def arguments(self, data: bytes, at: int, end: int) -> tuple[Argument, ...]:
+        """What follows opcode and CMD, up to the end of what can be read."""
 
 
 _WITH_ARGUMENTS = _OPERATION_PARTS + 1
@@ -261,7 +256,7 @@ class Operation(tuple[Any, ...]):
         if len(self) == _WITH_ARGUMENTS:
             found: tuple[Argument, ...] = self[-1]
             return found
-        return self._schema.arguments(self._data, self.offset)
+        return self._schema.arguments(self._data, self.offset, self._end)
 
     def placed(self, frame: bytes, offset: int) -> Operation:
         """The same operation where it stands in a frame."""
@@ -297,11 +292,6 @@ class PartialOperation(Operation):
 
     is_complete = False
 
-    @property
-    def arguments(self) -> tuple[Argument, ...]:
-        """The arguments before the fault."""
-        return self._schema.readable_arguments(self._data, self.offset, self._end)
-
 
 class Flaw(NamedTuple):
     """What is kept of a faulty frame so that it builds back byte for byte.
@@ -324,6 +314,17 @@ class Flaw(NamedTuple):
 
 NO_FLAW = Flaw()
 
+_builder: list[Callable[[Message], bytes]] = []
+_BUILDER = "ev3proto.schema.frame"
+"""What registers the builder when it is loaded. It stands above the messages, so it is known by name alone."""
+
+
+def builds_messages(build: Callable[[Message], bytes]) -> Callable[[Message], bytes]:
+    """Registers what builds the frames of messages."""
+    _builder[:] = [build]
+    return build
+
+
 _NOTHING: tuple[object, ...] = (NO_FLAW, None, 0, b"", (), {})
 """Values of a message's fields that stand there where nobody gives others."""
 
@@ -340,13 +341,6 @@ class Message:
     type: MessageType | None = None
     counter: int = 0
     flaw: Flaw = NO_FLAW
-
-    def __post_init__(self) -> None:
-        """Raises TypeError for a type or a flaw that is none: everything else relies on what they have."""
-        if self.type is not None and not isinstance(self.type, MessageType):
-            raise TypeError(f"type is a MessageType or None, not {self.type!r}")
-        if not isinstance(self.flaw, Flaw):
-            raise TypeError(f"flaw is a Flaw, not {self.flaw!r}")
 
     @property
     def fault(self) -> Fault | None:
@@ -388,20 +382,9 @@ class Message:
             BuildError: No frame can carry the message. The sentence names the attribute at fault.
 
         """
-        flaw = self.flaw
-        if self.type is None:
-            return flaw.rest
-        if flaw is NO_FLAW:
-            return build_frame(self.type, self.counter, self._body())
-        body = flaw.rest if flaw.headless else self._body() + flaw.rest
-        length = flaw.stated_length
-        if length is None and flaw.fault is not None:
-            length = HEADER_SIZE - LENGTH_FIELD + len(body)  # a faulty frame may be longer than the brick takes
-        return build_frame(self.type, self.counter, body, length)
-
-    def _body(self) -> bytes:
-        """What follows the header, as far as it could be read."""
-        return b""
+        if not _builder:
+            import_module(_BUILDER)
+        return _builder[0](self)
 
     def __repr__(self) -> str:
         # What is as it is by default says nothing.
@@ -425,41 +408,6 @@ class DirectCommand(Message):
     local_size: int = 0
     operations: tuple[Operation, ...] = ()
 
-    def _body(self) -> bytes:
-        return write_memory(self.global_size, self.local_size) + b"".join(
-            [one[1][one[2] : one[3]] for one in self.operations]
-        )
-
-
-_operations: Any = DirectCommand.operations  # type: ignore[misc]
-
-set_operations: Callable[[DirectCommand, tuple[Operation, ...] | partial[tuple[Operation, ...]]], None] = (
-    _operations.__set__
-)
-"""Gives a new direct command its operations, or what makes them when somebody first asks for them."""
-
-
-def _operations_of(command: DirectCommand) -> tuple[Operation, ...]:
-    """What is to be run."""
-    found: tuple[Operation, ...] | partial[tuple[Operation, ...]] = _operations.__get__(command)
-    if type(found) is partial:
-        found = found()
-        set_operations(command, found)
-    return cast("tuple[Operation, ...]", found)
-
-
-def unread_operations(command: DirectCommand) -> tuple[Any, ...] | None:
-    """What a command has in place of operations that nobody asked for yet: what reads them, the frame, the offset.
-
-    None where they are made.
-    """
-    found = _operations.__get__(command)
-    return found.args if type(found) is partial else None
-
-
-# It remains a field: it stands in the constructor, in comparisons and in copies, and nobody else can set it.
-DirectCommand.operations = property(_operations_of, set_operations)  # type: ignore[assignment,misc]
-
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
 class DirectReply(Message):
@@ -471,9 +419,6 @@ class DirectReply(Message):
     def is_error(self) -> bool:
         """True when the brick refused or failed the command."""
         return self.type is MessageType.DIRECT_REPLY_ERROR
-
-    def _body(self) -> bytes:
-        return self.memory
 
 
 FieldValue = int | str | bytes
@@ -487,9 +432,6 @@ class SystemCommand(Message):
     number: int = 0
     command: str | None = None
     fields: Mapping[str, FieldValue] = field(default_factory=dict, hash=False)
-
-    def _body(self) -> bytes:
-        return _byte("number", self.number) + _fields(REQUESTS, self.number, self.fields)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
@@ -514,10 +456,6 @@ class SystemReply(Message):
         """True when the command failed; END_OF_FILE is how an upload ends."""
         return self.status is None or self.status.is_failure or self.type is MessageType.SYSTEM_REPLY_ERROR
 
-    def _body(self) -> bytes:
-        head = _byte("number", self.number) + _byte("status", self.status_code)
-        return head + _fields(REPLIES, self.number, self.fields)
-
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
 class DaisyCommand(Message):
@@ -537,9 +475,6 @@ class DaisyCommand(Message):
     layer_to: int = 0
     payload: bytes = b""
     operations: tuple[Operation, ...] = ()
-
-    def _body(self) -> bytes:
-        return _byte("number", self.number) + _layers(self.layer_from, self.layer_to) + self.payload
 
 
 class SensorReport(NamedTuple):
@@ -566,24 +501,3 @@ class DaisyReply(Message):
     layer_to: int = 0
     payload: bytes = b""
     report: SensorReport | None = None
-
-    def _body(self) -> bytes:
-        return _layers(self.layer_from, self.layer_to) + self.payload
-
-
-def _byte(name: str, value: int) -> bytes:
-    if isinstance(value, int) and 0 <= value <= 0xFF:
-        return bytes((value,))
-    raise BuildError(f"{name} cannot be {value!r}: it is a whole number from 0 to 255")
-
-
-def _layers(layer_from: int, layer_to: int) -> bytes:
-    return _byte("layer_from", layer_from) + _byte("layer_to", layer_to)
-
-
-def _fields(schemas: Mapping[int, Fields], number: int, fields: Mapping[str, FieldValue]) -> bytes:
-    if not fields:
-        return b""
-    if number not in schemas:
-        raise BuildError(f"0x{number:02X} is no system command, so nobody knows its fields")
-    return schemas[number].write_present(fields)

@@ -88,10 +88,8 @@ class Decoder:
             yield self._message(frame, start)
 
     def _message(self, frame: bytes, start: int) -> Message:
-        if not self._strict:
-            return self._schema.read_for_later(frame, strict=False)
         try:
-            return self._schema.read_for_later(frame)
+            return self._schema.read_frame(frame, strict=self._strict)
         except DecodeError as error:
             reason = f"in the frame that starts at offset {start} of the stream: {error.reason}"
             raise DecodeError(start + error.offset, reason, error.truncated) from None

@@ -488,7 +488,7 @@ def direct_commands(dialect: str = "official", chosen: Choice = ALL) -> SearchSt
     room = MAX_FRAME - HEADER_SIZE - MEMORY_SIZE
     return st.builds(
         lambda found, counter, reply, sizes: constructors.any_direct_command(
-            *_that_fit(found, room), counter=counter, reply=reply, **sizes
+            _that_fit(found, room), counter, reply, **sizes
         ),
         _several(operations(dialect, chosen.operations), chosen),
         _counters,

@@ -6,10 +6,10 @@ from ev3proto.bounded import Budget
 from ev3proto.capture.record import Record, Route, new_answered
 from ev3proto.messages import Message, SystemCommand, SystemReply
 from ev3proto.schema.frame import FrameSchema
-from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, Header, unpack_header, unpack_memory
+from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, Header, read_memory, unpack_header
 from ev3proto.semantics.pairing import Pairing
 from ev3proto.semantics.transfers import Transfers
-from ev3proto.tables.frame import COUNTERS, MAX_GLOBALS, MessageType
+from ev3proto.tables.frame import COUNTERS, MessageType
 
 MOST_PENDING = 4096
 """Commands of one conversation whose reply is awaited; a long capture may have a million that are never answered."""
@@ -88,7 +88,7 @@ class Conversation:
                 request.answered = new_answered((time_ns, failed))
         elif wants_reply:
             has_memory = has_memory and len(frame) >= COMMAND_HEADER_SIZE
-            asked = unpack_memory(frame, HEADER_SIZE)[0] & MAX_GLOBALS if has_memory else 0
+            asked = read_memory(frame)[0] if has_memory else 0
             self._pairing.remember(key, asked, record)
         if is_system:
             self._follow_transfer(record)

@@ -11,6 +11,7 @@ import re
 from collections.abc import Callable, Collection
 from enum import Enum, auto
 
+from ev3proto.errors import DecodeError
 from ev3proto.messages import Argument, DaisyCommand, DaisyReply, DirectCommand, Message, SystemCommand
 from ev3proto.schema.frame import FrameSchema
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, frame_size
@@ -124,12 +125,14 @@ class Finder:
         """Whether a frame without a fault stands here, which somebody would send."""
         if end - at < HEADER_SIZE or buffer[at + HEADER_SIZE - 1] not in _TYPES:
             return False
-        if not self._schema.is_flawless(buffer, at, end):
+        try:
+            message = self._schema.read_frame(buffer[at:end])
+        except DecodeError:
             return False
         code = buffer[at + HEADER_SIZE - 1]
         if _TYPES[code].carries == "system" or (not _TYPES[code].is_command and _TYPES[code].carries == "direct"):
             return True
-        return makes_sense(self._schema.read_for_later(buffer[at:end]))
+        return makes_sense(message)
 
     def is_self_evident(self, buffer: bytes, at: int) -> bool:
         """Whether a frame without a fault is one whatever follows it, as few bytes are operations by chance."""
@@ -147,7 +150,8 @@ class Finder:
         if member.carries == "system":
             return buffer[at + HEADER_SIZE] in system.SYSTEM_BY_NUMBER
         if member.carries == "direct" and member.is_command and size - at > COMMAND_HEADER_SIZE:
-            return self._schema.instructions.may_become_flawless(buffer, at + COMMAND_HEADER_SIZE, size)
+            _, fault = self._schema.instructions.scan(buffer, at + COMMAND_HEADER_SIZE, size)
+            return fault is None or fault.truncated
         return True
 
     def follow(self, buffer: bytes, at: int) -> int | None:

@@ -15,7 +15,7 @@ from ev3proto.capture.finding import Finder, Found
 from ev3proto.errors import DecodeError, counted
 from ev3proto.schema.discovery import UNLOCK
 from ev3proto.schema.frame import FrameSchema
-from ev3proto.schema.header import HEADER_SIZE, frame_size, impossible_length, is_frame_size, unpack_length
+from ev3proto.schema.header import HEADER_SIZE, frame_size, impossible_length, is_frame_size
 from ev3proto.tables.discovery import ACCEPT, MOST_UNLOCK, UNLOCK_REQUEST
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME
 
@@ -108,7 +108,7 @@ class Cutter:
         size = len(data)
         if self._buffer or not self._in_step or size < HEADER_SIZE or size > MAX_FRAME:
             return False
-        if unpack_length(data)[0] != size - LENGTH_FIELD:
+        if frame_size(data) != size:
             return False
         self._after_text = None
         return True

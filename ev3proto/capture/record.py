@@ -75,7 +75,7 @@ new_answered = partial(tuple.__new__, Answered)
 class FrameReader(Protocol):
     """What a record needs of the schema of frames."""
 
-    def read_for_later(self, frame: bytes, *, strict: bool = True) -> Message:
+    def read_frame(self, frame: bytes, *, strict: bool = True) -> Message:
         """The message in a frame. With `strict=False` a faulty one is a message, too."""
 
 
@@ -135,7 +135,7 @@ class Record:
         """What the frame says. A faulty frame's message has a `fault`."""
         message = self._message
         if message is None:
-            message = self._message = self._reader.read_for_later(self.frame, strict=False)
+            message = self._message = self._reader.read_frame(self.frame, strict=False)
             _keep(self)
         return message
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from enum import Enum, auto
 from typing import NamedTuple
 
@@ -131,9 +131,7 @@ class Weigher:
         """
         is_frame = len(text) >= HEADER_SIZE and frame_size(text) == len(text) + missing
         is_telling = len(text) > HEADER_SIZE and not may_be_of_nxt(text)
-        is_ours = is_frame and (
-            is_claimed or (is_telling and makes_sense(self._schema.read_for_later(text, strict=False)))
-        )
+        is_ours = is_frame and (is_claimed or (is_telling and makes_sense(self._schema.read_frame(text, strict=False))))
         return Weight(Likeness.PERHAPS if is_ours else Likeness.NOTHING)
 
     def may_become(self, text: bytes, at: int, accepts: Accepts) -> bool:
@@ -166,8 +164,8 @@ class Weigher:
         """What a frame says; None where it has a fault, goes the wrong way, makes no sense, or may be the NXT's."""
         if not _is_accepted(frame, 0, accepts) or may_be_of_nxt(frame):
             return None
-        schema = self._schema if self._schema.is_flawless(frame, 0, len(frame)) else _other_schema(frame)
-        message = None if schema is None else schema.read_for_later(frame)
+        readings = (schema.read_frame(frame, strict=False) for schema in (self._schema, *_other_schemas(frame)))
+        message = next((message for message in readings if message.fault is None), None)
         if message is None or not makes_sense(message):
             return None
         # A reply that a command failed brings no memory.
@@ -185,10 +183,8 @@ def _is_accepted(text: bytes, at: int, accepts: Accepts) -> bool:
     return accepts(MessageType(text[at + HEADER_SIZE - 1]))
 
 
-def _other_schema(frame: bytes) -> FrameSchema | None:
-    """What reads a direct command by the instructions of another firmware, without a fault."""
+def _other_schemas(frame: bytes) -> Iterator[FrameSchema]:
+    """What reads a direct command by the instructions of each firmware."""
     member = MessageType(frame[HEADER_SIZE - 1])
-    if member.carries != "direct" or not member.is_command:
-        return None
-    schemas = map(frame_schema, DIALECTS)
-    return next((schema for schema in schemas if schema.is_flawless(frame, 0, len(frame))), None)
+    if member.carries == "direct" and member.is_command:
+        yield from map(frame_schema, DIALECTS)

@@ -26,14 +26,17 @@ from __future__ import annotations
 from collections.abc import Sequence
 from enum import Enum
 from functools import cache
+from itertools import repeat
 from typing import NamedTuple
 
-from ev3proto.schema.argument import INTEGER_FORMS
+from ev3proto.errors import DecodeError
+from ev3proto.messages import Argument
+from ev3proto.schema.argument import INTEGER_FORMS, Form, Reader, read_arguments
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, frame_size, read_memory
-from ev3proto.schema.identification import ENCODINGS, SHORT_VALUES
+from ev3proto.schema.operation import CMD
 from ev3proto.tables import operations, with_effect
-from ev3proto.tables.declaration import Declaration, Effect, Parameter, Role, Type
-from ev3proto.tables.encoding import HANDLE_BIT, RANGES
+from ev3proto.tables.declaration import LISTS, Declaration, Effect, Parameter, Role, Type
+from ev3proto.tables.encoding import CONSTANT, GLOBAL, RANGES, Encoding
 from ev3proto.tables.frame import GRANTED_GLOBALS, MAX_FRAME, MessageType
 from ev3proto.tables.validation import CMD_TABLES, LABELS, SPINNING, TABLE_SIZE
 
@@ -73,56 +76,65 @@ class Verdict(NamedTuple):
 
 ACCEPTED = Verdict(True)
 
-# What the validator checks a parameter as.
-_DATA8, _DATA16, _DATA32, _FLOAT, _ANY, _COUNT, _LABEL, _VALUES = range(8)
 
-_CHECKED_AS = {
-    Type.DATA8: _DATA8,
-    Type.STRING: _DATA8,
-    Type.DATA16: _DATA16,
-    Type.HANDLE: _DATA16,
-    Type.DATA32: _DATA32,
+class _Check(NamedTuple):
+    """What the validator wants of a parameter.
+
+    numbers      what a constant may be (rules 5 and 11), None for anything
+    mask         bits that must not be set in the index of a variable (rule 7)
+    handle_mask  the same where the variable holds a handle
+    """
+
+    numbers: range | None = None
+    mask: int = 0
+    handle_mask: int = 1
+
+
+def _numbers(kind: Type) -> range:
+    return range(RANGES[kind].low, RANGES[kind].high + 1)
+
+
+_8_BITS, _16_BITS = _Check(_numbers(Type.DATA8)), _Check(_numbers(Type.DATA16), mask=1)
+_LABEL = _Check(range(LABELS))
+_CHECKS = {
+    Type.DATA8: _8_BITS,
+    Type.STRING: _8_BITS,
+    Type.DATA16: _16_BITS,
+    Type.HANDLE: _16_BITS,
+    Type.DATA32: _Check(_numbers(Type.DATA32), mask=3),
+    Type.DATAF: _Check(mask=3),
+    Type.ARRAY_TYPED: _Check(),
+    Type.COUNT: _Check(handle_mask=0),
     Type.LABEL: _LABEL,
-    Type.DATAF: _FLOAT,
-    Type.ARRAY_TYPED: _ANY,
-    Type.COUNT: _COUNT,
-    Type.VALUES: _VALUES,
 }
 
-_RANGES = {_DATA8: RANGES[Type.DATA8], _DATA16: RANGES[Type.DATA16], _DATA32: RANGES[Type.DATA32]}
+_OF_GLOBAL = 0x20
+"""The bit of the short form of a global variable that says so, which the validator takes for a part of the index."""
 
-# Rule 7, as a mask of the bits of an index that must not be set.
-_MISALIGNED = [0] * 8
-_MISALIGNED[_DATA16] = 1
-_MISALIGNED[_DATA32] = _MISALIGNED[_FLOAT] = 3
-_MISALIGNED_HANDLE = 1
-
-_LONG, _VARIABLE = 0x80, 0x40
-"""Bits of an identification byte, as the validator looks at them; `ev3proto.schema.identification` declares them."""
-
-_SHORT_BITS = 0x3F
-"""Bits of a short form that the validator takes for the value; of a global variable one of them says that it is one."""
-
-_STRING = 0
-
-
-def _sizes() -> tuple[int, ...]:
-    """Bytes of an argument by its identification byte, as the validator reads it; `_STRING` for a text."""
-    sizes = []
-    for encoding in ENCODINGS:
-        # Rule 6: a form that is not defined takes no more bytes, and is no reason to refuse anything.
-        sizes.append(1 if encoding is None else _STRING if encoding.width is None else 1 + encoding.width)
-    return tuple(sizes)
-
-
-_SIZES = _sizes()
 OBJECT_END = with_effect(Effect.ENDS_CODE).opcode.number
 """The opcode that ends a code."""
 
 # Rule 1. More zeros than an operation reads after the parameter that reaches beyond the end.
 _BEYOND = bytes((OBJECT_END,)) + bytes(160)
 
-_Kinds = tuple[int, ...]
+# Rule 6: a form that is not defined takes no more bytes, and is no reason to refuse anything.
+_UNDEFINED: Form = (Encoding("", CONSTANT, 0), lambda _data, _at: (0,), 1)
+_FORMS = tuple(form or _UNDEFINED for form in INTEGER_FORMS)
+
+_CMD = ((CMD.parameter, _FORMS),)
+
+
+class _Expected(NamedTuple):
+    """What the validator expects after an opcode or a CMD.
+
+    readers  read the parameters before the elements of a list
+    checks   what is wanted of each of them
+    listed   COUNT or VALUES where a list ends it
+    """
+
+    readers: tuple[Reader, ...] = ()
+    checks: tuple[_Check, ...] = ()
+    listed: Type | None = None
 
 
 class Validator:
@@ -130,12 +142,12 @@ class Validator:
 
     def __init__(self, dialect: str, is_latest: bool = False) -> None:
         knows_newer = is_latest or dialect != "official"
-        self.opcodes: list[_Kinds | None] = [None] * 256
-        self.families: list[Sequence[_Kinds] | None] = [None] * 256
+        self.opcodes: list[_Expected | None] = [None] * 256
+        self.families: list[Sequence[_Expected] | None] = [None] * 256
         known = operations(dialect)
         for declaration in known.values():
             if declaration.command is None and Effect.NEVER_RUNS not in declaration.effects:
-                self.opcodes[declaration.opcode.number] = _kinds(declaration.parameters)
+                self.opcodes[declaration.opcode.number] = _expected(declaration.parameters)
         tables = _cmd_tables([entry for entry in known.values() if knows_newer or not entry.is_newer])
         for declaration in known.values():
             if declaration.command is not None:
@@ -175,27 +187,28 @@ class Validator:
             at: The offset of the opcode.
             end: Where the code ends; the operation may end further on.
         """
-        kinds = self.opcodes[data[at]]
-        if kinds is not None:
-            return _parameters(data, at + 1, end, kinds, is_good=not kinds)
-        return self._command(data, at + 1, end, data[at])
-
-    def _command(self, data: bytes, at: int, end: int, code: int) -> int | Refusal:
-        """The offset after an operation with CMD, or why it is refused.
-
-        CMD is a parameter of 8 bits (rules 3 to 7), whose value chooses those that follow (rule 8).
-        """
-        commands = self.families[code]
-        if commands is None:
-            # Rule 2.
-            return Refusal(Reason.OPCODE, at - 1)
-        number, after = _value(data, at)
-        first = data[at]
-        if first & _LONG:
-            reason = _refused(first, number, _DATA8)
-            if reason is not None:
-                return Refusal(reason, at)
-        return _parameters(data, after, end, commands[number & 0xFF], is_good=True)
+        found: list[Argument] = []
+        expected = self.opcodes[data[at]]
+        after = at + 1
+        if expected is None:
+            commands = self.families[data[at]]
+            if commands is None:
+                # Rule 2.
+                return Refusal(Reason.OPCODE, at)
+            # Rule 8: CMD is a parameter of 8 bits, whose value chooses those that follow.
+            after = read_arguments(_CMD, data, after, len(data), found)
+            expected = commands[_number(found[0]) & 0xFF]
+        after = read_arguments(expected.readers, data, after, len(data), found)
+        checks = (_8_BITS, *expected.checks) if len(found) > len(expected.checks) else expected.checks
+        for argument, check in zip(found, checks, strict=True):
+            if argument.is_variable:
+                # Rules 4 and 7.
+                if _number(argument) & (check.handle_mask if argument.form.handle else check.mask):
+                    return Refusal(Reason.ALIGNMENT, argument.offset)
+            elif (argument is found[0] or check is _LABEL) and check.numbers and _number(argument) not in check.numbers:
+                # Rules 3, 5 and 11.
+                return Refusal(Reason.LABEL if check is _LABEL else Reason.RANGE, argument.offset)
+        return after if expected.listed is None else _after_list(data, after, end, expected.listed, found[-1])
 
 
 class Refusal(NamedTuple):
@@ -206,124 +219,44 @@ class Refusal(NamedTuple):
     spins: bool = False
 
 
-def _parameters(data: bytes, at: int, end: int, kinds: _Kinds, *, is_good: bool) -> int | Refusal:
-    """The offset after the parameters of an operation, or why it is refused.
-
-    Args:
-        data: The frame, and zeros after it.
-        at: The offset of the first parameter.
-        end: Where the code ends.
-        kinds: What the validator expects, parameter by parameter.
-        is_good: Whether a parameter has passed already (rule 3).
-    """
-    before = at
-    for kind in kinds:
-        first = data[at]
-        if kind >= _COUNT:
-            found = _special(data, at, end, kind, before)
-            if isinstance(found, Refusal):
-                return found
-            at = found
-        elif first < _LONG:
-            # A short constant is within every range (rule 5), a short variable passes (rule 4). The bit of a global
-            # variable, which the validator takes for a part of its index, is a multiple of 4.
-            if first & _VARIABLE and first & _MISALIGNED[kind]:
-                return Refusal(Reason.ALIGNMENT, at)
-            before = at
-            at += 1
-        elif is_good and not first & _VARIABLE:
-            # Rule 3: nobody looks at its value.
-            before = at
-            at = at + _SIZES[first] if _SIZES[first] else data.index(0, at + 1) + 1
-        else:
-            before = at
-            value, at = _long_value(data, at)
-            reason = _refused(first, value, kind)
-            if reason is not None:
-                return Refusal(reason, before)
-        is_good = True
-    return at
-
-
-def _special(data: bytes, at: int, end: int, kind: int, before: int) -> int | Refusal:
-    """The same for a label, a count of parameters, a list of values.
-
-    Args:
-        data: The frame, and zeros after it.
-        at: The offset of the parameter.
-        end: Where the code ends.
-        kind: What the validator expects.
-        before: The offset of the parameter before it.
-    """
-    first = data[at]
-    if kind == _VALUES:
+def _after_list(data: bytes, at: int, end: int, kind: Type, counter: Argument) -> int | Refusal:
+    """The offset after the elements of a list, which nobody looks at; an offset beyond `end` where they reach there."""
+    count = _number(counter)
+    if kind is Type.VALUES:
         # Rule 10. Each value takes a byte at least: more of them than there are bytes end beyond the code.
-        count = _value(data, before)[0] & 0xFFFFFFFF
-        return Refusal(Reason.CUT_OFF, before, count >= SPINNING) if count > end - at else _skip(data, at, end, count)
-    value, after = _value(data, at)
-    if kind == _COUNT:
+        count &= 0xFFFFFFFF
+        if count > end - at:
+            return Refusal(Reason.CUT_OFF, counter.offset, count >= SPINNING)
+    elif counter.is_variable or not 0 <= count <= RANGES[Type.COUNT].high:
         # Rule 9. What does not pass leaves the operation good all the same (rule 3), and empty.
-        is_count = not first & _VARIABLE and 0 <= value <= RANGES[Type.COUNT].high
-        return _skip(data, after, end, value) if is_count else after
-    if not first & _VARIABLE:
-        # Rule 11.
-        return after if 0 <= value < LABELS else Refusal(Reason.LABEL, at)
-    # Rules 4 and 7.
-    is_handle = first & _LONG and first & HANDLE_BIT
-    return Refusal(Reason.ALIGNMENT, at) if is_handle and value & _MISALIGNED_HANDLE else after
+        return at
+    try:
+        return read_arguments(repeat(_CMD[0], count), data, at, end, [])
+    except DecodeError:
+        # Rule 1. What follows has no end that would matter.
+        return end + 1
 
 
-def _refused(first: int, value: int, kind: int) -> Reason | None:
-    """Why a long argument is refused, where the operation is still bad or it is a variable."""
-    if first & _VARIABLE:
-        mask = _MISALIGNED_HANDLE if first & HANDLE_BIT else _MISALIGNED[kind]
-        return Reason.ALIGNMENT if value & mask else None
-    limits = _RANGES.get(kind)
-    return None if limits is None or limits.low <= value <= limits.high else Reason.RANGE
+def _number(argument: Argument) -> int:
+    """The value of an argument as the validator takes it: 0 of a text."""
+    value = argument.value
+    if not isinstance(value, int):
+        return 0
+    return value | _OF_GLOBAL if argument.form.kind == GLOBAL and argument.form.width == 0 else value
 
 
-def _value(data: bytes, at: int) -> tuple[int, int]:
-    """The value of the argument at an offset, as the validator takes it, and the offset after it."""
-    first = data[at]
-    if first & _LONG:
-        return _long_value(data, at)
-    short = first & _SHORT_BITS if first & _VARIABLE else SHORT_VALUES[first]
-    assert short is not None
-    return short, at + 1
+def _expected(parameters: Sequence[Parameter]) -> _Expected:
+    listed = parameters[-1].type if parameters and parameters[-1].type in LISTS else None
+    fixed = parameters[:-1] if listed is Type.VALUES else parameters
+    return _Expected(tuple((parameter, _FORMS) for parameter in fixed), tuple(map(_check, fixed)), listed)
 
 
-def _long_value(data: bytes, at: int) -> tuple[int, int]:
-    """The same for a long form. Of a text, and of a form that is not defined, the value is 0."""
-    form = INTEGER_FORMS[data[at]]
-    if form is None:
-        return 0, at + 1
-    _, unpack, size = form
-    return (0, data.index(0, at + 1) + 1) if unpack is None else (unpack(data, at)[0], at + size)
+def _check(parameter: Parameter) -> _Check:
+    # How far to jump is a number; only LABEL has a label.
+    return _CHECKS[Type.DATA32 if parameter.role is Role.JUMP else parameter.validated or parameter.type]
 
 
-def _skip(data: bytes, at: int, end: int, count: int) -> int:
-    """The offset after so many arguments, none of which is looked at; or after the first that reaches beyond `end`."""
-    for _ in range(count):
-        if at > end:
-            # Rule 1. What follows has no end that would matter.
-            break
-        size = _SIZES[data[at]]
-        at = at + size if size else data.index(0, at + 1) + 1
-    return at
-
-
-def _kinds(parameters: Sequence[Parameter]) -> _Kinds:
-    return tuple(_kind(parameter) for parameter in parameters)
-
-
-def _kind(parameter: Parameter) -> int:
-    if parameter.role is Role.JUMP:
-        # How far to jump is a number; only LABEL has a label.
-        return _DATA32
-    return _CHECKED_AS[parameter.validated or parameter.type]
-
-
-def _cmd_tables(known: Sequence[Declaration]) -> dict[str, Sequence[_Kinds]]:
+def _cmd_tables(known: Sequence[Declaration]) -> dict[str, Sequence[_Expected]]:
     """For each table of CMDs by its name, what follows a CMD by the byte that is its number; nothing for unknown ones.
 
     Args:
@@ -331,19 +264,19 @@ def _cmd_tables(known: Sequence[Declaration]) -> dict[str, Sequence[_Kinds]]:
     """
     commands = [(entry.opcode.validator_table, entry.command, entry.parameters) for entry in known]
     names = dict.fromkeys((*CMD_TABLES, *(name for name, command, _ in commands if command is not None)))
-    row: list[_Kinds] = []
+    row: list[_Expected] = []
     for name in names:
-        found: list[_Kinds] = [()] * TABLE_SIZE
+        found = [_Expected()] * TABLE_SIZE
         for table, command, parameters in commands:
             if table == name and command is not None:
-                found[command.number] = _kinds(parameters)
+                found[command.number] = _expected(parameters)
         row += found
     # Rule 8. The firmware does not expect a negative CMD: it looks before its table, which is in the table before it.
-    tables: dict[str, Sequence[_Kinds]] = {}
+    tables: dict[str, Sequence[_Expected]] = {}
     for name, start in zip(names, range(0, len(row), TABLE_SIZE), strict=True):
         own = row[start : start + TABLE_SIZE]
-        negative = [row[start + number] if start + number >= 0 else () for number in range(-128, 0)]
-        tables[name] = (*own, *[()] * (128 - TABLE_SIZE), *negative)
+        negative = [row[start + number] if start + number >= 0 else _Expected() for number in range(-128, 0)]
+        tables[name] = (*own, *[_Expected()] * (128 - TABLE_SIZE), *negative)
     return tables
 
 

@@ -8,7 +8,6 @@ from ev3proto.compose.layout import LIMITS, layout
 from ev3proto.errors import BuildError
 from ev3proto.messages import DirectCommand, Operation
 from ev3proto.schema.constructors import EMPTY_COMMAND
-from ev3proto.schema.frame import new_direct_command
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, build_frame, write_memory
 from ev3proto.semantics.drafts.draft import Draft, draft_of
 from ev3proto.semantics.drafts.labels import Label, with_jumps
@@ -61,7 +60,9 @@ def command(
     for draft, raw in zip(drafts, encoded, strict=True):
         start, end = end, end + len(raw)
         placed.append(Operation((draft.schema, frame, start, end)))
-    return new_direct_command(kind, counter, global_size, local_size, tuple(placed))
+    return DirectCommand(
+        type=kind, counter=counter, global_size=global_size, local_size=local_size, operations=tuple(placed)
+    )
 
 
 def _places(operations: Sequence[Draft | Operation | Label]) -> dict[Label, int]:

@@ -52,13 +52,9 @@ class RetypedSchema:
         """CMD of the operation at an offset."""
         return self.base.selector(data, at)
 
-    def arguments(self, data: bytes, at: int) -> tuple[Argument, ...]:
+    def arguments(self, data: bytes, at: int, end: int) -> tuple[Argument, ...]:
         """The arguments of the operation whose opcode is at an offset."""
-        return self._retyped(data, self.base.arguments(data, at))
-
-    def readable_arguments(self, data: bytes, at: int, end: int) -> tuple[Argument, ...]:
-        """The same where the operation ends too early."""
-        return self._retyped(data, self.base.readable_arguments(data, at, end))
+        return self._retyped(data, self.base.arguments(data, at, end))
 
     def _retyped(self, data: bytes, arguments: tuple[Argument, ...]) -> tuple[Argument, ...]:
         kept = arguments[: self.first]
@@ -164,4 +160,4 @@ def _typed_fill(operation: Operation, schema: OperationSchema, handles: _Handles
 
 def _with_schema(operation: Operation, schema: RetypedSchema) -> Operation:
     _, data, start, end = operation[:4]
-    return type(operation)((schema, data, start, end))
+    return type(operation)((schema, data, start, end, schema.arguments(data, start, end)))

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 import struct
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any
 
-from ev3proto.errors import BuildError, DecodeError
+from ev3proto.errors import BuildError, DecodeError, counted
 from ev3proto.messages import Argument, Variable
 from ev3proto.schema.bytewise import Bytewise
 from ev3proto.schema.identification import ENCODINGS, LABEL_BYTE, SHORT_VALUES
@@ -28,77 +28,114 @@ from ev3proto.tables.encoding import (
     Encoding,
 )
 
-Unpack = Callable[[bytes, int], tuple[Any]]
-Long = tuple[Encoding, Unpack | None, int]
-Short = tuple[Encoding, int]
-Reader = tuple[Parameter, tuple[Long | None, ...]]
-"""A parameter, and how its long forms are read, by their identification byte."""
+Form = tuple[Encoding, Callable[[bytes, int], tuple[Any]] | None, int]
+"""A long form: its encoding, what reads its value (None for a string), its bytes with the identification byte."""
+
+Reader = tuple[Parameter, tuple[Form | None, ...]]
+"""A parameter, and the long forms of its arguments by their identification byte."""
 
 SIZES = bytes(0 if encoding is None or encoding.width is None else 1 + encoding.width for encoding in ENCODINGS)
 """Bytes of an argument by its identification byte, that byte included. 0 for strings, which end at their zero, and for
-undefined bytes. `data.translate(SIZES)` has, for each byte, the size of the argument that would start there."""
+undefined bytes."""
 
 STRINGS = frozenset(byte for byte, encoding in enumerate(ENCODINGS) if encoding is not None and encoding.kind == TEXT)
 """The identification bytes of strings."""
 
-SHORT: tuple[Short, ...] = tuple(
+SHORT: tuple[tuple[Encoding, int], ...] = tuple(
     (encoding, value)
     for encoding, value in zip(ENCODINGS, SHORT_VALUES, strict=True)
     if encoding is not None and value is not None
 )
 """Short forms by their only byte (0 to 127): encoding and value."""
 
+_LONG = len(SHORT)
+_NOTHING = 0xFF
+"""An identification byte that the firmware does not define: what is read where the byte code has ended."""
+
 _SIGNED = {1: "<xb", 2: "<xh", 4: "<xi"}
 _UNSIGNED = {1: "<xB", 2: "<xH", 4: "<xI"}
 
 
-def _long_forms(float_constants: bool) -> tuple[Long | None, ...]:
-    forms: list[Long | None] = []
-    for encoding, size in zip(ENCODINGS, SIZES, strict=True):
-        if encoding is None or encoding.width == 0:
-            forms.append(None)
-        elif encoding.width is None:
-            forms.append((encoding, None, 0))
-        elif encoding.kind in (LOCAL, GLOBAL):
-            forms.append((encoding, struct.Struct(_UNSIGNED[encoding.width]).unpack_from, size))
-        elif float_constants and encoding.kind == CONSTANT and encoding.width == 4:
-            forms.append((encoding, struct.Struct("<xf").unpack_from, size))
-        else:
-            forms.append((encoding, struct.Struct(_SIGNED[encoding.width]).unpack_from, size))
-    return tuple(forms)
+def _long_form(encoding: Encoding | None, size: int, *, float_constants: bool) -> Form | None:
+    if encoding is None or encoding.width == 0:
+        return None
+    if encoding.width is None:
+        return encoding, None, 0
+    layouts = _UNSIGNED if encoding.kind in (LOCAL, GLOBAL) else _SIGNED
+    is_float = float_constants and encoding.kind == CONSTANT and encoding.width == 4
+    return encoding, struct.Struct("<xf" if is_float else layouts[encoding.width]).unpack_from, size
 
 
-INTEGER_FORMS = _long_forms(float_constants=False)
-"""Long forms by their identification byte, constants read as whole numbers."""
-
-_FLOAT_FORMS = _long_forms(float_constants=True)
-
-
-class _Integers(dict[int, bytes]):
-    """The bytes of whole numbers as one parameter's argument. A number that was written before is only looked up.
-
-    Most values are such numbers, and most programs use few of them. `operation()` takes 1.5 times as long without this:
-    `pytest benchmarks -k compos`.
-    """
-
-    def __init__(self, schema: ArgumentSchema) -> None:
-        super().__init__()
-        self._schema = schema
-
-    def __missing__(self, value: int) -> bytes:
-        encoded = self._schema.write(value)
-        if len(self) < _MOST_KEPT:
-            self[value] = encoded
-        return encoded
-
-
-_MOST_KEPT = 1024
-"""Numbers of one parameter whose bytes are kept."""
+INTEGER_FORMS, _FLOAT_FORMS = (
+    tuple(_long_form(encoding, size, float_constants=is_float) for encoding, size in zip(ENCODINGS, SIZES, strict=True))
+    for is_float in (False, True)
+)
+"""Long forms by their identification byte: constants of four bytes read as whole numbers, and as floats."""
 
 
 def reader_of(parameter: Parameter) -> Reader:
-    """What is needed to read the arguments of a parameter."""
+    """Returns what `read_arguments` needs to know of a parameter."""
     return parameter, _FLOAT_FORMS if parameter.type is Type.DATAF else INTEGER_FORMS
+
+
+def read_arguments(readers: Iterable[Reader], data: bytes, at: int, end: int, found: list[Argument]) -> int:
+    """Reads one argument for each reader. All arguments are read here, whoever asks for them.
+
+    Args:
+        readers: What is expected, in this order.
+        data: The bytes that the arguments are in.
+        at: The offset of the first one.
+        end: Where the byte code ends.
+        found: Gets the arguments, those before a fault too.
+
+    Returns:
+        The offset after the last argument.
+
+    Raises:
+        DecodeError: An argument cannot be read. The error names its parameter and the reason.
+
+    """
+    for parameter, long_forms in readers:
+        if at >= end:
+            raise _unreadable(parameter, data, at, end)
+        first = data[at]
+        if first < _LONG:
+            encoding, number = SHORT[first]
+            found.append(Argument((parameter, encoding, number, at, data)))
+            at += 1
+            continue
+        form = long_forms[first]
+        if form is None:
+            raise _unreadable(parameter, data, at, end)
+        encoding, unpack, size = form
+        if unpack is None:
+            size = data.find(0, at + 1, end) + 1 - at
+            if size <= 0:
+                raise _unreadable(parameter, data, at, end)
+            found.append(Argument((parameter, encoding, data[at + 1 : at + size - 1].decode(STRING_CODING), at, data)))
+        else:
+            if at + size > end:
+                raise _unreadable(parameter, data, at, end)
+            found.append(Argument((parameter, encoding, unpack(data, at)[0], at, data)))
+        at += size
+    return at
+
+
+def _unreadable(parameter: Parameter, data: bytes, at: int, end: int) -> DecodeError:
+    """Says why there is no argument at an offset."""
+    name = parameter.name
+    if at >= end:
+        return DecodeError(end, f"the frame ends where the argument {name} should start", truncated=True)
+    encoding = ENCODINGS[data[at]]
+    if encoding is None:
+        reason = f"0x{data[at]:02X} is no identification byte that the firmware defines (argument {name})"
+        return DecodeError(at, reason)
+    if encoding.width is None:
+        reason = f"the string {name} runs past the end of the frame: the zero that ends it is missing"
+        return DecodeError(at, reason, truncated=True)
+    missing = counted(at + 1 + encoding.width - end, "more byte")
+    reason = f"the argument {name} runs past the end of the frame: {encoding.name} needs {missing}"
+    return DecodeError(at, reason, truncated=True)
 
 
 class ArgumentSchema(Bytewise):
@@ -108,9 +145,8 @@ class ArgumentSchema(Bytewise):
         super().__init__()
         self.parameter = parameter
         self.reader = reader_of(parameter)
-        self.long_forms = self.reader[1]
-        self.integers = _Integers(self)
-        """The bytes of whole numbers."""
+        limits = None if parameter.direction is Direction.OUT else RANGES.get(parameter.type)
+        self._numbers = range(0) if limits is None else range(limits.low, limits.high + 1)
 
     def read(self, data: bytes, at: int) -> tuple[Argument, int]:
         """Reads the argument at an offset.
@@ -126,59 +162,9 @@ class ArgumentSchema(Bytewise):
             DecodeError: No argument can be read there. The error names the parameter and the reason.
 
         """
-        end = self.measure(data, at, len(data))
-        return self.read_measured(data, at, end), end
-
-    def read_measured(self, data: bytes, at: int, end: int) -> Argument:
-        """Reads the argument between two offsets that `measure` found.
-
-        Args:
-            data: The bytes that the argument is in.
-            at: The offset of its identification byte.
-            end: The offset after it.
-
-        Returns:
-            The argument.
-
-        """
-        first = data[at]
-        if first < len(SHORT):
-            encoding, short = SHORT[first]
-            return Argument((self.parameter, encoding, short, at, data))
-        form = self.long_forms[first]
-        assert form is not None, "measure() lets no undefined identification byte pass"
-        encoding, unpack, _ = form
-        value = data[at + 1 : end - 1].decode(STRING_CODING) if unpack is None else unpack(data, at)[0]
-        return Argument((self.parameter, encoding, value, at, data))
-
-    def measure(self, data: bytes, at: int, limit: int) -> int:
-        """The offset after the argument at an offset, where the contents end at `limit`. Raises DecodeError."""
-        name = self.parameter.name
-        if at >= limit:
-            raise DecodeError(limit, f"the frame ends where the argument {name} should start", truncated=True)
-        encoding = ENCODINGS[data[at]]
-        if encoding is None:
-            reason = f"0x{data[at]:02X} is no identification byte that the firmware defines (argument {name})"
-            raise DecodeError(at, reason)
-        if encoding.width is not None:
-            end = at + 1 + encoding.width
-            if end > limit:
-                missing = end - limit
-                raise DecodeError(
-                    at,
-                    f"the argument {name} runs past the end of the frame: {encoding.name} needs {missing} more"
-                    f" byte{'s' * (missing > 1)}",
-                    truncated=True,
-                )
-            return end
-        end = data.find(0, at + 1, limit)
-        if end < 0:
-            raise DecodeError(
-                at,
-                f"the string {name} runs past the end of the frame: the zero that ends it is missing",
-                truncated=True,
-            )
-        return end + 1
+        found: list[Argument] = []
+        end = read_arguments((self.reader,), data, at, len(data), found)
+        return found[0], end
 
     def write(self, value: Any) -> bytes:
         """The shortest encoding of a value.
@@ -190,6 +176,8 @@ class ArgumentSchema(Bytewise):
         Raises:
             BuildError: The parameter cannot have the value. The sentence names it and what it takes.
         """
+        if type(value) is int and value in self._numbers:
+            return encode_integer(value)
         if isinstance(value, Argument):
             return value.raw
         if isinstance(value, bytes):
@@ -204,7 +192,7 @@ class ArgumentSchema(Bytewise):
 
     def _encoded(self, value: bytes) -> bytes:
         try:
-            end = self.measure(value, 0, len(value))
+            _, end = self.read(value, 0)
         except DecodeError as error:
             raise BuildError(f"{self.parameter.name}: {value!r} is not one encoded argument: {error.reason}") from None
         if end != len(value):
@@ -266,15 +254,13 @@ _NAN_ENCODING = {1: "LC1", 2: "LC2", 4: "LC4"}
 _INDEX_LAYOUTS = {0: None, 1: "<B", 2: "<H", 4: "<I"}
 
 
-_BYTES = tuple(
-    bytes((value & 0x3F,)) if value in CONSTANT_RANGES[0] else struct.pack("<Bb", _BY_NAME["LC1", False, False], value)
-    for value in CONSTANT_RANGES[1]
+_CONSTANTS = tuple(
+    (CONSTANT_RANGES[width], struct.Struct(f"<B{letter}").pack, _BY_NAME[f"LC{width}", False, False])
+    for width, letter in ((1, "b"), (2, "h"))
 )
-"""LC0 and LC1 for every number from -127 to 127."""
+"""What LC1 and LC2 hold, and how each is written."""
 
-_LC1_MOST, _LC2_MOST = CONSTANT_RANGES[1][-1], CONSTANT_RANGES[2][-1]
-_LC2, _LC4 = (struct.pack("<B", _BY_NAME[name, False, False]) for name in ("LC2", "LC4"))
-_pack_2, _pack_4 = struct.Struct("<h").pack, struct.Struct("<i").pack
+_LC4 = _BY_NAME["LC4", False, False]
 
 
 def encode_integer(value: int) -> bytes:
@@ -291,18 +277,19 @@ def encode_integer(value: int) -> bytes:
         BuildError: The number needs more than 32 bits.
 
     """
-    if -_LC1_MOST <= value <= _LC1_MOST:
-        return _BYTES[value + _LC1_MOST]
-    if -_LC2_MOST <= value <= _LC2_MOST:
-        return _LC2 + _pack_2(value)
+    if value in CONSTANT_RANGES[0]:
+        return bytes((value & 0x3F,))
+    for numbers, pack, head in _CONSTANTS:
+        if value in numbers:
+            return pack(head, value)
     if -0x80000000 <= value <= 0x7FFFFFFF:
-        return _LC4 + _pack_4(value)
+        return struct.pack("<Bi", _LC4, value)
     raise BuildError(f"no constant can be {value}: the largest encoding, LC4, holds -2147483647 to 2147483647")
 
 
 def encode_float(value: float, name: str = "the value") -> bytes:
     """A float constant: an LC4 whose four bytes are an IEEE single. BuildError for numbers beyond a single's range."""
-    head = bytes((_BY_NAME["LC4", False, False],))
+    head = bytes((_LC4,))
     try:
         if math.isnan(value):
             return head + NAN_FLOAT

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from ev3proto.errors import BuildError, near_misses
+from collections.abc import Sequence
+
+from ev3proto.errors import BuildError
 from ev3proto.messages import DirectCommand, DirectReply, FieldValue, Operation, SystemCommand, SystemReply
-from ev3proto.schema.fields import REPLIES, REQUESTS, Fields
-from ev3proto.schema.frame import new_direct_command
+from ev3proto.schema.fields import REPLIES, REQUESTS, Fields, system_entry
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, build_frame, write_memory
-from ev3proto.tables import system
 from ev3proto.tables.frame import DIRECT_COMMAND_TYPES, SYSTEM_COMMAND_TYPES, MessageType
 
 EMPTY_COMMAND = "a command needs an operation: the brick refuses an empty one"
@@ -36,15 +36,14 @@ def direct_command(
     Raises:
         BuildError: There is no operation, or no frame can carry the command.
     """
-    sizes = {"global_size": global_size, "local_size": local_size}
-    made = any_direct_command(*operations, counter=counter, reply=reply, **sizes)
+    made = any_direct_command(operations, counter, reply, global_size, local_size)
     if not operations:
         raise BuildError(EMPTY_COMMAND)
     return made
 
 
 def any_direct_command(
-    *operations: Operation, counter: int, reply: bool, global_size: int, local_size: int
+    operations: Sequence[Operation], counter: int, reply: bool, global_size: int, local_size: int
 ) -> DirectCommand:
     """Makes a direct command, an empty one too, which no brick runs but anybody may send. As `direct_command`."""
     for operation in operations:
@@ -54,14 +53,16 @@ def any_direct_command(
                 " for ev3proto.command"
             )
     kind = DIRECT_COMMAND_TYPES[bool(reply)]
-    pieces = [one[1][one[2] : one[3]] for one in operations]
-    frame = build_frame(kind, counter, write_memory(global_size, local_size) + b"".join(pieces))
+    code = b"".join([operation.raw for operation in operations])
+    frame = build_frame(kind, counter, write_memory(global_size, local_size) + code)
     at = COMMAND_HEADER_SIZE
     placed = []
-    for operation, piece in zip(operations, pieces, strict=True):
+    for operation in operations:
         placed.append(operation.placed(frame, at))
-        at += len(piece)
-    return new_direct_command(kind, counter, global_size, local_size, tuple(placed))
+        at += operation.length
+    return DirectCommand(
+        type=kind, counter=counter, global_size=global_size, local_size=local_size, operations=tuple(placed)
+    )
 
 
 def direct_reply(memory: bytes = b"", *, counter: int = 0, error: bool = False) -> DirectReply:
@@ -84,20 +85,6 @@ def direct_reply(memory: bytes = b"", *, counter: int = 0, error: bool = False) 
     message = DirectReply(type=member, counter=counter, memory=memory)
     message.build()
     return message
-
-
-def _system_entry(command: int | str) -> system.SystemCommand:
-    if isinstance(command, int):
-        if command in system.SYSTEM_BY_NUMBER:
-            return system.SYSTEM_BY_NUMBER[command]
-        raise BuildError(f"0x{command:02X} is no system command")
-    if not isinstance(command, str):
-        raise BuildError(f"the name of a system command is a text, such as LIST_FILES, not {command!r}")
-    for entry in system.SYSTEM:
-        if entry.name == command.upper():
-            return entry
-    hint = near_misses(command, [entry.name for entry in system.SYSTEM])
-    raise BuildError(f"there is no system command {command}{hint}")
 
 
 def _checked(schema: Fields, data: bytes, *, complete: bool) -> dict[str, FieldValue]:
@@ -123,7 +110,7 @@ def system_command(command: int | str, *, counter: int = 0, reply: bool = True, 
     Raises:
         BuildError: There is no such command, or no frame can carry it. The error names the field at fault.
     """
-    entry = _system_entry(command)
+    entry = system_entry(command)
     schema = REQUESTS[entry.number]
     values = _checked(schema, schema.write(fields), complete=True)
     message = SystemCommand(
@@ -155,7 +142,7 @@ def system_reply(
     Raises:
         BuildError: There is no such command, or no frame can carry the reply. The error names the field at fault.
     """
-    entry = _system_entry(command)
+    entry = system_entry(command)
     schema = REPLIES[entry.number]
     failed = bool(status) or error
     data = schema.write_present(schema.completed(fields)) if failed else schema.write(fields)

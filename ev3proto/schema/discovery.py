@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import io
 import re
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from typing import Any
 
@@ -162,6 +163,8 @@ class UnlockSchema(Bytewise):
 
     def write(self, value: Any) -> bytes:
         """The text. Raises BuildError."""
+        if isinstance(value, Mapping):
+            value = Unlock(**value)
         if not isinstance(value, Unlock):
             raise BuildError(f"an unlock text is made of an Unlock, not of {type(value).__name__}")
         if value.endings not in range(UNLOCK_ENDINGS + 1):

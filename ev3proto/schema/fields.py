@@ -4,18 +4,16 @@ from __future__ import annotations
 
 import io
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from construct import Construct, GreedyBytes, Int8ul, Int16ul, Int32ul, NullTerminated, StringEncoded
 from construct.core import ConstructError
 
-from ev3proto.errors import BuildError, DecodeError, counted
+from ev3proto.errors import BuildError, DecodeError, counted, near_misses
+from ev3proto.messages import FieldValue
 from ev3proto.schema.bytewise import Bytewise
 from ev3proto.tables.encoding import STRING_CODING
-from ev3proto.tables.system import SYSTEM, Field, Kind
-
-if TYPE_CHECKING:
-    from ev3proto.messages import FieldValue
+from ev3proto.tables.system import SYSTEM, SYSTEM_BY_NUMBER, Field, Kind, SystemCommand
 
 NUMBERS: dict[Kind, Construct] = {Kind.U8: Int8ul, Kind.U16: Int16ul, Kind.U32: Int32ul}
 
@@ -244,3 +242,18 @@ def _too_short(field: Field) -> str:
 REQUESTS = {command.number: Fields(command.request) for command in SYSTEM}
 REPLIES = {command.number: Fields(command.reply) for command in SYSTEM}
 """The fields of system commands and of the replies to them, by the command's number."""
+
+
+def system_entry(command: Any) -> SystemCommand:
+    """Finds a system command in the tables by its name or number. BuildError for one that they do not have."""
+    if isinstance(command, int):
+        if command in SYSTEM_BY_NUMBER:
+            return SYSTEM_BY_NUMBER[command]
+        raise BuildError(f"0x{command:02X} is no system command")
+    if not isinstance(command, str):
+        raise BuildError(f"the name of a system command is a text, such as LIST_FILES, not {command!r}")
+    for entry in SYSTEM:
+        if entry.name == command.upper():
+            return entry
+    hint = near_misses(command, [entry.name for entry in SYSTEM])
+    raise BuildError(f"there is no system command {command}{hint}")

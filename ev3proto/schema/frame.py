@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from dataclasses import fields as dataclass_fields
 from dataclasses import replace
-from functools import lru_cache, partial
-from typing import NamedTuple, TypeVar, overload
+from functools import lru_cache
+from typing import Any, TypeVar, overload
 
 from construct import Bytes, GreedyBytes, Int8ul, Struct
 from construct.core import ConstructError
 
-from ev3proto.errors import DecodeError, Fault, as_bytes
+from ev3proto.errors import BuildError, DecodeError, Fault, as_bytes
 from ev3proto.messages import (
-    NO_FLAW,
     DaisyCommand,
     DaisyReply,
     DirectCommand,
@@ -23,26 +23,25 @@ from ev3proto.messages import (
     SensorReport,
     SystemCommand,
     SystemReply,
-    set_operations,
+    builds_messages,
 )
 from ev3proto.schema.bytewise import Bytewise
-from ev3proto.schema.fields import REPLIES, REQUESTS
+from ev3proto.schema.fields import REPLIES, REQUESTS, Fields, system_entry
 from ev3proto.schema.header import (
     COMMAND_HEADER_SIZE,
     HEADER_SIZE,
+    build_frame,
     frame_size,
     may_be_long,
-    unpack_command_header,
+    read_memory,
     unpack_header,
-    unpack_memory,
+    write_memory,
 )
 from ev3proto.schema.instructions import InstructionSet, instruction_set
 from ev3proto.tables import daisy, system
 from ev3proto.tables.frame import (
-    GLOBAL_BITS,
     LENGTH_FIELD,
     MAX_FRAME,
-    MAX_GLOBALS,
     MAX_LENGTH,
     MIN_LENGTH,
     MessageType,
@@ -64,87 +63,7 @@ SENSOR_REPORT = Struct(
 Body = tuple[Message | None, bytes, DecodeError | None]
 """A message, the bytes at its end that could not be read, and why not; no message where its fixed part is cut."""
 
-BodyReader = Callable[[bytes, int, int, MessageType], Body]
-
-
-_set_type, _set_counter, _set_flaw, _set_globals, _set_locals = (
-    getattr(DirectCommand, name).__set__ for name in ("type", "counter", "flaw", "global_size", "local_size")
-)
-_set_reply_type, _set_reply_counter, _set_reply_flaw, _set_memory = (
-    getattr(DirectReply, name).__set__ for name in ("type", "counter", "flaw", "memory")
-)
-_new = object.__new__
-# The slots of the two messages that nearly every frame is. With the constructor of the frozen class, which takes 1.3 us
-# where filling the slots takes 0.5 us, parsing takes 1.66 times the plain decoder's time instead of 1.52.
-
-
-def new_direct_command(
-    member: MessageType,
-    counter: int,
-    global_size: int,
-    local_size: int,
-    operations: tuple[Operation, ...] | partial[tuple[Operation, ...]],
-) -> DirectCommand:
-    """Makes a direct command faster than its class does. Nothing is checked.
-
-    Args:
-        member: The type.
-        counter: The message counter, 0 to 65535.
-        global_size: Bytes of global memory, 0 to 1023.
-        local_size: Bytes of local memory, 0 to 63.
-        operations: The operations, where they stand in the frame, or what makes them when somebody asks for them.
-
-    Returns:
-        The command.
-
-    """
-    message = _new(DirectCommand)
-    _set_type(message, member)
-    _set_counter(message, counter)
-    _set_flaw(message, NO_FLAW)
-    _set_globals(message, global_size)
-    _set_locals(message, local_size)
-    set_operations(message, operations)
-    return message
-
-
-def _direct_reply(member: MessageType, counter: int, memory: bytes) -> DirectReply:
-    message = _new(DirectReply)
-    _set_reply_type(message, member)
-    _set_reply_counter(message, counter)
-    _set_reply_flaw(message, NO_FLAW)
-    _set_memory(message, memory)
-    return message
-
-
-_DIRECT_COMMANDS = {member.value: member for member in MessageType if member.kind == "direct-command"}
-_DIRECT_REPLIES = {member.value: member for member in MessageType if member.kind == "direct-reply"}
-
-
-class CommandHead(NamedTuple):
-    """What stands before the operations of a direct command.
-
-    type         the message type
-    counter      the message counter
-    global_size  bytes of global memory asked for
-    local_size   bytes of local memory asked for
-    """
-
-    type: MessageType
-    counter: int
-    global_size: int
-    local_size: int
-
-
-def command_head(frame: bytes) -> CommandHead | None:
-    """What stands before the operations where a frame is a direct command of the size that it says, else None."""
-    size = len(frame)
-    if not COMMAND_HEADER_SIZE <= size <= MAX_FRAME:
-        return None
-    length, counter, code, memory = unpack_command_header(frame)
-    if length + LENGTH_FIELD != size or code not in _DIRECT_COMMANDS:
-        return None
-    return CommandHead(_DIRECT_COMMANDS[code], counter, memory & MAX_GLOBALS, memory >> GLOBAL_BITS)
+BodyReader = Callable[[bytes, int, MessageType], Body]
 
 
 class FrameSchema(Bytewise):
@@ -154,7 +73,6 @@ class FrameSchema(Bytewise):
         super().__init__()
         self._dialect = dialect
         self.instructions: InstructionSet = instruction_set(dialect)
-        self._operations = self.instructions.operations
         bodies: dict[str, tuple[type[Message], BodyReader]] = {
             "direct-command": (DirectCommand, self._direct_command),
             "direct-reply": (DirectReply, self._direct_reply),
@@ -163,7 +81,6 @@ class FrameSchema(Bytewise):
             "daisy-command": (DaisyCommand, self._daisy_command),
             "daisy-reply": (DaisyReply, self._daisy_reply),
         }
-        # The keys are plain numbers: to look up a member of an enumeration takes three times as long.
         self._types = {member.value: (member, *bodies[member.kind]) for member in MessageType}
 
     def __reduce__(self) -> tuple[Callable[[str], FrameSchema], tuple[str]]:
@@ -206,140 +123,64 @@ class FrameSchema(Bytewise):
 
         """
         size = len(frame)
-        if HEADER_SIZE <= size <= MAX_FRAME or may_be_long(frame):
-            length, counter, code = unpack_header(frame)
-            known = self._types.get(code)
-            if known is not None and length + LENGTH_FIELD == size:
-                member, _, read_body = known
-                message, _, fault = read_body(frame, size, counter, member)
-                if fault is None and message is not None:
-                    return message
-                if fault is not None and strict:
-                    raise fault
-        if strict:
-            raise self._envelope_error(frame)
-        return self._read_faulty(frame)
-
-    def read_for_later(self, frame: bytes, *, strict: bool = True) -> Message:
-        """Reads exactly one frame, but makes the operations of a direct command only when somebody asks for them.
-
-        That is for streams and captures, where many messages are only counted or paired. It takes a third of the time;
-        with all arguments looked at in the end it takes a quarter longer: `pytest benchmarks -k ratios`.
-
-        Args:
-            frame: From its length field to its last byte.
-            strict: As for `read_frame`.
-
-        Returns:
-            The message that `read_frame` gives.
-
-        Raises:
-            DecodeError: As `read_frame` does.
-
-        """
-        size = len(frame)
-        if COMMAND_HEADER_SIZE <= size <= MAX_FRAME:
-            length, counter, code, memory = unpack_command_header(frame)
-            if length + LENGTH_FIELD == size:
-                member = _DIRECT_COMMANDS.get(code)
-                if member is not None:
-                    instructions = self.instructions
-                    if instructions.is_usual(frame, COMMAND_HEADER_SIZE, size) or instructions.is_flawless(
-                        frame, COMMAND_HEADER_SIZE, size
-                    ):
-                        read = partial(InstructionSet.operations, instructions, frame, COMMAND_HEADER_SIZE)
-                        return new_direct_command(member, counter, memory & MAX_GLOBALS, memory >> GLOBAL_BITS, read)
-                elif code in _DIRECT_REPLIES:
-                    return _direct_reply(_DIRECT_REPLIES[code], counter, frame[HEADER_SIZE:])
-        return self.read_frame(frame, strict=strict)
-
-    def is_flawless(self, data: bytes, at: int, end: int) -> bool:
-        """Says whether one frame without a fault stands between two offsets, without making a message where it can.
-
-        Args:
-            data: The bytes that the frame may be in.
-            at: The offset of its length field.
-            end: The offset after its last byte.
-
-        Returns:
-            True where `read_frame` would raise nothing.
-
-        """
-        size = end - at
-        if COMMAND_HEADER_SIZE <= size <= MAX_FRAME:
-            length, _, code = unpack_header(data, at)
-            if length + LENGTH_FIELD != size:
-                return False
-            if code in _DIRECT_COMMANDS:
-                return self.instructions.is_flawless(data, at + COMMAND_HEADER_SIZE, end)
-        try:
-            self.read_frame(data[at:end])
-        except DecodeError:
-            return False
-        return True
-
-    def _envelope_error(self, frame: bytes) -> DecodeError:
-        """What is wrong around the body; the body itself is not looked at."""
-        size = len(frame)
         if size < HEADER_SIZE:
-            return DecodeError(
+            cut = DecodeError(
                 size,
                 f"a frame has at least {HEADER_SIZE} bytes (length, counter, type), here are {size}",
                 truncated=True,
             )
-        length, _, code = unpack_header(frame)
-        if not MIN_LENGTH <= length <= MAX_LENGTH:
-            return DecodeError(
-                0, f"the length field says {length}; a frame can have {MIN_LENGTH} to {MAX_LENGTH} bytes after it"
-            )
-        end = length + LENGTH_FIELD
-        if size < end:
-            return DecodeError(
-                0, f"the frame is cut off: its length field says {length} bytes follow, {size - LENGTH_FIELD} do", True
-            )
-        if size > end:
-            return DecodeError(
-                end,
-                f"the frame is longer than its length field says: {length} bytes should follow it,"
-                f" {size - LENGTH_FIELD} do{_bootloader_hint(frame, code)}",
-            )
-        return DecodeError(4, f"0x{code:02X} is no message type")
-
-    def _read_faulty(self, frame: bytes) -> Message:
-        size = len(frame)
-        if size < HEADER_SIZE:
-            return Message(flaw=Flaw(self._envelope_error(frame).fault, frame))
+            if strict:
+                raise cut
+            return Message(flaw=Flaw(cut.fault, frame))
         length, counter, code = unpack_header(frame)
-        stated = None if length == size - LENGTH_FIELD else length
-        envelope = None
-        is_too_long = size > MAX_FRAME and not may_be_long(frame)
-        if stated is not None or is_too_long or code not in self._types:
-            envelope = _too_long(size) if is_too_long and stated is None else self._envelope_error(frame)
-        if code not in self._types:
-            assert envelope is not None
-            return Message(counter=counter, flaw=Flaw(envelope.fault, frame, stated))
-        end = min(size, max(length + LENGTH_FIELD, HEADER_SIZE))
-        member, kind, read_body = self._types[code]
-        message, rest, error = read_body(frame[:end], end, counter, member)
-        flaw = Flaw(_worse(envelope, error), rest + frame[end:], stated, headless=message is None)
+        known = self._types.get(code)
+        envelope = stated = None
+        contents = frame
+        if length + LENGTH_FIELD != size or known is None or (size > MAX_FRAME and not may_be_long(frame)):
+            envelope = _envelope_error(frame, length, code)
+            if strict:
+                raise envelope
+            if length + LENGTH_FIELD != size:
+                stated = length
+                contents = frame[: max(length + LENGTH_FIELD, HEADER_SIZE)]
+            elif size > MAX_FRAME and not may_be_long(frame):
+                envelope = DecodeError(0, f"the frame has {size} bytes; no frame has more than {MAX_FRAME}")
+            if known is None:
+                return Message(counter=counter, flaw=Flaw(envelope.fault, frame, stated))
+        member, kind, read_body = known
+        message, rest, error = read_body(contents, counter, member)
+        if message is not None and error is None and envelope is None:
+            return message
+        if strict:
+            assert error is not None
+            raise error
+        flaw = Flaw(_worse(envelope, error), rest + frame[len(contents) :], stated, headless=message is None)
         return replace(kind(type=member, counter=counter) if message is None else message, flaw=flaw)
 
-    def _direct_command(self, frame: bytes, end: int, counter: int, member: MessageType) -> Body:
+    def _direct_command(self, frame: bytes, counter: int, member: MessageType) -> Body:
+        end = len(frame)
         start = COMMAND_HEADER_SIZE
         if end < start:
             error = DecodeError(end, "a direct command starts with two bytes that ask for memory", truncated=True)
             return None, frame[HEADER_SIZE:], error
         operations, fault = self.instructions.scan(frame, start, end)
-        (memory,) = unpack_memory(frame, HEADER_SIZE)
-        message = new_direct_command(member, counter, memory & MAX_GLOBALS, memory >> GLOBAL_BITS, tuple(operations))
+        global_size, local_size = read_memory(frame)
+        message = DirectCommand(
+            type=member,
+            counter=counter,
+            global_size=global_size,
+            local_size=local_size,
+            operations=tuple(operations),
+        )
         if fault is None:
             return message, b"", None
         return message, frame[operations[-1].offset + operations[-1].length if operations else start :], fault
 
-    def _direct_reply(self, frame: bytes, end: int, counter: int, member: MessageType) -> Body:
-        return _direct_reply(member, counter, frame[HEADER_SIZE:end]), b"", None
+    def _direct_reply(self, frame: bytes, counter: int, member: MessageType) -> Body:
+        return DirectReply(type=member, counter=counter, memory=frame[HEADER_SIZE:]), b"", None
 
-    def _system_command(self, frame: bytes, end: int, counter: int, member: MessageType) -> Body:
+    def _system_command(self, frame: bytes, counter: int, member: MessageType) -> Body:
+        end = len(frame)
         at = HEADER_SIZE
         if end <= at:
             error = DecodeError(end, "the frame ends where the system command should stand", truncated=True)
@@ -353,7 +194,8 @@ class FrameSchema(Bytewise):
         message = SystemCommand(type=member, counter=counter, number=number, command=known.name, fields=fields)
         return message, frame[at:], fault
 
-    def _system_reply(self, frame: bytes, end: int, counter: int, member: MessageType) -> Body:
+    def _system_reply(self, frame: bytes, counter: int, member: MessageType) -> Body:
+        end = len(frame)
         at = HEADER_SIZE
         if end < at + 2:
             error = DecodeError(end, "a system reply starts with the command answered and a status", truncated=True)
@@ -376,7 +218,8 @@ class FrameSchema(Bytewise):
         )
         return reply, frame[at:], fault
 
-    def _daisy_command(self, frame: bytes, end: int, counter: int, member: MessageType) -> Body:
+    def _daisy_command(self, frame: bytes, counter: int, member: MessageType) -> Body:
+        end = len(frame)
         at = HEADER_SIZE
         if end < at + 3:
             error = DecodeError(end, "a daisy command starts with a sub-command and two layers", truncated=True)
@@ -409,7 +252,8 @@ class FrameSchema(Bytewise):
         operations, fault = self.instructions.scan(frame, at, end)
         return () if fault else tuple(operations)
 
-    def _daisy_reply(self, frame: bytes, end: int, counter: int, member: MessageType) -> Body:
+    def _daisy_reply(self, frame: bytes, counter: int, member: MessageType) -> Body:
+        end = len(frame)
         at = HEADER_SIZE
         if end < at + 2:
             error = DecodeError(end, "a daisy reply starts with two layers", truncated=True)
@@ -427,11 +271,13 @@ class FrameSchema(Bytewise):
 
     # Building
 
-    def write(self, value: Message) -> bytes:
+    def write(self, value: Message | Mapping[str, Any]) -> bytes:
         """Builds the frame of a message.
 
         Args:
-            value: The message.
+            value: The message, or its attributes by name: `type` (a `MessageType`, its name or number) and those of the
+                message's class that are not to have their default. Operations may be mappings, too. Of system commands
+                `command` is enough, and the lengths among their fields are worked out.
 
         Returns:
             The frame.
@@ -440,7 +286,106 @@ class FrameSchema(Bytewise):
             BuildError: No frame can carry it.
 
         """
-        return value.build()
+        return (value if isinstance(value, Message) else self._message(value)).build()
+
+    def _message(self, given: Mapping[str, Any]) -> Message:
+        if not isinstance(given, Mapping):
+            raise BuildError(f"a frame is made of a message or of its attributes by name, not of {given!r}")
+        member = _member(given.get("type"))
+        kind = self._types[member][1]
+        known = {one.name for one in dataclass_fields(kind) if one.name != "flaw"}
+        values = {name: value for name, value in given.items() if name != "length"}  # which is worked out
+        for name in values:
+            if name not in known:
+                raise BuildError(f"a {kind.__name__} has no {name}: it has {', '.join(sorted(known))}")
+        if "operations" in values:
+            values["operations"] = self.instructions.parse(self.instructions.build(values["operations"]))
+        if issubclass(kind, SystemCommand | SystemReply):
+            entry = system_entry(values.get("number", values.get("command")))
+            schema = (REQUESTS if member.is_command else REPLIES)[entry.number]
+            fields = schema.completed(values.get("fields", {}))
+            values |= {"number": entry.number, "command": entry.name, "fields": fields}
+        return kind(**{**values, "type": member})
+
+
+def _member(given: Any) -> MessageType:
+    """The message type that is given by itself, by name or by number."""
+    for member in MessageType:
+        if given in (member, member.name):
+            return member
+    raise BuildError(f"{given!r} is not a message type: they are {', '.join(member.name for member in MessageType)}")
+
+
+@builds_messages
+def _build(message: Message) -> bytes:
+    """Builds the frame of a message; of one that was parsed, the bytes that it was parsed from."""
+    flaw = message.flaw
+    if message.type is None:
+        return flaw.rest
+    body = flaw.rest if flaw.headless else _body(message) + flaw.rest
+    length = flaw.stated_length
+    if length is None and flaw.fault is not None:
+        length = HEADER_SIZE - LENGTH_FIELD + len(body)  # a faulty frame may be longer than the brick takes
+    return build_frame(message.type, message.counter, body, length)
+
+
+def _body(message: Message) -> bytes:
+    """What follows the header, as far as it could be read."""
+    match message:
+        case DirectCommand():
+            code = b"".join([operation.raw for operation in message.operations])
+            return write_memory(message.global_size, message.local_size) + code
+        case DirectReply():
+            return message.memory
+        case SystemCommand():
+            return _byte("number", message.number) + _fields(REQUESTS, message)
+        case SystemReply():
+            head = _byte("number", message.number) + _byte("status", message.status_code)
+            return head + _fields(REPLIES, message)
+        case DaisyCommand():
+            return _byte("number", message.number) + _layers(message) + message.payload
+        case DaisyReply():
+            return _layers(message) + message.payload
+    return b""
+
+
+def _byte(name: str, value: int) -> bytes:
+    if isinstance(value, int) and 0 <= value <= 0xFF:
+        return bytes((value,))
+    raise BuildError(f"{name} cannot be {value!r}: it is a whole number from 0 to 255")
+
+
+def _layers(message: DaisyCommand | DaisyReply) -> bytes:
+    return _byte("layer_from", message.layer_from) + _byte("layer_to", message.layer_to)
+
+
+def _fields(schemas: Mapping[int, Fields], message: SystemCommand | SystemReply) -> bytes:
+    if not message.fields:
+        return b""
+    if message.number not in schemas:
+        raise BuildError(f"0x{message.number:02X} is no system command, so nobody knows its fields")
+    return schemas[message.number].write_present(message.fields)
+
+
+def _envelope_error(frame: bytes, length: int, code: int) -> DecodeError:
+    """What is wrong around the body; the body itself is not looked at."""
+    size = len(frame)
+    if not MIN_LENGTH <= length <= MAX_LENGTH:
+        return DecodeError(
+            0, f"the length field says {length}; a frame can have {MIN_LENGTH} to {MAX_LENGTH} bytes after it"
+        )
+    end = length + LENGTH_FIELD
+    if size < end:
+        return DecodeError(
+            0, f"the frame is cut off: its length field says {length} bytes follow, {size - LENGTH_FIELD} do", True
+        )
+    if size > end:
+        return DecodeError(
+            end,
+            f"the frame is longer than its length field says: {length} bytes should follow it,"
+            f" {size - LENGTH_FIELD} do{_bootloader_hint(frame, code)}",
+        )
+    return DecodeError(HEADER_SIZE - 1, f"0x{code:02X} is no message type")
 
 
 def _bootloader_hint(frame: bytes, code: int) -> str:
@@ -462,10 +407,6 @@ def _worse(envelope: DecodeError | None, inner: DecodeError | None) -> Fault:
     if inner is None or inner.truncated:
         return envelope.fault
     return Fault(envelope.offset, f"{envelope.reason}; and at offset {inner.offset}: {inner.reason}")
-
-
-def _too_long(size: int) -> DecodeError:
-    return DecodeError(0, f"the frame has {size} bytes; no frame has more than {MAX_FRAME}")
 
 
 _SCHEMAS: dict[str, FrameSchema] = {}

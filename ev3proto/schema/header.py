@@ -42,23 +42,12 @@ COMMAND_HEADER_SIZE = HEADER_SIZE + MEMORY_SIZE
 
 _header = packed(HEADER)
 _memory = packed(Struct("memory" / Int16ul))
-_command = packed(Struct(*HEADER.subcons, "memory" / Int16ul))
 _length = packed(Struct("length" / Int16ul))
 
 unpack_header = _header.unpack_from
 """Length field, counter and type number of the header in `(data, offset)`. There must be `HEADER_SIZE` bytes."""
 
-unpack_command_header = _command.unpack_from
-"""The same of a direct command, and the number that asks for memory. There must be `COMMAND_HEADER_SIZE` bytes."""
-
-unpack_memory = _memory.unpack_from
-"""The number in `(data, offset)` that asks for memory. Its lower `GLOBAL_BITS` bits are for global memory."""
-
-
 _SYSTEM_COMMANDS = frozenset(map(int, SYSTEM_COMMAND_TYPES.values()))
-
-unpack_length = _length.unpack_from
-"""The length field alone."""
 
 
 class Header(NamedTuple):
@@ -101,7 +90,7 @@ def frame_size(data: bytes | bytearray, at: int = 0) -> int:
         Bytes of the whole frame, its length field included: 2 to 65537. `is_frame_size` says whether that can be.
 
     """
-    length: int = unpack_length(data, at)[0]
+    length: int = _length.unpack_from(data, at)[0]
     return length + LENGTH_FIELD
 
 

@@ -14,7 +14,7 @@ from itertools import accumulate
 
 from ev3proto.messages import Argument, Operation, OperationReader, Variable
 from ev3proto.tables.declaration import LISTS, Direction, Parameter, Role, Type
-from ev3proto.tables.encoding import CONSTANT, GLOBAL, LOCAL
+from ev3proto.tables.encoding import CONSTANT, GLOBAL
 
 UNTYPED_SIZE = 4
 """Bytes of the largest number: what to set aside for a value whose type only the brick knows."""
@@ -158,18 +158,14 @@ def footprints(operation: Operation, arguments: Sequence[Argument] | None = None
     """
     if arguments is None:
         arguments = operation.arguments
-    schema, *_ = operation
-    facts = memory_facts(schema)
-    fixed = len(facts)
-    # The elements of a list are all alike.
-    listed = element_facts(arguments[fixed].parameter) if len(arguments) > fixed else None
-    found: list[Footprint] = []
-    for number, argument in enumerate(arguments):
-        kind = argument.form.kind
-        if kind in (LOCAL, GLOBAL):
-            known = facts[number] if listed is None or number < fixed else listed
-            found.append(_footprint(operation, number, argument, known, arguments))
-    return found
+    return [
+        footprint(operation, number, arguments) for number, argument in enumerate(arguments) if argument.is_variable
+    ]
+
+
+def results(operation: Operation) -> list[Footprint]:
+    """The memory of those arguments alone whose values a reply carries, in their order."""
+    return [found for found in footprints(operation) if found.is_result and found.is_global]
 
 
 def footprint(operation: Operation, number: int, arguments: Sequence[Argument]) -> Footprint:
@@ -184,28 +180,6 @@ def footprint(operation: Operation, number: int, arguments: Sequence[Argument]) 
     facts = memory_facts(schema)
     argument = arguments[number]
     known = facts[number] if number < len(facts) else element_facts(argument.parameter)
-    return _footprint(operation, number, argument, known, arguments)
-
-
-def results(operation: Operation) -> list[Footprint]:
-    """The memory of those arguments alone whose values a reply carries, in their order."""
-    arguments = operation.arguments
-    schema, *_ = operation
-    facts = memory_facts(schema)
-    fixed = len(facts)
-    found: list[Footprint] = []
-    for number, argument in enumerate(arguments):
-        form = argument.form
-        if form.kind == GLOBAL and not form.address:
-            known = facts[number] if number < fixed else element_facts(argument.parameter)
-            if known.is_result:
-                found.append(_footprint(operation, number, argument, known, arguments))
-    return found
-
-
-def _footprint(
-    operation: Operation, number: int, argument: Argument, known: MemoryFacts, arguments: Sequence[Argument]
-) -> Footprint:
     _, form, start, *_ = argument
     assert isinstance(start, int)
     if form.handle or form.address:

@@ -44,7 +44,7 @@ class _Constants(dict[Any, bytes]):
         try:
             if not is_number or value not in self._legal:
                 check_constant(self._schema.parameter, value)
-            encoded = self._schema.integers[value] if is_number else self._schema.write(value)
+            encoded = self._schema.write(value)
         except BuildError:
             raise KeyError(value) from None
         # Texts of any length and number are not kept, names are.

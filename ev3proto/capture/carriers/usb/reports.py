@@ -162,7 +162,7 @@ class Reports:
             if claim is not None:
                 claim.judge(is_flawless=False)
             return False
-        message = self._context.schema.read_for_later(frame, strict=False)
+        message = self._context.schema.read_frame(frame, strict=False)
         if _is_overwritten(frame, is_from_host):
             return message.fault is None
         is_taken = message.fault is None and makes_sense(message)

@@ -611,6 +611,16 @@ FOREIGN_OBJECT = _code(
     _sized("2A:00|80|00:00|05:02"),
     _sized("2A:00|80|00:00|04:01"),
 )
+JUMP_UNKNOWN = _code(
+    "W604",
+    "a jump that may lead anywhere",
+    """
+    How far this jump leads is in a variable, or behind a handle or an address. The brick takes it, and what runs then
+    depends on numbers that are not in the code. Read-only proxies and replay do not let such a command through.
+    """,
+    _sized("2A:00|80|00:04|40:40"),
+    _sized("2A:00|80|00:04|41:40:00"),
+)
 NEEDLESS_END = _code(
     "H601",
     "an OBJECT_END that is not needed",

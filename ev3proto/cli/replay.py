@@ -91,7 +91,7 @@ def replay(
     from ev3proto.link.replay import steps
 
     capture = CaptureSource(name, reading)
-    found = steps(dialogues(capture.events()), allowed)
+    found = steps(dialogues(capture.events()), allowed, reading.dialect)
     if not found:
         if not capture.status:
             complain(f"{capture.label}: there is no command in it")

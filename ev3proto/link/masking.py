@@ -8,7 +8,7 @@ from __future__ import annotations
 from functools import cache
 from itertools import pairwise
 
-from ev3proto.link.harm import Harm, harms_of
+from ev3proto.link.harm import running
 from ev3proto.messages import (
     Argument,
     DaisyCommand,
@@ -67,16 +67,20 @@ def masked(frame: bytes, request: bytes | None = None, dialect: str = "official"
         return _written_over(frame)
     asked = None if request is None else parse(request, strict=False, dialect=dialect)
     if isinstance(message, DirectReply):
-        return _memory(frame, message, asked)
+        return _memory(frame, message, asked, dialect)
     if isinstance(message, DirectCommand):
-        return _code(frame, message.operations, COMMAND_HEADER_SIZE) if _is_hidden(message) else frame
+        return _code(frame, message.operations, COMMAND_HEADER_SIZE) if _is_hidden(message, dialect) else frame
     if isinstance(message, SystemCommand | SystemReply):
         is_private = any(
             isinstance(one, SystemCommand | SystemReply) and one.number in _COMMANDS for one in (message, asked)
         )
         return _texts(frame, message) if is_private else frame
     if isinstance(message, DaisyCommand):
-        return _code(frame, message.operations, HEADER_SIZE + 3) if _is_hidden(message) and message.payload else frame
+        return (
+            _code(frame, message.operations, HEADER_SIZE + 3)
+            if _is_hidden(message, dialect) and message.payload
+            else frame
+        )
     return _written_over(frame)
 
 
@@ -84,9 +88,10 @@ def _written_over(frame: bytes, kept: int = HEADER_SIZE) -> bytes:
     return frame[:kept].ljust(len(frame), bytes((MASK,)))
 
 
-def _is_hidden(message: DirectCommand | DaisyCommand) -> bool:
+def _is_hidden(message: DirectCommand | DaisyCommand, dialect: str) -> bool:
     """Returns whether a command may be about names, addresses and PINs."""
-    return Harm.UNKNOWN in harms_of(message) or any(one.full_name in _OPERATIONS for one in message.operations)
+    can_run, is_known = running(message, dialect)
+    return not is_known or any(one.full_name in _OPERATIONS for one in (*message.operations, *can_run))
 
 
 def _code(frame: bytes, operations: tuple[Operation, ...], start: int) -> bytes:
@@ -121,7 +126,7 @@ def _argument(argument: Argument) -> bytes:
     return _written_over(raw, 1) if argument.form.width else bytes((_SHORT_CONSTANT,))
 
 
-def _memory(frame: bytes, reply: DirectReply, asked: Message | None) -> bytes:
+def _memory(frame: bytes, reply: DirectReply, asked: Message | None, dialect: str) -> bytes:
     """A direct reply of which only the values of a harmless command stay.
 
     What no output of the command covers, the end of a text among it, may be left over from an earlier command.
@@ -129,7 +134,7 @@ def _memory(frame: bytes, reply: DirectReply, asked: Message | None) -> bytes:
     hidden = bytearray(_written_over(frame))
     if reply.is_error or not isinstance(asked, DirectCommand) or asked.fault is not None:
         return bytes(hidden)
-    is_hidden = _is_hidden(asked)
+    is_hidden = _is_hidden(asked, dialect)
     if not is_hidden:
         hidden[HEADER_SIZE:] = bytes(MASK if byte else 0 for byte in frame[HEADER_SIZE:])
     for value in values_of(reply, asked):

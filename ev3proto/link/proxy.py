@@ -262,7 +262,7 @@ class Proxy:
 
     def _to_brick(self, message: Message) -> None:
         frame = message.build()
-        if self._options.is_read_only and (harms := harms_of(message)):
+        if self._options.is_read_only and (harms := harms_of(message, dialect=self._options.dialect)):
             reasons = ", ".join(f"{name} {harm.text}" for harm, name in harms.items())
             self._say(f"not let through (--read-only): {reasons}")
             self._refuse(message, frame, SystemStatus.NO_PERMISSION)

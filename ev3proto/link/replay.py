@@ -46,24 +46,25 @@ class Likeness(Enum):
     KIND = "otherwise"
 
 
-def steps(pairs: Iterable[RequestReply], allowed: frozenset[str]) -> list[Step]:
+def steps(pairs: Iterable[RequestReply], allowed: frozenset[str], dialect: str = "official") -> list[Step]:
     """The commands of a capture in the order in which they were sent.
 
     Args:
         pairs: Its commands with their replies, in any order.
         allowed: What is sent although it changes the brick: groups of `Harm`, names of operations.
+        dialect: The firmware whose instruction set to read by.
     """
     found = [
-        Step(command, reply, _harms(command.message, allowed))
+        Step(command, reply, _harms(command.message, allowed, dialect))
         for command, reply in pairs
         if command is not None and command.direction is not Direction.RECEIVED
     ]
     return sorted(found, key=lambda step: (step.command.time_ns, step.command.number))
 
 
-def _harms(message: Message, allowed: frozenset[str]) -> dict[Harm, str]:
+def _harms(message: Message, allowed: frozenset[str], dialect: str) -> dict[Harm, str]:
     """Why a message is omitted. One whose type is not known cannot be sent with a new counter at all."""
-    return {Harm.UNKNOWN: "the frame"} if message.type is None else harms_of(message, allowed)
+    return {Harm.UNKNOWN: "the frame"} if message.type is None else harms_of(message, allowed, dialect)
 
 
 class Handles:

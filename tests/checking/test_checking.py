@@ -496,7 +496,7 @@ def test_dead_ends() -> None:
     assert codes(raw("40 3E")) == ["W602"]
     assert codes(raw("40 3E 01")) == ["W602", "W601"]
     assert codes(raw("02 02 40 3C")) == []
-    assert codes(raw("40 41", memory=5 << 10)) == ["E205"]
+    assert codes(raw("40 41", memory=5 << 10)) == ["E205", "W604"]
 
 
 def test_what_stands_behind_the_end() -> None:
@@ -609,3 +609,17 @@ def test_what_is_kept_of_an_argument_is_said_where_it_stands() -> None:
         assert {(finding.operation, finding.parameter, finding.length) for finding in found} == {
             ("SOUND.TONE", "FREQUENCY", 1)
         }
+
+
+def test_jumps_into_operations_are_followed() -> None:
+    """What is read there may end, or lead back for ever."""
+    ends = "40 03 7D 01 84 01 01 40 02 00 60"
+    assert codes(raw(ends, type=0, memory=2)) == ["E602"]
+    endless = "40 03 7D 01 84 01 01 40 3C 00 60"
+    assert codes(raw(endless + "01", type=0, memory=2)) == ["W602", "E602", "W601"]
+
+
+def test_a_jump_by_a_variable_is_told() -> None:
+    frame = bytes.fromhex("1300010000041030034040407d0184a6440f0a0060")
+    assert (only(frame).code, span(only(frame), frame)) == ("W604", "40")
+    assert codes(raw("41 40 81 41", memory=4 << 10)) != ["W604"]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 import ev3proto
-from ev3proto import LV, Operation, check, operation
+from ev3proto import GV, LV, Operation, check, operation
 from ev3proto.link.harm import Harm, harms_of
 from ev3proto.schema.argument import encode_as
 
@@ -22,31 +22,61 @@ SKIPPED = operation("MOVE8_8", 1, LV(0))
 
 
 @pytest.mark.parametrize(
-    "frame",
+    ("frame", "found"),
     [
-        "1500010000020440037d0184a4400f8132a6400f0a0060",  # jumps into a text, in which OUTPUT_START is
-        "1300010000041030034040407d0184a6440f0a0060",  # jumps by a variable
+        ("1500010000020440037d0184a4400f8132a6400f0a0060", Harm.MOTORS),  # into a text, in which OUTPUT_START is
+        ("1300010000041030034040407d0184a6440f0a0060", Harm.UNKNOWN),  # by a variable
     ],
 )
-def test_hidden_code_is_unknown(frame: str) -> None:
-    assert harms(bytes.fromhex(frame)) == {Harm.UNKNOWN}
+def test_hidden_code(frame: str, found: Harm) -> None:
+    assert found in harms(bytes.fromhex(frame))
+
+
+HIDDEN = operation("STRINGS.GET_SIZE", "\xa6\x40\x0f\x40\x02", GV(0))
+"""OUTPUT_START(LV(0), 15) and a jump over the rest stand in its text, three bytes after its start."""
+
+
+@pytest.mark.parametrize(
+    "jumps",
+    [
+        [operation("JR", 3)],
+        [operation("JR_TRUE", LV(0), 3)],
+        [operation("JR_LT8", 1, 2, 3)],
+        [operation("JR", 0), operation("JR", 3)],
+        [operation("JR", encode_as("LC4", 3))],
+        [operation("JR", encode_as("LAB1", 35)), bytes(32)],
+    ],
+)
+def test_code_in_a_text_is_read(jumps: list[Operation | bytes]) -> None:
+    if isinstance(jumps[-1], bytes):
+        jumps = [jumps[0], *[operation("NOP")] * 32]
+    assert harms(command(*jumps, HIDDEN)) == {Harm.MOTORS}  # type: ignore[arg-type]
+
+
+def test_a_jump_back_into_code_is_read() -> None:
+    assert harms(command(HIDDEN, operation("JR", -HIDDEN.length - 2 + 3))) == {Harm.MOTORS}
+
+
+def test_a_label_in_a_text_is_none() -> None:
+    """The firmware sets labels where it reads the code from its start."""
+    text = operation("STRINGS.GET_SIZE", "\x0d\x03", GV(0))
+    assert harms(command(text, operation("JR", encode_as("LAB1", 3)))) == {Harm.UNKNOWN}
 
 
 @pytest.mark.parametrize(
     "jump",
     [
-        operation("JR", 1),  # into SKIPPED
+        operation("JR", 1),  # into SKIPPED, where 0x01 is NOP and 0x40 a jump that is cut off
         operation("JR", -1),  # into itself
         operation("JR", 100),
         operation("JR", -100),
         operation("JR_TRUE", 1, LV(0)),
-        operation("JR_LT8", 1, 2, 1),
         operation("JR", encode_as("LAB1", 3)),  # there is no such label
         operation("JR", encode_as("LAB1", 100)),  # no label, but a distance
         operation("JR", bytes((0x91, 3))),  # a handle, though a constant
     ],
 )
-def test_jumps_to_anything_but_an_operation_are_unknown(jump: Operation) -> None:
+def test_what_cannot_be_followed_is_unknown(jump: Operation) -> None:
     assert harms(command(jump, SKIPPED)) == {Harm.UNKNOWN}
 
 
@@ -89,8 +119,8 @@ def test_code_that_may_rewrite_code_is_unknown(writer: Operation) -> None:
     [
         operation("WRITE8", 1, 3, LV(0)),
         operation("MOVE32_32", 1, LV(56)),
-        operation("UI_READ.GET_FW_VERS", 100, ev3proto.GV(0)),
-        operation("STRINGS.ADD", "a", "b", ev3proto.GV(0)),
+        operation("UI_READ.GET_FW_VERS", 100, GV(0)),
+        operation("STRINGS.ADD", "a", "b", GV(0)),
         operation("MOVE32_32", 1, b"\x00"),  # what is written to a number is lost
     ],
 )
@@ -105,6 +135,9 @@ def test_code_that_older_firmware_reads_otherwise_is_unknown() -> None:
     assert harms(frame) == {Harm.UNKNOWN}
 
 
-def test_what_is_jumped_to_counts() -> None:
+def test_what_can_run_counts() -> None:
     motor = operation("OUTPUT_START", 0, 1)
+    assert harms(command(operation("JR_TRUE", LV(0), motor.length), motor)) == {Harm.MOTORS}
     assert harms(command(operation("JR", SKIPPED.length), SKIPPED, motor)) == {Harm.MOTORS}
+    assert harms(command(operation("JR", motor.length), motor)) == set()
+    assert harms(command(operation("JR", motor.length), motor, operation("JR", -motor.length - 2))) == {Harm.MOTORS}

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_left
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 
 from ev3proto.checking import codes
 from ev3proto.checking.context import CheckContext, CheckedOperation
@@ -11,10 +11,10 @@ from ev3proto.checking.report import Finding
 from ev3proto.errors import counted
 from ev3proto.messages import Argument
 from ev3proto.schema.header import COMMAND_HEADER_SIZE
+from ev3proto.semantics.flow import flow_of, is_label, jump_of, labels_of, target_of
 from ev3proto.semantics.footprint import whole_number
 from ev3proto.tables.declaration import Effect, Role
 from ev3proto.tables.encoding import CONSTANT, CONSTANT_RANGES, JUMP
-from ev3proto.tables.validation import LABELS
 
 _OF_PROGRAMS = frozenset((Effect.OF_PROGRAMS,))
 _ENDS = frozenset((Effect.ENDS,))
@@ -64,32 +64,36 @@ def _of_programs(operation: CheckedOperation) -> Iterator[Finding]:
 
 
 class _Way:
-    """Which operation leads to which."""
+    """The operations as a way: which can run, and where each of them leads."""
 
     def __init__(self, context: CheckContext) -> None:
         self._subject = context
         self._operations = context.operations
         self._starts = [operation.start for operation in self._operations]
-        self._numbers = {operation.start: number for number, operation in enumerate(self._operations)}
-        self._labels = {
-            whole_number(argument): operation.end
-            for operation in self._operations
-            for argument in operation.arguments
-            if argument.parameter.role is Role.LABEL
-        }
+        parsed = [operation.parsed for operation in self._operations]
+        self._labels = labels_of(parsed)
+        self._flow = flow_of(context.frame, parsed, COMMAND_HEADER_SIZE, context.end, context.dialect)
+        self._has_hidden = not self._flow.operations.keys() <= set(self._starts)
 
     def wrong_jumps(self) -> Iterator[Finding]:
         """Jumps that do not lead to an operation, nor to the end."""
         for operation in self._operations:
-            jump = _jump(operation)
+            jump = jump_of(operation.parsed)
             if jump is not None:
                 yield from self._wrong_jump(operation, jump)
 
     def _wrong_jump(self, operation: CheckedOperation, jump: Argument) -> Iterator[Finding]:
-        target = self._target(operation, jump)
+        target = target_of(operation.parsed, jump, self._labels)
         end = self._subject.end
         if target is None:
-            if _is_label(jump) and not jump.form.handle and not jump.form.address:
+            if not is_label(jump) or jump.form.handle or jump.form.address:
+                yield operation.finding_at(
+                    codes.JUMP_UNKNOWN,
+                    jump,
+                    f"{jump.name} is no number in the code, so it is not known where {operation.name} leads",
+                    "jump by a constant, or by a condition for each place",
+                )
+            else:
                 yield operation.finding_at(
                     codes.NO_SUCH_LABEL,
                     jump,
@@ -106,7 +110,7 @@ class _Way:
                 f" {_counted(operation, jump, end)} to lead to the end, counted from the end of the jump"
                 f"{_form(jump)}",
             )
-        elif target != end and target not in self._numbers and self._is_known(target):
+        elif target != end and target not in self._starts and self._is_known(target):
             inside = self._operations[bisect_left(self._starts, target) - 1]
             yield operation.finding_at(
                 codes.JUMP_INTO,
@@ -120,56 +124,24 @@ class _Way:
         """Whether an operation could be read there."""
         return bool(self._operations) and target < self._operations[-1].end
 
-    def _target(self, operation: CheckedOperation, jump: Argument) -> int | None:
-        """Where a jump leads, None where that is not known."""
-        if jump.form.handle or jump.form.address or jump.is_variable or not isinstance(jump.value, int):
-            return None
-        if _is_label(jump):
-            return self._labels.get(jump.value)
-        return operation.end + jump.value
-
-    def _next(self, number: int) -> list[int] | None:
-        """The numbers of the operations that may follow one; one more than there are is the end. None: anything."""
-        operation = self._operations[number]
-        if operation.has(Effect.ENDS):
-            return [len(self._operations)]
-        jump = _jump(operation)
-        following = [] if operation.has(Effect.JUMPS_ALWAYS) else [number + 1]
-        if jump is not None:
-            target = self._target(operation, jump)
-            if target is None:
-                return None
-            if target == self._subject.end:
-                following.append(len(self._operations))
-            elif target in self._numbers:
-                following.append(self._numbers[target])
-            else:
-                return None
-        if operation.has(Effect.MAY_END):
-            following.append(len(self._operations))
-        return following
-
     def dead_ends(self) -> Iterator[Finding]:
-        """Operations that no way leads to, or that no way leads out of; nothing if it is unknown where a jump leads."""
-        ways: list[list[int]] = []
-        for number in range(len(self._operations)):
-            following = self._next(number)
-            if following is None:
-                return
-            ways.append(following)
-        if not ways:
+        """Operations that no way leads to, or that no way leads out of; nothing if it is unknown what can run."""
+        flow, end = self._flow, self._subject.end
+        if not flow.is_known or not self._operations:
             return
-        end = len(ways)
-        reached = _reachable(ways, 0)
-        yield from self._unreached(reached)
-        back: list[list[int]] = [[] for _ in range(end + 1)]
-        for number, following in enumerate(ways):
+        yield from self._unreached()
+        back: dict[int, list[int]] = {}
+        for start, following in flow.following.items():
             for target in following:
-                back[target].append(number)
-        leaving = _reachable(back, end)
-        for number in range(end):
-            if number in reached and number not in leaving:
-                operation = self._operations[number]
+                back.setdefault(target, []).append(start)
+        leaving, waiting = {end}, [end]
+        while waiting:
+            for start in back.get(waiting.pop(), ()):
+                if start not in leaving:
+                    leaving.add(start)
+                    waiting.append(start)
+        for operation in self._operations:
+            if operation.start in flow.operations and operation.start not in leaving:
                 yield operation.finding(
                     codes.ENDLESS,
                     f"from {operation.name} at offset {operation.start} on, every way leads back: the command never"
@@ -178,15 +150,22 @@ class _Way:
                 )
                 return
 
-    def _unreached(self, reached: set[int]) -> Iterator[Finding]:
+    def _is_reached(self, operation: CheckedOperation) -> bool:
+        """Whether it can run, or code that stands in it."""
+        flow = self._flow
+        if operation.start in flow.operations:
+            return True
+        return self._has_hidden and any(operation.start < start < operation.end for start in flow.operations)
+
+    def _unreached(self) -> Iterator[Finding]:
         """One finding for the operations in a row that no way leads to."""
         number = 0
         while number < len(self._operations):
-            if number in reached:
+            if self._is_reached(self._operations[number]):
                 number += 1
                 continue
             first = last = self._operations[number]
-            while number < len(self._operations) and number not in reached:
+            while number < len(self._operations) and not self._is_reached(self._operations[number]):
                 last = self._operations[number]
                 number += 1
             if first.facts.ends_code:
@@ -199,13 +178,6 @@ class _Way:
                 "omit it, or let a jump lead there",
                 first.name,
             )
-
-
-def _jump(operation: CheckedOperation) -> Argument | None:
-    """The argument of a jump that says where to, None for all other operations."""
-    if operation.arguments and operation.arguments[-1].parameter.role is Role.JUMP:
-        return operation.arguments[-1]
-    return None
 
 
 def _counted(operation: CheckedOperation, jump: Argument, target: int) -> int:
@@ -226,20 +198,3 @@ def _counted(operation: CheckedOperation, jump: Argument, target: int) -> int:
 def _form(jump: Argument) -> str:
     """What has to be said of a jump that is written as a label and is none."""
     return ", and write it as a constant" if jump.form.kind == JUMP else ""
-
-
-def _is_label(jump: Argument) -> bool:
-    return jump.form.kind == JUMP and isinstance(jump.value, int) and 0 < jump.value < LABELS
-
-
-def _reachable(ways: Iterable[list[int]], start: int) -> set[int]:
-    """All numbers that ways lead to, the first one included."""
-    known = list(ways)
-    found, waiting = {start}, [start]
-    while waiting:
-        number = waiting.pop()
-        for target in known[number] if number < len(known) else ():
-            if target not in found:
-                found.add(target)
-                waiting.append(target)
-    return found

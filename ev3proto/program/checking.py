@@ -15,10 +15,10 @@ from ev3proto.program.objects import CodeObject
 from ev3proto.program.report import ProgramReport
 from ev3proto.program.retyped import CALL
 from ev3proto.program.walk import SIZE_AT, Walk, walk
-from ev3proto.program.writing import goal_of
 from ev3proto.tables.declaration import Direction, Effect
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, LOCAL
 from ev3proto.tables.program import ObjectKind
+from ev3proto.text.assembly.writing import goal_of
 
 _ALWAYS = "JR"
 _OBJECT_END = "OBJECT_END"

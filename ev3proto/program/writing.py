@@ -10,25 +10,25 @@ from __future__ import annotations
 import json
 import math
 import struct
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from decimal import Decimal
 
-from ev3proto.errors import BuildError
 from ev3proto.messages import Argument, Operation
 from ev3proto.program.image import Program
 from ev3proto.program.objects import CodeObject
 from ev3proto.program.parameters import ProgramParameter, code_of
 from ev3proto.program.variables import MOST_DECLARED, DeclaredVariable, declared
-from ev3proto.schema.argument import encode_as, with_bits
-from ev3proto.schema.identification import LABEL_BYTE
+from ev3proto.schema.argument import encode_as
 from ev3proto.tables.declaration import Type
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL, STRING_CODING, TEXT
 from ev3proto.tables.program import RELEASE_VERSION, VERSIONS, ObjectKind
 from ev3proto.tables.source import BYTES, ESCAPES, PARAMETER_WORDS
+from ev3proto.text.assembly.macro_notation import in_macro
 from ev3proto.text.assembly.names import firmware_names
 from ev3proto.text.assembly.notations import OF_BASIC, OF_EV3_G, OF_LEGO, Rules
 from ev3proto.text.assembly.settings import GAP, MARK, OPEN, OWN
-from ev3proto.text.assembly.values import integer, measure, single_bits, variable
+from ev3proto.text.assembly.values import integer, single_bits, variable
+from ev3proto.text.assembly.writing import NO_LABELS, Labels, OperationWriter, end_of, goal_of, labels_of
 from ev3proto.text.phrases import short_float, spaced_hex
 
 _OBJECT_END, _RETURN, _CALL = "OBJECT_END", "RETURN", "CALL"
@@ -115,27 +115,28 @@ class ObjectCode:
         """Offsets that a label can stand at: of the steps, and after the last one where an operation is added."""
         found = {step.offset for step in self.steps}
         if not self.is_open:
-            found.add(_end(self.steps[-1]) if self.steps else self.part.operations[0].offset)
+            found.add(end_of(self.steps[-1]) if self.steps else self.part.operations[0].offset)
         return found
 
 
-class Writer:
+class Writer(OperationWriter):
     """Writes one program.
 
     codes  how the code of each object is written
     names  of the objects
     """
 
+    separator = ", "
+
     def __init__(self, program: Program) -> None:
+        super().__init__(rules_of(program))
         self._program = program
         self.codes = [ObjectCode(part) for part in program.objects]
         self.names = [f"{_NAMES[part.kind]}{part.number}" for part in program.objects]
-        self._rules = rules_of(program)
         self._locals_end = 0
         self._globals: dict[int, str] = {}
         self._locals: dict[int, str] = {}
-        self._labels: dict[int, str] = {}
-        self._forms: dict[int, str] = {}
+        self._labels = NO_LABELS
         self._seen: dict[tuple[int, int, int, bytes], int] = {}
         self._declared = list(self._global_lines())
 
@@ -144,11 +145,11 @@ class Writer:
         program = self._program
         defects = program.defects
         writer = VERSIONS.get(program.version)
-        rules = _RULES[self._rules]
+        rules = _RULES[self.rules]
         yield f"// by the rules of {rules}{f'; its version is that of {writer}' if writer else ''}"
         yield f"{MARK} version 0x{program.version:02X}"
-        if self._rules is not OF_LEGO:
-            yield f"{MARK} {self._rules.name}"
+        if self.rules is not OF_LEGO:
+            yield f"{MARK} {self.rules.name}"
         if defects.stated_size is not None:
             yield f"{MARK} size {defects.stated_size}"
         if defects.stated_count is not None:
@@ -186,17 +187,17 @@ class Writer:
         yield from (f"  {line}" for line in declarations)
         if code.raw:
             yield from _raw(code.raw)
-        self._measure(code)
+        self._labels = labels_of(code.steps, code.places, self.rules, _LABEL_NAME)
         steps = code.steps
         for step in steps:
-            label = self._labels.get(step.offset)
+            label = self.label_at(step.offset)
             if label is not None:
                 yield f"{label}:"
             yield f"  {self.step(step)}"
         if not code.is_open:
-            end = _end(steps[-1]) if steps else part.operations[0].offset
-            if end in self._labels:
-                yield f"{self._labels[end]}:"
+            end = end_of(steps[-1]) if steps else part.operations[0].offset
+            if end in self._labels.names:
+                yield f"{self._labels.names[end]}:"
         if code.rest:
             yield from _raw(code.rest)
         yield "}"
@@ -219,7 +220,7 @@ class Writer:
             yield f"{MARK} {OPEN}"
         if self._locals_end != part.local_size:
             yield f"{MARK} locals {part.local_size}"
-        if self._rules.shares and part.shares is None:
+        if self.rules.shares and part.shares is None:
             key = (part.owner, part.triggers, part.local_size, part.code)
             if key in self._seen:
                 yield f"{MARK} {OWN}"
@@ -248,135 +249,66 @@ class Writer:
         """Settles the names of an object's variables and labels, for those who show single operations."""
         for _ in self._declarations(code):
             pass
-        self._measure(code)
+        self._labels = labels_of(code.steps, code.places, self.rules, _LABEL_NAME)
 
     def label_at(self, offset: int) -> str | None:
-        """The label that stands at an offset of the object that was begun."""
-        return self._labels.get(offset)
-
-    # Jumps
-
-    def _measure(self, code: ObjectCode) -> None:
-        """Gives labels their names, and says of which jumps the encoding has to be written."""
-        places = code.places
-        jumps = {step.offset: step for step in code.steps if goal_of(step) in places}
-        goals = sorted({goal for goal in map(goal_of, jumps.values()) if goal is not None})
-        self._labels = {offset: f"{_LABEL_NAME}{number}" for number, offset in enumerate(goals, 1)}
-        forms = {offset: step.arguments[-1].encoding for offset, step in jumps.items()}
-        self._forms = {offset: form for offset, form in forms.items() if form == "LAB1"}
-        while self._say_longer(code, jumps, forms):
-            pass
-
-    def _say_longer(self, code: ObjectCode, jumps: Mapping[int, Operation], forms: Mapping[int, str]) -> bool:
-        """Says the encoding of jumps that would come out otherwise; whether there were any."""
-        sizes: list[int] = []
-        parts: dict[int, int] = {}
-        numbers: dict[int, int] = {}
-        for step in code.steps:
-            parts[step.offset] = len(sizes)
-            size = len(step.arguments[-1].raw) if step.offset in jumps else 0
-            sizes += [step.length - size, size]
-            if size:
-                numbers[step.offset] = len(sizes) - 1
-        if code.steps:
-            parts.setdefault(_end(code.steps[-1]), len(sizes))
-        wanted = list(sizes)
-        goals = {
-            number: parts[goal_of(jumps[offset]) or 0]
-            for offset, number in numbers.items()
-            if offset not in self._forms
-        }
-        measure(sizes, goals, self._rules)
-        wrong = [offset for offset, number in numbers.items() if sizes[number] != wanted[number]]
-        self._forms |= {offset: forms[offset] for offset in wrong}
-        return bool(wrong)
+        """The label at an offset of the object that was begun."""
+        return self._labels.names.get(offset)
 
     # Operations
 
     def step(self, step: Operation) -> str:
         """One operation as a statement, in the object that was begun."""
-        arguments = list(step.arguments)
-        texts: list[str] = []
-        cmd = step.cmd
-        if cmd is not None:
-            texts.append(self._encoded(cmd, step.command or "", int(cmd.value)))
-        name = step.name
-        if name == _CALL:
-            callee = self._callee(arguments)
-            if callee is not None:
-                texts.append(callee)
-                arguments = arguments[2:]
-            elif arguments[0].kind == CONSTANT:
-                # By its name, the number of parameters would be written too.
-                number = arguments.pop(0)
-                texts.append(self._encoded(number, str(number.value), int(number.value)))
-        elif step.offset in self._forms or goal_of(step) in self._labels:
-            goal = goal_of(step)
-            label = self._labels.get(goal) if goal is not None else None
-            if label is not None:
-                form = self._forms.get(step.offset)
-                texts += map(self._argument, arguments[:-1])
-                return f"{name}({', '.join([*texts, label if form is None else f'{form}({label})'])})"
-        texts += map(self._argument, arguments)
-        return f"{name}({', '.join(texts)})"
+        return self.line(step, self._labels)
 
-    def _integer(self, value: int) -> bytes:
-        return integer(value, self._rules)
-
-    def _encoded(self, argument: Argument, text: str, value: int) -> str:
-        """A number in the encoding that it has: by itself where that is the usual one."""
-        raw = argument.raw
-        if argument.kind == CONSTANT and self._integer(value) == raw:
-            return text
-        try:
-            if encode_as(argument.encoding, value) == raw:
-                return f"{argument.encoding}({text})"
-        except BuildError:
-            pass
-        return _bytes(raw)
+    def arguments(self, operation: Operation, labels: Labels) -> Iterable[str]:
+        """The arguments of an operation; of a CALL by name, without the number of parameters."""
+        arguments = operation.arguments
+        if operation.name != _CALL or arguments[0].kind != CONSTANT:
+            return super().arguments(operation, labels)
+        callee = self._callee(arguments)
+        if callee is not None:
+            return [callee, *map(self.argument, arguments[2:])]
+        # By its name, the number of parameters would be written too.
+        return [self.number(arguments[0], str(arguments[0].value)), *map(self.argument, arguments[1:])]
 
     def _callee(self, arguments: Sequence[Argument]) -> str | None:
         """The subcall's name, where that and the number of parameters is all that the two first arguments say."""
         number, count = arguments[0], arguments[1]
-        if number.kind != CONSTANT or not 0 < int(number.value) <= len(self.codes):
+        if not 0 < int(number.value) <= len(self.codes):
             return None
         callee = self.codes[int(number.value) - 1]
-        if callee.word != ObjectKind.SUBCALL or number.raw != self._integer(int(number.value)):
+        if callee.word != ObjectKind.SUBCALL or number.raw != integer(int(number.value), self.rules):
             return None
         # An object that shares the code of another is declared by that.
         shares = callee.part.shares
         declaring = callee if shares is None else self.codes[shares - 1]
         declares = declaring.part.parameters if declaring.word == ObjectKind.SUBCALL else ()
-        if count.raw != self._integer(len(declares)) or len(arguments) - 2 != len(declares):
+        if count.raw != integer(len(declares), self.rules) or len(arguments) - 2 != len(declares):
             return None
         return self.names[int(number.value) - 1]
 
-    def _argument(self, argument: Argument) -> str:
-        kind = argument.kind
-        if kind == CONSTANT:
-            return self._constant(argument)
-        if kind == TEXT:
-            return _text(argument)
-        if kind == JUMP:
-            return self._encoded(argument, str(argument.value), int(argument.value))
-        return self._variable(argument)
-
-    def _constant(self, argument: Argument) -> str:
+    def argument(self, argument: Argument) -> str:
+        """One argument, in the object that was begun."""
         value, raw, parameter = argument.value, argument.raw, argument.parameter
+        if argument.is_variable:
+            return self._variable(argument)
+        if argument.kind == TEXT:
+            return _text(argument)
         if argument.form.handle or argument.form.address:
             return _bytes(raw)
         if isinstance(value, float):
             return self._float(raw)
         assert isinstance(value, int)
-        if self._integer(value) != raw:
-            return self._encoded(argument, str(value), value)
+        if argument.kind == JUMP or integer(value, self.rules) != raw:
+            return self.number(argument, str(value))
         if parameter.enum is not None:
             symbol = parameter.enum.name_of(value)
             if symbol is not None and firmware_names().get(symbol) == value:
                 return symbol
         elif parameter.type is Type.DATAF:
             # Other assemblers, and our own warnings, take a whole number for a mistake there.
-            return f"!{value}" if value else "0" if self._rules.long_floats else "0.0F"
+            return f"!{value}" if value else "0" if self.rules.long_floats else "0.0F"
         elif parameter.name == _OBJECT_PARAMETER and 0 < value <= len(self.names):
             return self.names[value - 1]
         return str(value)
@@ -384,28 +316,19 @@ class Writer:
     def _float(self, raw: bytes) -> str:
         """A float in LC4, the only encoding in which one is seen as a float."""
         bits = int.from_bytes(raw[1:], "little", signed=True)
-        pattern = bits & 0xFFFFFFFF
         if not math.isfinite(_single(bits)):
-            if firmware_names()[_NAN_NAME] == bits:
-                return _NAN_NAME
-            return f"!0x{pattern:08X}"
+            return _NAN_NAME if firmware_names()[_NAN_NAME] == bits else f"!0x{bits & 0xFFFFFFFF:08X}"
         text = float_text(bits)
-        if self._rules.long_floats or self._integer(bits) == raw:
-            return text
-        return f"LCF({text})"
+        return text if self.rules.long_floats or integer(bits, self.rules) == raw else f"LCF({text})"
 
     def _variable(self, argument: Argument) -> str:
-        index, raw = int(argument.value), argument.raw
-        names = self._globals if argument.kind == GLOBAL else self._locals
-        form = argument.form
-        name = names.get(index)
-        if form.handle or form.address:
-            if form.handle and not form.address and name is not None and _is_usual_handle(argument):
-                return f"@{name}"
-            return _marked(argument)
-        if variable(argument.kind, index, self._rules) == raw and name is not None:
-            return name
-        return self._encoded(argument, _index(index), index)
+        form, index = argument.form, int(argument.value)
+        name = (self._globals if argument.kind == GLOBAL else self._locals).get(index)
+        is_handle = form.handle and not form.address
+        usual = variable(argument.kind, index, self.rules, form.handle, form.address)
+        if name is not None and usual == argument.raw and (is_handle or not form.address):
+            return f"@{name}" if is_handle else name
+        return in_macro(argument, str(index) if index < 1 << 31 else f"0x{index:08X}")
 
 
 def _declaration(variable: DeclaredVariable, name: str) -> str:
@@ -413,33 +336,6 @@ def _declaration(variable: DeclaredVariable, name: str) -> str:
 
 
 # Single arguments
-
-
-def _index(value: int) -> str:
-    """An index; one that needs all 32 bits in hexadecimal, which alone may have that many."""
-    return str(value) if value < 1 << 31 else f"0x{value:08X}"
-
-
-def _marked(argument: Argument) -> str:
-    """A variable with the bits of a handle or an address."""
-    form = argument.form
-    inner = f"{argument.encoding}({_index(int(argument.value))})"
-    try:
-        made = with_bits(encode_as(argument.encoding, int(argument.value)), handle=form.handle, address=form.address)
-    except BuildError:
-        made = b""
-    if made != argument.raw:
-        return _bytes(argument.raw)
-    if form.handle:
-        inner = f"HND({inner})"
-    return f"ADR({inner})" if form.address else inner
-
-
-def _is_usual_handle(argument: Argument) -> bool:
-    """Whether a handle has the width that the assembler gives it."""
-    index = int(argument.value)
-    width = 1 if index < 0x80 else 2 if index < 0x8000 else 4
-    return argument.form.width == width
 
 
 _PLAIN = frozenset(range(0x20, 0x7F)) - {ord("'"), ord("\\")}
@@ -456,7 +352,7 @@ def _text(argument: Argument) -> str:
         text = json.dumps(data.decode(STRING_CODING))
     if raw == encode_as("LCS_OLD", "")[:1] + data + b"\0":
         return text
-    return f"LCS({text})" if raw[:1] == encode_as("LCS", "")[:1] else _bytes(raw)
+    return in_macro(argument, text)
 
 
 def float_text(bits: int) -> str:
@@ -493,25 +389,6 @@ def _is_usual(parameter: ProgramParameter) -> bool:
 
 def _table_size(parameters: Sequence[ProgramParameter]) -> int:
     return 1 + sum(1 if parameter.size is None else 2 for parameter in parameters)
-
-
-def _end(step: Operation) -> int:
-    return step.offset + step.length
-
-
-def goal_of(step: Operation) -> int | None:
-    """The offset that a jump leads to, None for all other operations."""
-    parameters = step.declaration.parameters
-    if not parameters or parameters[-1].type is not Type.LABEL or not step.is_complete:
-        return None
-    if step.name == "LABEL":
-        return None
-    argument = step.arguments[-1]
-    if argument.kind not in (CONSTANT, JUMP) or argument.form.handle or argument.form.address:
-        return None
-    if argument.kind == JUMP and argument.raw[0] != LABEL_BYTE:
-        return None
-    return _end(step) + int(argument.value)
 
 
 _BUFFERS = (Type.STRING, Type.ARRAY_TYPED, Type.COUNT, Type.VALUES, Type.LABEL)

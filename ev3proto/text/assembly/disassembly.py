@@ -19,9 +19,9 @@ from ev3proto.messages import (
 from ev3proto.tables.frame import MAX_LENGTH
 from ev3proto.tables.source import BYTES
 from ev3proto.tables.system import SYSTEM_BY_NUMBER
-from ev3proto.text.assembly.lego_notation import lego_lines
 from ev3proto.text.assembly.macro_notation import operation_line
 from ev3proto.text.assembly.words import CUT, FRAME, MESSAGE, STATUS, command_name
+from ev3proto.text.assembly.writing import lego_lines
 from ev3proto.text.notations import LEGO, MACROS
 from ev3proto.text.phrases import quoted, spaced_hex
 

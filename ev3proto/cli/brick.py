@@ -10,11 +10,17 @@ from contextlib import contextmanager
 from inspect import cleandoc
 from pathlib import Path
 from random import Random
-from typing import TYPE_CHECKING
 
 import click
 from click.core import ParameterSource
 
+from ev3proto.brick.deviations import DEVIATIONS
+from ev3proto.brick.dispatch import coverage as covered_operations
+from ev3proto.brick.servers.faults import Faults
+from ev3proto.brick.servers.limits import PATIENCE, UNLOCK_TIME
+from ev3proto.brick.servers.reporting import Reporter
+from ev3proto.brick.servers.script import Script, ScriptError, read_script
+from ev3proto.brick.servers.server import Options, ServerError, running
 from ev3proto.cli.ending import stopped_by_signals
 from ev3proto.cli.numbers import FiniteRange
 from ev3proto.cli.output import Printer, complain, flush, say
@@ -22,11 +28,6 @@ from ev3proto.tables.declaration import DIALECTS
 from ev3proto.tables.discovery import TCP_PORT
 from ev3proto.temporary import temporary_folder
 from ev3proto.text.visible import visible
-
-if TYPE_CHECKING:
-    from ev3proto.brick.servers.reporting import Reporter
-    from ev3proto.brick.servers.script import Script
-    from ev3proto.brick.servers.server import Options
 
 _SHARE = FiniteRange(0, 1)
 _PORT = click.IntRange(0, 65535)
@@ -39,9 +40,6 @@ class _WithDifferences(click.Command):
     """A command whose help also says what the virtual brick does on purpose in another way than a real one."""
 
     def format_help_text(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        from ev3proto.brick.deviations import DEVIATIONS
-        from ev3proto.brick.servers.limits import PATIENCE, UNLOCK_TIME
-
         limits = (
             f"A direct command that has taken {PATIENCE:g} s is ended when another client waits.",
             f"A client that has not sent the unlock text after {UNLOCK_TIME:g} s is disconnected.",
@@ -173,9 +171,6 @@ def brick(
         return
     if not wifi:
         _expect_nothing_of_wifi()
-    from ev3proto.brick.deviations import DEVIATIONS
-    from ev3proto.brick.servers.faults import Faults
-    from ev3proto.brick.servers.server import Options
 
     options = Options(
         address=address,
@@ -229,8 +224,6 @@ def _expect_nothing_of_wifi() -> None:
 
 async def _serve(options: Options, root: Path) -> Reporter | None:
     """Runs the brick until it is interrupted. Returns what has checked the clients' frames."""
-    from ev3proto.brick.servers.server import ServerError, running
-
     try:
         async with running(options, root, complain) as now:
             with interrupted() as ended:
@@ -275,8 +268,6 @@ def folder(root: Path | None) -> Iterator[Path]:
 
 def read_script_file(path: Path | None) -> Script:
     """The script in a file; an empty one without a file. Ends the program where it cannot be read or makes no sense."""
-    from ev3proto.brick.servers.script import Script, ScriptError, read_script
-
     if path is None:
         return Script()
     try:
@@ -289,8 +280,6 @@ def read_script_file(path: Path | None) -> Script:
 
 
 def _show_coverage(dialect: str) -> None:
-    from ev3proto.brick.dispatch import coverage as covered_operations
-
     names = list(covered_operations(dialect))
     missing = [name for name, is_there in names if not is_there]
     for name in missing:

@@ -6,12 +6,10 @@ import sys
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import AbstractContextManager
 from dataclasses import dataclass, field
-from functools import partial
 from typing import Any
 
 from ev3proto.capture import Account, Capture, CaptureError, Event, Record, Skipped, read
 from ev3proto.capture.dialogues import RequestReply, dialogues
-from ev3proto.capture.filter import Choosing
 from ev3proto.capture.formats import CaptureFile
 from ev3proto.capture.text_log import read_log
 from ev3proto.cli.output import complain
@@ -72,6 +70,8 @@ class CaptureSource:
         if chosen is None:
             yield from self._all_events()
             return
+        from ev3proto.capture.filter import Choosing  # loaded already where there is a filter; lark takes 20 ms
+
         choosing = Choosing(chosen, self.options.memory * MIB)
         events = self._all_events()
         yield from choosing.chosen(events if look is None else _looked_at(events, look))
@@ -122,18 +122,21 @@ class CaptureSource:
         self.status = 1
 
     def _opened(self) -> Capture:
-        from ev3proto.pyshark import read as read_by_tshark
-
         options = self.options
         if self.lines is None and options.engine == BUILTIN:
             self._look()
         if self.lines is not None:
             self._capture = read_log(self._pieces(self.lines), dialect=options.dialect, memory=options.memory * MIB)
             return self._capture
-        opened = read if options.engine == BUILTIN else partial(read_by_tshark, tshark=options.tshark)
-        self._capture = opened(
-            self.file or _stream(self.name), dialect=options.dialect, ports=options.ports, memory=options.memory * MIB
-        )
+        source, memory = self.file or _stream(self.name), options.memory * MIB
+        if options.engine == BUILTIN:
+            self._capture = read(source, dialect=options.dialect, ports=options.ports, memory=memory)
+        else:
+            from ev3proto import pyshark  # takes 50 ms, which only this engine needs
+
+            self._capture = pyshark.read(
+                source, dialect=options.dialect, ports=options.ports, tshark=options.tshark, memory=memory
+            )
         return self._capture
 
     def _look(self) -> None:

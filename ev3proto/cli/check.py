@@ -17,13 +17,6 @@ from ev3proto.checking.fixing import fix
 from ev3proto.checking.program_codes import PROGRAM_CODES
 from ev3proto.checking.report import Finding, Fix, Report
 from ev3proto.cli.output import Printer, complain
-from ev3proto.cli.programs import (
-    complain_of,
-    complain_of_warnings,
-    program_explanation,
-    read_source,
-    source_findings,
-)
 from ev3proto.cli.reading import CaptureOptions, reading_options
 from ev3proto.cli.sources import Source, SourceReader, sources
 from ev3proto.cli.texts import SOURCE_SUFFIX
@@ -38,7 +31,6 @@ if TYPE_CHECKING:
     from ev3proto.capture.record import Record
     from ev3proto.cli.annotations import Annotations
     from ev3proto.cli.captures import CaptureSource
-    from ev3proto.text.assembly.errors import SourceWarning
 
 # Captures and programs are loaded where they are needed: a frame is checked 40 ms sooner.
 
@@ -167,9 +159,9 @@ class Checking(SourceReader):
 
     def program(self, source: Source, image: bytes) -> None:
         """A program image."""
-        self._image(source, image, ())
+        self._image(source, image, [])
 
-    def _image(self, source: Source, image: bytes, warnings: Sequence[SourceWarning]) -> None:
+    def _image(self, source: Source, image: bytes, warnings: list[dict[str, Any]]) -> None:
         """A program image, and what its source was warned of."""
         from ev3proto.program import check_program
         from ev3proto.program.report import program_findings
@@ -187,6 +179,7 @@ class Checking(SourceReader):
 
     def _source(self, source: Source) -> None:
         """The source of a program: what is wrong with it, or else with the image that it becomes."""
+        from ev3proto.cli.programs import complain_of, complain_of_warnings, read_source, source_findings
         from ev3proto.program import assemble
         from ev3proto.text.assembly.errors import AssemblyError
 
@@ -214,7 +207,7 @@ class Checking(SourceReader):
         elif not self._options.hidden >= {"warning"} and not self._options.quiet:
             complain_of_warnings(source.label, made.warnings)
         self.at_fault |= self._options.strict and bool(made.warnings)
-        self._image(source, made.image, made.warnings)
+        self._image(source, made.image, source_findings(warnings=made.warnings))
 
     def complain(self, sentence: str) -> None:
         """Prints a sentence about input that is at fault, also where a workflow shows it."""
@@ -283,7 +276,7 @@ class Checking(SourceReader):
         entry: Callable[[], dict[str, Any]],
         *,
         is_file: bool = False,
-        warnings: Sequence[SourceWarning] = (),
+        warnings: Sequence[dict[str, Any]] = (),
     ) -> bool:
         """Shows what was found in any form but as text; says whether nothing is left to be shown."""
         if self._options.leaves_out(report, is_alone=self._is_single and not place.is_among):
@@ -294,10 +287,10 @@ class Checking(SourceReader):
             self._json(place, entry(), report, warnings)
         return self._options.style != FORMATS[0]
 
-    def _json(self, place: Place, entry: dict[str, Any], report: Report, warnings: Sequence[SourceWarning]) -> None:
+    def _json(self, place: Place, entry: dict[str, Any], report: Report, warnings: Sequence[dict[str, Any]]) -> None:
         entry["findings"] = [finding.as_dict() for finding in self._options.shown(report)]
         if warnings and "warning" not in self._options.hidden:
-            entry["findings"] = source_findings(warnings=warnings) + entry["findings"]
+            entry["findings"] = [*warnings, *entry["findings"]]
         self._print(place.facts, entry)
 
     def _print(self, facts: dict[str, Any], entry: dict[str, Any]) -> None:
@@ -443,6 +436,8 @@ def _explain(name: str, *, as_json: bool, dialect: str) -> None:
                 [[(f"{code.code}  ", Role.OPERATION), (f"{code.severity!s:8} ", Role.ASIDE), (code.title, Role.PLAIN)]]
             )
         elif code.code in PROGRAM_CODES:
+            from ev3proto.cli.programs import program_explanation
+
             printer.lines(program_explanation(code, dialect))
         else:
             report = check_frame(code.example, dialect=dialect, carrier=code.carrier)

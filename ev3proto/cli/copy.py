@@ -6,16 +6,16 @@ import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import click
 
 from ev3proto.cli.output import Printer, complain
 from ev3proto.cli.targets import TargetType
 from ev3proto.errors import BuildError
-
-if TYPE_CHECKING:
-    from ev3proto.link.targets import Target
+from ev3proto.link.errors import LinkError
+from ev3proto.link.ev3 import EV3
+from ev3proto.link.file_moves import nothing_moved
+from ev3proto.link.targets import Target
 
 ON_BRICK = "brick:"
 """What a path on the brick begins with."""
@@ -40,8 +40,6 @@ def copy(target: Target, source: str, destination: str) -> None:
     if is_from_brick == destination.startswith(ON_BRICK):
         example = f"{ON_BRICK}../prjs/tone/tone.rbf"
         raise click.UsageError(f"one of SOURCE and DESTINATION must be on the brick, such as {example}")
-    from ev3proto.link.errors import LinkError
-    from ev3proto.link.ev3 import EV3
 
     try:
         with EV3(target=target) as brick, _bar() as moved:
@@ -62,11 +60,9 @@ def copy(target: Target, source: str, destination: str) -> None:
 def _bar() -> Iterator[Callable[[int, int], None]]:
     """What shows how many bytes of how many were moved, where a terminal watches."""
     if sys.stderr is None or not sys.stderr.isatty():
-        from ev3proto.link.file_moves import nothing_moved
-
         yield nothing_moved
         return
-    from rich.console import Console
+    from rich.console import Console  # takes 30 ms, which only terminals have a use for
     from rich.progress import BarColumn, DownloadColumn, Progress
 
     with Progress(BarColumn(), DownloadColumn(), console=Console(stderr=True), transient=True) as progress:

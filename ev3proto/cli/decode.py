@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 import click
 
 from ev3proto.cli.output import complain
-from ev3proto.cli.programs import PROGRAM_FORMATS, read_program
 from ev3proto.cli.reading import MIB, CaptureOptions, given_up, reading_options
 from ev3proto.cli.show import FORMATS, Show
 from ev3proto.cli.sources import Source, SourceReader, sources
@@ -19,6 +18,10 @@ from ev3proto.text.split import Piece
 
 if TYPE_CHECKING:
     from ev3proto.cli.captures import CaptureSource
+
+
+PROGRAM_FORMATS = ("listing",)
+"""The formats that there are for programs only."""
 
 
 class Decoding(SourceReader):
@@ -62,6 +65,8 @@ class Decoding(SourceReader):
 
     def _shown(self, label: str, origin: str | None, image: bytes) -> None:
         """A program: what complaints call it, and where it comes from if that is to be shown."""
+        from ev3proto.cli.programs import read_program  # takes 45 ms, which frames have no use for
+
         program = read_program(label, image, self.reading.dialect)
         if program is None:
             self.at_fault = True

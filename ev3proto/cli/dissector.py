@@ -9,6 +9,17 @@ import click
 
 from ev3proto.cli.groups import Group
 from ev3proto.cli.output import binary_output, complain, say
+from ev3proto.generate.dissector.build import FILE_NAME, build
+from ev3proto.generate.dissector.install import (
+    Folders,
+    InstallError,
+    InstallResult,
+    NoTsharkError,
+    Tshark,
+    install_dissector,
+    install_profile,
+    uninstall,
+)
 from ev3proto.whole_files import write_whole
 
 
@@ -34,8 +45,6 @@ def build_command(output: Path | None, check: bool) -> None:
       ev3proto dissector build > ev3.lua
       ev3proto dissector build -o dissector/ev3.lua --check
     """  # noqa: D301 - the mark by which click leaves lines as they are
-    from ev3proto.generate.dissector.build import build
-
     if check and output is None:
         raise click.UsageError("--check needs -o: the file to check")
     data = build().encode()
@@ -78,8 +87,6 @@ def install(folder: Path | None, with_profile: bool, tshark: str | None, force: 
       ev3proto dissector install --profile
       ev3proto dissector install --dir ~/.local/lib/wireshark/plugins
     """  # noqa: D301
-    from ev3proto.generate.dissector.install import InstallError
-
     try:
         _install(folder, with_profile, tshark, force)
     except InstallError as error:
@@ -103,8 +110,6 @@ def uninstall_command(folder: Path | None, tshark: str | None, force: bool) -> N
       ev3proto dissector uninstall
       ev3proto dissector uninstall --dir ~/.local/lib/wireshark/plugins
     """  # noqa: D301
-    from ev3proto.generate.dissector.install import Folders, InstallError, InstallResult, Tshark, uninstall
-
     try:
         if folder is not None:
             folders = Folders.below(folder)
@@ -126,16 +131,6 @@ def uninstall_command(folder: Path | None, tshark: str | None, force: bool) -> N
 
 
 def _install(folder: Path | None, with_profile: bool, tshark: str | None, force: bool) -> None:
-    from ev3proto.generate.dissector.build import FILE_NAME
-    from ev3proto.generate.dissector.install import (
-        Folders,
-        InstallError,
-        InstallResult,
-        NoTsharkError,
-        Tshark,
-        install_dissector,
-    )
-
     asked = None
     try:
         asked = Tshark(tshark) if tshark or folder is None else None
@@ -166,8 +161,6 @@ def _install(folder: Path | None, with_profile: bool, tshark: str | None, force:
 
 
 def _install_profile(folder: Path, *, force: bool) -> None:
-    from ev3proto.generate.dissector.install import InstallResult, install_profile
-
     outcomes = list(install_profile(folder, force=force))
     for path, outcome in outcomes:
         say(f"{path}: {outcome.value}")

@@ -11,12 +11,13 @@ from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
 from types import TracebackType
-from typing import TYPE_CHECKING, Any, BinaryIO, Protocol, Self
+from typing import Any, BinaryIO, Protocol, Self
 
 import click
 
+from ev3proto.capture import Record
+from ev3proto.cli.captures import CaptureSource
 from ev3proto.cli.output import binary_output, complain, is_terminal, say
-from ev3proto.cli.programs import RBF, SUFFIX, encode_program
 from ev3proto.cli.reading import CaptureOptions, reading_options
 from ev3proto.cli.sources import Source, SourceReader, sources
 from ev3proto.cli.texts import Unread, introduction
@@ -24,18 +25,24 @@ from ev3proto.dialogue import Dialogue
 from ev3proto.messages import Message
 from ev3proto.schema.frame import parse
 from ev3proto.tables.frame import COUNTERS
+from ev3proto.text.assembly import AssemblyError
+from ev3proto.text.assembly.assembling import MAX_TEXT, assembled
+from ev3proto.text.assembly.disassembly import assembly
+from ev3proto.text.assembly.recognising import is_assembly
+from ev3proto.text.forms import as_c, as_hex, as_python
 from ev3proto.text.heading import Seen, heading
+from ev3proto.text.json_format.from_messages import record
+from ev3proto.text.json_format.to_messages import RecordError, frames_in, read_records
 from ev3proto.text.late_pattern import late_pattern
 from ev3proto.text.paste import Pasted, read_argument, read_text
 from ev3proto.text.spans import plain_text
 from ev3proto.text.split import Piece
 from ev3proto.whole_files import whole_file
 
-if TYPE_CHECKING:
-    from ev3proto.cli.captures import CaptureSource
-    from ev3proto.text.assembly.errors import AssemblyError
-
 _START = 8
+RBF, SUFFIX = "rbf", ".rbf"
+"""The form of programs: their images."""
+
 _OBJECT = late_pattern(r"^[ \t]*(vmthread|subcall|block)[ \t]+[A-Za-z_]", re.MULTILINE)
 """The start of an object of a program. A direct command may be written as one vmthread."""
 
@@ -81,8 +88,6 @@ class Output:
 
 
 def _hex(message: Message, _number: int, _dialogue: Dialogue) -> str:
-    from ev3proto.text.forms import as_hex
-
     return as_hex(message)
 
 
@@ -91,20 +96,14 @@ def _raw(message: Message, _number: int, _dialogue: Dialogue) -> bytes:
 
 
 def _c(message: Message, number: int, _dialogue: Dialogue) -> str:
-    from ev3proto.text.forms import as_c
-
     return as_c(message, f"frame_{number}")
 
 
 def _python(message: Message, number: int, _dialogue: Dialogue) -> str:
-    from ev3proto.text.forms import as_python
-
     return as_python(message, f"frame_{number}")
 
 
 def _json(message: Message, _number: int, dialogue: Dialogue) -> str:
-    from ev3proto.text.json_format.from_messages import record
-
     return json.dumps(record(dialogue.follow(message), Seen()), ensure_ascii=False)
 
 
@@ -117,8 +116,6 @@ def _lego(message: Message, _number: int, dialogue: Dialogue) -> str:
 
 
 def _assembly(message: Message, dialogue: Dialogue, notation: str) -> str:
-    from ev3proto.text.assembly.disassembly import assembly
-
     exchange = dialogue.follow(message)
     return "\n".join(assembly(exchange, plain_text(heading(exchange, Seen())), notation))
 
@@ -182,8 +179,6 @@ class Encoding(SourceReader):
 
     def capture(self, capture: CaptureSource) -> int:
         """The frames of a capture."""
-        from ev3proto.capture import Record
-
         before = self._output.count
         for event in capture.events():
             if isinstance(event, Record):
@@ -218,8 +213,6 @@ class Encoding(SourceReader):
             self._frames(source, whole)
 
     def _records(self, source: Source, lines: Iterable[str]) -> None:
-        from ev3proto.text.json_format.to_messages import RecordError, frames_in, read_records
-
         dialect = self.reading.dialect
         try:
             for number, entry in read_records(lines):
@@ -232,9 +225,6 @@ class Encoding(SourceReader):
             self.complain(f"{source.label[:60]}, {error}")
 
     def _assembly(self, source: Source, lines: Iterable[str]) -> None:
-        from ev3proto.text.assembly import AssemblyError
-        from ev3proto.text.assembly.assembling import MAX_TEXT, assembled
-
         text = _joined(lines, "\n" if source.is_frame else "", MAX_TEXT + 1)
         try:
             for message in assembled(
@@ -292,8 +282,6 @@ def _is_record(line: str) -> bool:
 
 
 def _is_assembly(line: str) -> bool:
-    from ev3proto.text.assembly.recognising import is_assembly
-
     return is_assembly(line)
 
 
@@ -391,6 +379,8 @@ def encode(
     if form == RBF or (form is None and (is_for_program or (path is not None and path.lower().endswith(SUFFIX)))):
         _expect_nothing_of_frames(counter, reply, unchecked, reading)
         found = sources(names)
+        from ev3proto.cli.programs import encode_program  # takes 45 ms, which frames have no use for
+
         sys.exit(encode_program(found, path, dialect=source_dialect, version=version, shortest=shortest))
     if is_for_program:
         raise click.UsageError("--source, --version and --shortest are for programs: give --to rbf, or -o FILE.rbf")

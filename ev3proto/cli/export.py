@@ -5,10 +5,12 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING, TypeVar
+from typing import TypeVar
 
 import click
 
+from ev3proto.capture import Record
+from ev3proto.capture.text_log import Clock
 from ev3proto.cli.captures import CaptureSource
 from ev3proto.cli.groups import Group
 from ev3proto.cli.numbers import FiniteRange
@@ -16,14 +18,16 @@ from ev3proto.cli.output import binary_output, complain, is_terminal
 from ev3proto.cli.reading import CaptureOptions, reading_options
 from ev3proto.cli.sources import Source, SourceReader, sources
 from ev3proto.errors import BuildError
+from ev3proto.generate import output_schemas
+from ev3proto.generate.captures import CaptureWriter, TimedFrame
+from ev3proto.generate.cheader import build as header
+from ev3proto.generate.kaitai import build as description
+from ev3proto.generate.tables_json import build as tables
 from ev3proto.tables.carriers import CARRIERS, DEFAULT_CARRIER
 from ev3proto.tables.declaration import DIALECTS
 from ev3proto.text.paste import Pasted
 from ev3proto.text.split import Piece
 from ev3proto.whole_files import whole_file, write_whole
-
-if TYPE_CHECKING:
-    from ev3proto.generate.captures import CaptureWriter, TimedFrame
 
 F = TypeVar("F", bound=Callable[..., object])
 
@@ -95,9 +99,7 @@ def c_header(output: Path | None, check: bool) -> None:
     \b
       ev3proto export c-header -o ev3proto.h
     """  # noqa: D301 - the mark by which click leaves lines as they are
-    from ev3proto.generate.cheader.build import build
-
-    _write(build(), output, check=check)
+    _write(header.build(), output, check=check)
 
 
 @export.command()
@@ -112,9 +114,7 @@ def kaitai(dialect: str, output: Path | None, check: bool) -> None:
       ev3proto export kaitai -o ev3.ksy
       ev3proto export kaitai --dialect xtended -o ev3.ksy
     """  # noqa: D301
-    from ev3proto.generate.kaitai.build import build
-
-    _write(build(dialect), output, check=check)
+    _write(description.build(dialect), output, check=check)
 
 
 @export.command("json")
@@ -125,9 +125,7 @@ def json_tables(output: Path | None, check: bool) -> None:
     \b
       ev3proto export json | jq '.areas.sound[0].commands[].name'
     """  # noqa: D301
-    from ev3proto.generate.tables_json.build import build_tables
-
-    _write(build_tables(), output, check=check)
+    _write(tables.build_tables(), output, check=check)
 
 
 @export.command("json-schema")
@@ -138,9 +136,7 @@ def json_schema(output: Path | None, check: bool) -> None:
     \b
       ev3proto export json-schema -o ev3-tables.schema.json
     """  # noqa: D301
-    from ev3proto.generate.tables_json.build import build_schema
-
-    _write(build_schema(), output, check=check)
+    _write(tables.build_schema(), output, check=check)
 
 
 @export.command("output-schema")
@@ -151,9 +147,7 @@ def output_schema(output: Path | None, check: bool) -> None:
     \b
       ev3proto export output-schema -o ev3-output.schema.json
     """  # noqa: D301
-    from ev3proto.generate.output_schemas import build
-
-    _write(build(), output, check=check)
+    _write(output_schemas.build(), output, check=check)
 
 
 @export.command("all")
@@ -166,11 +160,6 @@ def everything(folder: Path, check: bool) -> None:
       ev3proto export all exports
       ev3proto export all exports --check
     """  # noqa: D301
-    from ev3proto.generate import output_schemas
-    from ev3proto.generate.cheader import build as header
-    from ev3proto.generate.kaitai import build as description
-    from ev3proto.generate.tables_json import build as tables
-
     texts = {
         header.FILE_NAME: header.build(),
         description.FILE_NAME: description.build(),
@@ -198,8 +187,6 @@ class _Carrying(SourceReader):
     is_quiet = True
 
     def __init__(self, writer: CaptureWriter, reading: CaptureOptions) -> None:
-        from ev3proto.capture.text_log import Clock
-
         super().__init__(reading)
         self._writer = writer
         self._clock = Clock()
@@ -207,8 +194,6 @@ class _Carrying(SourceReader):
 
     def piece(self, piece: Piece, pasted: Pasted, source: Source) -> None:
         """A frame of a text, at its time; without one it goes on from the frame before."""
-        from ev3proto.generate.captures import TimedFrame
-
         frame = piece.message.build()
         if self._has_times is None:
             self._has_times = pasted.time is not None
@@ -217,9 +202,6 @@ class _Carrying(SourceReader):
 
     def capture(self, capture: CaptureSource) -> int:
         """The frames of a capture, at their times."""
-        from ev3proto.capture import Record
-        from ev3proto.generate.captures import TimedFrame
-
         before = self._writer.count
         for event in capture.events():
             if isinstance(event, Record):
@@ -264,8 +246,6 @@ def pcapng(names: tuple[str, ...], output: Path | None, carrier: str, interval: 
       ev3proto export pcapng 0e002a0080000094010182b80182e803 -o tone.pcapng
       ev3proto export pcapng --carrier usb robot.log | tshark -r -
     """  # noqa: D301
-    from ev3proto.generate.captures import CaptureWriter
-
     if output is None and is_terminal():
         raise click.UsageError("a capture is no text for a terminal: name a file with -o, or pipe it on")
     try:

@@ -7,17 +7,17 @@ import sys
 from collections.abc import Iterator
 from dataclasses import asdict
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import click
 
+from ev3proto.capture import CaptureError
+from ev3proto.capture.files import FileState, RecoveredFile, recover, survey
 from ev3proto.cli.captures import CaptureSource
 from ev3proto.cli.output import complain, say
 from ev3proto.cli.reading import CaptureOptions, reading_options
+from ev3proto.cli.tables import Tables
 from ev3proto.text.visible import visible
-
-if TYPE_CHECKING:
-    from ev3proto.capture.files import RecoveredFile
 
 
 @click.command()
@@ -47,7 +47,6 @@ def files(
     """  # noqa: D301 - the mark by which click leaves lines as they are
     if force and folder is None:
         raise click.UsageError("--force needs -o: the folder to write into")
-    from ev3proto.capture.files import FileState, recover, survey
 
     rows: list[tuple[str, ...]] = []
     units = set()
@@ -83,8 +82,6 @@ def files(
 
 def _complaining(found: Iterator[RecoveredFile], source: CaptureSource) -> Iterator[RecoveredFile]:
     """What is found, and a sentence when finding it comes to a bad end."""
-    from ev3proto.capture import CaptureError
-
     try:
         yield from found
     except CaptureError as error:
@@ -105,8 +102,6 @@ def _row(file: RecoveredFile) -> tuple[str, ...]:
 
 
 def _list(rows: list[tuple[str, ...]], places: str) -> None:
-    from ev3proto.cli.tables import Tables
-
     bricks = {row[_COLUMNS.index("brick")] for row in rows}
     titles = [places if name == "packets" else name for name in _COLUMNS]
     Tables(hidden=() if len(bricks) > 1 else ("brick",)).table(titles, rows)

@@ -10,7 +10,6 @@ from pathlib import Path
 
 import click
 
-import ev3proto
 from ev3proto.cli.reference_page import reference_page
 from ev3proto.generate.everything import COMMAND, outdated, write
 
@@ -28,7 +27,7 @@ _OF_THE_PROJECT = ("pyproject.toml", "dissector", "exports")
 def main(check: bool, root: Path | None) -> None:
     """Writes or checks the files."""
     if root is None:
-        root = Path(ev3proto.__file__).parent.parent
+        root = Path(__file__).parents[2]
         if not any((root / name).exists() for name in _OF_THE_PROJECT):
             raise click.UsageError("this ev3proto is installed without its project: give --root, the project's folder")
     if not check:

@@ -6,6 +6,8 @@ import re
 
 import click
 
+from ev3proto.cli.check import check
+from ev3proto.cli.ops import ops
 from ev3proto.cli.output import say
 
 
@@ -37,9 +39,6 @@ def help(context: click.Context, words: tuple[str, ...]) -> None:  # noqa: A001 
 
 def _look_up(words: tuple[str, ...]) -> None:
     """Shows an operation, or explains a code of the checker."""
-    from ev3proto.cli.check import check
-    from ev3proto.cli.ops import ops
-
     if re.fullmatch(r"[EWHewh]\d{3}", words[0]):
         command, arguments = check, ["--explain", words[0].upper()]
     else:

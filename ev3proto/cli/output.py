@@ -138,7 +138,7 @@ class _Paint:
     """Gives the pieces of lines the colours of their roles."""
 
     def __init__(self) -> None:
-        from rich.console import Console
+        from rich.console import Console  # takes 30 ms, which only terminals have a use for
         from rich.text import Text
 
         self._text = Text

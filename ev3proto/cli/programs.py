@@ -2,33 +2,33 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from textwrap import wrap
+from typing import Any
 
 import click
 
+from ev3proto.checking.codes import Code
 from ev3proto.cli.output import Printer, binary_output, complain, is_terminal
 from ev3proto.cli.sources import Source
 from ev3proto.cli.texts import is_image
-from ev3proto.errors import counted
+from ev3proto.errors import DecodeError, counted
+from ev3proto.program import Program, assemble, check_program, parse, source_of
+from ev3proto.program.json_format import program_record
+from ev3proto.program.listing import listing, program_tree
+from ev3proto.program.report import program_findings
+from ev3proto.program.sources import MAX_SOURCE
+from ev3proto.text.assembly.errors import AssemblyError, SourceWarning
+from ev3proto.text.diagnostics import ROLES
 from ev3proto.text.notations import NOTATIONS
+from ev3proto.text.phrases import spaced_hex
 from ev3proto.text.spans import Line, Role
-
-if TYPE_CHECKING:
-    from ev3proto.checking.codes import Code
-    from ev3proto.program import Program
-    from ev3proto.text.assembly.errors import AssemblyError, SourceWarning
-
-SUFFIX = ".rbf"
-RBF = "rbf"
-"""The form of `encode` that makes images."""
+from ev3proto.whole_files import write_whole
 
 SOURCE_CODE = "source"
 """What stands in place of a code where a source cannot be assembled, or is assembled with a warning."""
-
-PROGRAM_FORMATS = ("listing",)
-"""The formats of `decode` that there are for programs only."""
 
 _MOST_WARNINGS = 20
 _TEXT_WIDTH = 100
@@ -37,9 +37,6 @@ _MOST_OF_A_NAME = 200
 
 def read_program(label: str, image: bytes, dialect: str) -> Program | None:
     """A program, read as far as it goes; None, and a complaint, where there is not even a header."""
-    from ev3proto.errors import DecodeError
-    from ev3proto.program import parse
-
     try:
         return parse(image, strict=False, dialect=dialect)
     except DecodeError as error:
@@ -60,10 +57,6 @@ def show_program(
         origin: Where it comes from, None where people named it themselves.
     """
     if style == "json":
-        import json
-
-        from ev3proto.program.json_format import program_record
-
         entry = program_record(program, len(image))
         if origin is not None:
             entry["origin"] = origin
@@ -73,13 +66,9 @@ def show_program(
         is_source = style in NOTATIONS
         printer.lines([[(f"// {origin}" if is_source else origin, Role.ASIDE)]])
     if style in NOTATIONS:
-        from ev3proto.program import source_of
-
         for line in source_of(program).rstrip("\n").split("\n"):
             printer.text(line)
     else:
-        from ev3proto.program.listing import listing, program_tree
-
         printer.lines(program_tree(program) if style == "tree" else listing(program))
 
 
@@ -121,8 +110,6 @@ def source_findings(error: AssemblyError | None = None, warnings: Iterable[Sourc
 
 def read_source(source: Source) -> bytes | None:
     """The bytes of a source; None, and a complaint, where it cannot be read."""
-    from ev3proto.program.sources import MAX_SOURCE
-
     try:
         with source.open() as stream:
             return stream.read(MAX_SOURCE + 1)
@@ -133,13 +120,6 @@ def read_source(source: Source) -> bytes | None:
 
 def program_explanation(code: Code, dialect: str) -> Iterator[Line]:
     """What a code of programs means, and what a check says of its example."""
-    from textwrap import wrap
-
-    from ev3proto.program import check_program
-    from ev3proto.program.report import program_findings
-    from ev3proto.text.diagnostics import ROLES
-    from ev3proto.text.phrases import spaced_hex
-
     yield [(f"{code.severity}[{code.code}]", ROLES[code.severity]), (f": {code.title}", Role.HEADING)]
     yield []
     for text in wrap(" ".join(code.explanation.split()), _TEXT_WIDTH):
@@ -156,9 +136,6 @@ def encode_program(
     found: list[Source], path: str | None, *, dialect: str | None, version: int | None, shortest: bool
 ) -> int:
     """Makes an image of one source and writes it; the exit status."""
-    from ev3proto.program import assemble
-    from ev3proto.text.assembly.errors import AssemblyError
-
     if len(found) != 1:
         raise click.UsageError(f"a program is made of one source, and here are {len(found)}")
     source = found[0]
@@ -178,8 +155,6 @@ def encode_program(
         with binary_output() as stream:
             stream.write(made.image)
     else:
-        from ev3proto.whole_files import write_whole
-
         try:
             write_whole(Path(path), made.image)
         except OSError as error:

@@ -45,7 +45,7 @@ class _Bar:
     """A bar that is drawn once reading takes longer than people like to wait without a word."""
 
     def __init__(self, done: Callable[[], float | None], name: str) -> None:
-        from rich.console import Console
+        from rich.console import Console  # takes 30 ms, which only terminals have a use for
         from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeRemainingColumn
 
         self._done = done

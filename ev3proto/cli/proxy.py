@@ -7,24 +7,28 @@ import sys
 from contextlib import ExitStack, closing
 from pathlib import Path
 from random import Random
-from typing import TYPE_CHECKING, BinaryIO, cast
+from typing import BinaryIO, cast
 
 import click
 
+from ev3proto.brick.servers.faults import Faults
+from ev3proto.capture.dialogues import RequestReply
 from ev3proto.cli.ending import stopped_by_signals
 from ev3proto.cli.numbers import FiniteRange
 from ev3proto.cli.output import OutputError, complain, flush, is_terminal, say
 from ev3proto.cli.recorded import show_dialogue
 from ev3proto.cli.show import Show
 from ev3proto.cli.targets import TargetType
+from ev3proto.generate.captures.recording import Recording
+from ev3proto.link.announcing import Announcement
+from ev3proto.link.carriers import open_wire
+from ev3proto.link.errors import LinkError
+from ev3proto.link.proxy import Proxy, ProxyOptions
+from ev3proto.link.targets import Target, Way
+from ev3proto.schema.discovery import Beacon
 from ev3proto.tables.declaration import DIALECTS
 from ev3proto.tables.discovery import BEACON_PORT, TCP_PORT
 from ev3proto.whole_files import GrowingFile
-
-if TYPE_CHECKING:
-    from ev3proto.capture.dialogues import RequestReply
-    from ev3proto.generate.captures.recording import Recording
-    from ev3proto.link.targets import Target
 
 _LOOPBACK = "127.0.0.1"
 _UNKNOWN_SERIAL = "0" * 12
@@ -85,11 +89,6 @@ def proxy(
       ev3proto proxy --listen wifi:127.0.0.1:5556 --to wifi --record talk.pcapng
       ev3proto proxy --to usb --record - | wireshark -k -i -
     """  # noqa: D301 - the mark by which click leaves lines as they are
-    from ev3proto.brick.servers.faults import Faults
-    from ev3proto.link.carriers import open_wire
-    from ev3proto.link.errors import LinkError
-    from ev3proto.link.proxy import Proxy, ProxyOptions
-
     if record == "-" and as_json:
         raise click.UsageError("--record - takes standard output, on which --json prints: give one or the other")
     address, port = _place(listen)
@@ -111,9 +110,6 @@ def proxy(
             complain(f"Everybody who reaches {address} can talk to the brick through this proxy (--from, --read-only).")
         tell = complain if record == "-" else say
         if beacon:
-            from ev3proto.link.announcing import Announcement
-            from ev3proto.schema.discovery import Beacon
-
             said = Beacon(target.serial_number or _UNKNOWN_SERIAL, str(standing.port))
             stack.callback(Announcement(said, address, BEACON_PORT).stop)
         with stopped_by_signals(standing.stop):
@@ -140,8 +136,6 @@ class _Shown:
 
 def _place(listen: str) -> tuple[str, int]:
     """Address and port to listen at. Raises click.BadParameter."""
-    from ev3proto.link.targets import Target, Way
-
     try:
         found = Target.parse(listen) if not listen.endswith(":0") else Target.parse(listen[:-2])
         if found.way is not Way.WIFI:
@@ -164,8 +158,6 @@ def _address(text: str | None) -> str | None:
 
 def _recording(record: str | None, stack: ExitStack) -> Recording | None:
     """The recording, which is begun; None without one. Ends the program where it cannot be written."""
-    from ev3proto.generate.captures.recording import Recording
-
     if record is None:
         return None
     try:

@@ -64,7 +64,7 @@ def given_up(label: str, count: int, memory: int) -> str:
 def _compiled(_context: click.Context, _parameter: click.Parameter, text: str | None) -> Filter | None:
     if text is None:
         return None
-    from ev3proto.capture.filter import FilterError, compile_filter
+    from ev3proto.capture.filter import FilterError, compile_filter  # takes 30 ms, which only filters need
 
     try:
         return compile_filter(text)
@@ -89,7 +89,7 @@ def _underlined(text: str, error: FilterError) -> str:
 def _explain_filters(context: click.Context, _parameter: click.Parameter, is_wanted: bool) -> None:
     if not is_wanted or context.resilient_parsing:
         return
-    from ev3proto.capture.filter.manual import manual
+    from ev3proto.capture.filter.manual import manual  # the same
 
     say("\n".join(manual()))
     context.exit()

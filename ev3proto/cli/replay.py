@@ -5,10 +5,10 @@ from __future__ import annotations
 import sys
 import time
 from collections import Counter
-from typing import TYPE_CHECKING
 
 import click
 
+from ev3proto.capture.dialogues import RequestReply, dialogues
 from ev3proto.cli.captures import CaptureSource
 from ev3proto.cli.output import Printer, complain
 from ev3proto.cli.reading import CaptureOptions, reading_options
@@ -16,14 +16,16 @@ from ev3proto.cli.recorded import show_dialogue
 from ev3proto.cli.show import Show
 from ev3proto.cli.targets import TargetType, channel_to, timeout_option
 from ev3proto.errors import counted, near_misses
+from ev3proto.link.channel import Channel
+from ev3proto.link.errors import ConnectionLostError, NoAnswerError
 from ev3proto.link.harm import Harm
+from ev3proto.link.records import Records
+from ev3proto.link.replay import Handles, Likeness, Step, compare, steps
+from ev3proto.link.targets import Target
+from ev3proto.tables import operations
+from ev3proto.tables.system import SYSTEM
 from ev3proto.text.dialogues import command_spans
 from ev3proto.text.spans import Role
-
-if TYPE_CHECKING:
-    from ev3proto.link.channel import Channel
-    from ev3proto.link.replay import Step
-    from ev3proto.link.targets import Target
 
 _EVERYTHING = "all"
 _NANOSECONDS = 1_000_000_000
@@ -31,9 +33,6 @@ _NANOSECONDS = 1_000_000_000
 
 def _allowed(_context: click.Context, _parameter: click.Parameter, given: tuple[str, ...]) -> frozenset[str]:
     """What is allowed: groups in lower case, operations in upper case. Raises click.BadParameter for anything else."""
-    from ev3proto.tables import operations
-    from ev3proto.tables.system import SYSTEM
-
     known = {*operations(), *(entry.name for entry in SYSTEM)}
     found: set[str] = set()
     for name in (part.strip() for text in given for part in text.split(",")):
@@ -87,9 +86,6 @@ def replay(
       ev3proto replay robot.pcapng --to usb --dry-run
       ev3proto replay robot.pcapng --to wifi --fast --allow motors,settings
     """  # noqa: D301 - the mark by which click leaves lines as they are
-    from ev3proto.capture.dialogues import dialogues
-    from ev3proto.link.replay import steps
-
     capture = CaptureSource(name, reading)
     found = steps(dialogues(capture.events()), allowed, reading.dialect)
     if not found:
@@ -124,9 +120,6 @@ class _Replaying:
     """Sends the steps and shows what comes of them."""
 
     def __init__(self, channel: Channel, peer: str, timeout: float, dialect: str, *, fast: bool) -> None:
-        from ev3proto.link.records import Records
-        from ev3proto.link.replay import Handles
-
         self._channel = channel
         self._records = Records(channel.carrier, peer, dialect)
         self._handles = Handles()
@@ -139,9 +132,6 @@ class _Replaying:
 
     def run(self, found: list[Step]) -> bool:
         """Sends all steps. Returns whether every reply is of the recorded kind."""
-        from ev3proto.link.errors import ConnectionLostError
-        from ev3proto.link.replay import Likeness
-
         begin, begin_ns = time.monotonic(), found[0].command.time_ns
         try:
             for step in found:
@@ -165,10 +155,6 @@ class _Replaying:
         return not counts[Likeness.KIND.value]
 
     def _step(self, step: Step) -> None:
-        from ev3proto.capture.dialogues import RequestReply
-        from ev3proto.link.errors import NoAnswerError
-        from ev3proto.link.replay import Likeness, compare
-
         ticket = self._channel.send_again(self._handles.frame_for(step.command))
         frame = ticket.request.frame
         command = self._records.sent(frame)

@@ -6,26 +6,30 @@ import asyncio
 import os
 import re
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import click
 
+from ev3proto.brick import Brick
+from ev3proto.brick.devices.display.braille import braille
+from ev3proto.brick.devices.display.canvas import WIDTH
+from ev3proto.brick.images import Image
+from ev3proto.brick.running_programs import FAIL, RUNNING, USER_SLOT, Program
+from ev3proto.brick.servers.server import Options, Running, ServerError, running
+from ev3proto.checking.program_codes import DAMAGED, NOT_AS_WRITTEN, REFUSED
 from ev3proto.cli.brick import folder, interrupted, read_script_file
 from ev3proto.cli.numbers import FiniteRange
 from ev3proto.cli.output import complain, flush, is_terminal, say
 from ev3proto.cli.programs import complain_of
 from ev3proto.cli.texts import is_image
+from ev3proto.program import assemble, check_program
+from ev3proto.program.image import MAX_IMAGE
+from ev3proto.tables.enumerations import LEDPATTERN
+from ev3proto.tables.errors import ERRORS
+from ev3proto.text.assembly.errors import AssemblyError
 from ev3proto.text.visible import visible
-
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from ev3proto.brick import Brick
-    from ev3proto.brick.running_programs import Program
-    from ev3proto.brick.servers.server import Options, Running
 
 _PERIOD = 0.05
 _PRESS = 0.1
@@ -88,8 +92,6 @@ def run(
       ev3proto run hello.lms
       ev3proto run robot.rbf --script robot.toml --http
     """  # noqa: D301 - the mark by which click leaves lines as they are
-    from ev3proto.brick.servers.server import Options
-
     if page is not None and limit is not None:
         raise click.UsageError("--http shows the program until Ctrl-C, and --limit ends it: give one or the other")
     image = _image(file)
@@ -100,10 +102,6 @@ def run(
 
 def _image(file: Path) -> bytes:
     """The image in a file, or what its source becomes. Ends the program where it is neither."""
-    from ev3proto.program import assemble
-    from ev3proto.program.image import MAX_IMAGE
-    from ev3proto.text.assembly.errors import AssemblyError
-
     label = visible(str(file))
     try:
         with file.open("rb") as stream:
@@ -122,8 +120,6 @@ def _image(file: Path) -> bytes:
 
 async def _run(image: bytes, name: str, options: Options, root: Path, limit: float | None) -> int:
     """Runs the program until it ends; the exit status."""
-    from ev3proto.brick.servers.server import ServerError, running
-
     try:
         async with running(options, root, complain) as now:
             with interrupted() as ended:
@@ -154,11 +150,6 @@ async def _first(*events: asyncio.Event) -> None:
 
 def _start(brick: Brick, image: bytes, name: str) -> Program | None:
     """Starts the program as PROGRAM_START would; None, and a sentence, for an image that the brick refuses."""
-    from ev3proto.brick.images import Image
-    from ev3proto.brick.running_programs import USER_SLOT
-    from ev3proto.checking.program_codes import DAMAGED, NOT_AS_WRITTEN, REFUSED
-    from ev3proto.program import check_program
-
     report = check_program(image, dialect=brick.dialect)
     told = NOT_AS_WRITTEN if report.accepted else (DAMAGED, REFUSED)
     for finding in report.findings:
@@ -174,9 +165,6 @@ def _start(brick: Brick, image: bytes, name: str) -> Program | None:
 
 def _ending(brick: Brick, program: Program) -> int:
     """Says how the program ended; the exit status."""
-    from ev3proto.brick.running_programs import FAIL, RUNNING
-    from ev3proto.tables.errors import ERRORS
-
     if program.status == RUNNING:
         complain("the program was ended before its own end")
         return 0
@@ -189,8 +177,6 @@ def _ending(brick: Brick, program: Program) -> int:
 
 async def _show(now: Running, program: Program, ended: asyncio.Event, limit: float | None) -> None:
     """Shows the display until the program ends: all the time on a terminal, else at the end."""
-    from ev3proto.brick.running_programs import RUNNING
-
     loop = asyncio.get_running_loop()
     until = None if limit is None else loop.time() + limit
     with _keyboard(now), _screen(now.brick) as draw:
@@ -204,9 +190,6 @@ async def _show(now: Running, program: Program, ended: asyncio.Event, limit: flo
 
 
 def _lines(brick: Brick) -> list[str]:
-    from ev3proto.brick.devices.display.braille import braille
-    from ev3proto.brick.devices.display.canvas import WIDTH
-
     return braille(brick.display.rows, WIDTH)
 
 
@@ -216,11 +199,9 @@ def _screen(brick: Brick) -> Iterator[Callable[[], None]]:
     if not is_terminal():
         yield lambda: None
         return
-    from rich.console import Group
+    from rich.console import Group  # takes 30 ms, which only terminals have a use for
     from rich.live import Live
     from rich.text import Text
-
-    from ev3proto.tables.enumerations import LEDPATTERN
 
     leds = {number: name for name, number in LEDPATTERN.members.items()}
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import sys
-from typing import TYPE_CHECKING
 
 import click
 
+from ev3proto.capture.dialogues import RequestReply, is_error
 from ev3proto.cli.encode import Encoding, Wants
 from ev3proto.cli.output import complain
 from ev3proto.cli.reading import CaptureOptions
@@ -15,15 +15,15 @@ from ev3proto.cli.show import Show
 from ev3proto.cli.sources import Source, sources
 from ev3proto.cli.targets import TargetType, channel_to, is_refused, timeout_option
 from ev3proto.errors import counted
+from ev3proto.link.channel import Channel
+from ev3proto.link.errors import LinkError
+from ev3proto.link.records import Records
+from ev3proto.link.targets import Target
 from ev3proto.messages import Message
 from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.tables.declaration import DIALECTS
 from ev3proto.text.paste import Pasted
 from ev3proto.text.split import Piece
-
-if TYPE_CHECKING:
-    from ev3proto.link.channel import Channel
-    from ev3proto.link.targets import Target
 
 
 class Collected:
@@ -121,10 +121,6 @@ def send(
 
 def _talk(channel: Channel, messages: list[Message], show: Show, timeout: float, dialect: str, peer: str) -> bool:
     """Sends the messages, and shows each with its reply. Returns whether all went well."""
-    from ev3proto.capture.dialogues import RequestReply, is_error
-    from ev3proto.link.errors import LinkError
-    from ev3proto.link.records import Records
-
     records = Records(channel.carrier, peer, dialect)
     is_fine = True
     for message in messages:

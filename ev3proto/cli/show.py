@@ -79,7 +79,7 @@ class Show:
 
     def program(self, program: Program, image: bytes, origin: str | None = None) -> None:
         """A program and its image, and where it comes from if that is not plain."""
-        from ev3proto.cli.programs import show_program
+        from ev3proto.cli.programs import show_program  # takes 45 ms, which frames have no use for
 
         if self.count and self._program_style != "json":
             self._printer.text("")

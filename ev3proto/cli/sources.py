@@ -99,7 +99,7 @@ _HOW_FRAMES_ARE_MADE = "`ev3proto encode` makes frames of it"
 
 def _looks_like_assembly(line: str) -> bool:
     """Whether a line that has no frame is assembly; one with nothing but a label may as well be a heading."""
-    from ev3proto.text.assembly.recognising import is_assembly
+    from ev3proto.text.assembly.recognising import is_assembly  # takes 11 ms, which frames have no use for
 
     return not line.rstrip().endswith(":") and is_assembly(line)
 
@@ -246,7 +246,7 @@ class SourceReader(ABC):
         )
 
     def _program(self, source: Source, file: CaptureFile) -> None:
-        from ev3proto.program.image import MAX_IMAGE
+        from ev3proto.program.image import MAX_IMAGE  # takes 8 ms, which only programs need
 
         try:
             image = file.contents.read(MAX_IMAGE + 1)
@@ -263,7 +263,7 @@ class SourceReader(ABC):
         self._is_empty = False
 
     def _opened(self, source: Source) -> CaptureFile | None:
-        from ev3proto.capture.formats import CaptureFile
+        from ev3proto.capture.formats import CaptureFile  # takes 13 ms, which frames have no use for
 
         try:
             return CaptureFile(source.open(), is_ours=source.name != "-")
@@ -283,7 +283,7 @@ class SourceReader(ABC):
 
     def _recorded(self, source: Source, lines: Iterator[str] | None = None, file: CaptureFile | None = None) -> None:
         """Takes a capture, or the frames in the lines of a text as those of one."""
-        from ev3proto.cli.captures import CaptureSource
+        from ev3proto.cli.captures import CaptureSource  # takes 15 ms, which frames have no use for
 
         capture = CaptureSource(source.name, self.reading, file, lines, is_quiet=self.is_quiet)
         self._is_empty = False

@@ -5,20 +5,17 @@ from __future__ import annotations
 import json
 import sys
 from collections.abc import Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING
 
 import click
 
+from ev3proto.capture import Account
+from ev3proto.capture.latencies import ACCURACY, EXACT, Percentiles
+from ev3proto.capture.statistics import Amount, Noted, PeerSummary, Statistics, Summary, TransferSummary
 from ev3proto.cli.captures import CaptureSource
 from ev3proto.cli.output import say
 from ev3proto.cli.reading import CaptureOptions, reading_options
 from ev3proto.cli.tables import Tables
 from ev3proto.errors import counted
-
-if TYPE_CHECKING:
-    from ev3proto.capture.byte_account import Account
-    from ev3proto.capture.latencies import Percentiles
-    from ev3proto.capture.statistics import Amount, Noted, PeerSummary, Summary, TransferSummary
 
 _MILLISECONDS = 1000
 
@@ -37,9 +34,6 @@ def stats(files: tuple[str, ...], reading: CaptureOptions, as_json: bool) -> Non
       ev3proto stats robot.pcapng
       ev3proto stats robot.pcapng --filter 'op==UI_READ' --json
     """  # noqa: D301 - the mark by which click leaves lines as they are
-    from ev3proto.capture import Account
-    from ev3proto.capture.statistics import Statistics
-
     statistics = Statistics()
     account = Account()
     status = 0
@@ -117,8 +111,6 @@ class _Page:
         times = [(name, *_milliseconds(latency)) for name, latency in latencies if latency is not None]
         self._section(f"Milliseconds from command to reply{of}", ("operation", "replies", *_LATENCY), times)
         if peer.latency is not None and not peer.latency.exact:
-            from ev3proto.capture.latencies import ACCURACY, EXACT
-
             say(f"Of more than {EXACT} replies, median, p90 and p99 are right to {ACCURACY:.0%}.")
 
     def _transfers(self) -> None:

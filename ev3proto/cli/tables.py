@@ -26,7 +26,7 @@ class Tables:
     """
 
     def __init__(self, hidden: Collection[str] = ()) -> None:
-        from rich.console import Console
+        from rich.console import Console  # takes 30 ms, which only terminals have a use for
 
         self._console = Console(highlight=False, markup=False, emoji=False)
         self._size = self._console.size

@@ -5,16 +5,19 @@ from __future__ import annotations
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import click
 
+from ev3proto.checking.checking import check
 from ev3proto.cli.numbers import FiniteRange
 from ev3proto.cli.output import complain
-
-if TYPE_CHECKING:
-    from ev3proto.link.channel import Channel
-    from ev3proto.link.targets import Target
+from ev3proto.link.carriers import open_wire
+from ev3proto.link.channel import Channel
+from ev3proto.link.errors import LinkError
+from ev3proto.link.targets import Target
+from ev3proto.text.diagnostics import diagnostics
+from ev3proto.text.spans import plain_text
 
 REPLY_TIMEOUT = 30.0
 """Seconds to wait for a reply unless something else is asked for."""
@@ -36,8 +39,6 @@ class TargetType(click.ParamType):
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Target:
         """The brick that was written."""
-        from ev3proto.link.targets import Target
-
         if isinstance(value, Target):
             return value
         try:
@@ -49,10 +50,6 @@ class TargetType(click.ParamType):
 @contextmanager
 def channel_to(target: Target) -> Iterator[Channel]:
     """A connection to a brick for as long as the context lasts. Ends the program where there can be none."""
-    from ev3proto.link.carriers import open_wire
-    from ev3proto.link.channel import Channel
-    from ev3proto.link.errors import LinkError
-
     try:
         channel = Channel(open_wire(target))
     except LinkError as error:
@@ -76,10 +73,6 @@ def is_refused(frame: bytes, place: str, *, dialect: str, carrier: str) -> bool:
     Returns:
         Whether the brick would refuse it.
     """
-    from ev3proto.checking.checking import check
-    from ev3proto.text.diagnostics import diagnostics
-    from ev3proto.text.spans import plain_text
-
     report = check(frame, dialect=dialect, carrier=carrier)
     if report.accepted and not report.errors:
         return False

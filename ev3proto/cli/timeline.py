@@ -6,18 +6,14 @@ import sys
 from collections.abc import Iterator
 from itertools import chain
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import click
 
+from ev3proto.capture import Event
+from ev3proto.capture.timeline import Form, MissingLibraryError, Timeline, Window, collect, require_library, write
 from ev3proto.cli.captures import CaptureSource
 from ev3proto.cli.output import complain, say
 from ev3proto.cli.reading import CaptureOptions, reading_options
-
-if TYPE_CHECKING:
-    from ev3proto.capture import Event
-    from ev3proto.capture.timeline import Timeline
-
 
 MOST_SECONDS = 1e9
 """Longest time that can be asked for: thirty years."""
@@ -59,8 +55,6 @@ def timeline(
       ev3proto timeline robot.pcapng -o robot.html
       ev3proto timeline robot.pcapng -o start.png --from 5 --to 5.5
     """  # noqa: D301 - the mark by which click leaves lines as they are
-    from ev3proto.capture.timeline import Form, MissingLibraryError, Window, collect, require_library
-
     try:
         Form.of(output)
         require_library()
@@ -109,8 +103,6 @@ def _nothing(names: str, first: float | None, last: float | None, *, is_timed: b
 
 
 def _write(drawn: Timeline, output: Path, title: str) -> None:
-    from ev3proto.capture.timeline import write
-
     try:
         write(drawn, output, title)
     except OSError as error:

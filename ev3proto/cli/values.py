@@ -8,10 +8,13 @@ import json
 import sys
 from collections.abc import Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import click
 
+from ev3proto.capture.plot import draw
+from ev3proto.capture.series import MOST_CELLS, Cell, Row, Series, series_of
+from ev3proto.capture.timeline import MissingLibraryError
 from ev3proto.cli.captures import CaptureSource
 from ev3proto.cli.output import complain, say
 from ev3proto.cli.reading import CaptureOptions, reading_options
@@ -19,9 +22,6 @@ from ev3proto.cli.tables import Tables
 from ev3proto.errors import counted
 from ev3proto.text.visible import visible
 from ev3proto.whole_files import write_whole
-
-if TYPE_CHECKING:
-    from ev3proto.capture.series import Cell, Row, Series
 
 MOST_SHOWN = 50
 """Columns of a table, lines of a picture: nobody reads more."""
@@ -59,8 +59,6 @@ def values(files: tuple[str, ...], reading: CaptureOptions, as_csv: bool, as_jso
       ev3proto values robot.pcapng --filter 'op == UI_READ.GET_VBATT' --csv
       ev3proto values robot.pcapng --filter 'op == INPUT_READ' --plot light.svg
     """  # noqa: D301 - the mark by which click leaves lines as they are
-    from ev3proto.capture.series import MOST_CELLS, Series, series_of
-
     if as_csv and as_json:
         raise click.UsageError("--csv is one form of output and --json another: give one or the other")
     form = "csv" if as_csv else "json" if as_json else None
@@ -165,9 +163,6 @@ _PRINTERS = {None: _print_table, "csv": _print_csv, "json": _print_json}
 
 
 def _draw(found: Series, path: Path, title: str) -> None:
-    from ev3proto.capture.plot import draw
-    from ev3proto.capture.timeline import MissingLibraryError
-
     try:
         write_whole(path, draw(found, path.suffix, Path(title).name))
     except (ValueError, MissingLibraryError) as error:

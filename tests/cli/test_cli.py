@@ -281,7 +281,7 @@ def test_dialects() -> None:
 
 
 def test_ops_lists_searches_and_shows() -> None:
-    assert len(run("ops").stdout.splitlines()) == 458 + 24
+    assert len(run("ops").stdout.splitlines()) == 458 + 24 + 2 + 13 + 12
     assert len(run("ops", "--area", "sound").stdout.splitlines()) == 7
     found = run("ops", "battery").stdout
     assert "UI_READ.GET_VBATT" in found

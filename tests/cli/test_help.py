@@ -16,7 +16,8 @@ import click
 import pytest
 from support.cli import run_ev3proto_text as run
 
-from ev3proto.cli.commands import cli
+from ev3proto.cli.commands import SUBCOMMANDS, cli
+from ev3proto.cli.groups import first_sentence
 from ev3proto.version import VERSION
 
 ROOT = Path(__file__).parents[2]
@@ -25,6 +26,12 @@ ROOT = Path(__file__).parents[2]
 @pytest.mark.parametrize("flag", ["-V", "--version"])
 def test_the_version(flag: str) -> None:
     assert run(flag).stdout == f"ev3proto, version {VERSION}\n"
+
+
+def test_the_list_of_subcommands_has_the_first_sentence_of_each() -> None:
+    context = click.Context(cli)
+    found = {name: cli.get_command(context, name) for name in SUBCOMMANDS}
+    assert {name: command and first_sentence(command) for name, command in found.items()} == SUBCOMMANDS
 
 
 @pytest.mark.parametrize(

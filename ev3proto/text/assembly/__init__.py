@@ -47,7 +47,6 @@ begins a message that is nothing but bytes.
 from __future__ import annotations
 
 from ev3proto.messages import Message
-from ev3proto.text.assembly.assembling import assembled
 from ev3proto.text.assembly.disassembly import assembly
 from ev3proto.text.assembly.errors import AssemblyError
 from ev3proto.text.assembly.macro_notation import operation_line
@@ -81,4 +80,7 @@ def assemble(
         AssemblyError: The text is no assembly, or a value in it is not legal. The error has line, column, the line's
             text, and in `others` what else is wrong.
     """
+    # It takes 25 ms, and all that prints messages loads this package.
+    from ev3proto.text.assembly.assembling import assembled
+
     return list(assembled(text, dialect=dialect, counter=counter, reply=reply, unchecked=unchecked))

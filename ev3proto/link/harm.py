@@ -27,6 +27,7 @@ class Harm(StrEnum):
     DELETES = "deletes"
     SETTINGS = "settings"
     PROGRAMS = "programs"
+    MESSAGES = "messages"
     BUTTONS = "buttons"
     DEVICES = "devices"
     RESTARTS = "restarts"
@@ -41,11 +42,12 @@ class Harm(StrEnum):
 
 
 _TEXTS = {
-    Harm.MOTORS: "makes motors turn",
+    Harm.MOTORS: "makes motors turn or stop",
     Harm.FILES: "creates or changes files",
     Harm.DELETES: "deletes files or folders",
     Harm.SETTINGS: "changes settings",
     Harm.PROGRAMS: "starts, stops or changes programs",
+    Harm.MESSAGES: "sends messages to programs",
     Harm.BUTTONS: "presses buttons",
     Harm.DEVICES: "writes to sensors or circuits",
     Harm.RESTARTS: "restarts the brick",
@@ -57,11 +59,14 @@ _TEXTS = {
 _BY_EFFECT = {
     Effect.RUNS_MOTORS: Harm.MOTORS,
     Effect.STARTS_MOVE: Harm.MOTORS,
+    Effect.SETS_MOTORS: Harm.MOTORS,
+    Effect.STOPS_MOTORS: Harm.MOTORS,
     Effect.WRITES_FILES: Harm.FILES,
     Effect.DELETES_FILES: Harm.DELETES,
     Effect.CHANGES_SETTINGS: Harm.SETTINGS,
     Effect.RENAMES: Harm.SETTINGS,
     Effect.CONTROLS_PROGRAMS: Harm.PROGRAMS,
+    Effect.SENDS_MESSAGES: Harm.MESSAGES,
     Effect.PRESSES_BUTTONS: Harm.BUTTONS,
     Effect.WRITES_TO_DEVICES: Harm.DEVICES,
     Effect.RESTARTS: Harm.RESTARTS,
@@ -92,11 +97,11 @@ def harms_of(message: Message, allowed: frozenset[str] = frozenset(), dialect: s
         entry = SYSTEM_BY_NUMBER.get(message.number)
         entries = [] if entry is None else [(entry.name, entry.effects)]
         is_unread = is_unread or entry is None
-    for name, effects in entries:
-        if name not in allowed:
-            for effect in effects:
-                if effect in _BY_EFFECT:
-                    found.setdefault(_BY_EFFECT[effect], name)
+    # Of several effects of a group, the gravest comes first.
+    for effect, harm in _BY_EFFECT.items():
+        names = (name for name, effects in entries if effect in effects and name not in allowed)
+        if harm not in found and (name := next(names, None)) is not None:
+            found[harm] = name
     if is_unread:
         found.setdefault(Harm.UNKNOWN, "the frame")
     return {harm: name for harm, name in found.items() if harm not in allowed}

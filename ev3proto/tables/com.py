@@ -299,6 +299,7 @@ COM = (
                     HARDWARE,
                     In("ACCEPT", DATA8, "the answer", range=(0, 1), special={0: "reject", 1: "accept"}),
                 ),
+                effects=(Effect.CHANGES_SETTINGS,),
             ),
             Command(
                 7,
@@ -431,6 +432,7 @@ COM = (
             In("TYPE", DATA8, "type of the values", enum=DATA_FORMAT),
             Count("VALUES", "how many values of TYPE follow, one only for a string", "TYPE"),
         ),
+        effects=(Effect.SENDS_MESSAGES,),
     ),
     Opcode(
         0xDA,

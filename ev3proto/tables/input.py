@@ -203,7 +203,7 @@ INPUT = (
                 "Tells how the device at a port is connected",
                 (LAYER, NO, Out("CONN", DATA8, "kind of connection", enum=CONN)),
             ),
-            Command(13, "STOP_ALL", "Stops all devices, motors among them", (LAYERS,)),
+            Command(13, "STOP_ALL", "Stops all devices, motors among them", (LAYERS,), effects=(Effect.STOPS_MOTORS,)),
             Command(
                 14,
                 "SET_TYPEMODE",
@@ -237,7 +237,7 @@ INPUT = (
                     RDDATA,
                     Out("RESULT", DATA8, "how the transfer ended", enum=RESULT),
                 ),
-                effects=(Effect.WAITS,),
+                effects=(Effect.WAITS, Effect.WRITES_TO_DEVICES),
                 newer=True,
             ),
             Command(
@@ -268,6 +268,7 @@ INPUT = (
                 "SET_RAW",
                 "Pretends that a device has read this raw value",
                 (LAYER, NO, TYPE_TO_SET, In("VALUE", DATA32, "raw value to pretend")),
+                effects=(Effect.WRITES_TO_DEVICES,),
             ),
             Command(
                 24,
@@ -398,6 +399,7 @@ INPUT = (
             SENSOR_NO,
             In("CONN", DATA8, "CONN_NXT_IIC, CONN_NXT_DUMB, CONN_INPUT_DUMB or CONN_NONE", enum=CONN),
         ),
+        effects=(Effect.CHANGES_SETTINGS,),
         dialects=EXTENSIONS,
     ),
     Opcode(
@@ -426,6 +428,7 @@ INPUT = (
             In("RDLNG", DATA8, "how many bytes the sensor will answer", unit="bytes", range=(0, 32)),
             Out("RESULT", DATA8, "state of the bus after the request", enum=RESULT),
         ),
+        effects=(Effect.WRITES_TO_DEVICES,),
         dialects=EXTENSIONS,
     ),
     Opcode(
@@ -437,6 +440,7 @@ INPUT = (
             SENSOR_NO,
             In("ENABLE", DATA8, "whether to detect", range=(0, 1), special={0: "off", 1: "on"}),
         ),
+        effects=(Effect.CHANGES_SETTINGS,),
         dialects=EXTENSIONS,
     ),
 )

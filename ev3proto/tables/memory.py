@@ -553,6 +553,7 @@ MEMORY = (
                     BYTES_32,
                     In("ARRAY", DATA8, "the bytes", length="BYTES"),
                 ),
+                effects=(Effect.CONTROLS_PROGRAMS,),
             ),
             Command(
                 15,

@@ -99,11 +99,30 @@ OUTPUT = (
                 note="an input, which the firmware reads; some published tables call it an output",
             ),
         ),
+        effects=(Effect.SETS_MOTORS,),
     ),
-    Opcode(0xA2, "OUTPUT_RESET", "Sets the tacho counts that moves and OUTPUT_READ use to zero", (LAYER, NOS)),
+    Opcode(
+        0xA2,
+        "OUTPUT_RESET",
+        "Sets the tacho counts that moves and OUTPUT_READ use to zero",
+        (LAYER, NOS),
+        effects=(Effect.SETS_MOTORS,),
+    ),
     Opcode(0xA3, "OUTPUT_STOP", "Stops motors", (LAYER, NOS, BRAKE), effects=(Effect.STOPS_MOTORS,)),
-    Opcode(0xA4, "OUTPUT_POWER", "Sets the power of motors, OUTPUT_START makes them run", (LAYER, NOS, POWER)),
-    Opcode(0xA5, "OUTPUT_SPEED", "Sets the speed of motors, OUTPUT_START makes them run", (LAYER, NOS, SPEED)),
+    Opcode(
+        0xA4,
+        "OUTPUT_POWER",
+        "Sets the power of motors, OUTPUT_START makes them run",
+        (LAYER, NOS, POWER),
+        effects=(Effect.SETS_MOTORS,),
+    ),
+    Opcode(
+        0xA5,
+        "OUTPUT_SPEED",
+        "Sets the speed of motors, OUTPUT_START makes them run",
+        (LAYER, NOS, SPEED),
+        effects=(Effect.SETS_MOTORS,),
+    ),
     Opcode(
         0xA6,
         "OUTPUT_START",
@@ -126,6 +145,7 @@ OUTPUT = (
                 special={-1: "backward", 0: "opposite of the present one", 1: "forward"},
             ),
         ),
+        effects=(Effect.SETS_MOTORS,),
     ),
     Opcode(
         0xA8,
@@ -201,7 +221,13 @@ OUTPUT = (
             Effect.RUNS_MOTORS,
         ),
     ),
-    Opcode(0xB2, "OUTPUT_CLR_COUNT", "Sets the tacho counts that motors have as sensors to zero", (LAYER, NOS)),
+    Opcode(
+        0xB2,
+        "OUTPUT_CLR_COUNT",
+        "Sets the tacho counts that motors have as sensors to zero",
+        (LAYER, NOS),
+        effects=(Effect.SETS_MOTORS,),
+    ),
     Opcode(
         0xB3,
         "OUTPUT_GET_COUNT",
@@ -221,5 +247,10 @@ OUTPUT = (
             Out("TACHO", DATA32, "angle since OUTPUT_CLR_COUNT", unit="degrees"),
         ),
     ),
-    Opcode(0xB4, "OUTPUT_PRG_STOP", "Stops and resets all motors as the end of a program does"),
+    Opcode(
+        0xB4,
+        "OUTPUT_PRG_STOP",
+        "Stops and resets all motors as the end of a program does",
+        effects=(Effect.STOPS_MOTORS,),
+    ),
 )

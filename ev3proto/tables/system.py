@@ -280,6 +280,7 @@ SYSTEM = (
             Field("payload", Kind.DATA, "the message: a text with its zero, a float, or one byte for a logic value"),
         ),
         answered=False,
+        effects=(Effect.SENDS_MESSAGES,),
     ),
     SystemCommand(
         0x9F,

@@ -442,7 +442,7 @@ UI = (
                 (BUTTON,),
                 effects=(Effect.PRESSES_BUTTONS,),
             ),
-            Command(6, "RELEASE", "Releases a button that PRESS holds", (BUTTON,)),
+            Command(6, "RELEASE", "Releases a button that PRESS holds", (BUTTON,), effects=(Effect.PRESSES_BUTTONS,)),
             Command(
                 7,
                 "GET_HORZ",
@@ -477,6 +477,7 @@ UI = (
                         special={0: "not blocked", 1: "blocked"},
                     ),
                 ),
+                effects=(Effect.CHANGES_SETTINGS,),
             ),
             Command(
                 11,

@@ -46,6 +46,7 @@ def _dynload_entries(numbers: tuple[int, ...]) -> tuple[Opcode, ...]:
                 Out("LENGTH_OUT", DATA16, "how many elements came back"),
                 Out("VALUE", ARRAY_TYPED, "what came back; the type depends on CMD", length="LENGTH_OUT"),
             ),
+            effects=(Effect.CONTROLS_PROGRAMS,),
             dialects=EXTENSIONS,
         )
         for entry, number in enumerate(numbers)
@@ -469,9 +470,16 @@ VM = (
             In("VMINDEX", DATA8, "which one", range=(0, 1), special=VM_NAMES),
             Out("RESULT", DATA8, "OK or FAIL", enum=RESULT),
         ),
+        effects=(Effect.CONTROLS_PROGRAMS,),
         dialects=EXTENSIONS,
     ),
-    Opcode(0xF1, "DYNLOAD_VMEXIT", "Unloads the additional virtual machine", dialects=EXTENSIONS),
+    Opcode(
+        0xF1,
+        "DYNLOAD_VMEXIT",
+        "Unloads the additional virtual machine",
+        effects=(Effect.CONTROLS_PROGRAMS,),
+        dialects=EXTENSIONS,
+    ),
     *_dynload_entries((0xF2, 0xF3, 0xF4, 0xF5, 0xF6, 0xF7, 0xF8, 0xF9, 0xFA, 0xFB)),
     Opcode(
         0xFC,

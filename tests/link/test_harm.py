@@ -7,6 +7,7 @@ import pytest
 import ev3proto
 from ev3proto import GV, LV, Operation, check, operation
 from ev3proto.link.harm import Harm, harms_of
+from ev3proto.messages import Message
 from ev3proto.schema.argument import encode_as
 
 
@@ -141,3 +142,23 @@ def test_what_can_run_counts() -> None:
     assert harms(command(operation("JR", SKIPPED.length), SKIPPED, motor)) == {Harm.MOTORS}
     assert harms(command(operation("JR", motor.length), motor)) == set()
     assert harms(command(operation("JR", motor.length), motor, operation("JR", -motor.length - 2))) == {Harm.MOTORS}
+
+
+@pytest.mark.parametrize(
+    ("message", "harm"),
+    [
+        (ev3proto.command(operation("ARRAY.WRITE_CONTENT", 1, 1, 0, 4, GV(0))), Harm.PROGRAMS),
+        (ev3proto.command(operation("COM_SET.SET_PASSKEY", 2, 1)), Harm.SETTINGS),
+        (ev3proto.command(operation("OUTPUT_STOP", 0, 15, 0)), Harm.MOTORS),
+        (ev3proto.command(operation("OUTPUT_SPEED", 0, 15, 50)), Harm.MOTORS),
+        (ev3proto.command(operation("OUTPUT_POLARITY", 0, 15, -1)), Harm.MOTORS),
+        (ev3proto.system_command("WRITEMAILBOX", name="a", payload=b"x"), Harm.MESSAGES),
+    ],
+)
+def test_effects(message: Message, harm: Harm) -> None:
+    assert set(harms_of(message)) == {harm}
+
+
+def test_effects_in_extensions() -> None:
+    frame = ev3proto.direct_command(operation("INPUT_IIC_WRITE", 0, 0, 1, GV(0), 1, GV(4), dialect="xtended")).build()
+    assert set(harms_of(ev3proto.parse(frame, dialect="xtended"), dialect="xtended")) == {Harm.DEVICES}

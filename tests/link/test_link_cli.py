@@ -118,14 +118,15 @@ def test_replay_leaves_out_what_changes_the_brick() -> None:
     done = run_ev3proto_text("replay", WIFI_CAPTURE, "--to", "virtual", "--dry-run")
     assert done.returncode == 0
     left_out = [line for line in done.stdout.splitlines() if line.startswith("omitted")]
-    assert "OUTPUT_START makes motors turn (--allow motors)" in left_out[0]
-    assert "BEGIN_DOWNLOAD creates or changes files (--allow files)" in left_out[1]
-    assert done.stderr == "18 commands would be sent, 6 omitted\n"
+    assert "OUTPUT_START makes motors turn or stop (--allow motors)" in left_out[0]
+    assert "OUTPUT_STOP makes motors turn or stop (--allow motors)" in left_out[1]
+    assert "BEGIN_DOWNLOAD creates or changes files (--allow files)" in left_out[2]
+    assert done.stderr == "16 commands would be sent, 8 omitted\n"
 
 
 def test_replay_allows_what_is_named() -> None:
     done = run_ev3proto_text("replay", WIFI_CAPTURE, "--to", "virtual", "--dry-run", "--allow", "motors,BEGIN_DOWNLOAD")
-    assert done.stderr == "21 commands would be sent, 3 omitted\n"
+    assert done.stderr == "20 commands would be sent, 4 omitted\n"
     done = run_ev3proto_text("replay", WIFI_CAPTURE, "--to", "virtual", "--dry-run", "--allow", "engines")
     assert done.returncode == 2
     assert "'engines' is nothing that could be allowed" in done.stderr
@@ -138,7 +139,7 @@ def test_replay_tells_how_the_replies_differ() -> None:
     battery = next(number for number, line in enumerate(lines) if "UI_READ.GET_VBATT(VALUE=GV(0)) -> VALUE=7.5" in line)
     assert lines[battery + 1] == "recorded: VALUE=7.92 V"
     assert done.stderr.endswith(
-        "18 commands sent, 6 omitted; answered 4 as recorded, 7 with other values, 7 otherwise\n"
+        "16 commands sent, 8 omitted; answered 2 as recorded, 7 with other values, 7 otherwise\n"
     )
 
 

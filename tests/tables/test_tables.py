@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 from support.cases import each
 
@@ -162,3 +164,12 @@ def test_what_a_parameter_refers_to_is_there() -> None:
         for parameter in entry.parameters:
             for other in (parameter.length, parameter.indexed_by, parameter.element):
                 assert not isinstance(other, str) or other in names, (entry.name, parameter.name)
+
+
+def test_effects_are_decisions() -> None:
+    """Every operation and system command stands in the file with its effects, so that none is forgotten."""
+    entries = [(declaration.name, declaration.effects) for declaration in declarations(OPCODES)]
+    entries += [(f"{entry.number:02X} {entry.name}", entry.effects) for entry in SYSTEM]
+    lines = [f"{name}: {', '.join(effect.name for effect in effects) or '-'}" for name, effects in entries]
+    decided = Path(__file__).with_name("effects.txt").read_text().splitlines()
+    assert list(dict.fromkeys(lines)) == decided

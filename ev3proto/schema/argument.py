@@ -49,8 +49,7 @@ SHORT: tuple[tuple[Encoding, int], ...] = tuple(
 """Short forms by their only byte (0 to 127): encoding and value."""
 
 _LONG = len(SHORT)
-_NOTHING = 0xFF
-"""An identification byte that the firmware does not define: what is read where the byte code has ended."""
+"""The lowest identification byte of a long form."""
 
 _SIGNED = {1: "<xb", 2: "<xh", 4: "<xi"}
 _UNSIGNED = {1: "<xB", 2: "<xH", 4: "<xI"}

@@ -112,7 +112,7 @@ class InstructionSet(Bytewise):
                 if schema is not None:
                     stop = arguments[-1].offset + arguments[-1].length if arguments else at
                     operations.append(PartialOperation((schema, data, start, stop, tuple(arguments))))
-                return operations, fault.with_traceback(None)  # which keeps all that is on the stack
+                return operations, fault.with_traceback(None)  # a traceback keeps what is on the stack
             operations.append(Operation((schema, data, start, at, tuple(arguments))))
         return operations, None
 

@@ -301,7 +301,9 @@ class _PeerCounts:
     def _message(self, record: Record) -> None:
         size = len(record.frame)
         self.messages.add(size)
-        self.kinds.setdefault(record.message.kind, Amount()).add(size)
+        # A record that answers another one is a reply, though a command's type may have been written over its start.
+        kind = record.message.kind if record.request is None else record.message.kind.replace("-command", "-reply")
+        self.kinds.setdefault(kind, Amount()).add(size)
         self.faults += record.message.fault is not None
         if record.route.is_timed:
             self.first_ns = record.time_ns if self.first_ns is None else min(self.first_ns, record.time_ns)
@@ -434,7 +436,7 @@ class Statistics:
         tally = self._tally(record.peer)
         if message.type is None:
             tally.no_message(record)
-        elif message.type.is_command:
+        elif message.type.is_command and record.request is None:
             carried = _carried(message)
             tally.command(record, carried)
             if message.wants_reply and record.answered is None:

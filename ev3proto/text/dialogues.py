@@ -12,6 +12,7 @@ from ev3proto.messages import (
     SystemCommand,
     SystemReply,
 )
+from ev3proto.tables.system import status_meaning
 from ev3proto.text.phrases import argument_value, plain, value_text
 from ev3proto.text.spans import Line, Role
 
@@ -45,10 +46,14 @@ def reply_spans(exchange: Exchange) -> Line:
     message = exchange.message
     if message.fault is not None:
         return [(f"fault at {message.fault}", Role.FAULT)]
+    if message.type is not None and message.type.is_command:
+        return [("fault: the request came back in place of a reply", Role.FAULT)]
     if isinstance(message, SystemReply):
         status = message.status.name if message.status is not None else f"status {message.status_code}"
         texts = {name: plain(value) for name, value in message.fields.items()}
-        return [(status, Role.FAULT if message.is_error else Role.VALUE), *_fields(texts)]
+        meaning = status_meaning(message.number, message.status_code) if message.is_error else None
+        said: Line = [(f" ({meaning})", Role.MEANING)] if meaning else []
+        return [(status, Role.FAULT if message.is_error else Role.VALUE), *_fields(texts), *said]
     if message.type is not None and message.type.is_error:
         return [("error", Role.FAULT)]
     if not exchange.values:

@@ -19,7 +19,7 @@ from ev3proto.schema.identification import ENCODINGS
 from ev3proto.tables.daisy import TEXTS as DAISY_TEXTS
 from ev3proto.tables.daisy import DaisyCommand as DaisySubCommand
 from ev3proto.tables.encoding import STRING_CODING, TEXT
-from ev3proto.tables.system import SYSTEM_BY_NUMBER
+from ev3proto.tables.system import SYSTEM_BY_NUMBER, status_meaning
 from ev3proto.text.heading import Seen, heading
 from ev3proto.text.phrases import argument_meaning, argument_value, plain, spaced_hex, value_text
 from ev3proto.text.spans import Line, Role
@@ -99,6 +99,8 @@ def _system(message: SystemCommand | SystemReply, transfer: Transfer | None) -> 
     entry = SYSTEM_BY_NUMBER.get(message.number)
     if entry is not None and isinstance(message, SystemCommand):
         yield [(f"        {entry.text}", Role.ASIDE)]
+    if isinstance(message, SystemReply) and (meaning := status_meaning(message.number, message.status_code)):
+        yield [(f"        {meaning}", Role.MEANING)]
     width = max((len(name) for name in message.fields), default=0)
     for name, value in message.fields.items():
         yield [

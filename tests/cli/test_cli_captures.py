@@ -437,3 +437,12 @@ def test_files_says_where_there_is_no_frame(tmp_path: Path) -> None:
     assert (done.returncode, done.stdout) == (1, "")
     assert done.stderr.splitlines() == ["words.log: there is no frame in it", "frame.log: no file is moved in it"]
     assert run_ev3proto_text("files", "frame.log", cwd=tmp_path).returncode == 0
+
+
+def test_a_request_in_place_of_a_reply_is_a_fault_and_no_command() -> None:
+    """What the brick's bootloader does on USB 3 ports, in packet 24."""
+    path = str(CAPTURES / "usb-bootloader.pcapng")
+    lines = run("decode", "--dialogues", path).stdout.decode().splitlines()
+    assert lines[0].split("-> ")[1] == "fault: the request came back in place of a reply  4.000 ms"
+    counted = json.loads(run("stats", "--json", path).stdout.splitlines()[0])
+    assert counted["whole"]["kinds"]["system-command"]["messages"] == 8

@@ -83,6 +83,7 @@ def _contents() -> Schema:
             "status": _OUTCOME,
             "status_name": {"enum": [status.name for status in SystemStatus]},
             "status_code": _BYTE,
+            "status_meaning": maybe(TEXT),
         },
         "daisy-command": {
             "command": maybe({"enum": [member.name for member in DaisyCommand]}),

@@ -18,6 +18,7 @@ from ev3proto.messages import (
     SystemReply,
 )
 from ev3proto.tables.frame import LENGTH_FIELD
+from ev3proto.tables.system import status_meaning
 from ev3proto.text.heading import Seen
 
 
@@ -72,6 +73,7 @@ def _contents(message: Message) -> dict[str, Any]:
                 "status": "error" if message.is_error else "ok",
                 "status_name": message.status.name if message.status is not None else None,
                 "status_code": message.status_code,
+                "status_meaning": status_meaning(message.number, message.status_code),
                 "fields": _fields(message),
             }
         case DaisyCommand():

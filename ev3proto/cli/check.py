@@ -115,7 +115,9 @@ class Checking(SourceReader):
 
     def piece(self, piece: Piece, pasted: Pasted, source: Source) -> None:
         """A frame of a text."""
-        if pasted.direction == "received":
+        kind = piece.message.type
+        is_reply = pasted.direction is None and kind is not None and not kind.is_command
+        if pasted.direction == "received" or (is_reply and not source.is_frame):
             self.replies += 1
             return
         frame = piece.message.build()

@@ -11,6 +11,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
+from ev3proto.cli.kinds import kind_of
 from ev3proto.cli.output import Awaited, complain
 from ev3proto.cli.progress import advancing, progress_bar
 from ev3proto.cli.reading import BUILTIN, CaptureOptions
@@ -25,7 +26,6 @@ from ev3proto.cli.texts import (
     raw_frames,
     text_lines,
 )
-from ev3proto.text.late_pattern import late_pattern
 from ev3proto.text.paste import Pasted, read_argument
 from ev3proto.text.split import Piece, split
 from ev3proto.text.visible import visible
@@ -34,10 +34,10 @@ if TYPE_CHECKING:
     from ev3proto.capture.formats import CaptureFile
     from ev3proto.cli.captures import CaptureSource
 
-_GROUP = late_pattern(r"(0x)?([0-9a-f]{2}:?){1,4},?", re.IGNORECASE)
+_GROUP = re.compile(r"(0x)?([0-9a-f]{2}:?){1,4},?", re.IGNORECASE)
 """Whole bytes in hex, which are taken for bytes even where a file has that name."""
 
-_NUMBER = late_pattern(r"[\[{]?((0x)?[0-9a-f]{1,2}|[0-9]{3})[\]}]?[,;]?", re.IGNORECASE)
+_NUMBER = re.compile(r"[\[{]?((0x)?[0-9a-f]{1,2}|[0-9]{3})[\]}]?[,;]?", re.IGNORECASE)
 """One byte as numbers are written, also at an end of an array."""
 
 
@@ -68,7 +68,7 @@ class Source(NamedTuple):
     def where(self, pasted: Pasted) -> str:
         """How a complaint about it starts."""
         if self.is_frame:
-            return f"{self.name[:60]!r}" + ("" if pasted.data else " is no file and no frame")
+            return f"{self.name[:60]!r}" + ("" if pasted.data else " is neither a file nor a frame")
         return f"{self.label}, line {pasted.line}"
 
 
@@ -150,7 +150,7 @@ class SourceReader(ABC):
         pasted = read_argument(source.name)
         if not pasted.data and _looks_like_assembly(source.name):
             self.complain(
-                f"{source.name[:60]!r} is no file and no frame, but looks like assembly: {_HOW_FRAMES_ARE_MADE}"
+                f"{source.name[:60]!r} is neither a file nor a frame, but looks like assembly: {_HOW_FRAMES_ARE_MADE}"
             )
         else:
             self._pasted(pasted, source)
@@ -207,13 +207,12 @@ class SourceReader(ABC):
             if is_image(start):
                 self._program(source, file)
                 return
-            if is_binary(start):
+            kind = kind_of(source.name, start)
+            if kind is not None or is_binary(start):
                 if self._raw(source, file):
                     return
-                self.complain(
-                    f"{source.label}: neither text nor a capture: it starts with {start.hex(' ').upper()};"
-                    f" {self.accepted}"
-                )
+                other = f"neither text nor a capture: it starts with {start.hex(' ').upper()}; {self.accepted}"
+                self.complain(f"{source.label}: {kind or other}")
                 return
             lines = self._readable(source, text_lines(file.contents))
             if self.wants_records:

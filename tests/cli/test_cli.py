@@ -153,10 +153,10 @@ def test_formats() -> None:
 @pytest.mark.parametrize(
     ("words", "status", "complaint"),
     [
-        (("decode", "no-such-file"), 1, "is no file and no frame"),
+        (("decode", "no-such-file"), 1, "is neither a file nor a frame"),
         (("decode", "0e002"), 1, "odd"),
         (("decode", "."), 1, "cannot be read"),
-        (("decode", ""), 1, "is no file and no frame"),
+        (("decode", ""), 1, "is neither a file nor a frame"),
         (("decode", "--format", "xml", TONE), 2, "xml"),
         (("decode", "--dialect", "lejos", TONE), 2, "lejos"),
         (("ops", "toen"), 1, "did you mean SOUND.TONE"),
@@ -242,7 +242,7 @@ def test_assembly_is_for_encode(tmp_path: Path) -> None:
     advice = "`ev3proto encode` makes frames of it"
     for command in ("decode", "check"):
         done = run(command, "SOUND(TONE, 1, 440, 1000)")
-        said = "'SOUND(TONE, 1, 440, 1000)' is no file and no frame, but looks like assembly"
+        said = "'SOUND(TONE, 1, 440, 1000)' is neither a file nor a frame, but looks like assembly"
         assert (done.returncode, done.stdout, done.stderr) == (1, "", f"{said}: {advice}\n")
         said = f"{file}: there is no frame in it, but what looks like assembly"
         for words in ((str(file),), (str(file), TONE)):

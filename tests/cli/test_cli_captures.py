@@ -310,7 +310,7 @@ def test_a_link_that_nobody_knows() -> None:
 @pytest.mark.parametrize(
     ("data", "sentence"),
     [
-        (b"PK\x03\x04 a zip archive", "neither text nor a capture: it starts with 50 4B 03 04 20 61 20 7A"),
+        (b"PK\x03\x04 a zip archive", "a zip archive: unpack it, and give the files in it"),
         (b"\x7fELF\x02\x01\x01\x00", "neither text nor a capture: it starts with 7F 45 4C 46 02 01 01 00"),
         (b"\x1f\x8b\x08\x00cut", "the gzip stream is cut off or damaged: "),
     ],
@@ -319,6 +319,28 @@ def test_a_foreign_format(data: bytes, sentence: str) -> None:
     done = run("decode", stdin=data)
     assert (done.returncode, done.stdout) == (1, b"")
     assert done.stderr.decode().startswith(f"standard input: {sentence}")
+    assert len(done.stderr.splitlines()) == 1
+
+
+KINDS = {
+    "robot.ev3": (b"PK\x03\x04\x14\0\0\0", "copy the program's .rbf from there"),
+    "logs.zip": (b"PK\x03\x04\x14\0\0\0", "a zip archive: unpack it"),
+    "pybricks.uf2": (b"UF2\n\x57\x51\x5d\x9e", "a UF2 image"),
+    "renamed": (b"UF2\n\x57\x51\x5d\x9e", "a UF2 image"),
+    "smile.rgf": (b"\x2c\x2e\x40\x40\x40\x40\x40\x40", "UI_DRAW.BMPFILE shows it"),
+    "hello.rsf": (b"\x01\x00\x1d\x20\x1f\x40\0\0", "SOUND.PLAY plays it"),
+    "EV3 Firmware V1.09H.bin": (b"\x14\x00\x9f\xe5\x14\xf0\x9f\xe5", "a firmware image"),
+}
+
+
+@pytest.mark.parametrize("name", KINDS)
+def test_files_around_the_ev3_are_named(name: str, tmp_path: Path) -> None:
+    contents, sentence = KINDS[name]
+    path = tmp_path / name
+    path.write_bytes(contents * (1 << 17))
+    done = run("decode", str(path))
+    assert (done.returncode, done.stdout) == (1, b"")
+    assert sentence in done.stderr.decode()
     assert len(done.stderr.splitlines()) == 1
 
 

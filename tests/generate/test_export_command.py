@@ -144,7 +144,7 @@ def test_filtered(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("given", "sentence"),
     [
-        ("hello", "'hello' is no file and no frame: column 1: 'hello' is no hex"),
+        ("hello", "'hello' is neither a file nor a frame: column 1: 'hello' is not hex"),
         (TONE[:-2], f"'{TONE[:-2]}': it cannot be carried: its length field says that 14 bytes follow, 13 do"),
         (TONE + "00 01", f"'{TONE}00 01': it cannot be carried: its length field says that 14 bytes follow, 16 do"),
     ],

@@ -6,8 +6,6 @@ import subprocess
 import sys
 from pathlib import Path
 
-import pytest
-
 ROOT = Path(__file__).parents[2]
 TONE = "0e002a0080000094010182b80182e803"
 
@@ -18,7 +16,6 @@ PARTS_NOT_NEEDED = (
     "compose",
     "generate",
     "link",
-    "names",
     "ops",
     "program",
     "sampling",
@@ -27,10 +24,6 @@ PARTS_NOT_NEEDED = (
     "text.diagnostics",
     "text.assembly",
     "text.dialogues",
-    "text.paste.fitting",
-    "text.paste.forms",
-    "text.paste.reader",
-    "text.paste.scanner",
     "whole_files",
 )
 OTHERS_NOT_NEEDED = ("asyncio", "hypothesis", "pyshark", "rich", "scapy", "secrets", "tempfile")
@@ -66,14 +59,3 @@ def test_the_instruction_sets_of_other_dialects_are_not_made() -> None:
     )
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True, cwd=ROOT)
     assert done.stdout == "1\n"
-
-
-@pytest.mark.parametrize(("module", "name"), [("ev3proto.text.paste.reader", "_DENSE")])
-def test_expressions_are_compiled_when_they_are_first_used(module: str, name: str) -> None:
-    program = (
-        "import importlib, sys\n"
-        f"pattern = vars(importlib.import_module({module!r}))[{name!r}]\n"
-        "print('match' in vars(pattern), pattern.match('x') is None, 'match' in vars(pattern))\n"
-    )
-    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True, cwd=ROOT)
-    assert done.stdout == "False True True\n"

@@ -107,18 +107,6 @@ def _rfcomm(data: bytes) -> bytes:
     return b"\x02\x2a\x20" + len(l2cap).to_bytes(2, "little") + l2cap
 
 
-def _record(offset: int, row: bytes) -> str:
-    """A record of Intel HEX with data."""
-    record = bytes((len(row), offset >> 8, offset & 0xFF, 0)) + row
-    return f":{record.hex().upper()}{-sum(record) & 0xFF:02X}"
-
-
-def _motorola(offset: int, row: bytes, width: int) -> str:
-    """A record of Motorola's format with data, whose address has so many bytes."""
-    record = bytes((len(row) + width + 1,)) + offset.to_bytes(width, "big") + row
-    return f"S{width - 1}{record.hex().upper()}{~sum(record) & 0xFF:02X}"
-
-
 def _hcidump(data: bytes) -> str:
     rows = [row.hex(" ").upper() for _, row in _rows(_rfcomm(data), 20)]
     return "< " + " \n  ".join(rows)
@@ -132,7 +120,6 @@ def _tcpdump(data: bytes) -> str:
 
 
 LINE: dict[str, Notation] = {
-    "base32": lambda data: base64.b32encode(data).decode(),
     "hex": bytes.hex,
     "HEX": lambda data: data.hex().upper(),
     "blanks": lambda data: data.hex(" "),
@@ -246,7 +233,6 @@ LINE: dict[str, Notation] = {
     "hex2dec": lambda data: f"hex2dec({{{_list(data, chr(39) + '{:02X}' + chr(39), ',')}}})",
     "strings of hex": lambda data: json.dumps([f"{byte:02x}" for byte in data]),
     "strings of 0x": lambda data: json.dumps([f"0x{byte:02x}" for byte in data]),
-    "Lisp": lambda data: f"#({_list(data, '#x{:02X}', ' ')})",
     "Smalltalk": lambda data: f"#[{_list(data, '{}', ' ')}]",
     "terminal": lambda data: _list(data, "<{:02X}>", ""),
     "terminal, 0x": lambda data: _list(data, "[0x{:02X}]", ""),
@@ -267,7 +253,6 @@ LINE: dict[str, Notation] = {
     "padded": lambda data: (data + bytes(64 - len(data) % 64)).hex(" "),
     "calls": lambda data: "".join(f"buf.put((byte)0x{byte:02x});" for byte in data),
     "chr() in PHP": lambda data: _list(data, "chr({})", "."),
-    "table of HTML": lambda data: "<tr>" + "".join(f"<td>{byte:02x}</td>" for byte in data) + "</tr>",
     "elements of XML": lambda data: "".join(f"<byte>{byte}</byte>" for byte in data),
     "non-breaking blanks": lambda data: data.hex(" ").replace(" ", "\u00a0"),
     "entities": lambda data: _list(data, "{:02x}", "&nbsp;"),
@@ -276,8 +261,6 @@ LINE: dict[str, Notation] = {
     "Pascal characters": lambda data: "".join(f"#{byte}" for byte in data),
     "Pascal characters, hex": lambda data: "".join(f"#${byte:02X}" for byte in data),
     "Verilog": lambda data: f"{{{_list(data, chr(39).join(('8', 'h{:02x}')))}}}",
-    "VHDL": lambda data: f"({_list(data, 'x{0}{{:02x}}{0}'.format(chr(34)))})",
-    "Forth": lambda data: _list(data, "{:02X} c,", " "),
     "Nim": lambda data: f"@[{data[0]}'u8, {_list(data[1:])}]",
     "octal of C": lambda data: f"{{{_list(data, '0{:03o}')}}}",
     "0x glued": lambda data: _list(data, "0x{:02x}", ""),
@@ -425,11 +408,6 @@ LINES: dict[str, Notation] = {
     "gdb x/ub": lambda data: "\n".join(
         f"0x{0x601040 + at:x} <cmd+{at}>:\t" + _list(row, "{}", "\t") for at, row in _rows(data, 8)
     ),
-    "WinDbg": lambda data: "\n".join(
-        f"00000000`{0x12FF40 + at:08x}  {row[:8].hex(' ')}{'-' * (len(row) > 8)}{row[8:].hex(' ')}".ljust(69)
-        + _shown(row)
-        for at, row in _rows(data, 16)
-    ),
     "Netty": lambda data: (
         "         +-------------------------------------------------+\n"
         "         |  0  1  2  3  4  5  6  7  8  9  a  b  c  d  e  f |\n"
@@ -462,27 +440,12 @@ LINES: dict[str, Notation] = {
         f"         Length: {len(data)}\n         FCS: 0x9a\n"
         + "\n".join(f"        {row.hex(' '):<47}  {_shown(row)}" for _, row in _rows(data + b"\x9a", 16))
     ),
-    "Intel HEX": lambda data: "\n".join([*(_record(at, row) for at, row in _rows(data, 16)), ":00000001FF"]),
-    "S-records": lambda data: "\n".join(
-        ["S0030000FC", *(_motorola(at, row, 2) for at, row in _rows(data, 16)), "S9030000FC"]
-    ),
-    "S3 records": lambda data: "\n".join(
-        [*(_motorola(0x08000000 + at, row, 4) for at, row in _rows(data, 16)), "S70500000000FA"]
-    ),
     "interceptty": lambda data: "\n".join(
         f">\t0x{byte:02x} ({chr(byte) if 32 <= byte < 127 else '^' + chr(byte + 64) if byte < 32 else 'M-'})"
         for byte in data
     ),
     "XML, decimal": lambda data: "<frame>\n" + "\n".join(f"  <byte>{byte}</byte>" for byte in data) + "\n</frame>",
     "XML, hex": lambda data: "<data>\n" + "\n".join(f"  <b>{byte:02X}</b>" for byte in data) + "\n</data>",
-    "ESP-IDF": lambda data: "\n".join(
-        f"I (12345) EV3: 0x{0x3FFB1234 + at:08x}   {row[:8].hex(' '):<23}  {row[8:].hex(' '):<23}  |{_shown(row):<16}|"
-        for at, row in _rows(data, 16)
-    ),
-    "objdump -s": lambda data: (
-        "Contents of section .data:\n"
-        + "\n".join(f" {at:04x} {row.hex(' ', -4):<35}  {_shown(row)}" for at, row in _rows(data, 16))
-    ),
     "DataView": lambda data: "\n".join(f"view.setUint8({at}, 0x{byte:02x});" for at, byte in enumerate(data)),
     "writeUInt8": lambda data: "\n".join(f"buf.writeUInt8(0x{byte:02x}, {at});" for at, byte in enumerate(data)),
     "println(HEX)": lambda data: "\n".join(f"{byte:X}" for byte in data),

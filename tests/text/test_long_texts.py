@@ -5,8 +5,9 @@ from __future__ import annotations
 import tracemalloc
 
 import pytest
-from support.cpu_time import Work, assert_linear
+from support.cpu_time import Work, assert_linear, seconds
 from support.effort import effort
+from support.notations import EVERY
 
 from ev3proto.text.paste import read_text
 
@@ -30,7 +31,12 @@ HOSTILE = {
     "minus": ("-1 ", 2),
     "labels": ("ff03 x\n", 10),
     "announcements": ("sent:\n", 10),
+    "frames between words": ("0e002a0080000094 x ", 2),
+    "arrays with comments": ("{/*", 1),
+    "pairs": ("0: 1, ", 2),
 }
+FRAME = bytes.fromhex("0e002a0080000094010182b80182e803")
+SHAPES = ("{whole} ", "{whole} x ", "{cut} x ", "{rows}\n")
 SIZE = effort(1 << 12, 1 << 17)
 MOST_SIZE = 1 << 17
 """Characters beyond which texts are not made longer: a line of more than eight times that is not read."""
@@ -45,6 +51,25 @@ def test_twice_the_text_takes_twice_the_time(name: str) -> None:
         return lambda: [None for _ in read_text(lines)]
 
     assert_linear(reading, SIZE, MOST_SIZE)
+
+
+@pytest.mark.parametrize("name", list(EVERY)[:: effort(40, 1)])
+def test_eight_times_the_notation_takes_at_most_ten_times_the_time(name: str) -> None:
+    rows = EVERY[name](FRAME)
+    whole = " ".join(rows.split("\n"))
+    for shape in SHAPES:
+        unit = shape.format(whole=whole, cut=whole[: len(whole) * 3 // 5], rows=rows)
+
+        def reading(size: int, unit: str = unit) -> Work:
+            lines = (unit * (size // len(unit) + 1)).splitlines(keepends=True)
+            return lambda: [None for _ in read_text(lines)]
+
+        assert_linear(reading, SIZE, MOST_SIZE)
+
+
+def test_a_line_of_a_mebibyte_is_read_in_seconds() -> None:
+    text = "0e002a0080000094 x " * (effort(1 << 17, 1 << 20) // 19)
+    assert seconds(lambda: list(read_text([text]))) < effort(10, 80)
 
 
 def test_memory_does_not_grow_with_the_text() -> None:

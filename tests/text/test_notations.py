@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+import re
 from itertools import product
+from pathlib import Path
 
 import pytest
-from support import notations_page
 from support.cases import each
-from support.notations import EVERY, LINE, LINES
+from support.notations import EVERY, LINE
 
 from ev3proto.text.paste import Pasted, read_text
 
+PAGE = Path(__file__).parents[2] / "docs" / "notations.md"
 TONE = bytes.fromhex("0f 00 00 00 80 00 00 94 01 81 02 82 e8 03 82 e8 03")
 NOTHING = bytes.fromhex("06 00 2a 00 00 00 00 01")
 NAME = bytes.fromhex("0e 00 2a 00 00 00 00 d4 08 84 6d 79 45 56 33 00")
@@ -144,7 +146,7 @@ def test_a_counter_that_is_not_written() -> None:
 
 LOOKS = {
     "x 0f 00 00 00 80 00 00 94 01 81 02 82 e8 03 82 e8": "16 bytes begin a frame of 17",
-    "x 0f 00 00 00 80 00 00 94 01 81 02 82 e8 03 82 e8 03 00 11": "19 bytes stand here",
+    "x 0f 00 00 00 80 00 00 94 01 81 02 82 e8 03 82 e8 03 00 11": "19 bytes are here",
     "// 0f 00 00 00 80 00 00 94": "8 bytes begin a frame of 17",
     "say 0x0f, 0x00, 0x00, 0x00, 0x80, 0x00, 0x00": "7 bytes begin a frame of 17",
     "say [15, 0, 0, 0, 128, 0, 0, 148] to it": "8 bytes begin a frame of 17",
@@ -158,6 +160,35 @@ def test_what_looks_like_a_frame_and_is_none(text: str) -> None:
     (piece,) = pieces(f"first\n{text}\nlast\n")
     assert (piece.data, piece.unread, piece.line) == (b"", True, 2)
     assert LOOKS[text] in (piece.problem or "")
+
+
+MISTAKES = {
+    "00 0E 00 2A 80 00 00 94 01 01 82 B8 01 82 E8 03": "did you swap its bytes 00 0E?",
+    "10 00 2A 00 80 00 00 94 01 01 82 B8 01 82 E8 03": "does the length count its own two bytes?",
+    "0e 00 2a 00 80 00 00 G8 01 01 82 b8 01 82 e8 03": "column 22: 'G8' is not hex",
+    r"\x0e\x00\x2a\x00\x80\x00\x00\x94\x01\xof\x82\xb8\x01\x82\xe8\x03": "column 37: '\\\\xof' is not an escape",
+    r'x = "\x0e\x00\x2a\x00\x80\x00\x00\x94\x01\xof\x82"': "'\\\\xof' cannot be in a byte string",
+    "x = {0x0e, 0x00, 0x2a, 0x00, 0x80, 0xG0}": "'0xG0' is not a number",
+}
+
+
+@pytest.mark.parametrize("text", MISTAKES)
+def test_mistakes_are_named_in_a_file(text: str) -> None:
+    (piece,) = pieces(f"first\n{text}\nlast\n")
+    assert piece.line == 2
+    assert MISTAKES[text] in (piece.problem or "")
+
+
+ANNOTATED = (
+    "0E00 (length) 2A00 (counter) 80 (type) 0000 (memory) 94 01 01 82B801 82E803",
+    "0E 00 [length] 2A 00 [counter] 80 [type] 00 00 [memory] 94 01 01 82 B8 01 82 E8 03 [tone]",
+    "length 0E 00, counter 2A 00, type 80, memory 00 00, tone 94 01 01 82 B8 01 82 E8 03",
+)
+
+
+@pytest.mark.parametrize("text", ANNOTATED)
+def test_annotated_hex_of_forums(text: str) -> None:
+    assert [piece.data.hex() for piece in pieces(text)] == ["0e002a0080000094010182b80182e803"]
 
 
 NO_FRAMES = (
@@ -235,9 +266,6 @@ OMITTED = {
     "xxd -a": "00000000: 6500 0500 0193 0000 0000 0000 0000 0000  e...............\n"
     "00000010: 0000 0000 0000 0000 0000 0000 0000 0000  ................\n*\n"
     "00000060: 0000 0000 0000 00                        .......",
-    "gdb, hex": "$1 = {0x65, 0x0, 0x5, 0x0, 0x1, 0x93, 0x0 <repeats 97 times>}",
-    "gdb": r"$1 = {101 'e', 0 '\000', 5 '\005', 0 '\000', 1 '\001', 147 '\223', 0 '\000' <repeats 97 times>}",
-    "gdb, string": r"""$1 = "e\000\005\000\001\223", '\000' <repeats 97 times>""",
 }
 
 
@@ -266,20 +294,17 @@ def test_a_dump_of_strace_is_only_dropped_where_its_string_is() -> None:
     assert [piece.data for piece in pieces(f"write(3, ...) = 8\n{dump}\n")] == [NOTHING]
 
 
-def test_records_of_intel_hex_have_an_address_of_their_own() -> None:
-    text = ":020000040800F2\n:0801000006002A0000000001C6\n:00000001FF\n"
-    assert [(piece.data, piece.problem) for piece in pieces(text)] == [(NOTHING, None)]
-
-
 def test_decimal_escapes_where_octal_ones_give_no_frame() -> None:
     assert [piece.data for piece in pieces(r"'\015\000\000\000\128\0\0\148\1\129\2\130\232\3\130\232\3'")] == [TONE]
     assert [piece.data for piece in pieces(r"'\017\000\000\000\200\0\0\224\1\201\2\202\350\3\202\350\3'")] == [TONE]
 
 
-def test_the_page_of_notations_is_as_it_is_read() -> None:
-    text = notations_page.PAGE.read_text(encoding="utf-8")
-    assert text == notations_page.page(), "python tests/support/notations_page.py writes it anew"
-    examples = [*notations_page.examples(text)]
-    assert len(examples) == len(LINE) + len(LINES)
+def test_every_example_on_the_page_of_notations_is_read() -> None:
+    text = PAGE.read_text(encoding="utf-8")
+    lines, blocks = (
+        re.findall(r"```text\n(.*?)\n```", part, re.DOTALL) for part in text.split("## Over several lines")
+    )
+    examples = [line for block in lines for line in block.split("\n")] + blocks
+    assert len(examples) > 80
     for example in examples:
-        assert [frame_of(piece) for piece in pieces(example)] == [notations_page.FRAME], example
+        assert [(frame_of(piece), piece.problem) for piece in pieces(example)] == [(TONE, None)], example

@@ -1,4 +1,4 @@
-"""The short way for plain hex: it finds what the other forms find, and leaves the rest to them."""
+"""Plain hex is the frame that it says, as an argument and as a line, whatever the separators and the meaning."""
 
 from __future__ import annotations
 
@@ -7,8 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from ev3proto.testing import frames
-from ev3proto.text.paste import Pasted, read_any_form
-from ev3proto.text.paste.plain import plain_frame
+from ev3proto.text.paste import read_argument, read_text
 
 TONE = "0e002a0080000094010182b80182e803"
 FRAME = bytes.fromhex(TONE)
@@ -23,35 +22,28 @@ def with_any_body(draw: st.DrawFn) -> bytes:
     return len(after).to_bytes(2, "little") + after
 
 
-@given(frames() | with_any_body(), st.sampled_from(["", " ", ":"]), st.booleans())
-def test_the_other_forms_find_the_same(frame: bytes, separator: str, is_upper: bool) -> None:
+@given(frames() | with_any_body(), st.sampled_from(["", ":"]), st.booleans())
+def test_the_frame_is_found(frame: bytes, separator: str, is_upper: bool) -> None:
     digits = frame.hex(separator) if separator else frame.hex()
     text = digits.upper() if is_upper else digits
-    found = plain_frame(text)
-    assert found is not None or separator
-    if found is not None:
-        assert found == read_any_form(text)
-
-
-@pytest.mark.parametrize("text", [TONE, TONE.upper(), FRAME.hex(" "), FRAME.hex(":").upper()])
-def test_plain_hex_is_the_frame(text: str) -> None:
-    assert plain_frame(text) == Pasted(FRAME, 1, text)
+    assert read_argument(text).data == frame
+    assert [(piece.data, piece.problem, piece.column) for piece in read_text([text])] == [(frame, None, 1)]
 
 
 @pytest.mark.parametrize(
-    "text",
+    ("text", "problem"),
     [
-        pytest.param("", id="nothing"),
-        pytest.param(TONE[:-2], id="shorter than its length field says"),
-        pytest.param(TONE + "00", id="longer"),
-        pytest.param(TONE[:-1], id="half a byte"),
-        pytest.param("03002a007f", id="a type that there is not"),
-        pytest.param("03 00 42 00 05", id="numbers that may be decimal"),
-        pytest.param("0e 0 02a0080000094010182b80182e803", id="groups that are no bytes"),
-        pytest.param(f"{FRAME.hex(' ')} ", id="a blank at the end"),
-        pytest.param(f"sent {TONE}", id="a word"),
-        pytest.param("０e002a0080000094010182b80182e803", id="a digit that is none of hex"),
+        pytest.param(TONE[:-2], None, id="shorter than its length field says"),
+        pytest.param(TONE + "00", None, id="with padding"),
+        pytest.param(TONE[:-1], "odd number of hex digits (31)", id="half a byte"),
+        pytest.param("03002a007f", None, id="an unknown type"),
+        pytest.param("0e 0 02a0080000094010182b80182e803", "odd number of hex digits", id="groups of half a byte"),
+        pytest.param("０e002a0080000094010182b80182e803", "is not a hex digit", id="a digit of another script"),
     ],
 )
-def test_what_is_not_plain_is_left_to_the_other_forms(text: str) -> None:
-    assert plain_frame(text) is None
+def test_what_is_not_a_frame_is_read_as_bytes(text: str, problem: str | None) -> None:
+    found = read_argument(text)
+    if problem is None:
+        assert (found.data.hex(), found.problem) == (text, None)
+    else:
+        assert problem in (found.problem or "")

@@ -1,7 +1,7 @@
-"""The columns of a dump that are no bytes: the offset in front of a row, and the same bytes as text after it.
+"""The columns of a dump that are not its bytes: the offset in front of a row, and the same bytes as text after it.
 
-A column of text is known by what it says: each printable byte stands there as its character. An offset is known by its
-digits, what follows it, and whether it counts the bytes of the rows before.
+A column of text is recognised by its content: each printable byte is its character. An offset is recognised by its
+digits, by what follows it, and by whether it counts the bytes of the rows before.
 """
 
 from __future__ import annotations
@@ -9,26 +9,26 @@ from __future__ import annotations
 import re
 from collections.abc import Collection
 
-from ev3proto.text.late_pattern import late_pattern
-from ev3proto.text.paste.blanking import OTHER
+from ev3proto.tables.frame import MAX_FRAME
+from ev3proto.text.paste.cleaning import OTHER
 
-_OFFSET = late_pattern(
-    r"^(?P<before>(?:.{0,80}?[\s\])>:|[])??)(?P<offset>(?:0[xX])?[0-9a-fA-F]{4,16})(?P<mark>\]|[:hH]?(?:\s?[|:])?|\s{1,130}:)(?P<blanks>\s++)"
-    r"(?=-?[0-9a-fA-F\\])"
+_OFFSET = re.compile(
+    r"^(?P<before>(?:.{0,80}?[\s\])>:|[])??)(?P<offset>(?:0[xX])?[0-9a-fA-F]{4,16})"
+    r"(?P<mark>\]|[:hH]?(?:\s?[|:])?|\s{1,130}:)(?P<blanks>\s{1,200})(?=-?[0-9a-fA-F\\])"
 )
-_ROW_OFFSET = late_pattern(r"\s*(?:0[xX])?(?P<offset>[0-9a-fA-F]{4,16}):?(?=\s|$)")
-_ONLY_OFFSET = late_pattern(r"^\s*(?P<offset>[0-9a-fA-F]{7,8}):?\s*$")
-_GROUP = late_pattern(r"(?P<digits>(?:[0-9a-fA-F]{2}){1,32})(?![^\s|])(?P<blanks>\s*+)")
-_MORE = late_pattern(r"(?:[0-9a-fA-F]{2,8}(?:\s{1,4}|$)){2,}|[0-9a-fA-F]{2,8}(?:\s*$|\s{2,}\S)")
-_PAIR = late_pattern(r"[0-9a-fA-F]{2}")
+_ROW_OFFSET = re.compile(r"\s*(?:0[xX])?(?P<offset>[0-9a-fA-F]{4,16}):?(?=\s|$)")
+_ONLY_OFFSET = re.compile(r"^\s*(?P<offset>[0-9a-fA-F]{6,8}):?\s*$")
+_GROUP = re.compile(r"(?P<digits>(?:[0-9a-fA-F]{2}){1,32})(?![^\s|])(?P<blanks>\s*)")
+_MORE = re.compile(r"(?:[0-9a-fA-F]{2,8}(?:\s{1,4}|$)){2,}|[0-9a-fA-F]{2,8}(?:\s*$|\s{2,}\S)")
+_PAIR = re.compile(r"[0-9a-fA-F]{2}")
+_NUMBERS = re.compile(r"[\s\d-]+")
 _MOST_TEXT = 1 << 10
-_NUMBERS = late_pattern(r"[\s\d-]+")
 _MOST_GROUPS = 64
-_MOST_ROW = 16
+_ROW = 16
 
 
 def without_columns(line: str, counts: Collection[int] = ()) -> str:
-    """The line without offset and text column, if it is the row of a dump.
+    """Returns the line without offset and text column, if it is the row of a dump.
 
     Args:
         line: A line, cleaned.
@@ -37,27 +37,22 @@ def without_columns(line: str, counts: Collection[int] = ()) -> str:
     alone = _ONLY_OFFSET.match(line)
     if alone is not None and _numbers(alone["offset"]) & {*counts} - {0}:
         return " " * len(line)
-    start = 0
     offset = _OFFSET.match(line)
-    if offset is not None and _is_offset(line, offset, counts):
-        start = offset.end()
-        line = " " * start + line[start:] if not offset["before"].strip() else _covered(line, offset)
-    else:
-        offset = None
-    return _without_text(line, start, has_offset=offset is not None)
+    if offset is None or not _is_offset(line, offset, counts):
+        return _without_text(line, 0, has_offset=False)
+    begin = offset.start("offset") if offset["before"].strip() else 0
+    line = line[:begin] + " " * (offset.end() - begin) + line[offset.end() :]
+    return _without_text(line, offset.end(), has_offset=True)
 
 
 def repeated_rows(before: str, line: str, size: int, count: int) -> int | None:
-    """How many rows like the one before a `*` stands for.
+    """Returns how many rows a `*` replaces; None where the offsets do not tell.
 
     Args:
         before: The row in front of the `*`.
         line: The row after it, or the offset alone that ends a dump.
         size: How many bytes that row has.
         count: How many bytes all rows have up to the `*`.
-
-    Returns:
-        The number of rows; None where the offsets do not tell it.
     """
     first, second = _ROW_OFFSET.match(before), _ROW_OFFSET.match(line)
     if first is None or second is None or size == 0:
@@ -68,18 +63,13 @@ def repeated_rows(before: str, line: str, size: int, count: int) -> int | None:
         except ValueError:
             continue
         missing = end - count
-        if 0 < begin == count - size and missing > 0 and missing % size == 0:
+        if 0 < begin == count - size and 0 < missing <= MAX_FRAME and missing % size == 0:
             return missing // size
     return None
 
 
-def _covered(line: str, offset: re.Match[str]) -> str:
-    begin = offset.start("offset")
-    return line[:begin] + " " * (offset.end() - begin) + line[offset.end() :]
-
-
 def _is_offset(line: str, offset: re.Match[str], counts: Collection[int]) -> bool:
-    """Whether the digits are an offset: zero, the bytes so far, or written as nothing but an offset is."""
+    """Whether the digits are an offset: zero, the bytes so far, or in a format that only offsets have."""
     digits = offset["offset"].lower().removeprefix("0x")
     numbers = _numbers(digits)
     if numbers & {count for count in counts if count}:
@@ -100,57 +90,51 @@ def _is_offset(line: str, offset: re.Match[str], counts: Collection[int]) -> boo
 
 
 def _numbers(digits: str) -> set[int]:
-    """The numbers that the digits of an offset may mean: od counts in octal."""
+    """Returns the numbers that the digits of an offset may mean: od counts in octal."""
     numbers = {int(digits, 16)}
-    if digits.isdecimal():
-        numbers.add(int(digits))
-    if set(digits) <= set("01234567"):
-        numbers.add(int(digits, 8))
+    for base, known in ((10, "0123456789"), (8, "01234567")):
+        if set(digits) <= set(known):
+            numbers.add(int(digits, base))
     return numbers
 
 
 def _without_text(line: str, start: int, *, has_offset: bool) -> str:
-    """The line without the column of text."""
+    """Returns the line without the column of text."""
     first = _PAIR.search(line, start)
-    if first is None:
+    if first is None or (not has_offset and line[: first.start()].strip(" \t" + OTHER)):
         return line
     position = first.start()
-    if not has_offset and line[:position].strip(" \t" + OTHER):
-        return line
     data = bytearray()
     for _ in range(_MOST_GROUPS):
         group = _GROUP.match(line, position)
-        if group is None:
+        if group is None or group.end() == len(line):
             break
         data += bytes.fromhex(group["digits"])
         position = group.end()
-        text = line[position:]
-        if not text:
-            return line
-        is_wide = len(group["blanks"]) > 1 or text[0] in "|>"
+        is_wide = len(group["blanks"]) > 1 or line[position] in "|>"
         if not is_wide:
-            if has_offset and len(data) == _MOST_ROW and _PAIR.match(text) is None:
-                return line[:position] + " " * len(text)
+            if has_offset and len(data) == _ROW and _PAIR.match(line, position) is None:
+                return line[:position] + " " * (len(line) - position)
             continue
-        if _says(text, data):
-            return line[:position] + " " * len(text)
-        if len(text) > _MOST_TEXT or _NUMBERS.fullmatch(text):
+        if len(line) - position > _MOST_TEXT:
             continue
-        # Wider gaps than one blank stand between groups of bytes, too; more bytes follow those.
-        if has_offset and (text[0] == "|" or _MORE.match(text) is None):
+        text = line[position:]
+        is_text = _says(text, data)
+        # Wider gaps than one blank also separate groups of bytes; more bytes follow those.
+        if not is_text and has_offset and not _NUMBERS.fullmatch(text):
+            is_text = text[0] == "|" or len(group["blanks"]) > _ROW or _MORE.match(text) is None
+        if is_text:
             return line[:position] + " " * len(text)
     return line
 
 
 def _says(text: str, data: bytearray) -> bool:
     """Whether the text is that of the bytes."""
-    if len(text) > _MOST_TEXT:
-        return False
     shown = text.strip()
     if len(shown) > 2 and shown[0] in "|>" and shown[-1] in "|<":
         shown = shown[1:-1]
     shown = "".join(shown.split())
     known = [byte for byte in data if byte != 0x20]
-    if len(shown) != len(known):
-        return False
-    return all(chr(byte) == character or not 0x20 < byte < 0x7F for byte, character in zip(known, shown, strict=True))
+    return len(shown) == len(known) and all(
+        chr(byte) == character or not 0x20 < byte < 0x7F for byte, character in zip(known, shown, strict=True)
+    )

@@ -1,6 +1,6 @@
-"""What a line says in front of its bytes: the time, and the words and arrows that tell the direction.
+"""What a line says in front of its bytes: the time, and by words and arrows the direction.
 
-Logs give both, and a line that begins like a log line may be expected to hold bytes where prose may not.
+`EV3 <- 0f 00 ...` is sent to the EV3 by one author and received from it by another: the type of a frame decides which.
 """
 
 from __future__ import annotations
@@ -8,7 +8,8 @@ from __future__ import annotations
 import re
 from typing import Literal, NamedTuple
 
-from ev3proto.text.late_pattern import late_pattern
+from ev3proto.schema.header import HEADER_SIZE
+from ev3proto.tables.frame import MessageType
 
 Direction = Literal["sent", "received"]
 
@@ -26,82 +27,84 @@ _RECEIVED = (
 _TO_COMPUTER = r"(?=\s?(?:the\s)?(?:pc|host|computer|laptop|phone|client)\b)"
 _DIRECTION = (
     rf"(?P<sent>(?<![a-z])(?:{_SENT})(?![a-z])|(?<![<>=-])(?:->|-->|>>|→)(?![<>=-])(?!{_TO_COMPUTER}))"
-    rf"|(?P<received>(?<![a-z])(?:{_RECEIVED})(?![a-z])|(?<![<>=-])(?:(?:<-|<--|<<|←)|(?:->|-->|>>|→){_TO_COMPUTER})(?![<>=-]))"
+    rf"|(?P<received>(?<![a-z])(?:{_RECEIVED})(?![a-z])"
+    rf"|(?<![<>=-])(?:(?:<-|<--|<<|←)|(?:->|-->|>>|→){_TO_COMPUTER})(?![<>=-]))"
 )
 # Words that loggers put beside the direction, and that therefore do not make a line prose.
 _BESIDE = (
-    r"(?P<beside>\b(?:debug|info|notice|warning|error|trace|data|raw|hex|frame|packet|payload|message"
-    r"|bytearray|(?:\d{1,7}\s{1,4})?bytes?)\b)"
+    r"\b(?:debug|info|notice|warning|error|trace|data|raw|hex|frame|packet|payload|message"
+    r"|bytearray|(?:\d{1,7}\s{1,4})?bytes?)\b"
 )
-
-_TIME_SEARCH = late_pattern(_TIME, re.ASCII)
-_DIRECTION_SEARCH = late_pattern(_DIRECTION, re.IGNORECASE)
-_PART = late_pattern(
-    rf"(?P<time>{_TIME})|{_DIRECTION}|{_BESIDE}|[\s\[({{\])}}\"'`:;,|]++|[<>=-]{{4,}}+|[<>=-]", re.IGNORECASE | re.ASCII
+_TIME_SEARCH = re.compile(_TIME, re.ASCII)
+_DIRECTION_SEARCH = re.compile(_DIRECTION, re.IGNORECASE)
+_PART = re.compile(
+    rf"(?P<time>{_TIME})|{_DIRECTION}|(?P<beside>{_BESIDE})|[\s\[({{\])}}\"'`:;,|]+|[<>=-]", re.IGNORECASE | re.ASCII
 )
+# Arrows that also mean other things count only right in front of a frame: not after a key or an index.
+_ARROW = re.compile(
+    r"(?:(?<![\w\]\"'<>=-])(?<![\d\]\"']\s)(?:(?P<out>=>|>>>)|(?:<=|<<<))"
+    r"|(?<!\S)(?:(?P<lone>>)|<)(?=\s))\s{0,4}(?:0[xX]\||[\[({\"'])?$"
+)
+# What socat, hcidump and btmon print above the bytes, and nc in front of the offset.
+_WAY = re.compile(r"(?P<mark>[<>])\s(?:\d{4}/\d\d/\d\d\s|(?P<adapter>ACL\b)|[0-9a-fA-F]{8}\s[0-9a-fA-F]{2}\s)")
+_MOST_SAID = 200
+_MOST_DATE = 16
+"""Columns of a date in front of a time, in any format."""
+_COMMANDS = frozenset(int(member) for member in MessageType if member.is_command)
+_REPLIES = frozenset(int(member) for member in MessageType if not member.is_command)
 
 
 class Head(NamedTuple):
     """What a line says in front of its bytes.
 
-    end       the column (from 0) where the time and the words about the direction end
-    said      the column where the last of these words ends; only brackets, quotes and the like follow up to `end`
-    is_clean  True when nothing else stands in front of the bytes
+    end       the column (from 0) after the time, the words about the direction and the brackets and quotes after them
+    is_clean  nothing else is in front of the bytes
     is_arrow  the direction is that of an arrow; people draw arrows either way
     """
 
-    direction: Direction | None
-    time: str | None
-    end: int
-    said: int
-    is_clean: bool
+    direction: Direction | None = None
+    time: str | None = None
+    end: int = 0
+    is_clean: bool = False
     is_arrow: bool = False
 
     @property
     def is_log(self) -> bool:
-        """True for the beginning of a log line, after which one may expect bytes."""
+        """Whether a log line begins so, after which bytes may be expected."""
         return self.is_clean and (self.direction is not None or self.time is not None)
 
 
-# What socat, hcidump and btmon print above the bytes, and nc in front of the offset.
-_WAY = late_pattern(r"(?P<mark>[<>])\s(?:\d{4}/\d\d/\d\d\s|(?P<adapter>ACL\b)|[0-9a-fA-F]{8}\s[0-9a-fA-F]{2}\s)")
-_MOST_SAID = 200
-_MOST_DATE = 16
-"""Columns that a date takes which is written in another way than those that a time has."""
-
-NO_HEAD = Head(None, None, 0, 0, is_clean=False)
+NO_HEAD = Head()
 
 
 def clean_head(line: str, start: int = 0) -> Head:
-    """The time and the direction at the start, as far as there is nothing else."""
-    direction: Direction | None = None
-    time: str | None = None
-    is_arrow = False
-    position = said = start
+    """Returns the time and the direction at the start, as far as nothing else is there."""
+    direction, time, is_arrow, position = None, None, False, start
     while match := _PART.match(line, position):
         position = match.end()
-        if match.lastgroup is None:
-            continue
-        said = position
         time = time or match["time"]
-        if direction is None:
-            direction, is_arrow = _direction(match), _is_arrow(match)
-    return Head(direction, time, position, said, is_clean=True, is_arrow=is_arrow)
+        if direction is None and (match["sent"] or match["received"]):
+            direction, is_arrow = _direction(match)
+    return Head(direction, time, position, True, is_arrow)
 
 
 def head_before(line: str, start: int, end: int) -> Head:
-    """What stands in line[start:end]."""
+    """Returns what line[start:end] says."""
     clean = clean_head(line, start)
     if end <= clean.end:
         return clean
     time = _TIME_SEARCH.search(line, start, end)
     word = _DIRECTION_SEARCH.search(line, start, end)
-    direction, is_arrow = (None, False) if word is None else (_direction(word), _is_arrow(word))
-    return Head(direction, time and time[0], clean.end, clean.said, is_clean=False, is_arrow=is_arrow)
+    direction, is_arrow = (None, False) if word is None else _direction(word)
+    return Head(direction, time and time[0], clean.end, False, is_arrow)
 
 
-def way(line: str) -> Direction | None:
-    """The direction that the mark at the start of a line tells, as some programs print it."""
+def _direction(match: re.Match[str]) -> tuple[Direction, bool]:
+    return "sent" if match["sent"] else "received", not match[0][:1].isalpha()
+
+
+def _way(line: str) -> Direction | None:
+    """Returns the direction by the mark at the start of a line, as some programs print it."""
     found = _WAY.match(line)
     if found is None:
         return None
@@ -110,17 +113,13 @@ def way(line: str) -> Direction | None:
 
 
 def announced(line: str) -> Head | None:
-    """What a line without bytes says of those in the next lines, as in `12:30:45 Sending:`; None where it says nothing.
-
-    Args:
-        line: The line, without the mark of its end.
-    """
+    """Returns what a line without bytes says of the next lines, as in `12:30:45 Sending:`; None for nothing."""
     if not line.strip() or len(line) > _MOST_SAID:
         return None
-    direction = way(line)
+    direction = _way(line)
     if direction is not None:
         time = _TIME_SEARCH.search(line)
-        return Head(direction, time and time[0], len(line), len(line), is_clean=True)
+        return Head(direction, time and time[0], is_clean=True)
     head = head_before(line, 0, len(line))
     is_time_first = head.time is not None and line.find(head.time) < _MOST_DATE
     if head.is_clean or is_time_first or line.rstrip().endswith(":"):
@@ -128,19 +127,24 @@ def announced(line: str) -> Head | None:
     return None
 
 
-def time_before(line: str, end: int) -> str | None:
-    """The time that stands in front of a column, as printed; None where there is none."""
-    found = _TIME_SEARCH.search(line, 0, end) if ":" in line[:end] else None
-    return found and found[0]
+def direction_of(data: bytes, line: str, start: int, head: Head, said: Head) -> Direction | None:
+    """Returns which way a frame went; None where the text does not say.
 
-
-def _direction(match: re.Match[str]) -> Direction | None:
-    """The direction that the matched word tells, if it is such a word."""
-    if match["sent"]:
-        return "sent"
-    return "received" if match["received"] else None
-
-
-def _is_arrow(match: re.Match[str]) -> bool:
-    """Whether what tells the direction has no letters."""
-    return not match[0][:1].isalpha()
+    Args:
+        data: The frame.
+        line: The line in which it begins.
+        start: The column where it begins.
+        head: What is in front of it.
+        said: What the line above says.
+    """
+    direction, is_arrow = head.direction, head.is_arrow
+    if direction is None:
+        direction = _way(line)
+    if direction is None:
+        direction, is_arrow = said.direction, said.is_arrow
+    if direction is None and (found := _ARROW.search(line, max(0, start - 8), start)):
+        direction, is_arrow = "sent" if found["out"] or found["lone"] else "received", True
+    if direction is None or not is_arrow or len(data) < HEADER_SIZE:
+        return direction
+    code = data[HEADER_SIZE - 1]
+    return "sent" if code in _COMMANDS else "received" if code in _REPLIES else direction

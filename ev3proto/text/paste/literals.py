@@ -1,78 +1,104 @@
-r"""String literals to bytes: the escapes of C, Python, Ruby, JavaScript, Rust and Haskell, and Lua's decimal ones.
+r"""String literals and names of constants to bytes.
 
-Two readings differ: `\128` is a byte in Lua, OCaml and Haskell, and in all others an octal escape and a digit.
+Two readings of literals differ: `\128` is a byte in Lua, and in all others an octal escape and a digit.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
 
-from ev3proto.text.late_pattern import late_pattern
+from ev3proto.errors import BuildError
+from ev3proto.schema.argument import encode_as
+from ev3proto.schema.names import GVX, LAB1, LCF, LCS, LCX, LVX, constant, constant_names
+from ev3proto.tables import OPCODES
+from ev3proto.tables.frame import MessageType
 
-_CHARACTERS = {"a": 7, "b": 8, "t": 9, "n": 10, "v": 11, "f": 12, "r": 13, "e": 27, "s": 32}
-# The names of the control characters from 0 on, which Haskell shows.
-_CONTROLS = (
-    "NUL SOH STX ETX EOT ENQ ACK BEL BS HT LF VT FF CR SO SI DLE DC1 DC2 DC3 DC4 NAK SYN ETB CAN EM SUB ESC FS GS RS US"
+_CHARACTERS = {"a": 7, "b": 8, "t": 9, "n": 10, "v": 11, "f": 12, "r": 13, "e": 27}
+_ESCAPE = re.compile(
+    r"\\(?:[xXu]\{(?P<braced>[0-9a-fA-F]{1,2})\}|(?:[xX]|u00)(?P<hex>[0-9a-fA-F]{1,2})"
+    r"|(?P<octal>[0-3]?[0-7]{1,2})|(?P<character>[^\w])|(?P<letter>[A-Za-z]))"
 )
-_CODES = {name: number for number, name in enumerate(_CONTROLS.split(" "))} | {"DEL": 127}
-_NAMES = "|".join(sorted(_CODES, key=len, reverse=True))
-
-_ESCAPE = late_pattern(
-    r"\\(?:[xX]\{?(?P<hex>[0-9a-fA-F]{1,2})\}?|u(?:00|\{)(?P<unicode>[0-9a-fA-F]{1,2})\}?"
-    rf"|(?P<digits>\d{{1,3}})|(?P<control>{_NAMES})|(?P<character>[^\w])|(?P<letter>[A-Za-z]))"
-)
+_DECIMAL = re.compile(_ESCAPE.pattern.replace("[0-3]?[0-7]{1,2}", r"\d{1,3}"))
+_CALL = re.compile(r"(?P<macro>LC[0124SXF]|[LG]V[0124X]|LAB1)\s?\(\s*(?P<inner>[^()]*)\)")
+_NUMBER = re.compile(r"-?(?:0[xX][0-9a-fA-F]{1,8}|0|[1-9]\d{0,9})")
+_BY_NAME = {"LCX": LCX, "LVX": LVX, "GVX": GVX, "LCF": LCF, "LAB1": LAB1}
+_OPCODES = frozenset(f"op{opcode.name}" for opcode in OPCODES)
 
 
 def literal(body: str, *, is_decimal: bool) -> bytes | None:
-    r"""The bytes of what stands between two quotes.
+    r"""Returns the bytes of what is between two quotes; None where a character or an escape is not a byte.
 
     Args:
         body: The characters between the quotes.
         is_decimal: `\128` is one byte, as in Lua; otherwise digits are octal.
-
-    Returns:
-        The bytes, or None where a character is no byte.
     """
     out = bytearray()
     at = 0
-    escape: Callable[[str, int], re.Match[str] | None] = _ESCAPE.match
+    pattern = _DECIMAL if is_decimal else _ESCAPE
     while at < len(body):
-        if body[at] != "\\":
-            if ord(body[at]) > 255:
-                return None
-            out.append(ord(body[at]))
-            at += 1
-            continue
-        found = escape(body, at)
+        start, at = at, body.find("\\", at)
+        plain = body[start:] if at < 0 else body[start:at]
+        try:
+            out += plain.encode("latin-1")
+        except UnicodeEncodeError:
+            return None
+        if at < 0:
+            break
+        found = pattern.match(body, at)
         if found is None:
             return None
         at = found.end()
-        kind = found.lastgroup or ""
-        if kind in ("hex", "unicode"):
-            out.append(int(found[kind], 16))
-        elif kind == "digits":
-            digits = found[kind]
-            if not is_decimal:
-                octal = re.match(r"[0-3]?[0-7]{1,2}", digits)
-                if octal is None:
-                    return None
-                at -= len(digits) - octal.end()
-                out.append(int(octal[0], 8))
-            elif int(digits) > 255:
-                return None
-            else:
-                out.append(int(digits))
-        elif kind == "control":
-            out.append(_CODES[found[kind]])
-        elif kind == "letter":
-            number = _CHARACTERS.get(found[kind])
-            # A letter without a meaning stands for itself after its backslash, as in Python.
-            out += b"\\" + found[kind].encode() if number is None else bytes((number,))
-        elif found[kind] == "&" and is_decimal:
+        kind, text = found.lastgroup or "", found[found.lastgroup or 0]
+        if kind == "letter" and text not in _CHARACTERS:
+            # A letter without a meaning is itself after its backslash, as in Python.
+            out += b"\\" + text.encode()
             continue
-        elif ord(found["character"]) < 256:
-            out.append(ord(found["character"]))
+        if kind == "character":
+            number = ord(text)
+        elif kind == "letter":
+            number = _CHARACTERS[text]
         else:
+            number = int(text, 16 if kind != "octal" else 10 if is_decimal else 8)
+        if number > 255:
             return None
+        out.append(number)
     return bytes(out)
+
+
+def constant_bytes(text: str) -> bytes | None:
+    """Returns the bytes of a name or of one of LEGO's macros; None where the tables do not have it."""
+    call = _CALL.fullmatch(text)
+    if call is None:
+        return _named(text)
+    macro, inner = call["macro"], call["inner"].strip()
+    try:
+        if macro == "LCS":
+            is_plain = len(inner) >= 2 and inner[0] in "\"'" and inner[-1] == inner[0] and "\\" not in inner
+            return LCS(inner[1:-1]) if is_plain else None
+        value = int(inner, 0) if _NUMBER.fullmatch(inner) else _number(inner)
+        if value is None:
+            return None
+        return _BY_NAME[macro](value) if macro in _BY_NAME else encode_as(macro, value)
+    except (BuildError, ValueError):
+        return None
+
+
+def _number(name: str) -> int | None:
+    """Returns the number of a name in a macro's brackets: what its encoding holds, if it is encoded already."""
+    data = _named(name)
+    if data is None:
+        return None
+    if len(data) == 1:
+        return data[0] - 0x40 if 0x20 <= data[0] <= 0x3F else data[0]
+    return int.from_bytes(data[1:], "little", signed=True)
+
+
+def _named(name: str) -> bytes | None:
+    if name in MessageType.__members__:
+        return bytes((MessageType[name],))
+    if name not in _OPCODES and name not in constant_names():
+        return None
+    value = constant(name)
+    if isinstance(value, int):
+        return bytes((value,)) if 0 <= value <= 255 else None
+    return value if isinstance(value, bytes) else None

@@ -29,9 +29,20 @@ def one_input(data: bytes) -> None:
     json.dumps(record(exchange, Seen()))
     assert list(tree(exchange, Seen()))
     assert list(table(exchange, Seen()))
-    check(data)
-    fix(data)
+    _fixed(data)
     _stream(data)
+
+
+def _fixed(data: bytes) -> None:
+    """A fix makes a frame better, or nothing; a second one changes nothing."""
+    before, fixed = check(data), fix(data)
+    after = fixed.report
+    if fixed.frame != data:
+        assert after.accepted
+        assert len(after.findings) < len(before.findings)
+        assert len(after.errors) <= len(before.errors)
+    again = fix(fixed.frame)
+    assert (again.frame, again.changes) == (fixed.frame, ())
 
 
 def _stream(data: bytes) -> None:

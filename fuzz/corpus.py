@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from random import Random
 
-TARGETS = ("codec", "captures", "text", "filter", "assembly", "programs")
+TARGETS = ("codec", "captures", "text", "filter", "assembly", "programs", "harm", "files")
 
 HERE = Path(__file__).parent
 REGRESSIONS = HERE / "regressions"
@@ -20,7 +20,7 @@ def inputs(target: str) -> list[bytes]:
     """The seeds of a target and its regressions."""
     found = [path.read_bytes() for path in sorted((HERE / "seeds" / target).glob("*"))]
     found += [path.read_bytes() for path in sorted((REGRESSIONS / target).glob("[!.]*"))]
-    if target in ("codec", "text"):
+    if target in ("codec", "text", "harm", "files"):
         # Each line of a file of seeds is one, so that they can be read.
         found = [line for data in found for line in _lines(target, data)]
     if target == "captures":

@@ -1,0 +1,61 @@
+"""Direct commands: whatever runs on the virtual brick was announced, or it was said that it is not known what will."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import ev3proto
+from ev3proto.brick import Brick
+from ev3proto.brick.dispatch import dispatch_table
+from ev3proto.brick.handlers import Dispatch, Entry, Family
+from ev3proto.brick.machine import Machine
+from ev3proto.link.harm import running
+from ev3proto.messages import DirectCommand
+from ev3proto.tables import operations
+
+_DIALECT = "official"
+_SECONDS = 0.02
+
+_ran: set[str] = set()
+
+
+def one_input(data: bytes) -> None:
+    """Takes a frame."""
+    message = ev3proto.parse(data, strict=False)
+    if not isinstance(message, DirectCommand) or message.fault is not None:
+        return
+    can_run, is_known = running(message, _DIALECT)
+    if not is_known:
+        return
+    _ran.clear()
+    brick = Brick(stretch=_SECONDS)
+    brick.machine = Machine(brick, _recording())
+    brick.receive(data)
+    brick.advance(_SECONDS)
+    # The firmware puts an OBJECT_END after each command.
+    assert _ran <= {operation.full_name for operation in can_run} | {"OBJECT_END"}
+
+
+@cache
+def _recording() -> Dispatch:
+    """The brick's table, whose functions also note what they do."""
+    names = {
+        (declaration.opcode.number, declaration.command.number if declaration.command else None): name
+        for name, declaration in operations(_DIALECT).items()
+    }
+
+    def noted(entry: Entry, name: str) -> Entry:
+        def function(*arguments: object) -> None:
+            _ran.add(name)
+            entry.function(*arguments)
+
+        return Entry(function, entry.readers)
+
+    found: list[Entry | Family | None] = []
+    for number, entry in enumerate(dispatch_table(_DIALECT)):
+        if isinstance(entry, Family):
+            entries = {command: noted(each, names[number, command]) for command, each in entry.entries.items()}
+            found.append(Family(entries, entry.unknown))
+        else:
+            found.append(None if entry is None else noted(entry, names[number, None]))
+    return tuple(found)

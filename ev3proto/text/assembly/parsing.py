@@ -332,7 +332,7 @@ class Parser:
         if token.is_mark("}"):
             self._next()
             yield Closing(token.at)
-            self._skip_line()
+            self._omit_rest("}")
         elif token.kind != NAME:
             if token.is_mark("{"):
                 raise SourceError(token.at, "there is no vmthread or subcall that this { could begin")
@@ -340,10 +340,9 @@ class Parser:
         elif self._peek(1).is_mark(":") and self._peek(1).at == token.end:
             self._next()
             self._next()
+            self._check_blank(token)
             yield Label(token.at, word)
-            if not self._peek().is_first:
-                self.warnings.append((self._peek().at, f"what follows the label {cited(word)} on its line is omitted"))
-            self._skip_line()
+            self._omit_rest(f"the label {cited(word)}")
         elif word in self._heads:
             yield from self._head()
         elif notation is BASIC and word in _TEMPLATES:
@@ -352,7 +351,11 @@ class Parser:
             if word == DEFINE and notation.last_counts:
                 yield self._define()
             elif word in self._declaring:
-                yield self._declaration()
+                declaration = self._declaration()
+                self._check_blank(self._last)
+                yield declaration
+                if notation.last_counts and declaration.size is None:
+                    self._omit_rest(cited(declaration.name))
             else:
                 yield self._words()
             if self._peek().is_mark(";"):
@@ -364,9 +367,28 @@ class Parser:
         """An operation and its arguments, up to the end of the line."""
         token = self._next()
         arguments: list[WrittenArgument] = []
+        self._check_blank(token)
         while not self._peek().is_first and not self._peek().is_mark(";"):
+            start = self._peek()
             arguments.append(WrittenArgument(None, self._word()))
+            self._check_blank(start)
         return Call(token.at, token.text, tuple(arguments), self._last.end)
+
+    def _check_blank(self, start: Token) -> None:
+        """Raises SourceError where a word goes on after what could be read of it: words have blanks between them."""
+        following = self._peek()
+        is_glued = not following.is_first and following.at == self._last.end and following.kind != TEXT
+        if is_glued and self._last.kind != TEXT and not following.is_mark(";", "}"):
+            shown = cited(f"{start.text}{following.text}")
+            raise SourceError(start.at, f"expected a number, a name or a text, found {shown}")
+
+    def _omit_rest(self, after: str) -> None:
+        """Passes over the rest of a line, which LEGO's assembler does not look at."""
+        if not self._peek().is_first:
+            self.warnings.append((self._peek().at, f"what follows {after} on its line is omitted"))
+        while not self._peek().is_first:
+            if self._next().text.startswith("the comment"):
+                raise SourceError(self._last.at, self._last.text)
 
     def _template(self) -> None:
         """A piece that the compiler of EV3 Basic puts into programs: it becomes no object."""
@@ -379,10 +401,12 @@ class Parser:
     def _word(self) -> Value:
         """A value by itself: a number with its sign, a name, a text, names joined by signs without blanks."""
         token = self._peek()
+        if token.is_first:
+            raise self._line_end("a value")
         if token.is_mark("-", "+") and self._peek(1).kind == NUMBER and self._peek(1).at == token.end:
             self._next()
             return self._number(-1 if token.text == "-" else 1, token.at)
-        if token.is_mark("@", "&") and self._peek(1).kind == NAME:
+        if token.is_mark("@", "&") and self._peek(1).kind == NAME and self._peek(1).at == token.end:
             self._next()
             return Marked(token.at, token.text, self._name_of(self._next()))
         if token.kind != NAME:

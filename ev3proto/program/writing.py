@@ -24,7 +24,7 @@ from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL, STRING_CODIN
 from ev3proto.tables.program import RELEASE_VERSION, VERSIONS, ObjectKind
 from ev3proto.tables.source import BYTES, ESCAPES, PARAMETER_WORDS
 from ev3proto.text.assembly.macro_notation import in_macro
-from ev3proto.text.assembly.names import firmware_names
+from ev3proto.text.assembly.names import OBJECT_PARAMETER, firmware_names
 from ev3proto.text.assembly.notations import OF_BASIC, OF_EV3_G, OF_LEGO, Rules
 from ev3proto.text.assembly.settings import GAP, MARK, OPEN, OWN
 from ev3proto.text.assembly.values import integer, single_bits, variable
@@ -36,7 +36,6 @@ _NAMES = {ObjectKind.THREAD: "thread", ObjectKind.SUBCALL: "sub", ObjectKind.BLO
 _EV3_G_VERSIONS = (0x00, 0x39)
 _BYTES_A_LINE = 32
 _LOCAL_NAME, _GLOBAL_NAME, _PARAMETER_NAME, _LABEL_NAME = "l", "g", "p", "to"
-_OBJECT_PARAMETER = "OBJID"
 _NAN_NAME = "DATAF_NAN"
 _PARAMETER_BY_KIND = {
     # The words of handles make the same code as those of 16 bits.
@@ -309,7 +308,7 @@ class Writer(OperationWriter):
         elif parameter.type is Type.DATAF:
             # Other assemblers, and our own warnings, take a whole number for a mistake there.
             return f"!{value}" if value else "0" if self.rules.long_floats else "0.0F"
-        elif parameter.name == _OBJECT_PARAMETER and 0 < value <= len(self.names):
+        elif parameter.name == OBJECT_PARAMETER and 0 < value <= len(self.names):
             return self.names[value - 1]
         return str(value)
 

@@ -30,6 +30,9 @@ MAX_DEPTH = 50
 NOT_NUMBERS = tuple(f"{kind}_NAN" for kind in (DATA8, DATA16, DATA32, DATAF))
 """The firmware's names for the value of each type that is none."""
 
+OBJECT_PARAMETER = "OBJID"
+"""The name of all parameters that are objects, whether the firmware looks for one there or for its memory."""
+
 _MOST_GUESSED = 60
 _LIKENESS = 0.67
 _MOST_KNOWN = 5000
@@ -121,6 +124,11 @@ class Memory:
         return new
 
 
+def is_object(parameter: Parameter | None) -> bool:
+    """Whether a parameter is the number of an object, which its name stands for."""
+    return parameter is not None and (parameter.role is Role.OBJECT or parameter.name == OBJECT_PARAMETER)
+
+
 @dataclass
 class LocalNames:
     """The names of one object, or of one message: variables and defines so far, labels with the places they are at."""
@@ -175,8 +183,7 @@ class Names:
                 callee = self.objects.get(name)
                 return callee if callee and (where is Known.OBJECTS or callee.at < at) else None
             case Known.CALLED:
-                is_called = parameter is not None and parameter.role is Role.OBJECT
-                return self.objects.get(name) if is_called else None
+                return self.objects.get(name) if is_object(parameter) else None
             case Known.DEFINES | Known.DEFINES_ABOVE:
                 define = self.defines.get(name)
                 is_known = define is not None and (where is Known.DEFINES or define.at < at)

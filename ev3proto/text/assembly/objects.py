@@ -12,7 +12,7 @@ from typing import NamedTuple
 from ev3proto.errors import BuildError, counted
 from ev3proto.schema.operation import CMD
 from ev3proto.tables import OPCODES
-from ev3proto.tables.declaration import Direction, Parameter, Role, Type
+from ev3proto.tables.declaration import Direction, Parameter, Type
 from ev3proto.tables.encoding import GLOBAL, LOCAL
 from ev3proto.tables.program import MAX_MEMORY, MAX_OBJECTS, MAX_PARAMETERS
 from ev3proto.tables.source import (
@@ -25,7 +25,17 @@ from ev3proto.tables.source import (
 )
 from ev3proto.text.assembly.checks import of_call, of_operation
 from ev3proto.text.assembly.errors import MOST_ERRORS, SourceError, cited
-from ev3proto.text.assembly.names import Callee, LocalNames, Meaning, Memory, Names, Place, firmware_names, suggestion
+from ev3proto.text.assembly.names import (
+    Callee,
+    LocalNames,
+    Meaning,
+    Memory,
+    Names,
+    Place,
+    firmware_names,
+    is_object,
+    suggestion,
+)
 from ev3proto.text.assembly.notations import OF_EV3_G, Notation, Rules
 from ev3proto.text.assembly.operations import parameters_of
 from ev3proto.text.assembly.parsing import Parser
@@ -232,7 +242,7 @@ class ProgramAssembler:
                 if isinstance(statement, Call):
                     parameters = self._parameters(statement)
                     for parameter, argument in zip(parameters, statement.arguments, strict=False):
-                        if parameter.role is Role.OBJECT and isinstance(argument.value, Name):
+                        if is_object(parameter) and isinstance(argument.value, Name):
                             order.setdefault(argument.value.text)
         numbers = {name: number for number, name in enumerate(order)}
         self._objects.sort(key=lambda one: numbers[one.head.name])

@@ -668,11 +668,11 @@ class Parser:
 
     def _peek(self, count: int = 0) -> Token:
         ahead = self._ahead
-        while len(ahead) <= count:
-            if ahead and ahead[-1].kind == END:
-                return ahead[-1]
+        if len(ahead) > count:
+            return ahead[count]
+        while len(ahead) <= count and not (ahead and ahead[-1].kind == END):
             ahead.append(next(self._tokens))
-        return ahead[count]
+        return ahead[-1]
 
     def _next(self) -> Token:
         token = self._peek()

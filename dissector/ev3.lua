@@ -4875,8 +4875,8 @@ end
 -- The instruction set, made ready -----------------------------------------------------------------------------------
 --
 -- The tables above are written to be read. Here each parameter becomes what the reading of an argument needs. Wireshark
--- wants all fields at the start. An operation is made ready when it is first met: a capture has a few of them, and the
--- collector goes through all that Lua holds again and again.
+-- wants all fields at the start; an operation gets its parameters when it is first met, as a capture has few of them
+-- and the collector goes through all that Lua holds again and again.
 
 -- A table whose entries are made when they are first asked for; where there is none, it is asked for again.
 local function made_late(make)
@@ -4887,7 +4887,7 @@ local function made_late(make)
     end })
 end
 
-local INSTRUCTION_SETS, SYSTEM_COMMANDS
+local INSTRUCTION_SETS, SYSTEM_COMMANDS, prepare_operation
 do
     local PARAMETER_KINDS = { [DATAF] = FLOAT, [STRING] = TEXT_VALUE }
 
@@ -4936,121 +4936,6 @@ do
         return shown
     end
 
-    -- All of a parameter but its field, from its row in the tables; `value_name` is what a reply's line calls it. In
-    -- Lua a table doubles beyond 16 entries: what is not so of a parameter, or not asked of it, has no entry.
-    local function ready_parameter(row, kind, label, value_name, tells_length, tells_type)
-        local name, direction, type = row[1], row[2], row[3]
-        local is_flags = row.enum and row.enum.is_flags
-        local parameter = {
-            name = name, type = type, kind = kind, label_head = label .. ":",
-            -- Whether its field says all that there is to say of a number.
-            is_plain = kind ~= TEXT_VALUE and not (row.special or is_flags) and not (row.unit and kind == FLOAT),
-            size = SIZE_OF[type] or 1,
-        }
-        -- The index of a variable must be a multiple of its type's size, else the brick refuses the command.
-        if row.validated then parameter.alignment = SIZE_OF[row.validated] or 1 end
-        if type == DATAF then parameter.is_float = true end
-        if direction ~= OUT then parameter.key = " " .. name:lower() .. "=" end
-        if row.unit then parameter.unit = row.unit end
-        if direction ~= IN then
-            parameter.is_output, parameter.value_key = true, " " .. value_name .. "="
-            if row.length then parameter.is_long = true end
-        end
-        if row.enum then parameter.enum = row.enum end
-        if is_flags then parameter.is_flags = true end
-        if row.special and not is_flags then parameter.special = in_brackets(row.special) end
-        if row.length then parameter.length = row.length end
-        if tells_length then parameter.tells_length = true end
-        if tells_type then parameter.tells_type = true end
-        return parameter
-    end
-
-    -- Parameters that are alike in all but their fields are one table, of which there are a third as many.
-    local shared_parameter
-    do
-        local made = {}
-
-        local function text_of(special)
-            local pieces = {}
-            for value, meaning in pairs(special or {}) do
-                pieces[#pieces + 1] = value .. meaning
-            end
-            table.sort(pieces)
-            return concat(pieces, ",")
-        end
-
-        function shared_parameter(row, kind, label, value_name, tells_length, tells_type)
-            local key = format("%s|%s|%s|%s|%s|%s|%s|%s|%s|%s|%s|%s", label, row[1], row[2], row[3], value_name,
-                tostring(row.unit), tostring(row.enum), text_of(row.special), tostring(row.length),
-                tostring(row.validated), tostring(tells_length), tostring(tells_type))
-            made[key] = made[key] or ready_parameter(row, kind, label, value_name, tells_length, tells_type)
-            return made[key]
-        end
-    end
-
-    -- The elements of a list by number, for one type of them: all the same but for the number in the name.
-    local function numbered(element)
-        return made_late(function(number)
-            local one = setmetatable({}, { __index = element })
-            one.name = element.name .. "[" .. number .. "]"
-            one.numbered = one.name
-            one.value_key = " " .. one.name .. "="
-            one.label_head = one.name .. ":"
-            return one
-        end)
-    end
-
-    -- Which values an element of a list takes. Where another argument tells its type, a double holds whatever it is.
-    local function element_kind(row, type)
-        if row[3] ~= VALUES and not TYPE_NAMES[row.element] then return FLOAT end
-        return PARAMETER_KINDS[type] or NUMBER
-    end
-
-    -- The field of what a count announces.
-    local function element_field(abbreviation, row)
-        local name, element, text = row[1], row.element, row[4]
-        if not TYPE_NAMES[element] then return ProtoField.double(abbreviation, name, text) end
-        return parameter_field(abbreviation, {}, element_kind(row, element), name, text)
-    end
-
-    -- An element of a list, by its type.
-    local function ready_element(list, field, type, row)
-        local direction = list.type == COUNT and row.elements or IN
-        return numbered({
-            name = list.name, type = type, size = SIZE_OF[type] or 1, alignment = 1,
-            is_float = type == DATAF, is_output = direction ~= IN,
-            key = direction ~= OUT and " " .. list.name:lower() .. "=" or nil,
-            field = field, kind = element_kind(row, type),
-        })
-    end
-
-    -- The list at the end of an operation; `field` is that of its elements.
-    local function ready_list(list, field, row)
-        list.elements_of = {}
-        local function add_elements(type)
-            list.elements_of[type] = ready_element(list, field, type, row)
-        end
-        if TYPE_NAMES[row.element] then
-            list.element_type = row.element
-        else
-            list.element_type = ARRAY_TYPED
-            for _, type in pairs(FORMAT_TYPES) do
-                add_elements(type)
-            end
-        end
-        add_elements(list.element_type)
-    end
-
-    -- The parameters of an operation that tell of others: how long they are, or of which type.
-    local function telling_of(rows)
-        local lengths, types = {}, {}
-        for _, row in ipairs(rows) do
-            if row.length then lengths[row.length] = true end
-            if row.element then types[row.element] = true end
-        end
-        return lengths, types
-    end
-
     -- What a parameter is called in filters and in the tree, and which values it takes.
     local function described(name, row)
         local own, type = row[1], row[3]
@@ -5059,19 +4944,68 @@ do
         return ("ev3." .. name .. "." .. own):lower(), label, kind
     end
 
-    -- Makes the fields of an operation: of each parameter, then, if it is a count, of what it announces.
-    local function declare_fields(name, rows)
-        for _, row in ipairs(rows) do
-            local abbreviation, label, kind = described(name, row)
-            fields[#fields + 1] = parameter_field(abbreviation, row, kind, label, row[4])
-            if row[3] == COUNT then
-                fields[#fields + 1] = element_field(abbreviation .. ".item", row)
-            end
-        end
+    -- All of a parameter, from its row in the tables; `value_name` is what the line on a reply calls it.
+    local function ready_parameter(row, declared, kind, label, value_name)
+        local name, direction, type = row[1], row[2], row[3]
+        local is_flags = row.enum and row.enum.is_flags
+        return {
+            name = name, type = type, field = declared, kind = kind, is_float = type == DATAF, label = label,
+            size = SIZE_OF[type] or 1,
+            -- The index of a variable must be a multiple of its type's size, else the brick refuses the command.
+            alignment = SIZE_OF[row.validated or type] or 1,
+            -- What precedes the value in a line, where the command or the reply has one.
+            key = direction ~= OUT and " " .. name:lower() .. "=" or nil,
+            value_key = direction ~= IN and " " .. value_name .. "=" or nil,
+            is_output = direction ~= IN,
+            unit = row.unit,
+            names = row.enum and not is_flags and row.enum.names or nil,
+            flags = is_flags and row.enum.names or nil,
+            special = row.special and not is_flags and in_brackets(row.special) or nil,
+            length = row.length,
+        }
     end
 
-    -- All operations by a number of their own: name and parameters in one text, and where the fields begin.
-    local sources, first_fields = {}, {}
+    -- The field of what a count announces. Where another argument tells the type, a double holds whatever it is.
+    local function element_field(abbreviation, row)
+        local name, element, text = row[1], row.element, row[4]
+        if not TYPE_NAMES[element] then return ProtoField.double(abbreviation, name, text) end
+        return parameter_field(abbreviation, {}, PARAMETER_KINDS[element] or NUMBER, name, text)
+    end
+
+    -- The elements of a list of one type, by number.
+    local function ready_elements(list, row, declared, type)
+        local kind = PARAMETER_KINDS[type] or NUMBER
+        if row[3] == COUNT and not TYPE_NAMES[row.element] then kind = FLOAT end
+        local direction = row[3] == COUNT and row.elements or IN
+        return made_late(function(number)
+            local name = format("%s[%d]", list.name, number)
+            return {
+                name = name, numbered = name, type = type, field = declared, kind = kind, label = name,
+                is_float = type == DATAF,
+                size = SIZE_OF[type] or 1, alignment = 1, is_output = direction ~= IN,
+                key = direction ~= OUT and format(" %s[%d]=", list.name:lower(), number) or nil,
+                value_key = " " .. name .. "=",
+            }
+        end)
+    end
+
+    -- The list at the end of an operation; `declared` is the field of its elements.
+    local function ready_list(parameter, row, declared)
+        local list = { is_count = row[3] == COUNT, elements_of = {} }
+        local types = { row.element }
+        list.element_type = row.element
+        if not TYPE_NAMES[row.element] then
+            types = { ARRAY_TYPED }
+            list.element_type = ARRAY_TYPED
+            for _, type in pairs(FORMAT_TYPES) do
+                types[#types + 1] = type
+            end
+        end
+        for _, type in ipairs(types) do
+            list.elements_of[type] = ready_elements(parameter, row, declared, type)
+        end
+        return list
+    end
 
     -- Names, directions and types stand for themselves in the text of parameters.
     local WORDS = setmetatable({ ENUMERATIONS = ENUMERATIONS }, { __index = function(_, word) return word end })
@@ -5080,45 +5014,48 @@ do
         return load("return {" .. source .. "}", "=parameters", "t", WORDS)()
     end
 
-    -- Notes an operation and makes its fields; its number.
-    local function note_operation(name, source)
-        local number = #sources + 1
-        sources[number], first_fields[number] = name .. " " .. source, #fields + 1
-        declare_fields(name, read_rows(source))
-        return number
+    -- An operation, and the fields of its parameters: of each, then, if it is a count, of what it announces.
+    local function declare_operation(name, source)
+        local operation = { name = name, source = source, first_field = #fields + 1 }
+        for _, row in ipairs(read_rows(source)) do
+            local abbreviation, label, kind = described(name, row)
+            fields[#fields + 1] = parameter_field(abbreviation, row, kind, label, row[4])
+            if row[3] == COUNT then
+                fields[#fields + 1] = element_field(abbreviation .. ".item", row)
+            end
+        end
+        return operation
     end
 
-    -- An operation: its names, and its parameters in turn, each followed by its field, all but a list of values; the
-    -- list at its end, if it has one; whether it is simple: no argument tells anything of another. One that stands
-    -- alone has no `cmd_name`.
-    local function ready_operation(number)
-        local name, source = sources[number]:match("^(%S+) (.*)$")
-        local rows = read_rows(source)
-        local cmd_name = name:match("%.(.+)$")
-        local operation = { name = name, title = gsub(name, "%.", " "), cmd_name = cmd_name }
-        local lengths, types = telling_of(rows)
-        local is_simple, at = true, first_fields[number]
+    -- Adds the parameters to an operation that is met for the first time. A list of values is not among them, but is
+    -- the operation's `list`. An operation that is not one of a family has no `cmd_name`.
+    function prepare_operation(operation)
+        local name, at = operation.name, operation.first_field
+        local rows, by_name = read_rows(operation.source), {}
+        operation.title, operation.cmd_name = gsub(name, "%.", " "), name:match("%.(.+)$")
+        operation.source, operation.parameters = nil, {}
         for _, row in ipairs(rows) do
             local own, type = row[1], row[3]
             local _, label, kind = described(name, row)
             -- LEGO names what a command reads after the command: VALUE of GET_VBATT is VBATT.
-            local value_name = own == "VALUE" and cmd_name and cmd_name:match("^GET_(.+)$") or own
-            local is_list = type == COUNT or type == VALUES
-            local make = is_list and ready_parameter or shared_parameter
-            local parameter = make(row, kind, label, value_name, lengths[own], types[own])
+            local value_name = own == "VALUE" and name:match("%.GET_(.+)$") or own
+            local parameter = ready_parameter(row, fields[at], kind, label, value_name)
+            by_name[own] = parameter
             if type ~= VALUES then
-                operation[#operation + 1] = parameter
-                operation[#operation + 1] = fields[at]
+                table.insert(operation.parameters, parameter)
                 at = at + 1
             end
-            if is_list then
-                operation.list = parameter
-                ready_list(parameter, fields[at], row)
+            if type == COUNT or type == VALUES then
+                operation.list = ready_list(parameter, row, fields[at])
+                operation.list.counter = operation.parameters[#operation.parameters]
             end
-            if is_list or lengths[own] or types[own] then is_simple = false end
         end
-        if is_simple then operation.is_simple = true end
-        return operation
+        for _, row in ipairs(rows) do
+            if by_name[row.length] then
+                by_name[row.length].tells_length, operation.has_lengths = true, true
+            end
+            if by_name[row.element] then by_name[row.element].tells_type = true end
+        end
     end
 
     local function has_dialect(row, dialect)
@@ -5129,51 +5066,26 @@ do
         return false
     end
 
-    -- By number, as dialects share operations.
-    local ready_operations = made_late(function(number)
-        local operation = ready_operation(number)
-        sources[number] = false
-        return operation
-    end)
-
-    local function ready_entry(known)
-        if type(known) == "number" then return ready_operations[known] end
-        local numbers = known.commands
-        local commands = made_late(function(cmd) return numbers[cmd] and ready_operations[numbers[cmd]] end)
-        return { name = known.name, commands = commands }
-    end
-
-    -- What an opcode is to a dialect: the number of an operation; or a family's name, and such numbers by CMD.
-    local function known_entry(row, numbers, dialect)
-        if not row.commands then return numbers[row] end
-        local commands = {}
-        for _, command in ipairs(row.commands) do
-            if has_dialect(command, dialect) then commands[command[1]] = numbers[command] end
-        end
-        return { name = row[2], commands = commands }
-    end
-
-    -- By dialect and opcode.
-    local known_entries = {}
-    for _, dialect in ipairs(DIALECTS) do
-        known_entries[dialect] = {}
-    end
-
-    for _, row in ipairs(OPERATIONS) do
-        local numbers = {}
-        for _, command in ipairs(row.commands or {}) do
-            numbers[command] = note_operation(row[2] .. "." .. command[2], command[4])
-        end
-        if not row.commands then numbers[row] = note_operation(row[2], row[4]) end
-        for dialect, entries in pairs(known_entries) do
-            if has_dialect(row, dialect) then entries[row[1]] = known_entry(row, numbers, dialect) end
-        end
-    end
-
-    -- Opcode number to operation, or to a table of operations by CMD; one such set for each dialect.
+    -- Opcode to operation, or to a family: its name, and its operations by CMD. One such set for each dialect.
     INSTRUCTION_SETS = {}
-    for dialect, entries in pairs(known_entries) do
-        INSTRUCTION_SETS[dialect] = made_late(function(code) return entries[code] and ready_entry(entries[code]) end)
+    for _, dialect in ipairs(DIALECTS) do
+        INSTRUCTION_SETS[dialect] = {}
+    end
+    for _, row in ipairs(OPERATIONS) do
+        local operation = not row.commands and declare_operation(row[2], row[4])
+        local operations = {}
+        for _, command in ipairs(row.commands or {}) do
+            operations[command] = declare_operation(row[2] .. "." .. command[2], command[4])
+        end
+        for dialect, set in pairs(INSTRUCTION_SETS) do
+            if has_dialect(row, dialect) then
+                local family = { name = row[2], commands = {} }
+                for command, declared in pairs(operations) do
+                    if has_dialect(command, dialect) then family.commands[command[1]] = declared end
+                end
+                set[row[1]] = operation or family
+            end
+        end
     end
 
     -- System commands by number, with the fields of their messages.
@@ -5199,12 +5111,10 @@ local instructions = INSTRUCTION_SETS[dialect]
 
 -- Memory ------------------------------------------------------------------------------------------------------------
 --
--- What is worth keeping of a capture, in little space however long it is.
+-- Where a message is, and how what packets leave behind is freed.
 
-local memory, place_of, number_of
+local free_unused, place_of, number_of
 do
-    memory = {}
-
     -- What a packet leaves behind, items and ranges of a tree above all, Lua frees when all that it holds has doubled,
     -- in small steps. By then it is in no cache of the processor any more, and that takes up to a quarter of the time.
     -- So it is freed as soon as there is some of it; how Lua frees otherwise stays as it is. Where other scripts hold
@@ -5213,7 +5123,7 @@ do
         local GROWTH, MOST_KILOBYTES = 1.15, 32 * 1024
         local limit = 0
 
-        function memory.free_unused()
+        function free_unused()
             local size = collectgarbage("count")
             if size < limit or size > MOST_KILOBYTES then return end
             -- Objects of other scripts may raise an error when they are freed.
@@ -5232,143 +5142,6 @@ do
     function number_of(place)
         return floor(place / OFFSETS)
     end
-
-    -- What is kept for good lies outside of Lua, in byte arrays: Lua goes through all that it holds whenever it frees
-    -- something, and lets it double before it does.
-    local new_bytes, pack, unpack = ByteArray.new, Struct.pack, Struct.unpack
-    local NUMBER_SIZE = 8
-
-    -- Texts that are kept are shorter than this.
-    local MOST_LENGTH = 0x10000
-
-    -- Keeps texts, each by a number that tells where it is. Some are joined at once, so that Lua has few to go through:
-    -- so many that bodies of commands make less than 1 kB together, nearly always. Before the C library hands out more,
-    -- it joins all small blocks that are free, which takes long.
-    function memory.new_texts()
-        local PAGE, MOST_PIECES = 0x10000, 20
-        local pages, parts, pieces, count, size
-        local texts = {}
-
-        function texts.forget()
-            pages, parts, pieces, count, size = {}, {}, {}, 0, 0
-        end
-        texts.forget()
-
-        local function join_pieces()
-            parts[#parts + 1], count = concat(pieces, "", 1, count), 0
-        end
-
-        local function close_page()
-            join_pieces()
-            pages[#pages + 1] = new_bytes(concat(parts), true)
-            parts, size = {}, 0
-        end
-
-        function texts.put(text)
-            if size >= PAGE / 2 then
-                close_page()
-            elseif count == MOST_PIECES then
-                join_pieces()
-            end
-            local known = (#pages * PAGE + size) * MOST_LENGTH + #text
-            count = count + 1
-            pieces[count], size = text, size + #text
-            return known
-        end
-
-        function texts.get(number)
-            local length = number % MOST_LENGTH
-            local at = floor(number / MOST_LENGTH)
-            local page, start = pages[floor(at / PAGE) + 1], at % PAGE
-            if page then return page:raw(start, length) end
-            return sub(concat(parts) .. concat(pieces, "", 1, count), start + 1, start + length)
-        end
-
-        return texts
-    end
-
-    -- Keeps what is known of messages, by place: 1 or 3 numbers each. What is known of some packets in a row is packed
-    -- as soon as a later packet has something; what is added to them afterwards is little, and kept beside it.
-    function memory.new_notes(width)
-        local PAGE = 256 * OFFSETS
-        local step = width + 1
-        -- Numbers that are packed at once: less than 1 kB, too.
-        local most = 30 * step
-        local FORMAT, FULL_FORMAT = ("d"):rep(width), ("d"):rep(most)
-        -- Of the last packets: place and numbers in turn. The list is used again for those that follow.
-        local open, count, open_number = {}, 0, 0
-        -- A page by its number: that of a text in `packed`, or a byte array if it is too long for one.
-        local pages, packed = nil, memory.new_texts()
-        local additions, last, last_number
-        local notes, pieces = {}, {}
-
-        function notes.forget()
-            open, count, open_number = {}, 0, 0
-            pages, additions, last, last_number = {}, {}, {}, nil
-            packed.forget()
-        end
-        notes.forget()
-
-        local function close_page()
-            if count == 0 then return end
-            local stop = 0
-            for first = 1, count, most do
-                local size = math.min(most, count - first + 1)
-                stop = stop + 1
-                pieces[stop] = pack(size == most and FULL_FORMAT or ("d"):rep(size),
-                    table.unpack(open, first, first + size - 1))
-            end
-            local text = concat(pieces, "", 1, stop)
-            pages[open_number] = #text < MOST_LENGTH and packed.put(text) or new_bytes(text, true)
-            count = 0
-        end
-
-        -- A page is by place where its numbers begin.
-        local function read_page(number)
-            local found, page = {}, pages[number]
-            if not page then return found end
-            local text = type(page) == "number" and packed.get(page) or page:raw()
-            for at = 1, #text, step * NUMBER_SIZE do
-                found[unpack("d", text, at)] = sub(text, at + NUMBER_SIZE, at + step * NUMBER_SIZE - 1)
-            end
-            return found
-        end
-
-        function notes.put(place, first, second, third)
-            local start = open_number * PAGE
-            if place < start then
-                additions[place] = pack(FORMAT, first, second, third)
-                return
-            elseif place >= start + PAGE then
-                close_page()
-                open_number = floor(place / PAGE)
-            end
-            local at = count
-            open[at + 1], open[at + 2] = place, first
-            if second then open[at + 3], open[at + 4] = second, third end
-            count = at + step
-        end
-
-        -- The numbers of a place; nothing where it has none.
-        function notes.get(place)
-            local number = floor(place / PAGE)
-            if number == open_number then
-                for at = count - width, 1, -step do
-                    if open[at] == place then return table.unpack(open, at + 1, at + width) end
-                end
-                return nil
-            end
-            local text = additions[place]
-            if not text then
-                if number ~= last_number then last, last_number = read_page(number), number end
-                text = last[place]
-                if not text then return nil end
-            end
-            return unpack(FORMAT, text)
-        end
-
-        return notes
-    end
 end
 
 -- Reading -----------------------------------------------------------------------------------------------------------
@@ -5381,78 +5154,101 @@ end
 -- daisy command with its sub-command and two layers.
 local MEMORY_FIELD, DAISY_PAYLOAD = COMMAND_HEADER_SIZE - HEADER_SIZE, 3
 
-local ENCODINGS, READ_TYPE, unsigned16, utf8_text, select_operation, read_arguments, skim_arguments,
-    read_operation, read_fields
+local function body_of(message)
+    return sub(message.text, HEADER_SIZE + 1)
+end
+
+local ENCODINGS, READ_TYPE, unsigned16, utf8_text, select_operation, read_arguments, read_operation, read_fields
 do
-    -- By identification byte: all that it says. Of short forms it is the value, too.
-    local SIZES, IS_VARIABLE, SHORT_VALUES = {}, {}, {}
-    ENCODINGS = {}
-    local SCOPES = { [LOCAL] = "LV(", [GLOBAL] = "GV(" }
-
-    -- How numbers are written, made when asked for: turning a number into a text takes longer than reading it. Those of
-    -- one byte are kept.
-    local function texts_of(before, after)
-        return setmetatable({}, { __index = function(texts, number)
-            local text = before .. number .. after
-            if number >= -0x80 and number <= 0xFF then texts[number] = text end
-            return text
-        end })
-    end
-
-    local NUMBER_TEXTS = texts_of("", "")
-    local VARIABLE_TEXTS = { [LOCAL] = texts_of(SCOPES[LOCAL], ")"), [GLOBAL] = texts_of(SCOPES[GLOBAL], ")") }
-    for _, row in ipairs(ENCODING_ROWS) do
-        local encoding = {
-            name = row[3], kind = row[4], width = row[5], texts = VARIABLE_TEXTS[row[4]] or NUMBER_TEXTS,
-            label = row[3] .. (row.handle and " HND" or "") .. (row.address and " ADR" or ""),
-            scope = SCOPES[row[4]], is_number = row[4] == CONSTANT, is_short = row.value ~= nil,
-            is_special = row.handle or row.address, handle = row.handle, address = row.address,
-        }
-        for first = row[1], row[2] do
-            ENCODINGS[first] = encoding
-            if encoding.scope then IS_VARIABLE[first] = true end
-            if encoding.is_short then SHORT_VALUES[first] = row.value + first - row[1] end
-            -- Bytes of the whole argument; 0 for a string, which ends at its zero.
-            SIZES[first] = row[4] == CONSTANT_TEXT and 0 or 1 + row[5]
-        end
-    end
-
     function unsigned16(text, at)
         local low, high = byte(text, at + 1, at + 2)
-        return low + high * 0x100
+        return high and low + high * 0x100
     end
 
     local function unsigned32(text, at)
         local first, second, third, fourth = byte(text, at + 1, at + 4)
-        return first + second * 0x100 + third * 0x10000 + fourth * 0x1000000
+        return fourth and first + second * 0x100 + third * 0x10000 + fourth * 0x1000000
+    end
+
+    local function unsigned8(text, at)
+        return byte(text, at + 1)
     end
 
     local function signed8(text, at)
         local value = byte(text, at + 1)
-        return value < 0x80 and value or value - 0x100
+        return value and (value < 0x80 and value or value - 0x100)
     end
 
     local function signed16(text, at)
-        local value = unsigned16(text, at)
-        return value < 0x8000 and value or value - 0x10000
+        local low, high = byte(text, at + 1, at + 2)
+        if not high then return nil end
+        return high < 0x80 and low + high * 0x100 or low + high * 0x100 - 0x10000
     end
 
     local function signed32(text, at)
         local value = unsigned32(text, at)
-        return value < 0x80000000 and value or value - 0x100000000
+        return value and (value < 0x80000000 and value or value - 0x100000000)
     end
 
     -- An IEEE single.
     local unpack = Struct.unpack
     local function single(text, at)
+        if at + 4 > #text then return nil end
         local value = unpack("<f", text, at + 1)
         -- All that are not a number are alike.
         return value == value and value or 0 / 0
     end
 
-    local READ_UNSIGNED = { [1] = function(text, at) return byte(text, at + 1) end, [2] = unsigned16, [4] = unsigned32 }
+    local READ_UNSIGNED = { [1] = unsigned8, [2] = unsigned16, [4] = unsigned32 }
     local READ_SIGNED = { [1] = signed8, [2] = signed16, [4] = signed32 }
     READ_TYPE = { [DATA8] = signed8, [DATA16] = signed16, [DATA32] = signed32, [DATAF] = single, [HANDLE] = signed16 }
+
+    -- What reads the argument with an identification byte at an offset, by encoding: its value and the offset after it;
+    -- nil where it is not all there. The value of a variable is its index.
+    local READERS = {
+        LC1 = function(text, at)
+            local value = byte(text, at + 2)
+            if value then return value < 0x80 and value or value - 0x100, at + 2 end
+        end,
+        LC2 = function(text, at)
+            local low, high = byte(text, at + 2, at + 3)
+            if high then return low + (high < 0x80 and high or high - 0x100) * 0x100, at + 3 end
+        end,
+        LC4 = function(text, at, is_float)
+            return (is_float and single or signed32)(text, at + 1), at + 5
+        end,
+        LCS = function(text, at)
+            local zero = find(text, "\0", at + 2, true)
+            if zero then return sub(text, at + 2, zero - 1), zero end
+        end,
+        LV1 = function(text, at)
+            return byte(text, at + 2), at + 2
+        end,
+        LV2 = function(text, at)
+            return unsigned16(text, at + 1), at + 3
+        end,
+        LV4 = function(text, at)
+            return unsigned32(text, at + 1), at + 5
+        end,
+    }
+    READERS.GV1, READERS.GV2, READERS.GV4 = READERS.LV1, READERS.LV2, READERS.LV4
+    READERS.LCS_OLD, READERS.LAB1 = READERS.LCS, READERS.LC1
+
+    -- By identification byte: all that it says. Of short forms it is the value, too.
+    local SHORT_VALUES = {}
+    ENCODINGS = {}
+    local SCOPES = { [LOCAL] = "LV(", [GLOBAL] = "GV(" }
+    for _, row in ipairs(ENCODING_ROWS) do
+        local encoding = {
+            name = row[3], kind = row[4], handle = row.handle, address = row.address, scope = SCOPES[row[4]],
+            label = row[3] .. (row.handle and " HND" or "") .. (row.address and " ADR" or ""),
+            read = READERS[row[3]],
+        }
+        for first = row[1], row[2] do
+            ENCODINGS[first] = encoding
+            if row.value then SHORT_VALUES[first] = row.value + first - row[1] end
+        end
+    end
 
     -- A zero would end the text there; it is shown as its symbol.
     local utf8_of = made_late(function(character)
@@ -5467,186 +5263,115 @@ do
         return (gsub(text, "[\0\128-\255]", utf8_of))
     end
 
-    -- The offset after the argument at an offset; else nil, the offset of the fault and the reason.
-    local function measure(text, at, stop, name)
-        if at >= stop then
-            return nil, stop, "the frame ends where the argument " .. name .. " should start", "cut_off"
-        end
-        local size = SIZES[byte(text, at + 1)]
-        if not size then
+    -- Why there is no argument at an offset: the offset of the fault, reason and kind.
+    local function argument_fault(text, at, name)
+        local first = byte(text, at + 1)
+        if not first then
+            return at, "the frame ends where the argument " .. name .. " should start", "cut_off"
+        elseif not ENCODINGS[first] then
             local reason = "0x%02X is no identification byte that the firmware defines (argument %s)"
-            return nil, at, format(reason, byte(text, at + 1), name), "fault"
+            return at, format(reason, first, name), "fault"
+        elseif ENCODINGS[first].kind == CONSTANT_TEXT then
+            local reason = "the string %s runs past the end of the frame: the zero that ends it is missing"
+            return at, format(reason, name), "cut_off"
         end
-        if size == 0 then
-            local zero = find(text, "\0", at + 2, true)
-            if not zero or zero > stop then
-                local reason = "the string %s runs past the end of the frame: the zero that ends it is missing"
-                return nil, at, format(reason, name), "cut_off"
-            end
-            return zero
-        end
-        if at + size > stop then
-            return nil, at, "the argument " .. name .. " runs past the end of the frame", "cut_off"
-        end
-        return at + size
+        return at, "the argument " .. name .. " runs past the end of the frame", "cut_off"
     end
 
-    -- What stands in the argument from one offset to another: a number, a text, or the index of a variable.
-    local function value_of(text, at, stop, encoding, is_float)
-        if encoding.is_short then return SHORT_VALUES[byte(text, at + 1)] end
-        local kind, width = encoding.kind, encoding.width
-        if kind == CONSTANT_TEXT then return sub(text, at + 2, stop - 1) end
-        if encoding.scope then return READ_UNSIGNED[width](text, at + 1) end
-        if is_float and width == 4 then return single(text, at + 1) end
-        return READ_SIGNED[width](text, at + 1)
+    -- The argument at an offset: encoding, value, and the offset after it; else nil.
+    local function read_argument(text, at, is_float)
+        local first = byte(text, at + 1)
+        local encoding, value = ENCODINGS[first], SHORT_VALUES[first]
+        if value then return encoding, value, at + 1 end
+        if not encoding then return nil end
+        local after
+        value, after = encoding.read(text, at, is_float)
+        if value then return encoding, value, after end
     end
 
-    -- The operation that an opcode and its CMD select, and the offset after the two; else nil, offset and reason.
-    function select_operation(text, at, stop)
-        local code, second = byte(text, at + 1, at + 2)
-        local entry = instructions[code]
-        if not entry then
-            local reason = format("0x%02X is no opcode of the %s firmware", code, dialect)
-            return nil, at, reason, "unknown_opcode"
-        end
-        local commands = entry.commands
-        if not commands then return entry, at + 1 end
-        -- Nearly every CMD is one byte that is its number.
-        local encoding = ENCODINGS[second]
-        local operation = encoding and encoding.kind == CONSTANT and commands[SHORT_VALUES[second]]
-        if operation then return operation, at + 2 end
-        local after, offset, reason, kind = measure(text, at + 1, stop, "CMD")
-        if not after then return nil, offset, reason, kind end
-        if encoding.kind ~= CONSTANT then
-            reason = format("CMD of %s is %s: it must be a constant to say what follows", entry.name, encoding.name)
-            return nil, at + 1, reason, "unknown_cmd"
-        end
-        local value = value_of(text, at + 1, after, encoding)
-        operation = commands[value]
+    -- The operation that an opcode and its CMD select, and the offset after the two; else nil, offset, reason and kind.
+    function select_operation(text, at)
+        local code = byte(text, at + 1)
+        local operation, after = instructions[code], at + 1
         if not operation then
-            return nil, at + 1, format("%s has no CMD %d", entry.name, value), "unknown_cmd"
+            return nil, at, format("0x%02X is no opcode of the %s firmware", code, dialect), "unknown_opcode"
         end
+        local commands = operation.commands
+        if commands then
+            local encoding, value
+            encoding, value, after = read_argument(text, at + 1)
+            if not encoding then return nil, argument_fault(text, at + 1, "CMD") end
+            if encoding.kind ~= CONSTANT then
+                local reason = "CMD of %s is %s: it must be a constant to say what follows"
+                return nil, at + 1, format(reason, operation.name, encoding.name), "unknown_cmd"
+            end
+            if not commands[value] then
+                return nil, at + 1, format("%s has no CMD %d", operation.name, value), "unknown_cmd"
+            end
+            operation = commands[value]
+        end
+        if not operation.parameters then prepare_operation(operation) end
         return operation, after
     end
 
-    -- How many elements a list has; else nil, offset and reason.
-    local function count_elements(text, list, counter, at, after, stop)
-        local encoding = ENCODINGS[byte(text, at + 1)]
-        local value = value_of(text, at, after, encoding)
+    -- Why a list cannot have as many elements as an argument says: the reason, nil where it can.
+    local function count_fault(list, encoding, value, room)
         if encoding.kind ~= CONSTANT then
-            local reason = "%s must be a constant: without it nobody knows how many values follow"
-            return nil, at, format(reason, counter.name), "fault"
+            return format("%s must be a constant: without it nobody knows how many values follow", list.counter.name)
         end
-        local room = stop - after
-        if list.type == COUNT and room > MOST_COUNTED then room = MOST_COUNTED end
+        if list.is_count and room > MOST_COUNTED then room = MOST_COUNTED end
         if value < 0 or value > room then
-            local reason = "%s cannot be %d: there is room for 0 to %d values"
-            return nil, at, format(reason, counter.name, value, room), "fault"
+            return format("%s cannot be %d: there is room for 0 to %d values", list.counter.name, value, room)
         end
-        return value
     end
 
     -- The arguments of an operation, from the offset after its opcode and CMD: the offset after them. Each is handed to
-    -- `visit`, if that is given, with its parameter, encoding, value, the parameter's field, and the offsets of its
-    -- first byte and after its last; with `is_brief` only variables, and numbers that say how long something is. At a
-    -- fault the offset is the one after what could be read, and the fault's offset, reason and kind follow.
-    function read_arguments(operation, text, at, stop, visit, context, is_brief)
-        local list, start, element_type = operation.list, at, nil
-        local after, offset, reason, kind
-        for index = 1, #operation, 2 do
-            local parameter = operation[index]
-            local first, low, high = byte(text, at + 1, at + 3)
-            local size = SIZES[first]
-            -- Most arguments are numbers and whole; the others go the long way.
-            if size and size > 0 and at + size <= stop then
-                after = at + size
-            else
-                after, offset, reason, kind = measure(text, at, stop, parameter.name)
-                if not after then return at, offset, reason, kind end
+    -- `visit`, with its parameter, encoding, value, and the offsets of its first byte and after its last; with
+    -- `is_brief` only variables, and numbers that say how long something is. At a fault the offset is the one after
+    -- what could be read, and the fault's offset, reason and kind follow.
+    function read_arguments(operation, text, at, visit, is_brief)
+        local parameters, list = operation.parameters, operation.list
+        local element_type = list and list.element_type
+        local encodings, short_values, byte_at = ENCODINGS, SHORT_VALUES, byte
+        local encoding, value, after, start
+        for index = 1, #parameters do
+            local parameter, first = parameters[index], byte_at(text, at + 1)
+            encoding, value, after = encodings[first], short_values[first], at + 1
+            if not value then
+                if encoding then value, after = encoding.read(text, at, parameter.is_float) end
+                if not value then return at, argument_fault(text, at, parameter.name) end
             end
-            if visit then
-                local encoding = ENCODINGS[first]
-                if not is_brief or encoding.scope or parameter.tells_length or parameter.tells_type then
-                    local value = SHORT_VALUES[first]
-                    if not value then
-                        if size == 2 then
-                            value = (low < 0x80 or encoding.scope) and low or low - 0x100
-                        elseif size == 3 then
-                            value = low + high * 0x100
-                            if high >= 0x80 and not encoding.scope then value = value - 0x10000 end
-                        else
-                            value = value_of(text, at, after, encoding, parameter.is_float)
-                        end
-                    end
-                    visit(context, parameter, encoding, value, operation[index + 1], at, after)
-                    if list and parameter.tells_type and encoding.kind == CONSTANT then
-                        element_type = FORMAT_TYPES[value]
-                    end
-                end
+            if not is_brief or encoding.scope or parameter.tells_length then
+                visit(parameter, encoding, value, at, after)
+            end
+            if list and parameter.tells_type and encoding.kind == CONSTANT then
+                element_type = FORMAT_TYPES[value] or element_type
             end
             start, at = at, after
         end
-        if list then
-            local count
-            count, offset, reason, kind = count_elements(text, list, operation[#operation - 1], start, at, stop)
-            if not count then return at, offset, reason, kind end
-            local elements = list.elements_of[element_type or list.element_type]
-            for index = 0, count - 1 do
-                local element = elements[index]
-                after, offset, reason, kind = measure(text, at, stop, element.name)
-                if not after then return at, offset, reason, kind end
-                if visit then
-                    local encoding = ENCODINGS[byte(text, at + 1)]
-                    if not is_brief or encoding.scope then
-                        local value = value_of(text, at, after, encoding, element.is_float)
-                        visit(context, element, encoding, value, element.field, at, after)
-                    end
-                end
-                at = after
-            end
-        end
-        return at
-    end
-
-    -- The same of an operation that is simple: no argument tells anything of another. Most are read here: each needs
-    -- just the size that its first byte tells. With `is_brief` only variables are handed over.
-    function skim_arguments(operation, text, at, stop, visit, context, is_brief)
-        for index = 1, #operation, 2 do
-            local first, low, high = byte(text, at + 1, at + 3)
-            local size, after = SIZES[first], nil
-            if size and size > 0 and at + size <= stop then
-                after = at + size
-            else
-                local offset, reason, kind
-                after, offset, reason, kind = measure(text, at, stop, operation[index].name)
-                if not after then return at, offset, reason, kind end
-            end
-            local is_variable = IS_VARIABLE[first]
-            if is_variable or not is_brief then
-                local parameter, encoding = operation[index], ENCODINGS[first]
-                local value = SHORT_VALUES[first]
-                if not value then
-                    if size == 2 then
-                        value = (low < 0x80 or is_variable) and low or low - 0x100
-                    elseif size == 3 then
-                        value = low + high * 0x100
-                        if high >= 0x80 and not is_variable then value = value - 0x10000 end
-                    else
-                        value = value_of(text, at, after, encoding, parameter.is_float)
-                    end
-                end
-                visit(context, parameter, encoding, value, operation[index + 1], at, after)
+        if not list then return at end
+        local reason = count_fault(list, encoding, value, #text - at)
+        if reason then return at, start, reason, "fault" end
+        local elements = list.elements_of[element_type]
+        for number = 0, value - 1 do
+            local element = elements[number]
+            encoding, value, after = read_argument(text, at, element.is_float)
+            if not encoding then return at, argument_fault(text, at, element.name) end
+            if not is_brief or encoding.scope then
+                visit(element, encoding, value, at, after)
             end
             at = after
         end
         return at
     end
 
-    -- One operation, and its arguments as above: what it is, and the offset after it.
-    function read_operation(text, at, stop, visit, context, is_brief)
-        local operation, after, reason, kind = select_operation(text, at, stop)
+    local function pass_over() end
+
+    -- One operation, and its arguments as above, if `visit` is given: what it is, and the offset after it.
+    function read_operation(text, at, visit)
+        local operation, after, reason, kind = select_operation(text, at)
         if not operation then return nil, at, after, reason, kind end
-        return operation, read_arguments(operation, text, after, stop, visit, context, is_brief)
+        return operation, read_arguments(operation, text, after, visit or pass_over)
     end
 
     -- One field of a system message: its value and the offset after it; else nil, offset and reason.
@@ -5719,23 +5444,8 @@ do
     MOST_VALUES = 12
     local MOST_TEXT = 60
 
-    -- Counts up to the size of a frame, and numbers of one byte, are written but once: that takes longer than reading
-    -- them.
-    local MOST_WRITTEN = 0x3FF
-    local counted, written = {}, {}
-
     function plural(count, word)
-        local texts = counted[word]
-        if not texts then
-            texts = {}
-            counted[word] = texts
-        end
-        local text = texts[count]
-        if not text then
-            text = format("%d %s%s", count, word, count == 1 and "" or "s")
-            if count <= MOST_WRITTEN then texts[count] = text end
-        end
-        return text
+        return format("%d %s%s", count, word, count == 1 and "" or "s")
     end
 
     -- What stands in a line for a byte of a text: for a control character its symbol, as a line end would cut the line;
@@ -5762,22 +5472,15 @@ do
     end
 
     function number_text(value)
-        local text = written[value]
-        if text then return text end
         -- Not a number is the one value that is not equal to itself.
         if value ~= value then return "NaN" end
         if value % 1 ~= 0 or value <= -1e15 or value >= 1e15 then return format("%.7g", value) end
-        text = format("%d", value)
-        if value >= -0x80 and value <= 0xFF then written[value] = text end
-        return text
+        return format("%d", value)
     end
 
-    -- What there is to say of a value beside the name that Wireshark itself shows: its special meaning, or the names of
-    -- the flags that it is made of.
-    function meaning_of(parameter, value)
-        if not parameter.is_flags then return parameter.special[value] end
-        local names, flags = {}, parameter.enum.names
+    local function flags_text(flags, value)
         if value < 0 or value > 0xFF then return nil end
+        local names = {}
         for bit = 0, 7 do
             local flag = 2 ^ bit
             if value % (2 * flag) >= flag then names[#names + 1] = flags[flag] or format("0x%02X", flag) end
@@ -5785,30 +5488,35 @@ do
         return names[1] and "(" .. concat(names, "|") .. ")"
     end
 
-    -- What stands for an argument in a line; for most numbers the number itself.
+    -- What there is to say of a value beside the name that Wireshark itself shows: its special meaning, or the names of
+    -- the flags that it is made of.
+    function meaning_of(parameter, value)
+        if parameter.flags then return flags_text(parameter.flags, value) end
+        return parameter.special and parameter.special[value]
+    end
+
+    -- A value in a line, without its unit.
+    local function value_text(parameter, value)
+        if type(value) == "string" then return shortened(value) end
+        return parameter.names and parameter.names[value] or number_text(value)
+    end
+
     function argument_text(parameter, encoding, value)
-        if encoding.scope then return encoding.texts[value] end
-        local enum = parameter.enum
-        local name = enum and not enum.is_flags and enum.names[value]
-        if name then return name end
-        if encoding.is_short then return encoding.texts[value] end
-        if encoding.kind == CONSTANT_TEXT then return shortened(value) end
-        return parameter.is_float and number_text(value) or encoding.texts[value]
+        if encoding.scope then return encoding.scope .. value .. ")" end
+        return value_text(parameter, value)
     end
 
     local function one_value_text(output, value)
         local parameter = output.parameter
         if output.is_handle then return number_text(value) end
-        if parameter.type == STRING then return shortened(value) end
-        local enum, unit = parameter.enum, parameter.unit
-        local name = enum and not enum.is_flags and enum.names[value]
-        if name then return name end
-        return unit and number_text(value) .. " " .. unit or number_text(value)
+        local text, unit = value_text(parameter, value), parameter.unit
+        if not unit or parameter.names and parameter.names[value] then return text end
+        return text .. " " .. unit
     end
 
     function output_text(output)
-        local list = output.list
-        if not list then return one_value_text(output, output.value) end
+        local list = output.value
+        if type(list) ~= "table" then return one_value_text(output, list) end
         local pieces = {}
         for index = 1, math.min(#list, MOST_VALUES) do
             pieces[index] = one_value_text(output, list[index])
@@ -5817,23 +5525,16 @@ do
         return "[" .. concat(pieces, ", ") .. "]"
     end
 
-    local pieces = {}
-
     -- After a head: 7.92 V; of several values VBATT=7.92 V IBATT=0.21 A
-    function values_text(head, outputs, count)
-        if count == 1 then return head .. " " .. output_text(outputs[1]) end
-        pieces[1] = head
-        local stop, shown = 1, math.min(count, MOST_VALUES)
-        for index = 1, shown do
+    function values_text(head, outputs)
+        if #outputs == 1 then return head .. " " .. output_text(outputs[1]) end
+        local pieces = { head }
+        for index = 1, math.min(#outputs, MOST_VALUES) do
             local output = outputs[index]
-            pieces[stop + 1], pieces[stop + 2] = output.parameter.value_key, output_text(output)
-            stop = stop + 2
+            pieces[#pieces + 1] = output.parameter.value_key .. output_text(output)
         end
-        if count > shown then
-            stop = stop + 1
-            pieces[stop] = " ..."
-        end
-        return concat(pieces, "", 1, stop)
+        if #outputs > MOST_VALUES then pieces[#pieces + 1] = " ..." end
+        return concat(pieces)
     end
 
     function transfer_text(transfer)
@@ -5897,7 +5598,7 @@ do
     -- Adds the operations from an offset on to `uses`, by name. Returns whether all of them can be read.
     local function add_uses(uses, body, at)
         while at < #body do
-            local operation, after, _, reason = read_operation(body, at, #body)
+            local operation, after, _, reason = read_operation(body, at)
             if operation then uses[operation.title] = (uses[operation.title] or 0) + 1 end
             if reason then return false end
             at = after
@@ -5927,7 +5628,7 @@ do
         count(row_of(bricks, 2, (talk.name or talk.key)), message)
         if not message.type.is_command then return end
         if message.type.wants_reply then wanted = wanted + 1 end
-        for name, times in pairs(uses_of(message, message.body)) do
+        for name, times in pairs(uses_of(message, body_of(message))) do
             local row = row_of(operations, 1, name)
             row.uses = row.uses + times
             count(row, message)
@@ -5939,11 +5640,12 @@ do
         if delay > row.most then row.most = delay end
     end
 
-    -- A reply to a command, what follows the header of that, and after how many seconds it came.
-    function statistics.count_answer(talk, message, body, delay)
+    -- A reply to a command.
+    function statistics.count_answer(talk, message, request)
+        local delay = request.delay
         answered = answered + 1
         add_answer(row_of(bricks, 2, (talk.name or talk.key)), delay)
-        for name in pairs(uses_of(message, body)) do
+        for name in pairs(uses_of(message, body_of(request.message))) do
             local row = row_of(operations, 1, name)
             row.bytes = row.bytes + message.stop
             add_answer(row, delay)
@@ -6151,85 +5853,57 @@ end
 -- and afterwards whichever one is looked at: what is found out the first time is kept, by the place of each message,
 -- and later passes only look it up.
 
+local read_message
 local forget_dialogues, talk_of, talk_if_any, take_note, request_of, reply_to, transfer_at, answers_command
 do
     -- Commands with one counter that are remembered, for senders who never change it.
     local MOST_PER_COUNTER = 4
 
     -- Commands of one conversation that may wait for their replies. Beyond twice as many the oldest are given up: a
-    -- brick has one answer after the other. So many of them are at hand; the others, whose replies are missing nearly
-    -- always, are kept outside of Lua, which goes through all that it holds whenever it frees something.
-    local MOST_WAITING, MOST_AT_HAND = 4096, 128
-
-    local pack, unpack = Struct.pack, Struct.unpack
-    local put_aside = memory.new_texts()
+    -- brick has one answer after the other.
+    local MOST_WAITING = 4096
 
     local CARRIES = { direct = 0x000000, system = 0x010000, daisy = 0x020000 }
 
-    -- Of a command that has a reply: the number of the packet with it.
-    local replies = memory.new_notes(1)
-
-    -- Of a reply that has a command: the place of that, the seconds that the reply took, and all that follows the
-    -- command's header.
-    local requests, bodies = memory.new_notes(3), memory.new_texts()
-
-    -- Of a message on a file: the file's path, by its number here, the bytes done, and the size; -1 where that is not
-    -- known.
-    local transfers = memory.new_notes(3)
-    local paths
-
-    -- The command that the message before this one answered, and the place of that message.
-    local answer, answer_place
+    -- By place: of a command the number of the packet with its reply; of a reply the place of its command, the seconds
+    -- that it took, and the command's frame, in one text, as tables take twice the memory; of a message on a file what
+    -- is known of that.
+    local replies, requests, transfers
 
     local talks
 
     function forget_dialogues()
-        replies.forget()
-        requests.forget()
-        transfers.forget()
-        bodies.forget()
-        put_aside.forget()
-        paths, talks, answer, answer_place = {}, {}, nil, nil
+        replies, requests, transfers, talks = {}, {}, {}, {}
     end
     forget_dialogues()
 
-    -- The command that a reply answers: `place`, `body`, what follows its header, `delay`, the seconds that the reply
-    -- took.
+    -- The command that a reply answers: `place`, `message`, and `delay`, the seconds that the reply took.
     function request_of(place)
-        if place == answer_place then return answer end
-        local command, delay, body = requests.get(place)
-        return command and { place = command, delay = delay, body = bodies.get(body) }
+        local known = requests[place]
+        if not known then return nil end
+        local command, delay, start = Struct.unpack("dd", known)
+        return { place = command, delay = delay, message = read_message(sub(known, start)) }
     end
 
     -- The number of the packet with the reply to a command.
     function reply_to(place)
-        local number = replies.get(place)
-        return number and floor(number)
+        return replies[place]
     end
 
     -- The file that a message is about: path, size, bytes done.
     function transfer_at(place)
-        local path, done, size = transfers.get(place)
-        if not path then return nil end
-        return { path = paths[path], done = floor(done), size = size >= 0 and floor(size) or nil }
+        return transfers[place]
     end
 
-    -- All that is known of the messages between one computer and one brick, who have that key.
+    -- All that is known of the messages between one computer and one brick, who have that key: the newest commands that
+    -- wait for replies, by counter, and those `before` them; transfers `begun` by counter, and `open` by handle.
     function talk_of(key)
         local talk = talks[key]
         if not talk then
-            talk = {
-                key = key, pending = {}, count = 0, waiting = {}, waiting_before = {}, waiting_count = 0, begun = {},
-                open = {},
-            }
+            talk = { key = key, waiting = {}, waiting_count = 0, waiting_before = {}, begun = {}, open = {} }
             talks[key] = talk
         end
         return talk
-    end
-
-    -- What a reply has in common with the command it answers.
-    local function pending_key(message)
-        return CARRIES[message.type.carries] + message.counter
     end
 
     -- The same, where anything is known of them.
@@ -6237,96 +5911,60 @@ do
         return talks[key]
     end
 
-    -- Puts away the commands at hand, each as the number of a text; the few with another one of their counter before
-    -- them as they are.
-    local function put_away(talk)
-        if talk.waiting_count + MOST_AT_HAND > MOST_WAITING then
-            talk.waiting, talk.waiting_before, talk.waiting_count = {}, talk.waiting, 0
-        end
-        local waiting = talk.waiting
-        for key, command in pairs(talk.pending) do
-            waiting[key] = command.earlier and command
-                or put_aside.put(pack("dd", command.place, command.time) .. command.body)
-        end
-        talk.waiting_count = talk.waiting_count + talk.count
-        talk.pending, talk.count = {}, 0
+    -- What a reply has in common with the command it answers.
+    local function pending_key(message)
+        return CARRIES[message.type.carries] + message.counter
     end
 
-    local function read_command(number)
-        local text = put_aside.get(number)
-        local place, time, stop = unpack("dd", text)
-        return { place = place, time = time, body = sub(text, stop), delay = 0 }
-    end
-
-    -- The newest command that waits under a counter; each knows the one before it. One that was put away is at hand
-    -- again.
+    -- The newest command that waits under a key; each knows the one before it.
     local function newest(talk, key)
-        local command = talk.pending[key]
-        if command then return command end
-        command = talk.waiting[key] or talk.waiting_before[key]
-        if not command then return nil end
-        if talk.waiting[key] then talk.waiting_count = talk.waiting_count - 1 end
-        talk.waiting[key], talk.waiting_before[key] = nil, nil
-        if type(command) == "number" then command = read_command(command) end
-        talk.pending[key], talk.count = command, talk.count + 1
-        return command
+        return talk.waiting[key] or talk.waiting_before[key]
     end
 
     -- `command` is the newest one now, if there is any.
     local function put_newest(talk, key, command)
-        talk.pending[key] = command
-        if not command then talk.count = talk.count - 1 end
-    end
-
-    -- Puts the commands before one after it, as many as are remembered.
-    local function put_earlier(command, earlier)
-        command.earlier = earlier
-        local oldest = command
-        for _ = 2, MOST_PER_COUNTER do
-            oldest = oldest.earlier
-            if not oldest then break end
+        if not command then
+            talk.waiting[key], talk.waiting_before[key] = nil, nil
+            return
         end
-        if oldest then oldest.earlier = nil end
+        if not talk.waiting[key] then
+            if talk.waiting_count == MOST_WAITING then
+                talk.waiting_before, talk.waiting, talk.waiting_count = talk.waiting, {}, 0
+            end
+            talk.waiting_count = talk.waiting_count + 1
+        end
+        talk.waiting[key] = command
     end
 
     local function remember(talk, place, message, pinfo)
         local key = pending_key(message)
-        -- Of a system command its number and handle are enough.
-        local body = message.body or sub(message.text, HEADER_SIZE + 1, HEADER_SIZE + 2)
-        -- The table of a command that has its reply serves again: of that all is noted.
-        local command = answer
-        if command then
-            answer, answer_place = nil, nil
-            command.place, command.time, command.body = place, pinfo.rel_ts, body
-        else
-            command = { place = place, time = pinfo.rel_ts, body = body, delay = 0 }
+        local command = { place = place, time = pinfo.rel_ts, message = message, earlier = newest(talk, key) }
+        local oldest = command
+        for _ = 2, MOST_PER_COUNTER do
+            oldest = oldest and oldest.earlier
         end
-        local earlier = newest(talk, key)
-        if earlier then put_earlier(command, earlier) end
-        if not earlier then
-            if talk.count >= MOST_AT_HAND then put_away(talk) end
-            talk.count = talk.count + 1
-        end
-        talk.pending[key] = command
+        if oldest then oldest.earlier = nil end
+        put_newest(talk, key, command)
     end
 
-    local function can_answer(message, body)
-        return message.type.carries ~= "system" or byte(body, 1) == byte(message.text, HEADER_SIZE + 1)
+    local function can_answer(message, command)
+        if message.type.carries ~= "system" then return true end
+        return byte(command.message.text, HEADER_SIZE + 1) == byte(message.text, HEADER_SIZE + 1)
     end
 
     -- Whether a reply has just the size that was asked for.
-    local function fits(message, body)
-        local type = message.type
-        if type.carries ~= "direct" or type.is_error or #body < MEMORY_FIELD then return true end
-        return message.size - HEADER_SIZE == unsigned16(body, 0) % (GLOBAL_MASK + 1)
+    local function fits(message, command)
+        local type, sizes = message.type, unsigned16(command.message.text, HEADER_SIZE)
+        if type.carries ~= "direct" or type.is_error or not sizes then return true end
+        return message.size - HEADER_SIZE == sizes % (GLOBAL_MASK + 1)
     end
 
     -- Whether a reply shows that both are messages of ours: only a brick gives just the size that was asked for.
-    local function is_proof(message, body)
+    local function is_proof(message, command)
         local type, size = message.type, message.size
-        if message.fault or type.carries == "daisy" or #body < MEMORY_FIELD then return false end
+        if message.fault or type.carries == "daisy" or command.message.stop < COMMAND_HEADER_SIZE then return false end
         if type.is_error and type.carries == "direct" then return size == HEADER_SIZE end
-        return fits(message, body)
+        return fits(message, command)
     end
 
     -- The command that a reply answers: of those with its counter the newest of the right size, else the newest. The
@@ -6336,8 +5974,8 @@ do
         local command, later = newest(talk, key), nil
         local best, later_than_best
         while command do
-            if can_answer(message, command.body) then
-                local is_right = not command.earlier and not best or fits(message, command.body)
+            if can_answer(message, command) then
+                local is_right = not command.earlier and not best or fits(message, command)
                 if is_right or not best then best, later_than_best = command, later end
                 if is_right then break end
             end
@@ -6367,8 +6005,7 @@ do
     local function follow_request(talk, message)
         local command, values = message.command, message.fields
         if command.transfer == "begin" then
-            paths[#paths + 1] = values.path or ""
-            local transfer = { number = #paths, path = values.path or "", size = values.size, done = 0 }
+            local transfer = { path = values.path or "", size = values.size, done = 0 }
             talk.begun[message.counter] = transfer
             return transfer
         end
@@ -6380,11 +6017,11 @@ do
     end
 
     -- The handle that a command for an open file has as its first field.
-    local function asked_handle(body)
-        return body and byte(body, 2)
+    local function asked_handle(command)
+        return command and byte(command.message.text, HEADER_SIZE + 2)
     end
 
-    -- The same for a reply. `request` is what follows the header of the command that it answers.
+    -- The same for a reply. `request` is the command that it answers, where that was seen.
     local function follow_reply(talk, message, request)
         local command, values = message.command, message.fields
         local failed = message.type.is_error or STATUS.fails[message.status] ~= false
@@ -6412,7 +6049,7 @@ do
     -- Whether a command waits for this reply.
     function answers_command(talk, message)
         local command = newest(talk, pending_key(message))
-        return command ~= nil and can_answer(message, command.body)
+        return command ~= nil and can_answer(message, command)
     end
 
     -- What becomes known of a message when it is seen for the first time, in the conversation it belongs to.
@@ -6429,18 +6066,19 @@ do
         else
             local request = answered(talk, message)
             if request then
-                request.delay = pinfo.rel_ts - request.time
-                if request.earlier then request.earlier = nil end
-                talk.is_proven = talk.is_proven or is_proof(message, request.body)
-                replies.put(request.place, number_of(place))
-                requests.put(place, request.place, request.delay, bodies.put(request.body))
-                answer, answer_place = request, place
-                if counts_all then statistics.count_answer(talk, message, request.body, request.delay) end
+                local text = request.message.text
+                request.delay, message.request = pinfo.rel_ts - request.time, request
+                talk.is_proven = talk.is_proven or is_proof(message, request)
+                replies[request.place] = number_of(place)
+                -- Of a system command its number is enough.
+                if message.command then text = sub(text, 1, HEADER_SIZE + 1) end
+                requests[place] = Struct.pack("dd", request.place, request.delay) .. text
+                if counts_all then statistics.count_answer(talk, message, request) end
             end
-            transfer = is_on_file and follow_reply(talk, message, request and request.body)
+            transfer = is_on_file and follow_reply(talk, message, request)
         end
         if transfer then
-            transfers.put(place, transfer.number, transfer.done, transfer.size or -1)
+            transfers[place] = { path = transfer.path, done = transfer.done, size = transfer.size }
         end
     end
 end
@@ -6448,201 +6086,63 @@ end
 -- Reply values ------------------------------------------------------------------------------------------------------
 --
 -- A reply to a direct command is nothing but memory. Every output parameter of the command that names a global variable
--- says what stands in it and where.
+-- says what is in it and where.
 
--- How many bytes or elements a parameter has: what its length parameter says, or `most` where that does not say it.
--- `lengths` are the constants of those parameters that say one.
-local function stated_length(parameter, lengths, most)
-    local length = parameter.length
-    if type(length) == "string" then length = lengths[length] end
-    if not length then return most end
-    -- Some lengths are negative: -1 for no limit, others for bytes in reverse order.
-    if length == -1 and parameter.type == STRING then return most end
-    return floor(math.abs(length))
-end
-
--- Whether an argument is a number in the frame itself that says how long another parameter is.
-local function tells_length(parameter, encoding)
-    return parameter.tells_length and encoding.kind == CONSTANT and not encoding.handle and not encoding.address
-end
-
--- Notes what a reply will hold while its command is read: start, note_output, note_lengths, note_first, keep.
-local layout_notes = {}
-
-local read_reply
+local stated_length, tells_length, read_output
 do
-    -- The layout of a reply is a list of the outputs of its command, so many entries each: the offset of the operation,
-    -- parameter, encoding, index, field, operation; and its `size`, as more may follow. `first` is the first operation;
-    -- `lengths`, by the offset of their operation, are constants that say how long outputs are.
-    local OUTPUT = 6
-
-    -- The layout of the command that is being read, or was read last.
-    local draft = {}
-    local draft_size, draft_lengths, draft_first
-
-    -- What follows the header of the command whose layout it is; nil where nobody will ask for it.
-    local draft_body
-
-    function layout_notes.start()
-        draft_size, draft_lengths, draft_first, draft_body = 0, nil, nil, nil
+    -- How many bytes or elements a parameter has: what its length parameter says, or `most` where that does not say it.
+    -- `lengths` are the constants of those parameters that say one.
+    function stated_length(parameter, lengths, most)
+        local length = parameter.length
+        if type(length) == "string" then length = lengths[length] end
+        if not length then return most end
+        -- Some lengths are negative: -1 for no limit, others for bytes in reverse order.
+        if length == -1 and parameter.type == STRING then return most end
+        return floor(math.abs(length))
     end
 
-    -- Notes an output: an output parameter that names a global variable.
-    function layout_notes.note_output(view, parameter, encoding, index, declared)
-        local size = draft_size
-        draft[size + 1] = view.offset
-        draft[size + 2] = parameter
-        draft[size + 3] = encoding
-        draft[size + 4] = index
-        draft[size + 5] = declared
-        draft[size + 6] = view.operation
-        draft_size = size + OUTPUT
-    end
-
-    -- Notes the constants of an operation that say how long its outputs are.
-    function layout_notes.note_lengths(offset, lengths)
-        draft_lengths = draft_lengths or {}
-        draft_lengths[offset] = lengths
-    end
-
-    function layout_notes.note_first(operation)
-        draft_first = operation
-    end
-
-    local function finish_draft()
-        draft.size, draft.first, draft.lengths = draft_size, draft_first, draft_lengths
-        -- Where the outputs of the last operation end.
-        draft[draft_size + 1] = false
+    -- Whether an argument is a number in the frame itself that says how long another parameter is.
+    function tells_length(parameter, encoding)
+        return parameter.tells_length and encoding.kind == CONSTANT and not encoding.handle and not encoding.address
     end
 
     -- The type of an output that has that of the array it comes from: what fits before the next output of its
     -- operation.
-    local function untyped(layout, at, stop)
-        local offset, start = layout[at], layout[at + 3]
-        while layout[at - OUTPUT] == offset do
-            at = at - OUTPUT
+    local function untyped(output, outputs, stop)
+        for _, other in ipairs(outputs) do
+            if other.at == output.at and output.index < other.index and other.index < stop then stop = other.index end
         end
-        while layout[at] == offset do
-            local index = layout[at + 3]
-            if start < index and index < stop then stop = index end
-            at = at + OUTPUT
-        end
-        local room = stop - start
+        local room = stop - output.index
         return room >= 4 and DATA32 or room >= 2 and DATA16 or room >= 1 and DATA8 or DATA32
     end
 
-    local NONE = {}
-
-    -- Reads into `output` what a reply has for one entry of the layout: `value` or `list`, size, and whose it is. False
-    -- where the memory ends before. Of a list so many are read at most.
-    local function read_output(output, layout, at, reply, most_read)
-        local parameter, encoding, start = layout[at + 1], layout[at + 2], layout[at + 3]
-        -- At an address there is no value but where the value is.
-        if encoding.address then return false end
-        local is_handle = encoding.handle
-        local type = is_handle and HANDLE or parameter.type
-        local text, most = reply.text, reply.stop - HEADER_SIZE
-        local read, size = READ_TYPE[type], SIZE_OF[type]
-        output.parameter, output.index, output.is_handle = parameter, start, is_handle
-        output.field, output.operation, output.offset, output.list =
-            layout[at + 4], layout[at + 5], layout[at], false
-        local is_list = parameter.length and type ~= ARRAY_TYPED and type ~= STRING and not is_handle
-        -- Nearly all are one number.
-        if read and not is_list then
-            if start + size > most then return false end
-            output.size, output.value = size, read(text, HEADER_SIZE + start)
-            return true
-        end
-        local lengths = layout.lengths and layout.lengths[output.offset] or NONE
-        if type == STRING then
-            local stop = math.min(start + stated_length(parameter, lengths, most), most)
-            output.value = sub(text, HEADER_SIZE + start + 1, HEADER_SIZE + stop):match("^[^\0]*")
+    -- Reads the `value` of an output, which may be a list, and the `size` of that. False where the memory ends before.
+    function read_output(output, outputs, memory)
+        local parameter, start, lengths = output.parameter, output.index, output.lengths
+        local kind = output.is_handle and HANDLE or parameter.type
+        if kind == STRING then
+            local stop = math.min(start + stated_length(parameter, lengths, #memory), #memory)
+            output.value = sub(memory, start + 1, stop):match("^[^\0]*")
             output.size = #output.value
-            return start < most
-        elseif type == ARRAY_TYPED then
-            type = untyped(layout, at, most)
-            read, size = READ_TYPE[type], SIZE_OF[type]
+            return start < #memory
         end
+        local is_list = parameter.length and kind ~= ARRAY_TYPED and not output.is_handle
+        if kind == ARRAY_TYPED then kind = untyped(output, outputs, #memory) end
+        local read, size = READ_TYPE[kind], SIZE_OF[kind]
         if not read then return false end
-        local count = is_list and stated_length(parameter, lengths, floor(most / size)) or 1
-        local room = floor((most - start) / size)
-        if is_list and count > room then count = room end
-        if count < 1 or count > room then return false end
-        output.size = count * size
-        if is_list then
-            output.list = {}
-            for index = 1, math.min(count, most_read) do
-                output.list[index] = read(text, HEADER_SIZE + start + (index - 1) * size)
-            end
-        else
-            output.value = read(text, HEADER_SIZE + start)
+        if not is_list then
+            output.value, output.size = read(memory, start), size
+            return output.value ~= nil
         end
+        local room = floor((#memory - start) / size)
+        local count = math.min(stated_length(parameter, lengths, room), room)
+        if count < 1 then return false end
+        local list = {}
+        for index = 1, count do
+            list[index] = read(memory, start + (index - 1) * size)
+        end
+        output.value, output.size = list, count * size
         return true
-    end
-
-    local function note_argument(view, parameter, encoding, value, declared)
-        if encoding.scope then
-            if parameter.is_output and encoding.kind == GLOBAL then
-                layout_notes.note_output(view, parameter, encoding, value, declared)
-            end
-        elseif tells_length(parameter, encoding) then
-            view.lengths = view.lengths or {}
-            view.lengths[parameter.name] = value
-        end
-    end
-
-    -- `body` is what follows a command's header.
-    local function draft_layout(body)
-        local at, view = MEMORY_FIELD, {}
-        layout_notes.start()
-        while at < #body do
-            local operation, after = select_operation(body, at, #body)
-            if not operation then break end
-            draft_first = draft_first or operation
-            view.offset, view.operation, view.lengths = at, operation, nil
-            local fault
-            after, fault = read_arguments(operation, body, after, #body, note_argument, view, true)
-            if view.lengths then layout_notes.note_lengths(at, view.lengths) end
-            if fault then break end
-            at = after
-        end
-        draft_body = body
-        finish_draft()
-    end
-
-    -- Says that the layout was noted of which a reply will ask: nearly always before another one is.
-    function layout_notes.keep(body)
-        draft_body = body
-        finish_draft()
-    end
-
-    -- The layout of the replies to a command, by what follows its header. It lasts until the next command is read.
-    function layout_notes.layout_for(body)
-        if body ~= draft_body then draft_layout(body) end
-        return draft
-    end
-
-    local function head_of(layout)
-        return layout.first and "reply to " .. layout.first.title .. ":" or "reply:"
-    end
-
-    -- The values found; they are overwritten by those of the next reply.
-    local found = {}
-
-    -- The values in a reply by its layout, how many there are, and how the line on it begins. Where the tree is not
-    -- shown, no more of them than a line says, and of lists no more elements.
-    function read_reply(layout, reply, is_shown)
-        local count, most = 0, is_shown and math.huge or MOST_VALUES + 1
-        local output = found[1] or {}
-        for at = 1, layout.size, OUTPUT do
-            found[count + 1] = output
-            if read_output(output, layout, at, reply, most) then
-                count = count + 1
-                if count == most then break end
-                output = found[count + 1] or {}
-            end
-        end
-        return found, count, head_of(layout)
     end
 end
 
@@ -6651,283 +6151,190 @@ end
 -- What a direct command says, or the payload of a daisy command: the line on it, what is wrong with it, and its items
 -- in the tree.
 
-local value_of_row, say_operations, show_operations
+local add_value, show_operations, read_outputs
 do
-    local note_output, note_lengths = layout_notes.note_output, layout_notes.note_lengths
     local add, set_len, append_text = TreeItem.add, TreeItem.set_len, TreeItem.append_text
     local new_range = Tvb.range
+    local NO_LENGTHS, NO_OUTPUTS = {}, {}
     local VARIABLE, OPCODE, CMD, ENCODING = field.variable, field.opcode, field.cmd, field.encoding
 
-    -- The field of a parameter, the value for it, and what is shown where that is not what the field shows by itself:
-    -- instead of it, or after it. A value that has not the type of its parameter is text. Of an element of a list its
-    -- name is given, with its number.
-    function value_of_row(parameter, declared, value, numbered)
-        local kind, is_text = parameter.kind, type(value) == "string"
-        if is_text ~= (kind == TEXT_VALUE) or (kind == NUMBER and value % 1 ~= 0) then
+    -- Adds a value by the field of its parameter. A value that has not the type of its parameter is added as text. An
+    -- element of a list has a name with its number.
+    function add_value(tree, parameter, range, value, numbered)
+        local declared, kind, is_text = parameter.field, parameter.kind, type(value) == "string"
+        if is_text ~= (kind == TEXT_VALUE) or kind == NUMBER and value % 1 ~= 0 then
             local text = is_text and utf8_text(value) or number_text(value)
-            return field.other, text, (numbered or parameter.name) .. ": " .. text, false
+            return add(tree, field.other, range, text, (numbered or parameter.name) .. ": " .. text)
+        elseif is_text then
+            local label = numbered and numbered .. ": " .. shortened(value)
+            return add(tree, declared, range, utf8_text(value), label)
         end
-        local label, addition = false, false
+        local unit, meaning, label = kind == FLOAT and parameter.unit, nil, nil
+        if parameter.special or parameter.flags then meaning = meaning_of(parameter, value) end
         if numbered then
-            local symbol = parameter.enum and not parameter.is_flags and parameter.enum.names[value]
-            local text = is_text and shortened(value) or number_text(value)
-            label = numbered .. ": " .. (symbol and format("%s (%s)", symbol, text) or text)
-        elseif kind == FLOAT and parameter.unit then
-            addition = parameter.unit
+            local name, text = parameter.names and parameter.names[value], number_text(value)
+            label = numbered .. ": " .. (name and format("%s (%s)", name, text) or text)
+        elseif not (unit or meaning) then
+            return add(tree, declared, range, value)
         end
-        if parameter.special or parameter.is_flags then
-            local meaning = meaning_of(parameter, value)
-            if meaning then addition = addition and addition .. " " .. meaning or meaning end
-        end
-        return declared, is_text and utf8_text(value) or value, label, addition
+        return add(tree, declared, range, value, label, unit, meaning)
     end
 
-    -- With what is wrong already, one more: its kind and its text. A list is written at once, as one that grows is laid
-    -- out anew, and most have no more.
-    local function with_complaint(complaints, kind, text)
-        if not complaints then return { kind, text } end
-        local count = #complaints
-        complaints[count + 1], complaints[count + 2] = kind, text
-        return complaints
-    end
+    -- The operations that are read now: the `root` of the tree, where it is told what is wrong with them; the `heading`
+    -- of the operation and its `buffer`, if somebody looks at the tree, and where in that the frame has its `base`; how
+    -- much memory the command asks for; the operation, its offset, and the lengths that its arguments state; what is
+    -- `said` of it, and of how many arguments; whether a variable `is_beyond` the memory; the `outputs`. There are very
+    -- many arguments, and each reads these faster here than in a table.
+    local root, heading, buffer, base, globals, locals, operation, start, lengths, said, said_count, is_beyond, outputs
 
-    -- How much memory a command asks for, as a complaint ends.
-    local function asked_texts(scope)
-        return made_late(function(asked)
-            return format(" of the %s memory, of which the command asks for %s", scope, plural(asked, "byte"))
-        end)
-    end
-
-    local BEYOND_GLOBAL, BEYOND_LOCAL = asked_texts("global"), asked_texts("local")
-
-    -- What the brick refuses, or what lies beyond the memory that the command asks for: kinds and texts in turn, after
-    -- those that are in `complaints`, where there are any.
-    local function variable_complaints(complaints, view, parameter, encoding, index)
-        local is_handle = encoding.handle
-        local alignment = is_handle and SIZE_OF[HANDLE] or parameter.alignment or parameter.size
+    -- Tells what the brick refuses of a variable, or what is beyond the memory that the command asks for. Without a
+    -- tree one variable beyond that memory stands for all.
+    local function check_variable(item, parameter, encoding, index)
+        local is_handle, size = encoding.handle, parameter.size
+        local alignment = is_handle and SIZE_OF[HANDLE] or parameter.alignment
         if index % alignment ~= 0 then
             local reason = "%s: the index of a %s must be a multiple of %d, the brick refuses %s"
             local sort = is_handle and "handle" or TYPE_NAMES[parameter.type]
-            local text = encoding.texts[index]
-            complaints =
-                with_complaint(complaints, "misaligned", format(reason, parameter.name, sort, alignment, text))
+            local variable = argument_text(parameter, encoding, index)
+            complain(item or root, "misaligned", format(reason, parameter.name, sort, alignment, variable))
         end
         local is_global = encoding.kind == GLOBAL
-        local asked = is_global and view.globals or view.locals
-        -- Without a tree one such variable stands for all: there is nothing to point at.
-        if not asked or view.is_beyond then return complaints end
-        local size = is_handle and SIZE_OF[HANDLE] or encoding.address and SIZE_OF[DATA32] or parameter.size
-        if parameter.is_long and not is_handle then
-            size = size * stated_length(parameter, view.lengths, 1)
-        end
-        if index + size > asked then
-            view.is_beyond = view.is_line
-            complaints = with_complaint(complaints, "beyond_memory", parameter.name .. " reaches up to byte "
-                .. number_text(index + size) .. (is_global and BEYOND_GLOBAL or BEYOND_LOCAL)[asked])
-        end
-        return complaints
-    end
-
-    -- Nearly all variables are as they should be.
-    local function check_variable(view, parameter, encoding, index, declared)
-        local is_global = encoding.kind == GLOBAL
-        local asked = is_global and view.globals or view.locals
-        local size = parameter.size
-        if parameter.is_long or asked and index + size > asked or index % (parameter.alignment or size) ~= 0
-            or encoding.is_special then
-            view.complaints = variable_complaints(view.complaints, view, parameter, encoding, index)
-        end
-        if is_global and parameter.is_output then note_output(view, parameter, encoding, index, declared) end
-    end
-
-    -- What is said of an operation, piece by piece: SOUND TONE volume=1 frequency=440. Two pieces are what it is, the
-    -- others the names and values of its arguments. Joined at once, they leave no texts behind that are half of it.
-    local pieces, piece_count = {}, 2
-    local MOST_PIECES = 2 + 2 * MOST_VALUES
-
-    local function say_phrase(parameter, encoding, value)
-        local key, count = parameter.key, piece_count
-        if not key or count > MOST_PIECES then return end
-        if count < MOST_PIECES then
-            pieces[count + 1] = key
-            -- Most are short numbers and variables, whose text is made already.
-            pieces[count + 2] = not parameter.enum and encoding.is_short and encoding.texts[value]
-                or argument_text(parameter, encoding, value)
-            piece_count = count + 2
+        local asked = is_global and globals or locals
+        if not asked or is_beyond and not item then return end
+        if is_handle then
+            size = SIZE_OF[HANDLE]
         else
-            pieces[count + 1] = " ..."
-            piece_count = count + 1
-        end
-    end
-
-    local function complain_all(item, complaints)
-        for index = 1, #complaints, 2 do
-            complain(item, complaints[index], complaints[index + 1])
-        end
-    end
-
-    -- What the items of an operation are added to. There are very many arguments, and each reads these faster here than
-    -- in a table.
-    local NO_LENGTHS = {}
-    local shown = {}
-    local heading, buffer, base
-
-    local function show_argument(view, parameter, encoding, value, declared, at, stop)
-        local range, size, added = new_range(buffer, base + at, 1), stop - at, nil
-        if encoding.scope then
-            local own = encoding.texts[value]
-            added = add(heading, VARIABLE, range, own, parameter.label_head .. " " .. own)
-            check_variable(view, parameter, encoding, value, declared)
-            if view.complaints then
-                complain_all(added, view.complaints)
-                view.complaints = nil
+            if encoding.address then size = SIZE_OF[DATA32] end
+            if parameter.length and parameter.is_output then
+                size = size * stated_length(parameter, lengths, 1)
             end
-        elseif encoding.is_number and parameter.is_plain then
-            added = add(heading, declared, range, value)
-        else
-            local own_field, own, label, addition = value_of_row(parameter, declared, value, parameter.numbered)
-            if label and addition then label, addition = label .. " " .. addition, false end
-            added = add(heading, own_field, range, own, label, addition)
         end
-        if size > 1 then set_len(added, size) end
-        add(added, ENCODING, range, encoding.label)
-        if parameter.key then say_phrase(parameter, encoding, value) end
-        if parameter.tells_length and tells_length(parameter, encoding) then
-            if view.lengths == NO_LENGTHS then view.lengths = {} end
-            view.lengths[parameter.name] = value
+        if index + size <= asked then return end
+        is_beyond = true
+        complain(item or root, "beyond_memory", format(
+            "%s reaches up to byte %d of the %s memory, of which the command asks for %s",
+            parameter.name, index + size, is_global and "global" or "local", plural(asked, "byte")))
+    end
+
+    -- Adds an argument to the line on its operation: joining few short texts takes less than a table of them.
+    local function say_argument(parameter, encoding, value)
+        said_count = said_count + 1
+        if said_count <= MOST_VALUES then
+            said = said .. parameter.key .. argument_text(parameter, encoding, value)
+        elseif said_count == MOST_VALUES + 1 then
+            said = said .. " ..."
         end
     end
 
-    -- How many operations follow the first one. Each text is written but once.
-    local further = made_late(function(count)
-        return count == 1 and "" or " (+" .. plural(count - 1, "operation") .. ")"
-    end)
+    -- Adds an output to those of the command: its parameter, the `index` of its variable, its operation and where that
+    -- is, and the lengths that the operation's arguments state. Most commands have few: there is room for four at once.
+    local function note_output(parameter, encoding, index)
+        if outputs == NO_OUTPUTS then outputs = { nil, nil, nil, nil } end
+        outputs[#outputs + 1] = {
+            parameter = parameter, index = index, is_handle = encoding.handle, operation = operation, at = start,
+            lengths = lengths, value = false, size = 0,
+        }
+    end
 
-    -- Adds the operations between two offsets of a frame as they are read; the frame starts at an offset in the buffer.
-    -- What a reply will hold is noted. Returns the line, empty where there is no operation; the offset after what could
-    -- be read; the fault, where there is one.
-    function show_operations(item, tvb, start, text, at, stop, globals, locals)
-        local first, said, count, fault = nil, "", 0, nil
-        buffer, base, shown.globals, shown.locals, shown.lengths = tvb, start, globals, locals, NO_LENGTHS
-        layout_notes.start()
-        while at < stop and not fault do
-            -- The opcode is the heading of its operation: it stands for all the bytes of it.
-            heading = add(item, OPCODE, new_range(tvb, start + at, 1))
-            local operation, after, reason, kind = select_operation(text, at, stop)
-            if not operation then
+    local function show_argument(parameter, encoding, value, at, after)
+        local item, range
+        if heading then
+            -- A range costs more than an item: one of a byte serves the argument and its encoding.
+            range = new_range(buffer, base + at, 1)
+            if encoding.scope then
+                local variable = argument_text(parameter, encoding, value)
+                item = add(heading, VARIABLE, range, variable, parameter.label .. ": " .. variable)
+            else
+                item = add_value(heading, parameter, range, value, parameter.numbered)
+            end
+            if after > at + 1 then set_len(item, after - at) end
+        end
+        if encoding.scope then
+            if root then check_variable(item, parameter, encoding, value) end
+            -- At an address there is no value but where the value is.
+            if encoding.kind == GLOBAL and parameter.is_output and not encoding.address then
+                note_output(parameter, encoding, value)
+            end
+        elseif parameter.tells_length and tells_length(parameter, encoding) then
+            lengths[parameter.name] = value
+        end
+        if item then add(item, ENCODING, range, encoding.label) end
+        if said and parameter.key then say_argument(parameter, encoding, value) end
+    end
+
+    -- The name of a CMD; where it takes more than a byte, how it is encoded.
+    local function add_cmd(heading, selected, text, at, after)
+        local range = new_range(buffer, base + at, 1)
+        local item = add(heading, CMD, range, selected.name)
+        if after > at + 1 then
+            set_len(item, after - at)
+            add(item, ENCODING, range, ENCODINGS[byte(text, at + 1)].label)
+        end
+    end
+
+    -- Reads the operations from an offset to the end of a frame. `view` has the `root` of the tree, where it is told
+    -- what is wrong with variables, and, if somebody looks at the tree, the `item` to which all are added, with the
+    -- buffer `tvb` and the frame's `base` in it; the last two say what the command asks for, where that is known.
+    -- Returns the line on the operations, empty where there is none; the offset after what could be read; the fault,
+    -- where there is one; and the outputs, of which a reply has the values.
+    function show_operations(text, at, view, asked_globals, asked_locals)
+        local item, first, phrase, count, fault = view.item, nil, "", 0, nil
+        root, heading, buffer, base = view.root, nil, view.tvb, view.base
+        globals, locals, is_beyond, outputs = asked_globals, asked_locals, false, NO_OUTPUTS
+        while at < #text and not fault do
+            if item then heading = add(item, OPCODE, new_range(buffer, base + at, 1)) end
+            local selected, after, reason, kind = select_operation(text, at)
+            if not selected then
                 fault = { at = after, reason = reason, kind = kind }
                 break
             end
-            local name = operation.cmd_name
-            if name then
-                local size = after - at - 1
-                local encoding = size > 1 and ENCODINGS[byte(text, at + 2)].label
-                local range, own = new_range(tvb, start + at + 1, 1), operation.name
-                local added = add(heading, CMD, range, own)
-                if size > 1 then
-                    set_len(added, size)
-                    add(added, ENCODING, range, encoding)
-                end
-            end
-            pieces[1], pieces[2], piece_count = name and " " or "", name or "", 2
-            shown.offset, shown.operation = at, operation
-            local read, offset = operation.is_simple and skim_arguments or read_arguments, nil
-            after, offset, reason, kind = read(operation, text, after, stop, show_argument, shown)
-            if after > at + 1 then set_len(heading, after - at) end
-            if name or piece_count > 2 then append_text(heading, concat(pieces, "", 1, piece_count)) end
+            if item and selected.cmd_name then add_cmd(heading, selected, text, at + 1, after) end
+            operation, start, lengths = selected, at, selected.has_lengths and {} or NO_LENGTHS
+            -- A line has the arguments of the first operation only.
+            local is_said = item ~= nil or not first
+            said, said_count = is_said and "", 0
+            local offset
+            after, offset, reason, kind = read_arguments(selected, text, after, show_argument, not is_said)
             if not first then
-                first, said = operation, concat(pieces, "", 3, piece_count)
-                layout_notes.note_first(operation)
+                first, phrase = selected, said
             end
-            if shown.lengths ~= NO_LENGTHS then
-                note_lengths(at, shown.lengths)
-                shown.lengths = NO_LENGTHS
+            if item then
+                if selected.cmd_name then said = " " .. selected.cmd_name .. said end
+                if after > at + 1 then set_len(heading, after - at) end
+                if said ~= "" then append_text(heading, said) end
             end
             count, at = count + 1, after
             if reason then fault = { at = offset, reason = reason, kind = kind } end
         end
-        local line = first and first.title .. said .. further[count] or ""
-        return line, at, fault
+        if not first then return "", at, fault, outputs end
+        local line = first.title .. phrase
+        if count > 1 then line = format("%s (+%s)", line, plural(count - 1, "operation")) end
+        return line, at, fault, outputs
     end
 
-    -- Without a tree: what is wrong with any argument, and what a reply will hold.
-    local function check_argument(view, parameter, encoding, value, declared)
-        if encoding.scope then
-            check_variable(view, parameter, encoding, value, declared)
-        elseif parameter.tells_length and tells_length(parameter, encoding) then
-            view.lengths[parameter.name] = value
+    -- The values in a direct reply to a command, as far as they are there.
+    function read_outputs(command, reply)
+        local outputs = command.outputs or select(4, show_operations(command.text, COMMAND_HEADER_SIZE, {}))
+        local memory, found = sub(reply.text, HEADER_SIZE + 1), { nil, nil, nil, nil }
+        for index = 1, #outputs do
+            if read_output(outputs[index], outputs, memory) then found[#found + 1] = outputs[index] end
         end
-    end
-
-    local function say_variable(view, parameter, encoding, value, declared)
-        if encoding.scope then check_variable(view, parameter, encoding, value, declared) end
-        say_phrase(parameter, encoding, value)
-    end
-
-    local function say_argument(view, parameter, encoding, value, declared)
-        check_argument(view, parameter, encoding, value, declared)
-        say_phrase(parameter, encoding, value)
-    end
-
-    -- One serves all, as they come one after the other.
-    local view = { is_line = true, lengths = {} }
-
-    -- The same without a tree: all that one line says is the first operation with its arguments, and how many follow.
-    -- What a reply will hold is noted. Returns the line, empty where there is no operation; the fault; the complaints.
-    function say_operations(text, at, stop, globals, locals)
-        local first, count, lengths, fault = nil, 0, view.lengths, nil
-        view.globals, view.locals, view.complaints, view.is_beyond, piece_count = globals, locals, nil, false, 2
-        layout_notes.start()
-        while at < stop do
-            local operation, after, offset, reason, kind = select_operation(text, at, stop)
-            if not operation then
-                fault = { at = after, reason = offset, kind = reason }
-                break
-            end
-            view.offset, view.operation = at, operation
-            local is_further = first ~= nil
-            first = first or operation
-            if operation.is_simple then
-                after, offset, reason, kind = skim_arguments(operation, text, after, stop,
-                    is_further and check_variable or say_variable, view, is_further)
-            else
-                after, offset, reason, kind = read_arguments(operation, text, after, stop,
-                    is_further and check_argument or say_argument, view, is_further)
-                if next(lengths) then
-                    note_lengths(at, lengths)
-                    lengths = {}
-                    view.lengths = lengths
-                end
-            end
-            count = count + 1
-            if reason then
-                fault = { at = offset, reason = reason, kind = kind }
-                break
-            end
-            at = after
-        end
-        local line = ""
-        if first then
-            layout_notes.note_first(first)
-            pieces[1], pieces[2], pieces[piece_count + 1] = first.title, "", further[count]
-            line = concat(pieces, "", 1, piece_count + 1)
-        end
-        return line, fault, view.complaints
+        return found
     end
 end
 
 -- Messages ----------------------------------------------------------------------------------------------------------
 --
--- One frame, read as far as it goes. Each kind of message has one function, which reads it, returns the line that the
--- info column shows, and adds to the tree if there is one. `item` is the message's item in the tree, or nil; `part`
--- gives the bytes between two offsets in the frame, for Wireshark to highlight.
+-- One frame, read as far as it goes. Each kind of message has one function, which returns the line that the info column
+-- shows, and adds to the tree if somebody looks at it. Its `view` is the same for all: `root`, the tree; `item`, the
+-- message's item in that, or nil; `tvb` and `base`, the buffer and where in it the frame is; `place`, where the message
+-- is in the capture.
 
-local read_message, show_message
+local show_message
 do
     local add, add_le, set_generated = TreeItem.add, TreeItem.add_le, TreeItem.set_generated
     local set_len, set_text = TreeItem.set_len, TreeItem.set_text
     local new_range = Tvb.range
-    local LENGTH, COUNTER, TYPE = field.length, field.counter, field.type
 
     local report_field = {}
     for _, part in ipairs(DAISY.sensor_report) do
@@ -6936,143 +6343,105 @@ do
         fields[#fields + 1] = report_field[part.name]
     end
 
-    local function add_rest(item, tvb, base, at, stop)
-        if at < stop then item:add(field.rest, tvb(base + at, stop - at)) end
+    local function bytes_between(view, at, stop)
+        return new_range(view.tvb, view.base + at, stop - at)
     end
 
-    -- What is wrong with a message as a whole.
-    local function complain_of(message, kind, text)
-        message.complaints = message.complaints or {}
-        message.complaints[#message.complaints + 1] = kind
-        message.complaints[#message.complaints + 1] = text
+    local function add_rest(message, view, at)
+        if view.item and at < message.stop then view.item:add(field.rest, bytes_between(view, at, message.stop)) end
     end
 
-    -- `said` is said of its operations, nothing where there is none.
-    local function line_of(message, said, fault)
-        if said ~= "" then return said end
-        return fault and message.type.name or "no operations"
+    local function set_fault(message, at, reason, kind)
+        message.fault = { at = at, reason = reason, kind = kind }
     end
 
-    local function say_cut_command(message)
-        local reason = "a direct command starts with two bytes that ask for memory"
-        message.fault = { at = message.stop, reason = reason, kind = "cut_off" }
+    -- The line on a message that ends before what each of its type begins with.
+    local function cut_off(message, view, reason)
+        add_rest(message, view, HEADER_SIZE)
+        set_fault(message, message.stop, reason, "cut_off")
         return message.type.name
     end
 
-    -- How many bytes of global and of local memory a direct command asks for.
-    local function asked_memory(text)
-        local sizes = unsigned16(text, HEADER_SIZE)
+    local function show_direct_command(message, view)
+        if message.stop < COMMAND_HEADER_SIZE then
+            return cut_off(message, view, "a direct command starts with two bytes that ask for memory")
+        end
+        if view.item then
+            local range = bytes_between(view, HEADER_SIZE, COMMAND_HEADER_SIZE)
+            local asked = add_le(view.item, field.memory_sizes, range)
+            add_le(asked, field.globals, range)
+            add_le(asked, field.locals, range)
+        end
+        local sizes = unsigned16(message.text, HEADER_SIZE)
         local globals = sizes % (GLOBAL_MASK + 1)
-        return globals, (sizes - globals) / (GLOBAL_MASK + 1)
+        local locals = (sizes - globals) / (GLOBAL_MASK + 1)
+        local line, after, fault, outputs = show_operations(message.text, COMMAND_HEADER_SIZE, view, globals, locals)
+        message.fault, message.outputs = fault, outputs
+        if fault then add_rest(message, view, after) end
+        if line ~= "" then return line end
+        return fault and message.type.name or "no operations"
     end
 
-    local function say_direct_command(message)
-        local text, body = message.text, message.body
-        if message.stop < COMMAND_HEADER_SIZE then return say_cut_command(message) end
-        local line, fault, complaints =
-            say_operations(text, COMMAND_HEADER_SIZE, message.stop, asked_memory(text))
-        if message.type.wants_reply then layout_notes.keep(body) end
-        message.fault, message.complaints = fault, complaints
-        return line_of(message, line, fault)
-    end
-
-    -- A direct command is said and added at once: it is read but once.
-    local function show_direct_command(message, item, tvb, base)
-        local text, stop = message.text, message.stop
-        if stop < COMMAND_HEADER_SIZE then
-            add_rest(item, tvb, base, HEADER_SIZE, stop)
-            return say_cut_command(message)
-        end
-        local range = new_range(tvb, base + HEADER_SIZE, MEMORY_FIELD)
-        local asked = add_le(item, field.memory_sizes, range)
-        add_le(asked, field.globals, range)
-        add_le(asked, field.locals, range)
-        local globals, locals = asked_memory(text)
-        local line, after, fault =
-            show_operations(item, tvb, base, text, COMMAND_HEADER_SIZE, stop, globals, locals)
-        if message.type.wants_reply then layout_notes.keep(message.body) end
-        if fault then
-            message.fault = fault
-            add_rest(item, tvb, base, after, stop)
-        end
-        return line_of(message, line, fault)
-    end
-
-    local function say_direct_reply(message, place, is_shown)
-        local request = request_of(place)
-        message.outputs, message.count = nil, 0
-        if message.type.is_error then
-            complain_of(message, "error_reply", "the brick refused or failed the command; it tells no more")
-            local body = request and request.body
-            local operation = body and #body > MEMORY_FIELD and read_operation(body, MEMORY_FIELD, #body)
-            return operation and "error reply to " .. operation.title or "error reply"
-        end
-        if not request then
-            return "reply: " .. plural(message.stop - HEADER_SIZE, "byte") .. ", command not seen"
-        end
-        local layout = layout_notes.layout_for(request.body)
-        local outputs, count, head = read_reply(layout, message, is_shown)
-        message.outputs, message.count = outputs, count
-        if count > 0 then return values_text(head, outputs, count) end
-        return head .. " " .. (message.stop == HEADER_SIZE and "ok" or plural(message.stop - HEADER_SIZE, "byte"))
-    end
-
-    -- `range` is that of its bytes.
-    local function add_output(item, tvb, base, output, range)
-        local parameter = output.parameter
-        -- Most are numbers of which the field says all.
-        if parameter.is_plain and not (output.list or output.is_handle) then
-            add(item, output.field, range, output.value)
+    local function add_output(tree, view, output)
+        local parameter, at, name = output.parameter, HEADER_SIZE + output.index, output.parameter.name
+        local range = bytes_between(view, at, at + output.size)
+        local list = output.value
+        if type(list) ~= "table" then
+            local item = add_value(tree, parameter, range, list, parameter.numbered)
+            if output.is_handle then set_text(item, name .. ": handle " .. list) end
             return
         end
-        local name = parameter.name
-        if not output.list then
-            local declared, value, label, addition =
-                value_of_row(parameter, output.field, output.value, parameter.numbered)
-            if output.is_handle then label = name .. ": handle " .. output.value end
-            add(item, declared, range, value, label, addition)
-            return
-        end
-        local list = add(item, field.list, range):set_text(name .. ": " .. output_text(output))
-        local at, step = base + HEADER_SIZE + output.index, output.size / #output.list
-        for index, element in ipairs(output.list) do
-            local declared, value, label, addition =
-                value_of_row(parameter, output.field, element, format("%s[%d]", name, index - 1))
-            add(list, declared, tvb(at + (index - 1) * step, step), value, label, addition)
+        local item = add(tree, field.list, range):set_text(name .. ": " .. output_text(output))
+        local size = output.size / #list
+        for index, element in ipairs(list) do
+            local start = at + (index - 1) * size
+            local one = bytes_between(view, start, start + size)
+            add_value(item, parameter, one, element, format("%s[%d]", name, index - 1))
         end
     end
 
-    local function add_direct_reply(message, item, tvb, base)
-        local stop, outputs, count = message.stop, message.outputs, message.count
-        if stop == HEADER_SIZE then return end
-        local memory = new_range(tvb, base + HEADER_SIZE, stop - HEADER_SIZE)
-        add(item, field.memory, memory)
+    -- The outputs of each operation together.
+    local function add_outputs(view, outputs)
         local first = 1
-        while first <= count do
-            -- The values of one operation stand one after the other.
-            local offset, last = outputs[first].offset, first
-            while last < count and outputs[last + 1].offset == offset do
+        while first <= #outputs do
+            local at, last = outputs[first].at, first
+            local start, stop = outputs[first].index, 0
+            while outputs[last] and outputs[last].at == at do
+                start = math.min(start, outputs[last].index)
+                stop = math.max(stop, outputs[last].index + outputs[last].size)
                 last = last + 1
             end
-            local start, after = stop, HEADER_SIZE
-            for index = first, last do
-                local output = outputs[index]
-                local at, size = HEADER_SIZE + output.index, output.size
-                if at < start then start = at end
-                if at + size > after then after = at + size end
+            local range = bytes_between(view, HEADER_SIZE + start, HEADER_SIZE + stop)
+            local item = add(view.item, field.answers, range, outputs[first].operation.name)
+            for index = first, last - 1 do
+                add_output(item, view, outputs[index])
             end
-            local name, size = outputs[first].operation.name, after - start
-            -- A range costs as much as half an item. Often an operation has one value, and a reply one operation.
-            local range = size == stop - HEADER_SIZE and memory or new_range(tvb, base + start, size)
-            local added = add(item, field.answers, range, name)
-            for index = first, last do
-                local output = outputs[index]
-                local own = output.size == size and range
-                    or new_range(tvb, base + HEADER_SIZE + output.index, output.size)
-                add_output(added, tvb, base, output, own)
-            end
-            first = last + 1
+            first = last
         end
+    end
+
+    local function first_operation(message)
+        if message.stop <= COMMAND_HEADER_SIZE then return nil end
+        return (select_operation(message.text, COMMAND_HEADER_SIZE))
+    end
+
+    local function show_direct_reply(message, view)
+        local request, stop = view.request, message.stop
+        if view.item and stop > HEADER_SIZE then
+            add(view.item, field.memory, bytes_between(view, HEADER_SIZE, stop))
+        end
+        if message.type.is_error then
+            complain(view.item or view.root, "error_reply", "the brick refused or failed the command; it tells no more")
+            local operation = request and first_operation(request.message)
+            return operation and "error reply to " .. operation.title or "error reply"
+        end
+        local size = plural(stop - HEADER_SIZE, "byte")
+        if not request then return "reply: " .. size .. ", command not seen" end
+        local outputs, first = read_outputs(request.message, message), first_operation(request.message)
+        if view.item then add_outputs(view, outputs) end
+        local head = first and "reply to " .. first.title .. ":" or "reply:"
+        if outputs[1] then return values_text(head, outputs) end
+        return head .. " " .. (stop == HEADER_SIZE and "ok" or size)
     end
 
     -- The values that tell most about a system message: its texts, and how much there is.
@@ -7102,152 +6471,115 @@ do
         return fields_text(message)
     end
 
-    local function add_fields(message, item, tvb, base)
-        for _, found in ipairs(message.fields) do
-            local range, value, kind = tvb(base + found.at, found.stop - found.at), found.value, found.declared.kind
-            if kind == BYTES then
-                item:add(found.declared.field, range)
-            else
-                item:add(found.declared.field, range, type(value) == "string" and utf8_text(value) or value)
-            end
-        end
-        add_rest(item, tvb, base, message.rest, message.stop)
-    end
-
     local function status_text(status)
         return STATUS.names[status] or format("status %d", status)
     end
 
+    local function add_system_message(message, view)
+        local item, at, command, text = view.item, HEADER_SIZE, message.command, message.text
+        if byte(text, at + 1) then
+            local added = item:add(field.system_command, bytes_between(view, at, at + 1))
+            if command then added:append_text(": " .. command.text) end
+        end
+        if message.status then
+            item:add(field.status, bytes_between(view, at + 1, at + 2), message.status)
+        end
+        for _, found in ipairs(message.fields) do
+            local declared, range = found.declared, bytes_between(view, found.at, found.stop)
+            local value = found.value
+            if type(value) == "string" then value = utf8_text(value) end
+            if declared.kind == BYTES then
+                item:add(declared.field, range)
+            else
+                item:add(declared.field, range, value)
+            end
+        end
+        add_rest(message, view, message.rest)
+    end
+
     -- Commands and replies. Their fields were read with the frame, as the notes on files need them.
-    local function say_system_message(message, place)
+    local function show_system_message(message, view)
         local command, status = message.command, message.status
+        if view.item then add_system_message(message, view) end
         if status and (STATUS.fails[status] ~= false or message.type.is_error) then
-            complain_of(message, "failed", "the command failed: " .. status_text(status))
+            complain(view.item or view.root, "failed", "the command failed: " .. status_text(status))
         end
         if not command then
             local number = byte(message.text, HEADER_SIZE + 1)
             return number and format("system command 0x%02X", number) or message.type.name
         end
-        local line = command.name .. subject_text(message, place)
+        local line = command.name .. subject_text(message, view.place)
         if message.type.is_command then return line end
         return "reply: " .. (status ~= STATUS.success and line .. " " .. status_text(status) or line)
     end
 
-    local function add_system_message(message, item, tvb, base)
-        local at, command = HEADER_SIZE, message.command
-        local number = byte(message.text, at + 1)
-        if number then
-            local added = item:add(field.system_command, tvb(base + at, 1))
-            if command then added:append_text(": " .. command.text) end
-        end
-        if message.status then item:add(field.status, tvb(base + at + 1, 1), message.status) end
-        add_fields(message, item, tvb, base)
+    -- The two layers at an offset, and what follows them. Returns the item of that, if there is one.
+    local function add_layers(message, view, at)
+        local item, stop = view.item, message.stop
+        if not item then return nil end
+        item:add(field.layer_from, bytes_between(view, at, at + 1))
+        item:add(field.layer_to, bytes_between(view, at + 1, at + 2))
+        return at + 2 < stop and item:add(field.daisy_payload, bytes_between(view, at + 2, stop)) or nil
     end
 
-    local function say_daisy_command(message)
-        local text, stop, at = message.text, message.stop, HEADER_SIZE
-        message.has_operations = false
-        if stop < at + DAISY_PAYLOAD then
-            local reason = "a daisy command starts with a sub-command and two layers"
-            message.fault = { at = stop, reason = reason, kind = "cut_off" }
-            return message.type.name
+    local function show_daisy_command(message, view)
+        local text, at = message.text, HEADER_SIZE
+        if message.stop < at + DAISY_PAYLOAD then
+            return cut_off(message, view, "a daisy command starts with a sub-command and two layers")
         end
         local number, from, to = byte(text, at + 1, at + 3)
         local name = DAISY.names[number]
-        if not name then
-            message.fault = { at = at, reason = format("0x%02X is no daisy sub-command", number), kind = "fault" }
-        end
-        local payload = at + DAISY_PAYLOAD
+        if not name then set_fault(message, at, format("0x%02X is no daisy sub-command", number), "fault") end
+        if view.item then view.item:add(field.daisy_command, bytes_between(view, at, at + 1)) end
+        local payload = add_layers(message, view, at + 1)
         local line = format("daisy %s layer %d to %d", name or format("0x%02X", number), from, to)
+        at = at + DAISY_PAYLOAD
+        if at == message.stop or not DAISY.carries_operations[number] then return line end
         -- The payload's layout is not certain: operations are shown only where all of it reads as such.
-        if payload < stop and DAISY.carries_operations[number] then
-            local said, fault = say_operations(text, payload, stop)
-            message.has_operations = not fault
-            if not fault then line = line .. ": " .. said end
+        local said, _, fault = show_operations(text, at, {})
+        if fault then return line end
+        show_operations(text, at, { root = view.root, item = payload, tvb = view.tvb, base = view.base })
+        return line .. ": " .. said
+    end
+
+    local function show_daisy_reply(message, view)
+        local at, stop = HEADER_SIZE, message.stop
+        if stop < at + 2 then return cut_off(message, view, "a daisy reply starts with two layers") end
+        local payload = add_layers(message, view, at)
+        local line = format("daisy reply layer %d to %d", byte(message.text, at + 1, at + 2))
+        at = at + 2
+        if not payload or stop - at < DAISY.sensor_report_size then return line end
+        for _, declared in ipairs(DAISY.sensor_report) do
+            -- The last part takes what is left.
+            local after = declared.size and at + declared.size or stop
+            if after > at then payload:add(report_field[declared.name], bytes_between(view, at, after)) end
+            at = after
         end
         return line
     end
 
-    local function add_daisy_command(message, item, tvb, base)
-        local stop, at = message.stop, HEADER_SIZE
-        local payload = at + DAISY_PAYLOAD
-        if stop < payload then return add_rest(item, tvb, base, at, stop) end
-        item:add(field.daisy_command, tvb(base + at, 1))
-        item:add(field.layer_from, tvb(base + at + 1, 1))
-        item:add(field.layer_to, tvb(base + at + 2, 1))
-        if payload < stop then
-            local added = item:add(field.daisy_payload, tvb(base + payload, stop - payload))
-            if message.has_operations then show_operations(added, tvb, base, message.text, payload, stop) end
-        end
-    end
-
-    local function say_daisy_reply(message)
-        local at = HEADER_SIZE
-        if message.stop < at + 2 then
-            message.fault = { at = message.stop, reason = "a daisy reply starts with two layers", kind = "cut_off" }
-            return message.type.name
-        end
-        return format("daisy reply layer %d to %d", byte(message.text, at + 1, at + 2))
-    end
-
-    local function add_daisy_reply(message, item, tvb, base)
-        local stop, at = message.stop, HEADER_SIZE
-        local payload = at + 2
-        if stop < payload then return add_rest(item, tvb, base, at, stop) end
-        item:add(field.layer_from, tvb(base + at, 1))
-        item:add(field.layer_to, tvb(base + at + 1, 1))
-        if payload == stop then return end
-        local added = item:add(field.daisy_payload, tvb(base + payload, stop - payload))
-        at = payload
-        for _, declared in ipairs(stop - payload >= DAISY.sensor_report_size and DAISY.sensor_report or {}) do
-            -- The last part takes what is left.
-            local after = declared.size and at + declared.size or stop
-            if after > at then added:add(report_field[declared.name], tvb(base + at, after - at)) end
-            at = after
-        end
-    end
-
-    local function say_unknown_message(message)
+    local function show_unknown_message(message, view)
         local code = byte(message.text, HEADER_SIZE)
-        message.fault = { at = HEADER_SIZE - 1, reason = format("0x%02X is no message type", code), kind = "fault" }
+        add_rest(message, view, HEADER_SIZE)
+        set_fault(message, HEADER_SIZE - 1, format("0x%02X is no message type", code), "fault")
         return format("message of unknown type 0x%02X", code)
     end
 
-    local function add_unknown_message(message, item, tvb, base)
-        add_rest(item, tvb, base, HEADER_SIZE, message.stop)
-    end
-
-    -- What each kind of message says in one line, and what it adds to its item in the tree.
-    local UNKNOWN = { say = say_unknown_message, add = add_unknown_message }
-    local SYSTEM_MESSAGE = { say = say_system_message, add = add_system_message }
-    local KINDS = {
-        direct = {
-            [true] = { say = say_direct_command, show = show_direct_command },
-            [false] = { say = say_direct_reply, add = add_direct_reply },
-        },
-        system = { [true] = SYSTEM_MESSAGE, [false] = SYSTEM_MESSAGE },
-        daisy = {
-            [true] = { say = say_daisy_command, add = add_daisy_command },
-            [false] = { say = say_daisy_reply, add = add_daisy_reply },
-        },
-    }
-    local kind_of = {}
-    for _, declared in pairs(MESSAGE_TYPES) do
-        kind_of[declared] = KINDS[declared.carries][declared.is_command == true]
-    end
+    local SHOW_COMMAND =
+        { direct = show_direct_command, system = show_system_message, daisy = show_daisy_command }
+    local SHOW_REPLY = { direct = show_direct_reply, system = show_system_message, daisy = show_daisy_reply }
 
     -- A frame that was cut explains what is missing in it.
     local function check_size(message)
         local stop, fault = message.stop, message.fault
         if stop < message.size and not (fault and fault.kind ~= "cut_off") then
             local reason = "the frame is cut off: its length field says %d bytes follow, %d do"
-            reason = format(reason, message.size - LENGTH_FIELD, stop - LENGTH_FIELD)
-            message.fault = { at = 0, reason = reason, kind = "cut_off" }
+            set_fault(message, 0, format(reason, message.size - LENGTH_FIELD, stop - LENGTH_FIELD), "cut_off")
         end
     end
 
-    local function add_links(item, target, message, place, is_new)
-        local type = message.type
+    local function add_links(message, view, target, is_new)
+        local type, item, place = message.type, view.item, view.place
         if not type or message.is_overwritten then return end
         if type.wants_reply then
             -- The first time that a command is seen, its reply is still to come.
@@ -7258,7 +6590,7 @@ do
                 set_generated(add(item, field.response_in, reply))
             end
         elseif not type.is_command then
-            local request = request_of(place)
+            local request = view.request
             if not request then
                 complain(target, "orphan", "the command that this reply answers was not seen")
             elseif item then
@@ -7301,73 +6633,49 @@ do
         message.fields, message.rest, message.fault = read_fields(text, start, stop, declared, is_complete)
     end
 
-    -- One table serves all messages that are no system messages, one after the other.
-    local plain = {}
-
     -- The message in a frame. `text` is all there is of it, which may be less than its length field says.
     function read_message(text)
         local low, high, first, second, code = byte(text, 1, HEADER_SIZE)
-        local type = MESSAGE_TYPES[code]
-        local message = plain
-        if type and type.carries == "system" then
-            message = {}
-        else
-            message.fault, message.complaints, message.is_overwritten = nil, nil, nil
-        end
-        message.text, message.stop, message.size = text, #text, LENGTH_FIELD + low + high * 0x100
-        message.counter, message.type = first + second * 0x100, type
-        if message ~= plain then
-            read_system_fields(message)
-        elseif type and type.is_command then
-            message.body = sub(text, HEADER_SIZE + 1)
-        else
-            message.body = nil
-        end
+        local message = {
+            text = text, stop = #text, size = LENGTH_FIELD + low + high * 0x100,
+            counter = first + second * 0x100, type = MESSAGE_TYPES[code],
+        }
+        if message.type and message.type.carries == "system" then read_system_fields(message) end
         return message
     end
 
-    -- The item of a message, with its header. Its text may come later.
-    local function add_frame(tree, tvb, base, message, line)
+    -- The item of a message, with its header. Its text comes later.
+    local function add_frame(tree, tvb, base, message)
         local range = new_range(tvb, base, message.stop)
-        local item = add_item(tree, range, line)
+        local item = add_item(tree, range)
         -- A range costs more than an item: the length has none of its own.
-        set_len(add(item, LENGTH, range, message.size - LENGTH_FIELD), LENGTH_FIELD)
-        add_le(item, COUNTER, new_range(tvb, base + LENGTH_FIELD, 2))
-        add(item, TYPE, new_range(tvb, base + HEADER_SIZE - 1, 1))
+        set_len(add(item, field.length, range, message.size - LENGTH_FIELD), LENGTH_FIELD)
+        add_le(item, field.counter, new_range(tvb, base + LENGTH_FIELD, 2))
+        add(item, field.type, new_range(tvb, base + HEADER_SIZE - 1, 1))
         return item
     end
 
     -- The line on a message at a place. If somebody looks at the tree, its item there, too, with the frame at an offset
     -- in the buffer; `said` is said of the message instead of what it says; `is_new`: it is seen for the first time.
     function show_message(message, place, tvb, base, tree, is_shown, said, is_new)
-        local kind = kind_of[message.type] or UNKNOWN
-        local line, item
-        if is_shown and kind.show then
-            item = add_frame(tree, tvb, base, message)
-            line = kind.show(message, item, tvb, base)
-        else
-            line = kind.say(message, place, is_shown)
+        local type, item = message.type, is_shown and add_frame(tree, tvb, base, message) or nil
+        local view = { root = tree, item = item, tvb = tvb, base = base, place = place, request = nil }
+        local show = show_unknown_message
+        if type and type.is_command then
+            show = SHOW_COMMAND[type.carries]
+        elseif type then
+            show, view.request = SHOW_REPLY[type.carries], message.request or request_of(place)
         end
-        if message.stop < message.size then check_size(message) end
-        local fault, complaints = message.fault, message.complaints
+        local line = show(message, view)
+        check_size(message)
+        local fault, target = message.fault, item or tree
         if said then
             line = said
         elseif fault then
             line = format("%s [fault at offset %d: %s]", line, fault.at, fault.reason)
         end
-        if item then
-            set_text(item, "EV3: " .. line)
-        elseif is_shown then
-            item = add_frame(tree, tvb, base, message, line)
-            kind.add(message, item, tvb, base)
-        end
-        local target = item or tree
-        if complaints then
-            for index = 1, #complaints, 2 do
-                complain(target, complaints[index], complaints[index + 1])
-            end
-        end
-        add_links(item, target, message, place, is_new)
+        if item then set_text(item, "EV3: " .. line) end
+        add_links(message, view, target, is_new)
         if fault then complain(target, fault.kind, format("at offset %d: %s", fault.at, fault.reason)) end
         return line, item
     end
@@ -7501,7 +6809,7 @@ do
     local function can_be_read_now(text, stop, is_part)
         local at = COMMAND_HEADER_SIZE
         while at < stop do
-            local operation, after, _, reason, kind = read_operation(text, at, stop)
+            local operation, after, _, reason, kind = read_operation(text, at)
             -- Of a list that goes on in the next packet the dissector says that it is too long.
             if reason then
                 local is_list = kind == "fault" and operation ~= nil and operation.list ~= nil
@@ -7539,7 +6847,7 @@ do
         if stop <= at then return false end
         while at < stop do
             if CLAIMS.never_sent[byte(text, at + 1)] then return false end
-            local _, after, _, reason = read_operation(text, at, stop)
+            local _, after, _, reason = read_operation(text, at)
             -- Operations of another firmware.
             if reason then return true end
             at = after
@@ -7573,19 +6881,21 @@ do
     end
 
     -- Something that no value is written to, or a number and a text in each other's place.
-    local function look_for_misplaced(view, parameter, encoding)
+    local is_misplaced
+    local function look_for_misplaced(parameter, encoding)
         if encoding.scope then return end
         local is_text = encoding.kind == CONSTANT_TEXT
-        if parameter.is_output or is_text ~= (parameter.kind == TEXT_VALUE) then view.is_misplaced = true end
+        if parameter.is_output or is_text ~= (parameter.kind == TEXT_VALUE) then is_misplaced = true end
     end
 
     local function count_telling_now(text, stop)
-        local at, view, count = COMMAND_HEADER_SIZE, {}, 0
+        local at, count = COMMAND_HEADER_SIZE, 0
+        is_misplaced = false
         while at < stop do
             local code = byte(text, at + 1)
             if CLAIMS.never_sent[code] then return nil end
-            local _, after, _, reason = read_operation(text, at, stop, look_for_misplaced, view)
-            if reason or view.is_misplaced then return nil end
+            local _, after, _, reason = read_operation(text, at, look_for_misplaced)
+            if reason or is_misplaced then return nil end
             if code >= CLAIMS.first_telling and not CLAIMS.not_telling[code] then count = count + 1 end
             at = after
         end
@@ -7670,7 +6980,7 @@ do
         if #text == HEADER_SIZE or not makes_sense(message) or may_be_of_nxt(text) then return false end
         local type = message.type
         return type.carries ~= "direct" or not type.is_command
-            or by_any(select_operation, text, COMMAND_HEADER_SIZE, #text) ~= nil
+            or by_any(select_operation, text, COMMAND_HEADER_SIZE) ~= nil
     end
 
     -- What the beginning of a packet tells of which the capture has no more: PERHAPS where it is that of a frame which
@@ -8364,7 +7674,7 @@ do
         end
         if not message then return false end
         dissect_report(tvb, message, device, pinfo, tree)
-        memory.free_unused()
+        free_unused()
         return true
     end
 
@@ -9311,7 +8621,7 @@ do
     function ev3.dissector(tvb, pinfo, tree)
         local dissect = carrier_dissectors[pinfo.port_type]
         local taken = dissect and dissect(tvb, pinfo, tree) or 0
-        memory.free_unused()
+        free_unused()
         return taken
     end
 

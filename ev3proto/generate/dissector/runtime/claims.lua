@@ -29,7 +29,7 @@ do
     local function can_be_read_now(text, stop, is_part)
         local at = COMMAND_HEADER_SIZE
         while at < stop do
-            local operation, after, _, reason, kind = read_operation(text, at, stop)
+            local operation, after, _, reason, kind = read_operation(text, at)
             -- Of a list that goes on in the next packet the dissector says that it is too long.
             if reason then
                 local is_list = kind == "fault" and operation ~= nil and operation.list ~= nil
@@ -67,7 +67,7 @@ do
         if stop <= at then return false end
         while at < stop do
             if CLAIMS.never_sent[byte(text, at + 1)] then return false end
-            local _, after, _, reason = read_operation(text, at, stop)
+            local _, after, _, reason = read_operation(text, at)
             -- Operations of another firmware.
             if reason then return true end
             at = after
@@ -101,19 +101,21 @@ do
     end
 
     -- Something that no value is written to, or a number and a text in each other's place.
-    local function look_for_misplaced(view, parameter, encoding)
+    local is_misplaced
+    local function look_for_misplaced(parameter, encoding)
         if encoding.scope then return end
         local is_text = encoding.kind == CONSTANT_TEXT
-        if parameter.is_output or is_text ~= (parameter.kind == TEXT_VALUE) then view.is_misplaced = true end
+        if parameter.is_output or is_text ~= (parameter.kind == TEXT_VALUE) then is_misplaced = true end
     end
 
     local function count_telling_now(text, stop)
-        local at, view, count = COMMAND_HEADER_SIZE, {}, 0
+        local at, count = COMMAND_HEADER_SIZE, 0
+        is_misplaced = false
         while at < stop do
             local code = byte(text, at + 1)
             if CLAIMS.never_sent[code] then return nil end
-            local _, after, _, reason = read_operation(text, at, stop, look_for_misplaced, view)
-            if reason or view.is_misplaced then return nil end
+            local _, after, _, reason = read_operation(text, at, look_for_misplaced)
+            if reason or is_misplaced then return nil end
             if code >= CLAIMS.first_telling and not CLAIMS.not_telling[code] then count = count + 1 end
             at = after
         end
@@ -198,7 +200,7 @@ do
         if #text == HEADER_SIZE or not makes_sense(message) or may_be_of_nxt(text) then return false end
         local type = message.type
         return type.carries ~= "direct" or not type.is_command
-            or by_any(select_operation, text, COMMAND_HEADER_SIZE, #text) ~= nil
+            or by_any(select_operation, text, COMMAND_HEADER_SIZE) ~= nil
     end
 
     -- What the beginning of a packet tells of which the capture has no more: PERHAPS where it is that of a frame which

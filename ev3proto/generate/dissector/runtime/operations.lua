@@ -3,267 +3,174 @@
 -- What a direct command says, or the payload of a daisy command: the line on it, what is wrong with it, and its items
 -- in the tree.
 
-local value_of_row, say_operations, show_operations
+local add_value, show_operations, read_outputs
 do
-    local note_output, note_lengths = layout_notes.note_output, layout_notes.note_lengths
     local add, set_len, append_text = TreeItem.add, TreeItem.set_len, TreeItem.append_text
     local new_range = Tvb.range
+    local NO_LENGTHS, NO_OUTPUTS = {}, {}
     local VARIABLE, OPCODE, CMD, ENCODING = field.variable, field.opcode, field.cmd, field.encoding
 
-    -- The field of a parameter, the value for it, and what is shown where that is not what the field shows by itself:
-    -- instead of it, or after it. A value that has not the type of its parameter is text. Of an element of a list its
-    -- name is given, with its number.
-    function value_of_row(parameter, declared, value, numbered)
-        local kind, is_text = parameter.kind, type(value) == "string"
-        if is_text ~= (kind == TEXT_VALUE) or (kind == NUMBER and value % 1 ~= 0) then
+    -- Adds a value by the field of its parameter. A value that has not the type of its parameter is added as text. An
+    -- element of a list has a name with its number.
+    function add_value(tree, parameter, range, value, numbered)
+        local declared, kind, is_text = parameter.field, parameter.kind, type(value) == "string"
+        if is_text ~= (kind == TEXT_VALUE) or kind == NUMBER and value % 1 ~= 0 then
             local text = is_text and utf8_text(value) or number_text(value)
-            return field.other, text, (numbered or parameter.name) .. ": " .. text, false
+            return add(tree, field.other, range, text, (numbered or parameter.name) .. ": " .. text)
+        elseif is_text then
+            local label = numbered and numbered .. ": " .. shortened(value)
+            return add(tree, declared, range, utf8_text(value), label)
         end
-        local label, addition = false, false
+        local unit, meaning, label = kind == FLOAT and parameter.unit, nil, nil
+        if parameter.special or parameter.flags then meaning = meaning_of(parameter, value) end
         if numbered then
-            local symbol = parameter.enum and not parameter.is_flags and parameter.enum.names[value]
-            local text = is_text and shortened(value) or number_text(value)
-            label = numbered .. ": " .. (symbol and format("%s (%s)", symbol, text) or text)
-        elseif kind == FLOAT and parameter.unit then
-            addition = parameter.unit
+            local name, text = parameter.names and parameter.names[value], number_text(value)
+            label = numbered .. ": " .. (name and format("%s (%s)", name, text) or text)
+        elseif not (unit or meaning) then
+            return add(tree, declared, range, value)
         end
-        if parameter.special or parameter.is_flags then
-            local meaning = meaning_of(parameter, value)
-            if meaning then addition = addition and addition .. " " .. meaning or meaning end
-        end
-        return declared, is_text and utf8_text(value) or value, label, addition
+        return add(tree, declared, range, value, label, unit, meaning)
     end
 
-    -- With what is wrong already, one more: its kind and its text. A list is written at once, as one that grows is laid
-    -- out anew, and most have no more.
-    local function with_complaint(complaints, kind, text)
-        if not complaints then return { kind, text } end
-        local count = #complaints
-        complaints[count + 1], complaints[count + 2] = kind, text
-        return complaints
-    end
+    -- The operations that are read now: the `root` of the tree, where it is told what is wrong with them; the `heading`
+    -- of the operation and its `buffer`, if somebody looks at the tree, and where in that the frame has its `base`; how
+    -- much memory the command asks for; the operation, its offset, and the lengths that its arguments state; what is
+    -- `said` of it, and of how many arguments; whether a variable `is_beyond` the memory; the `outputs`. There are very
+    -- many arguments, and each reads these faster here than in a table.
+    local root, heading, buffer, base, globals, locals, operation, start, lengths, said, said_count, is_beyond, outputs
 
-    -- How much memory a command asks for, as a complaint ends.
-    local function asked_texts(scope)
-        return made_late(function(asked)
-            return format(" of the %s memory, of which the command asks for %s", scope, plural(asked, "byte"))
-        end)
-    end
-
-    local BEYOND_GLOBAL, BEYOND_LOCAL = asked_texts("global"), asked_texts("local")
-
-    -- What the brick refuses, or what lies beyond the memory that the command asks for: kinds and texts in turn, after
-    -- those that are in `complaints`, where there are any.
-    local function variable_complaints(complaints, view, parameter, encoding, index)
-        local is_handle = encoding.handle
-        local alignment = is_handle and SIZE_OF[HANDLE] or parameter.alignment or parameter.size
+    -- Tells what the brick refuses of a variable, or what is beyond the memory that the command asks for. Without a
+    -- tree one variable beyond that memory stands for all.
+    local function check_variable(item, parameter, encoding, index)
+        local is_handle, size = encoding.handle, parameter.size
+        local alignment = is_handle and SIZE_OF[HANDLE] or parameter.alignment
         if index % alignment ~= 0 then
             local reason = "%s: the index of a %s must be a multiple of %d, the brick refuses %s"
             local sort = is_handle and "handle" or TYPE_NAMES[parameter.type]
-            local text = encoding.texts[index]
-            complaints =
-                with_complaint(complaints, "misaligned", format(reason, parameter.name, sort, alignment, text))
+            local variable = argument_text(parameter, encoding, index)
+            complain(item or root, "misaligned", format(reason, parameter.name, sort, alignment, variable))
         end
         local is_global = encoding.kind == GLOBAL
-        local asked = is_global and view.globals or view.locals
-        -- Without a tree one such variable stands for all: there is nothing to point at.
-        if not asked or view.is_beyond then return complaints end
-        local size = is_handle and SIZE_OF[HANDLE] or encoding.address and SIZE_OF[DATA32] or parameter.size
-        if parameter.is_long and not is_handle then
-            size = size * stated_length(parameter, view.lengths, 1)
-        end
-        if index + size > asked then
-            view.is_beyond = view.is_line
-            complaints = with_complaint(complaints, "beyond_memory", parameter.name .. " reaches up to byte "
-                .. number_text(index + size) .. (is_global and BEYOND_GLOBAL or BEYOND_LOCAL)[asked])
-        end
-        return complaints
-    end
-
-    -- Nearly all variables are as they should be.
-    local function check_variable(view, parameter, encoding, index, declared)
-        local is_global = encoding.kind == GLOBAL
-        local asked = is_global and view.globals or view.locals
-        local size = parameter.size
-        if parameter.is_long or asked and index + size > asked or index % (parameter.alignment or size) ~= 0
-            or encoding.is_special then
-            view.complaints = variable_complaints(view.complaints, view, parameter, encoding, index)
-        end
-        if is_global and parameter.is_output then note_output(view, parameter, encoding, index, declared) end
-    end
-
-    -- What is said of an operation, piece by piece: SOUND TONE volume=1 frequency=440. Two pieces are what it is, the
-    -- others the names and values of its arguments. Joined at once, they leave no texts behind that are half of it.
-    local pieces, piece_count = {}, 2
-    local MOST_PIECES = 2 + 2 * MOST_VALUES
-
-    local function say_phrase(parameter, encoding, value)
-        local key, count = parameter.key, piece_count
-        if not key or count > MOST_PIECES then return end
-        if count < MOST_PIECES then
-            pieces[count + 1] = key
-            -- Most are short numbers and variables, whose text is made already.
-            pieces[count + 2] = not parameter.enum and encoding.is_short and encoding.texts[value]
-                or argument_text(parameter, encoding, value)
-            piece_count = count + 2
+        local asked = is_global and globals or locals
+        if not asked or is_beyond and not item then return end
+        if is_handle then
+            size = SIZE_OF[HANDLE]
         else
-            pieces[count + 1] = " ..."
-            piece_count = count + 1
-        end
-    end
-
-    local function complain_all(item, complaints)
-        for index = 1, #complaints, 2 do
-            complain(item, complaints[index], complaints[index + 1])
-        end
-    end
-
-    -- What the items of an operation are added to. There are very many arguments, and each reads these faster here than
-    -- in a table.
-    local NO_LENGTHS = {}
-    local shown = {}
-    local heading, buffer, base
-
-    local function show_argument(view, parameter, encoding, value, declared, at, stop)
-        local range, size, added = new_range(buffer, base + at, 1), stop - at, nil
-        if encoding.scope then
-            local own = encoding.texts[value]
-            added = add(heading, VARIABLE, range, own, parameter.label_head .. " " .. own)
-            check_variable(view, parameter, encoding, value, declared)
-            if view.complaints then
-                complain_all(added, view.complaints)
-                view.complaints = nil
+            if encoding.address then size = SIZE_OF[DATA32] end
+            if parameter.length and parameter.is_output then
+                size = size * stated_length(parameter, lengths, 1)
             end
-        elseif encoding.is_number and parameter.is_plain then
-            added = add(heading, declared, range, value)
-        else
-            local own_field, own, label, addition = value_of_row(parameter, declared, value, parameter.numbered)
-            if label and addition then label, addition = label .. " " .. addition, false end
-            added = add(heading, own_field, range, own, label, addition)
         end
-        if size > 1 then set_len(added, size) end
-        add(added, ENCODING, range, encoding.label)
-        if parameter.key then say_phrase(parameter, encoding, value) end
-        if parameter.tells_length and tells_length(parameter, encoding) then
-            if view.lengths == NO_LENGTHS then view.lengths = {} end
-            view.lengths[parameter.name] = value
+        if index + size <= asked then return end
+        is_beyond = true
+        complain(item or root, "beyond_memory", format(
+            "%s reaches up to byte %d of the %s memory, of which the command asks for %s",
+            parameter.name, index + size, is_global and "global" or "local", plural(asked, "byte")))
+    end
+
+    -- Adds an argument to the line on its operation: joining few short texts takes less than a table of them.
+    local function say_argument(parameter, encoding, value)
+        said_count = said_count + 1
+        if said_count <= MOST_VALUES then
+            said = said .. parameter.key .. argument_text(parameter, encoding, value)
+        elseif said_count == MOST_VALUES + 1 then
+            said = said .. " ..."
         end
     end
 
-    -- How many operations follow the first one. Each text is written but once.
-    local further = made_late(function(count)
-        return count == 1 and "" or " (+" .. plural(count - 1, "operation") .. ")"
-    end)
+    -- Adds an output to those of the command: its parameter, the `index` of its variable, its operation and where that
+    -- is, and the lengths that the operation's arguments state. Most commands have few: there is room for four at once.
+    local function note_output(parameter, encoding, index)
+        if outputs == NO_OUTPUTS then outputs = { nil, nil, nil, nil } end
+        outputs[#outputs + 1] = {
+            parameter = parameter, index = index, is_handle = encoding.handle, operation = operation, at = start,
+            lengths = lengths, value = false, size = 0,
+        }
+    end
 
-    -- Adds the operations between two offsets of a frame as they are read; the frame starts at an offset in the buffer.
-    -- What a reply will hold is noted. Returns the line, empty where there is no operation; the offset after what could
-    -- be read; the fault, where there is one.
-    function show_operations(item, tvb, start, text, at, stop, globals, locals)
-        local first, said, count, fault = nil, "", 0, nil
-        buffer, base, shown.globals, shown.locals, shown.lengths = tvb, start, globals, locals, NO_LENGTHS
-        layout_notes.start()
-        while at < stop and not fault do
-            -- The opcode is the heading of its operation: it stands for all the bytes of it.
-            heading = add(item, OPCODE, new_range(tvb, start + at, 1))
-            local operation, after, reason, kind = select_operation(text, at, stop)
-            if not operation then
+    local function show_argument(parameter, encoding, value, at, after)
+        local item, range
+        if heading then
+            -- A range costs more than an item: one of a byte serves the argument and its encoding.
+            range = new_range(buffer, base + at, 1)
+            if encoding.scope then
+                local variable = argument_text(parameter, encoding, value)
+                item = add(heading, VARIABLE, range, variable, parameter.label .. ": " .. variable)
+            else
+                item = add_value(heading, parameter, range, value, parameter.numbered)
+            end
+            if after > at + 1 then set_len(item, after - at) end
+        end
+        if encoding.scope then
+            if root then check_variable(item, parameter, encoding, value) end
+            -- At an address there is no value but where the value is.
+            if encoding.kind == GLOBAL and parameter.is_output and not encoding.address then
+                note_output(parameter, encoding, value)
+            end
+        elseif parameter.tells_length and tells_length(parameter, encoding) then
+            lengths[parameter.name] = value
+        end
+        if item then add(item, ENCODING, range, encoding.label) end
+        if said and parameter.key then say_argument(parameter, encoding, value) end
+    end
+
+    -- The name of a CMD; where it takes more than a byte, how it is encoded.
+    local function add_cmd(heading, selected, text, at, after)
+        local range = new_range(buffer, base + at, 1)
+        local item = add(heading, CMD, range, selected.name)
+        if after > at + 1 then
+            set_len(item, after - at)
+            add(item, ENCODING, range, ENCODINGS[byte(text, at + 1)].label)
+        end
+    end
+
+    -- Reads the operations from an offset to the end of a frame. `view` has the `root` of the tree, where it is told
+    -- what is wrong with variables, and, if somebody looks at the tree, the `item` to which all are added, with the
+    -- buffer `tvb` and the frame's `base` in it; the last two say what the command asks for, where that is known.
+    -- Returns the line on the operations, empty where there is none; the offset after what could be read; the fault,
+    -- where there is one; and the outputs, of which a reply has the values.
+    function show_operations(text, at, view, asked_globals, asked_locals)
+        local item, first, phrase, count, fault = view.item, nil, "", 0, nil
+        root, heading, buffer, base = view.root, nil, view.tvb, view.base
+        globals, locals, is_beyond, outputs = asked_globals, asked_locals, false, NO_OUTPUTS
+        while at < #text and not fault do
+            if item then heading = add(item, OPCODE, new_range(buffer, base + at, 1)) end
+            local selected, after, reason, kind = select_operation(text, at)
+            if not selected then
                 fault = { at = after, reason = reason, kind = kind }
                 break
             end
-            local name = operation.cmd_name
-            if name then
-                local size = after - at - 1
-                local encoding = size > 1 and ENCODINGS[byte(text, at + 2)].label
-                local range, own = new_range(tvb, start + at + 1, 1), operation.name
-                local added = add(heading, CMD, range, own)
-                if size > 1 then
-                    set_len(added, size)
-                    add(added, ENCODING, range, encoding)
-                end
-            end
-            pieces[1], pieces[2], piece_count = name and " " or "", name or "", 2
-            shown.offset, shown.operation = at, operation
-            local read, offset = operation.is_simple and skim_arguments or read_arguments, nil
-            after, offset, reason, kind = read(operation, text, after, stop, show_argument, shown)
-            if after > at + 1 then set_len(heading, after - at) end
-            if name or piece_count > 2 then append_text(heading, concat(pieces, "", 1, piece_count)) end
+            if item and selected.cmd_name then add_cmd(heading, selected, text, at + 1, after) end
+            operation, start, lengths = selected, at, selected.has_lengths and {} or NO_LENGTHS
+            -- A line has the arguments of the first operation only.
+            local is_said = item ~= nil or not first
+            said, said_count = is_said and "", 0
+            local offset
+            after, offset, reason, kind = read_arguments(selected, text, after, show_argument, not is_said)
             if not first then
-                first, said = operation, concat(pieces, "", 3, piece_count)
-                layout_notes.note_first(operation)
+                first, phrase = selected, said
             end
-            if shown.lengths ~= NO_LENGTHS then
-                note_lengths(at, shown.lengths)
-                shown.lengths = NO_LENGTHS
+            if item then
+                if selected.cmd_name then said = " " .. selected.cmd_name .. said end
+                if after > at + 1 then set_len(heading, after - at) end
+                if said ~= "" then append_text(heading, said) end
             end
             count, at = count + 1, after
             if reason then fault = { at = offset, reason = reason, kind = kind } end
         end
-        local line = first and first.title .. said .. further[count] or ""
-        return line, at, fault
+        if not first then return "", at, fault, outputs end
+        local line = first.title .. phrase
+        if count > 1 then line = format("%s (+%s)", line, plural(count - 1, "operation")) end
+        return line, at, fault, outputs
     end
 
-    -- Without a tree: what is wrong with any argument, and what a reply will hold.
-    local function check_argument(view, parameter, encoding, value, declared)
-        if encoding.scope then
-            check_variable(view, parameter, encoding, value, declared)
-        elseif parameter.tells_length and tells_length(parameter, encoding) then
-            view.lengths[parameter.name] = value
+    -- The values in a direct reply to a command, as far as they are there.
+    function read_outputs(command, reply)
+        local outputs = command.outputs or select(4, show_operations(command.text, COMMAND_HEADER_SIZE, {}))
+        local memory, found = sub(reply.text, HEADER_SIZE + 1), { nil, nil, nil, nil }
+        for index = 1, #outputs do
+            if read_output(outputs[index], outputs, memory) then found[#found + 1] = outputs[index] end
         end
-    end
-
-    local function say_variable(view, parameter, encoding, value, declared)
-        if encoding.scope then check_variable(view, parameter, encoding, value, declared) end
-        say_phrase(parameter, encoding, value)
-    end
-
-    local function say_argument(view, parameter, encoding, value, declared)
-        check_argument(view, parameter, encoding, value, declared)
-        say_phrase(parameter, encoding, value)
-    end
-
-    -- One serves all, as they come one after the other.
-    local view = { is_line = true, lengths = {} }
-
-    -- The same without a tree: all that one line says is the first operation with its arguments, and how many follow.
-    -- What a reply will hold is noted. Returns the line, empty where there is no operation; the fault; the complaints.
-    function say_operations(text, at, stop, globals, locals)
-        local first, count, lengths, fault = nil, 0, view.lengths, nil
-        view.globals, view.locals, view.complaints, view.is_beyond, piece_count = globals, locals, nil, false, 2
-        layout_notes.start()
-        while at < stop do
-            local operation, after, offset, reason, kind = select_operation(text, at, stop)
-            if not operation then
-                fault = { at = after, reason = offset, kind = reason }
-                break
-            end
-            view.offset, view.operation = at, operation
-            local is_further = first ~= nil
-            first = first or operation
-            if operation.is_simple then
-                after, offset, reason, kind = skim_arguments(operation, text, after, stop,
-                    is_further and check_variable or say_variable, view, is_further)
-            else
-                after, offset, reason, kind = read_arguments(operation, text, after, stop,
-                    is_further and check_argument or say_argument, view, is_further)
-                if next(lengths) then
-                    note_lengths(at, lengths)
-                    lengths = {}
-                    view.lengths = lengths
-                end
-            end
-            count = count + 1
-            if reason then
-                fault = { at = offset, reason = reason, kind = kind }
-                break
-            end
-            at = after
-        end
-        local line = ""
-        if first then
-            layout_notes.note_first(first)
-            pieces[1], pieces[2], pieces[piece_count + 1] = first.title, "", further[count]
-            line = concat(pieces, "", 1, piece_count + 1)
-        end
-        return line, fault, view.complaints
+        return found
     end
 end

@@ -15,7 +15,7 @@ do
     function ev3.dissector(tvb, pinfo, tree)
         local dissect = carrier_dissectors[pinfo.port_type]
         local taken = dissect and dissect(tvb, pinfo, tree) or 0
-        memory.free_unused()
+        free_unused()
         return taken
     end
 

@@ -50,7 +50,7 @@ do
     -- Adds the operations from an offset on to `uses`, by name. Returns whether all of them can be read.
     local function add_uses(uses, body, at)
         while at < #body do
-            local operation, after, _, reason = read_operation(body, at, #body)
+            local operation, after, _, reason = read_operation(body, at)
             if operation then uses[operation.title] = (uses[operation.title] or 0) + 1 end
             if reason then return false end
             at = after
@@ -80,7 +80,7 @@ do
         count(row_of(bricks, 2, (talk.name or talk.key)), message)
         if not message.type.is_command then return end
         if message.type.wants_reply then wanted = wanted + 1 end
-        for name, times in pairs(uses_of(message, message.body)) do
+        for name, times in pairs(uses_of(message, body_of(message))) do
             local row = row_of(operations, 1, name)
             row.uses = row.uses + times
             count(row, message)
@@ -92,11 +92,12 @@ do
         if delay > row.most then row.most = delay end
     end
 
-    -- A reply to a command, what follows the header of that, and after how many seconds it came.
-    function statistics.count_answer(talk, message, body, delay)
+    -- A reply to a command.
+    function statistics.count_answer(talk, message, request)
+        local delay = request.delay
         answered = answered + 1
         add_answer(row_of(bricks, 2, (talk.name or talk.key)), delay)
-        for name in pairs(uses_of(message, body)) do
+        for name in pairs(uses_of(message, body_of(request.message))) do
             local row = row_of(operations, 1, name)
             row.bytes = row.bytes + message.stop
             add_answer(row, delay)

@@ -178,7 +178,7 @@ do
         end
         if not message then return false end
         dissect_report(tvb, message, device, pinfo, tree)
-        memory.free_unused()
+        free_unused()
         return true
     end
 

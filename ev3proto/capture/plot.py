@@ -32,7 +32,7 @@ def draw(found: Series, suffix: str, title: str) -> bytes:
     if suffix not in SUFFIXES:
         raise ValueError(f"a plot is written to a file that ends in .svg or .png, not in {suffix or 'nothing'}")
     require_library()
-    import vl_convert
+    import vl_convert  # an extra
 
     chart = specification(found, clean(title, MOST_TITLE))
     if suffix == ".svg":

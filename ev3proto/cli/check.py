@@ -134,7 +134,7 @@ class Checking(SourceReader):
 
     def capture(self, capture: CaptureSource) -> int:
         """The commands in a capture, each as what carried it takes it."""
-        from ev3proto.capture.record import Record
+        from ev3proto.capture.record import Record  # loaded already, with the capture
 
         before = self.frames
         for event in capture.events():
@@ -165,7 +165,7 @@ class Checking(SourceReader):
 
     def _image(self, source: Source, image: bytes, warnings: list[dict[str, Any]]) -> None:
         """A program image, and what its source was warned of."""
-        from ev3proto.program import check_program
+        from ev3proto.program import check_program  # takes 30 ms, which frames have no use for
         from ev3proto.program.report import program_findings
 
         if self._options.fixes:
@@ -181,6 +181,7 @@ class Checking(SourceReader):
 
     def _source(self, source: Source) -> None:
         """The source of a program: what is wrong with it, or else with the image that it becomes."""
+        # They take 30 ms, which frames have no use for.
         from ev3proto.cli.programs import complain_of, complain_of_warnings, read_source, source_findings
         from ev3proto.program import assemble
         from ev3proto.text.assembly.errors import AssemblyError
@@ -314,7 +315,7 @@ def _annotations(style: str, printer: Printer) -> Annotations | None:
     """What shows findings to a workflow; None where they are for people, or for other tools."""
     if style not in ("github", "sarif"):
         return None
-    from ev3proto.cli.annotations import Annotations
+    from ev3proto.cli.annotations import Annotations  # takes 30 ms: sources of programs have findings, too
 
     return Annotations(style, printer.text)
 
@@ -438,7 +439,7 @@ def _explain(name: str, *, as_json: bool, dialect: str) -> None:
                 [[(f"{code.code}  ", Role.OPERATION), (f"{code.severity!s:8} ", Role.ASIDE), (code.title, Role.PLAIN)]]
             )
         elif code.code in PROGRAM_CODES:
-            from ev3proto.cli.programs import program_explanation
+            from ev3proto.cli.programs import program_explanation  # takes 30 ms
 
             printer.lines(program_explanation(code, dialect))
         else:

@@ -43,8 +43,7 @@ class Decoding(SourceReader):
 
     def capture(self, capture: CaptureSource) -> int:
         """Its frames and texts, or its dialogues, or the programs that it moves."""
-        # A frame is shown 40 ms sooner without what reads captures.
-        from ev3proto.cli.recorded import moved_programs, show_capture
+        from ev3proto.cli.recorded import moved_programs, show_capture  # takes 30 ms, which frames have no use for
 
         before = self._show.count
         if self._as_programs:
@@ -65,7 +64,7 @@ class Decoding(SourceReader):
 
     def _shown(self, label: str, origin: str | None, image: bytes) -> None:
         """A program: what complaints call it, and where it comes from if that is to be shown."""
-        from ev3proto.cli.programs import read_program  # takes 45 ms, which frames have no use for
+        from ev3proto.cli.programs import read_program  # takes 60 ms, which frames have no use for
 
         program = read_program(label, image, self.reading.dialect)
         if program is None:

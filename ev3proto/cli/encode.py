@@ -33,7 +33,6 @@ from ev3proto.text.forms import as_c, as_hex, as_python
 from ev3proto.text.heading import Seen, heading
 from ev3proto.text.json_format.from_messages import record
 from ev3proto.text.json_format.to_messages import RecordError, frames_in, read_records
-from ev3proto.text.late_pattern import late_pattern
 from ev3proto.text.paste import Pasted, read_argument, read_text
 from ev3proto.text.spans import plain_text
 from ev3proto.text.split import Piece
@@ -43,7 +42,7 @@ _START = 8
 RBF, SUFFIX = "rbf", ".rbf"
 """The form of programs: their images."""
 
-_OBJECT = late_pattern(r"^[ \t]*(vmthread|subcall|block)[ \t]+[A-Za-z_]", re.MULTILINE)
+_OBJECT = re.compile(r"^[ \t]*(vmthread|subcall|block)[ \t]+[A-Za-z_]", re.MULTILINE)
 """The start of an object of a program. A direct command may be written as one vmthread."""
 
 _SUBROUTINE = "subcall"

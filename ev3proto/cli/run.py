@@ -230,7 +230,7 @@ def _screen(brick: Brick) -> Iterator[Callable[[], None]]:
 def _keyboard(now: Running) -> Iterator[None]:
     """While it lasts, keys of the terminal press the brick's buttons."""
     try:
-        import termios
+        import termios  # Windows has neither
         import tty
     except ImportError:
         yield

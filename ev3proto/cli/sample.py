@@ -83,7 +83,7 @@ def _frames(
     # Hypothesis keeps what it has worked out in a folder of its own, which nobody who asks for samples wants.
     os.environ.setdefault("HYPOTHESIS_STORAGE_DIRECTORY", os.devnull)
     try:
-        from ev3proto.sampling import samples
+        from ev3proto.sampling import samples  # hypothesis is an extra
         from ev3proto.testing import choice, frames, mutated_frames
     except ImportError:
         complain("samples are drawn with hypothesis, which is not installed or too old: " + install_command("sample"))

@@ -245,7 +245,7 @@ class SourceReader(ABC):
         )
 
     def _program(self, source: Source, file: CaptureFile) -> None:
-        from ev3proto.program.image import MAX_IMAGE  # takes 8 ms, which only programs need
+        from ev3proto.program.image import MAX_IMAGE  # takes 60 ms, which only programs need
 
         try:
             image = file.contents.read(MAX_IMAGE + 1)

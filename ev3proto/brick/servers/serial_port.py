@@ -38,7 +38,7 @@ class SerialPort:
             SerialError: There is something, or the link cannot be made.
         """
         try:
-            import pty
+            import pty  # Windows has neither
             import tty
         except ImportError:
             raise SerialError("this system has no pseudo-terminals: there is no --serial here") from None

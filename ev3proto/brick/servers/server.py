@@ -214,7 +214,7 @@ def _serial(host: Host, path: Path) -> SerialPort:
 async def _page(host: Host, address: str, port: int) -> AsyncIterator[tuple[str, asyncio.Event]]:
     """The page, for as long as the brick is on: the link to it, and what is set when somebody has opened it."""
     try:
-        from ev3proto.brick.servers.page.server import PageError, serving
+        from ev3proto.brick.servers.page.server import PageError, serving  # aiohttp is an extra
     except ImportError:
         raise ServerError(
             f"the page needs the package aiohttp, which is not installed: {install_command('page')}"

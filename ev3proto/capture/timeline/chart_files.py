@@ -82,7 +82,7 @@ def render(timeline: Timeline, form: Form, title: str) -> bytes:
         MissingLibraryError: The library that draws is not installed.
     """
     require_library()
-    import vl_convert
+    import vl_convert  # an extra
 
     title = clean(title, MOST_TITLE)
     picture = lay_out(timeline, title)
@@ -98,7 +98,7 @@ def render(timeline: Timeline, form: Form, title: str) -> bytes:
 @cache
 def _javascript() -> str:
     """The libraries that the page needs, made into one script, which takes seconds."""
-    import vl_convert
+    import vl_convert  # an extra
 
     return vl_convert.javascript_bundle(_SNIPPET, vl_version=VERSION)
 

@@ -30,7 +30,7 @@ class SerialWire:
 
     def send(self, frame: bytes) -> None:
         """Sends one whole frame. Raises ConnectionLostError."""
-        import serial
+        import serial  # an extra
 
         try:
             self._port.write(frame)
@@ -70,7 +70,7 @@ def open_serial(target: Target) -> SerialWire:
         LinkError: It cannot be opened, or pyserial is not installed.
     """
     try:
-        import serial
+        import serial  # an extra
     except ImportError:
         raise LinkError(
             f"a serial port needs the package pyserial, which is not installed: {install_command('serial')}"

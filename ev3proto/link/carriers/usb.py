@@ -74,7 +74,7 @@ def open_usb(target: Target) -> UsbWire:
         LinkError: There is none, or more than one to choose from, or this user may not, or hidapi is not installed.
     """
     try:
-        import hid
+        import hid  # an extra
     except ImportError as error:
         if "libusb" in str(error) or "libhidapi" in str(error) or "libudev" in str(error):
             raise LinkError(f"hidapi cannot be loaded: {error}") from None

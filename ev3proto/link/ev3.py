@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 import weakref
 from collections.abc import Callable, Iterable
 from pathlib import Path
@@ -18,7 +19,6 @@ from ev3proto.link.file_moves import File, Listing, Progress, Task, nothing_move
 from ev3proto.link.modes import SyncMode
 from ev3proto.link.printing import RECEIVED, SENT, frame_line, meaning_line
 from ev3proto.link.questions import Battery, Memory, Network, Question, Sensors, System
-from ev3proto.link.sharing import Shared
 from ev3proto.link.source_file import read_source
 from ev3proto.link.targets import Target, chosen_target
 from ev3proto.messages import DirectCommand, Message, Operation, SystemCommand, SystemReply
@@ -32,6 +32,34 @@ REPLY_TIMEOUT = 30.0
 
 VERBOSITIES = (0, 1, 2)
 """Nothing is printed; frames are; frames are, and what they say."""
+
+
+class Shared:
+    """A connection that several objects share: it ends with the last of them.
+
+    channel  the connection
+    moving   held while a file is moved
+    """
+
+    def __init__(self, channel: Channel) -> None:
+        """Takes a channel over."""
+        self.channel = channel
+        self.moving = threading.Lock()
+        self._users = 0
+        self._lock = threading.Lock()
+
+    def take(self) -> None:
+        """One more uses it."""
+        with self._lock:
+            self._users += 1
+
+    def release(self) -> None:
+        """One of them uses it no more; the last one closes it."""
+        with self._lock:
+            self._users -= 1
+            if self._users:
+                return
+        self.channel.close()
 
 
 class EV3:

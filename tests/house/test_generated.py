@@ -13,7 +13,7 @@ import pytest
 from support.cases import each
 
 from ev3proto import enums, ops, system
-from ev3proto.cli.reference_page import reference_page
+from ev3proto.cli.generate import reference_page
 from ev3proto.generate import everything
 from ev3proto.ops import compat, xtended
 from ev3proto.tables.enumerations import ENUMERATIONS

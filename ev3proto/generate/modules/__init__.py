@@ -3,6 +3,23 @@
 They are Python files that people open, jump to and read, and that type checkers and editors follow without help.
 """
 
-from ev3proto.generate.modules.build import FOLDERS, build
+from __future__ import annotations
 
-__all__ = ["FOLDERS", "build"]
+from ev3proto.generate.modules import argument_types, enumerations, operations, system_commands
+from ev3proto.tables.declaration import DIALECTS
+
+FOLDERS = ("ev3proto/ops", "ev3proto/enums", "ev3proto/system")
+"""Where they are. A Python file there that has the generated mark and is not among them belongs to no table."""
+
+
+def build() -> dict[str, str]:
+    """Each file by its path in the project's folder; the same text every time."""
+    files = {
+        "ev3proto/enums/__init__.py": enumerations.module(),
+        "ev3proto/ops/argument_types.py": argument_types.module(),
+        "ev3proto/system/__init__.py": system_commands.module(),
+        "ev3proto/system/bootloader.py": system_commands.bootloader_module(),
+    }
+    for dialect in DIALECTS:
+        files |= operations.modules(dialect)
+    return files

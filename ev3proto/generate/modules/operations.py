@@ -9,7 +9,6 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 
 from ev3proto.generate.modules.argument_types import argument_type
-from ev3proto.generate.modules.parameters import text_of
 from ev3proto.generate.modules.source import (
     FIRMWARES,
     INDENT,
@@ -26,10 +25,11 @@ from ev3proto.generate.modules.source import (
     python_name,
     sentence,
 )
+from ev3proto.semantics.descriptions import facts
 from ev3proto.semantics.drafts.values import may_be_omitted
 from ev3proto.tables import OPCODES, area_of
 from ev3proto.tables import operations as operations_of
-from ev3proto.tables.declaration import DIALECTS, Declaration, Opcode
+from ev3proto.tables.declaration import DIALECTS, LISTS, Declaration, Direction, Opcode, Parameter, Type
 
 _PLAIN = "plain"
 """The folder of opcodes without a CMD, one module an area: SOUND is both an area and a family."""
@@ -263,3 +263,32 @@ def _function(declaration: Declaration) -> Iterator[str]:
         yield f'{INDENT}return _OPERATIONS["{declaration.name}"].draft('
         yield from indented(indented(bracketed("(", names, "), unchecked", indent=INDENT * 2)))
         yield f"{INDENT})"
+
+
+def text_of(parameter: Parameter, *, is_optional: bool) -> str:
+    """Meaning, unit, range, special values and type: `How loud; 0 to 100 %; 0: silent; DATA8.`"""
+    return sentence(*_pieces(parameter, is_optional=is_optional))
+
+
+def _pieces(parameter: Parameter, *, is_optional: bool) -> Iterator[str]:
+    yield parameter.text
+    yield from facts(parameter)
+    yield _type(parameter)
+    if parameter.type is Type.COUNT and is_optional:
+        yield "an output for each: a list of variables, or how many; one when omitted"
+    elif parameter.direction is Direction.OUT:
+        yield "an output, in global memory when omitted"
+    elif is_optional:
+        yield "worked out when omitted"
+
+
+def _type(parameter: Parameter) -> str:
+    """`DATA16`, or what a list has."""
+    if parameter.type in LISTS:
+        element = parameter.element
+        if isinstance(element, str):
+            return f"a list, of the type that {element.lower()} says"
+        return f"a list of {element.label}" if isinstance(element, Type) else "a list"
+    if parameter.direction is Direction.INOUT:
+        return f"{parameter.type.label}, a variable that is read and written"
+    return parameter.type.label

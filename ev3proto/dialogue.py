@@ -1,4 +1,9 @@
-"""A dialogue: the messages between one computer and one brick, each with what the ones before make of it."""
+"""Dialogues: which reply answers which command, and what the reply therefore says.
+
+A reply to a direct command is nothing but memory. Every output parameter of the command that names a global variable
+says what stands in it and where, so a `Dialogue` remembers the commands it saw. Replies to system commands have fields
+of their own; there it remembers which file each handle stands for.
+"""
 
 from __future__ import annotations
 
@@ -7,8 +12,11 @@ from dataclasses import dataclass, field
 from ev3proto.bounded import DEFAULT_MEMORY, Budget
 from ev3proto.messages import DirectCommand, DirectReply, Message, SystemCommand, SystemReply
 from ev3proto.semantics.pairing import Pairing
-from ev3proto.semantics.replies import Value, values_of
+from ev3proto.semantics.replies import Value, ValueType, reply_values, values_of
 from ev3proto.semantics.transfers import Transfer, Transfers
+
+__all__ = ["Dialogue", "Exchange", "Transfer", "Value", "ValueType", "reply_values", "values_of"]
+
 
 _BYTES_EACH = 130
 """Bytes of memory that a message takes for each byte of its frame, about: as many where each is an operation."""

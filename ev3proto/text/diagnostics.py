@@ -30,6 +30,7 @@ from ev3proto.text.spans import Line, Role, Span, plain_text
 MOST_ALIKE = 4
 """Findings with the same code that are shown of one frame; of the others, only the offsets are listed."""
 
+_WORST = list(Severity)
 _MOST_OFFSETS = 12
 _TEXT_WIDTH = 100
 
@@ -180,22 +181,22 @@ def _without_repetitions(findings: Sequence[Finding]) -> tuple[list[Finding], li
     return kept, list(left.values())
 
 
-def _on_one_span(findings: list[Finding], excerpt: Excerpt, place: str) -> Iterator[Line]:
+def _on_one_span(findings: list[Finding], excerpt: Excerpt, place: str) -> list[Line]:
     """The lines of the findings on one span of bytes. Help that several of them have is given once."""
-    for finding in findings:
-        yield [_mark(finding), (f": {finding.message}", Role.HEADING)]
+    lines: list[Line] = [[_mark(finding), (f": {finding.message}", Role.HEADING)] for finding in findings]
     first = findings[0]
     about = " of ".join(filter(None, (first.parameter, first.operation)))
     where = f"offset {first.offset}{f', {about}' if about else ''}"
-    yield [(f"{excerpt.margin}--> ", Role.ASIDE), (f"{place}, {where}" if place else where, Role.PLAIN)]
-    worst = next(severity for severity in Severity if severity in [finding.severity for finding in findings])
-    yield from excerpt.show(first, ROLES[worst])
+    lines.append([(f"{excerpt.margin}--> ", Role.ASIDE), (f"{place}, {where}" if place else where, Role.PLAIN)])
+    worst = min((finding.severity for finding in findings), key=_WORST.index)
+    lines += excerpt.show(first, ROLES[worst])
     helps: dict[str, str] = {}
     for finding in findings:
         helps.setdefault(finding.help, finding.code)
     for help_, code in helps.items():
         word = f"help for {code}: " if len(helps) > 1 else "help: "
-        yield [(f"{excerpt.margin} = ", Role.ASIDE), (word, Role.OPERATION), (help_, Role.PLAIN)]
+        lines.append([(f"{excerpt.margin} = ", Role.ASIDE), (word, Role.OPERATION), (help_, Role.PLAIN)])
+    return lines
 
 
 def _mark(finding: Finding) -> Span:

@@ -6,7 +6,6 @@ One frame may have dozens of findings, so what they share is made once: its hex,
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Iterator
 
 from ev3proto.checking.report import Finding
 from ev3proto.messages import Argument, DaisyCommand, DirectCommand, Operation
@@ -43,16 +42,16 @@ class Excerpt:
         self._width = 2 + len(str(max(len(frame) - 1, 10)))
         self.margin = " " * self._width
 
-    def show(self, finding: Finding, role: str) -> Iterator[Line]:
+    def show(self, finding: Finding, role: str) -> list[Line]:
         """The rows that a finding's bytes are in, each underlined, and what these say, alone and as a whole."""
-        if self._size:
-            yield [(f"{self.margin} |", Role.ASIDE)]
-            yield from self._rows(finding, role)
+        lines: list[Line] = [[(f"{self.margin} |", Role.ASIDE)], *self._rows(finding, role)] if self._size else []
         text = self._decoded(finding)
         if text:
-            yield [(f"{self.margin} = {text}", Role.ASIDE)]
+            lines.append([(f"{self.margin} = {text}", Role.ASIDE)])
+        return lines
 
-    def _rows(self, finding: Finding, role: str) -> Iterator[Line]:
+    def _rows(self, finding: Finding, role: str) -> list[Line]:
+        lines: list[Line] = []
         size, start = self._size, min(finding.offset, self._size)
         end = start + (finding.length or 1)
         # A span after the last byte is shown where the next byte would stand.
@@ -63,29 +62,31 @@ class Excerpt:
         for number in range(first, last + 1):
             if first + MOST_ROWS - 1 <= number < last:
                 if number == first + MOST_ROWS - 1:
-                    yield [("...".rjust(self._width) + " | ...", Role.ASIDE)]
+                    lines.append([("...".rjust(self._width) + " | ...", Role.ASIDE)])
                 continue
-            yield from self._row(number * ROW, start, end, role, self._label(finding) if number == last else "")
+            lines += self._row(number * ROW, start, end, role, self._label(finding) if number == last else "")
+        return lines
 
-    def _row(self, row: int, start: int, end: int, role: str, label: str) -> Iterator[Line]:
+    def _row(self, row: int, start: int, end: int, role: str, label: str) -> tuple[Line, Line]:
         """A row of bytes, and the line under a span of it."""
         digits, stop = self._hex, _BYTE * (row + ROW)
         # What is missing after a full row is marked after that row.
         first, after = _BYTE * max(start, row), _BYTE * min(end, row + ROW)
         marks = "^" * (max(after - first, _BYTE) - 1)
-        yield [
+        row_line: Line = [
             # The plus keeps who reads frames out of texts from taking the row for one.
             (f"{f'+{row}'.rjust(self._width)} |", Role.ASIDE),
             (digits[_BYTE * row : min(first, stop)], Role.PLAIN),
             (digits[first:after], role),
             (digits[max(after, first) : stop], Role.PLAIN),
         ]
-        yield [
+        under: Line = [
             (f"{self.margin} |", Role.ASIDE),
             (" " * (first - _BYTE * row + 1), Role.PLAIN),
             (marks, role),
             (f" {label}" if label else "", Role.PLAIN),
         ]
+        return row_line, under
 
     def _label(self, finding: Finding) -> str:
         """What the bytes of a span say: `VOLUME = 200 %`."""

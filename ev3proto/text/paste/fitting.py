@@ -168,6 +168,14 @@ def reason(data: bytes, *, is_dense: bool, is_decimal: bool) -> str | None:
     return f"{here} are here, and the length field says {says - LENGTH_FIELD}"
 
 
+def is_nearly(data: bytes) -> bool:
+    """Whether bytes are a frame but for a length field that is wrong by a little, and does not count itself."""
+    if len(data) < LOOKS or data[_TYPE_AT] not in _TYPES:
+        return False
+    says = frame_size(data)
+    return is_frame_size(says) and -_NEARLY <= says - len(data) < LENGTH_FIELD
+
+
 def swapped(data: bytes) -> bool:
     """Whether the length field fits once its two bytes are swapped, and the rest is a frame without a flaw."""
     right = data[1::-1] + data[2:]

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from ev3proto.schema.header import frame_size
 from ev3proto.tables.frame import LENGTH_FIELD
-from ev3proto.text.paste.fitting import may_begin
+from ev3proto.text.paste.fitting import is_nearly, may_begin
 from ev3proto.text.paste.head import NO_HEAD, Head, clean_head, head_before
 from ev3proto.text.paste.literals import literal
 from ev3proto.text.paste.pieces import LEAST, MAX_TEXT, MOST_SHORT, Pasted, short
@@ -190,6 +190,9 @@ def _whole(line: str, start: int, *, is_sure: bool) -> Iterator[Found]:
         if _WORD.search(text) is not None or not (is_slip or is_log):
             return
         found = found._replace(is_marked=is_slip)
+    elif found.problem is None and "-" not in text and is_nearly(found.data):
+        # Nothing else is in the line: a frame that somebody made by hand, with a wrong length.
+        found = found._replace(is_marked=True)
     if groups:
         yield found
 

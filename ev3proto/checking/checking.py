@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from operator import attrgetter
 
 from ev3proto.checking.context import CheckContext, checked_operations
@@ -19,7 +18,7 @@ from ev3proto.checking.verdict import verdict
 from ev3proto.errors import as_bytes
 from ev3proto.messages import DaisyCommand, DirectCommand, Message, SystemCommand
 from ev3proto.schema.frame import read_last
-from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, MEMORY_SIZE, frame_size, with_length
+from ev3proto.schema.header import HEADER_SIZE, frame_size, with_length
 from ev3proto.tables.carriers import CARRIERS
 from ev3proto.tables.declaration import Effect
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME
@@ -49,7 +48,7 @@ def check(
     elif type(frame) is not bytes:
         frame = as_bytes(frame, "a frame")
     context = _context(frame, dialect, carrier)
-    findings = _in_order(_unswapped(context, _findings(context)))
+    findings = _in_order(_findings(context))
     accepted, rejected_at = _answer(context, findings)
     return Report(frame, accepted, rejected_at, tuple(findings), dialect, carrier)
 
@@ -88,25 +87,6 @@ def _context(frame: bytes, dialect: str, carrier: str | None) -> CheckContext:
     effects = _NO_EFFECTS.union(*[operation.facts.effects for operation in operations])
     has_jumps = True in [operation.facts.is_jump for operation in operations]
     return CheckContext(frame, end, message, verdict(frame, dialect), operations, effects, has_jumps, dialect, carrier)
-
-
-def _unswapped(context: CheckContext, findings: list[Finding]) -> list[Finding]:
-    """Returns the findings, those that swapping the two bytes of the memory word mends as one."""
-    frame, memory = context.frame, slice(HEADER_SIZE, COMMAND_HEADER_SIZE)
-    errors = [finding for finding in findings if finding.severity is _ERROR]
-    if context.end < COMMAND_HEADER_SIZE or not errors or not all(error.code.startswith("E4") for error in errors):
-        return findings
-    word = frame[memory][::-1]
-    if not isinstance(context.message, DirectCommand) or word == frame[memory]:
-        return findings
-    swapped = frame[:HEADER_SIZE] + word + frame[COMMAND_HEADER_SIZE:]
-    other = _findings(_context(swapped, context.dialect, context.carrier))
-    kept = {(finding.code, finding.offset) for finding in other}
-    if any(finding.severity is _ERROR for finding in other) or len(other) >= len(findings):
-        return findings
-    help_text = f"did you swap the two bytes of the memory word? The low one is first: {word.hex(' ').upper()}"
-    one = replace(errors[0], offset=HEADER_SIZE, length=MEMORY_SIZE, help=help_text)
-    return [one, *(finding for finding in findings if (finding.code, finding.offset) in kept)]
 
 
 def _findings(context: CheckContext) -> list[Finding]:

@@ -12,7 +12,7 @@ from pathlib import Path
 import click
 
 from ev3proto.cli.commands import cli
-from ev3proto.generate.everything import COMMAND, outdated, write
+from ev3proto.generate.everything import COMMAND, outdated, write, write_modules
 from ev3proto.generate.pages.build import FOLDER
 from ev3proto.generate.pages.markdown import block, page, table
 
@@ -75,6 +75,9 @@ def main(check: bool, root: Path | None) -> None:
             raise click.UsageError("this ev3proto is installed without its project: give --root, the project's folder")
     if not check:
         try:
+            # The pages show how the modules are called, and the command line loads them: they come first.
+            for path in write_modules(root):
+                click.echo(path)
             for path in write(root, reference_page()):
                 click.echo(path)
         except OSError as error:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 
@@ -60,6 +59,11 @@ def _changed(root: Path, files: dict[str, str]) -> Iterator[str]:
             yield path
 
 
+def write_modules(root: Path) -> list[str]:
+    """Brings the generated modules up to date, before they are imported. Returns the path of each that changed."""
+    return list(_write(root, modules.build()))
+
+
 def write(root: Path, more: Mapping[str, str]) -> Iterator[str]:
     """Brings the files up to date; yields the path of each that changed.
 
@@ -67,9 +71,6 @@ def write(root: Path, more: Mapping[str, str]) -> Iterator[str]:
         root: The project's folder.
         more: As for `build`.
     """
-    # The pages show how the modules are called, and look at them for that: those come first.
-    yield from _write(root, modules.build())
-    importlib.invalidate_caches()
     files = build(more)
     yield from _write(root, files)
     for path in list(_left_over(root, files)):

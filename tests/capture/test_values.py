@@ -152,7 +152,7 @@ def test_comma_separated_values_have_a_thousand_columns_at_most(tmp_path: Path) 
 
 
 def test_rows_beyond_what_is_kept_are_counted(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(ev3proto.capture.series, "MOST_CELLS", 5)
+    monkeypatch.setattr(ev3proto.cli.values, "MOST_CELLS", 5)
     done = run("values", PLUGGED, "--json")
     assert [json.loads(line)["packet"] for line in done.stdout.splitlines()] == [3, 21]
     assert done.stderr == "2 rows omitted: 5 cells are kept; --filter chooses others\n"
@@ -178,7 +178,7 @@ def test_long_texts_count_for_several_cells(tmp_path: Path, monkeypatch: pytest.
         shown = run("values", str(log))
         assert shown.stdout.count("x" * 480) == 1
         assert shown.stderr == "and 3 rows more: --csv and --json print all of them\n"
-    monkeypatch.setattr(ev3proto.capture.series, "MOST_CELLS", 10)
+    monkeypatch.setattr(ev3proto.cli.values, "MOST_CELLS", 10)
     kept = run("values", str(log), "--json")
     assert len(kept.stdout.splitlines()) == 2
     assert kept.stderr == "2 rows omitted: 10 cells are kept; --filter chooses others\n"

@@ -12,7 +12,7 @@ import sys
 import threading
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 
 _NAMES = ("SIGINT", "SIGTERM", "SIGHUP")
 
@@ -113,6 +113,22 @@ def _insist(number: int, over: threading.Event) -> None:
         os.kill(os.getpid(), number)
 
 
+def _let_go_of_output() -> None:
+    """Writes what is left where that is possible at once. Python would wait at its end for whoever does not read it."""
+    for stream in (sys.stdout, sys.stderr):
+        if stream is None:
+            continue
+        with suppress(OSError, ValueError):
+            number = stream.fileno()
+            os.set_blocking(number, False)
+            try:
+                stream.flush()
+            except OSError:
+                os.dup2(os.open(os.devnull, os.O_WRONLY), number)
+            finally:
+                os.set_blocking(number, True)
+
+
 @contextmanager
 def ended_by_signals() -> Iterator[None]:
     """While it lasts, a signal ends the program by an exception, and another one somewhat later ends it at once."""
@@ -143,8 +159,11 @@ def ended_by_signals() -> Iterator[None]:
     try:
         with _handled_by(end, _numbers()):
             yield
-    except Exception as error:
+    except BaseException as error:
         ended = ended_behind(error)
-        raise error if ended is None else ended from None
+        if ended is None:
+            raise
+        _let_go_of_output()
+        raise ended from None
     finally:
         sys.unraisablehook = before

@@ -118,7 +118,8 @@ def test_the_flat_constants_stay_what_they_are() -> None:
 def test_calls_that_are_no_calls(path: str, values: tuple[Any, ...], named: dict[str, Any], sentence: str) -> None:
     with pytest.raises(TypeError) as raised:
         called(path)(*values, **named)
-    assert str(raised.value) == sentence
+    # Python 3.13 has a guess at what was meant behind it.
+    assert str(raised.value).startswith(sentence)
 
 
 UNCHECKED = "; unchecked=True lets it through"

@@ -90,8 +90,8 @@ _SCRIPT = """
     fit(chart, width - @EDGES@ - less);
     await vegaEmbed(place, chart, { mode: "vega-lite", renderer: "canvas", actions, downloadFileName: "timeline" });
     const over = place.scrollWidth - place.clientWidth;
-    // Letters of this device are wider than elsewhere: once more, with less room for the rest.
-    if (over > 0 && less === 0) await draw(over + 4);
+    // Letters of this device are wider than elsewhere: again, with less room for the rest.
+    if (over > 0 && less < @MOST_LESS@) await draw(less + over + 4);
   }
 
   const start = () => draw(0).catch((error) => {
@@ -115,7 +115,11 @@ _SCRIPT = """
 """
 
 
+_MOST_LESS = 100
+"""Pixels that a chart gives up for wide letters; with all that is in it, no chart is narrower."""
+
 _FACTS = {
+    "MOST_LESS": _MOST_LESS,
     "EDGES": _EDGES,
     "KINDS": KINDS_WIDTH,
     "KINDS_FROM": _KINDS_FROM,

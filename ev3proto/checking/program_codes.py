@@ -184,3 +184,13 @@ UNREAD = _code(
 )
 NOT_AS_WRITTEN = (NO_END, OTHER_CODE, NOTHING_TO_RUN, UNREAD)
 """What the firmware accepts, and then does not do what the source says. `run` warns of it, too."""
+UNKNOWN_JUMP = _code(
+    "W015",
+    "a jump that may lead anywhere",
+    """
+    How far this jump leads is in a variable, or behind a handle or an address. What runs then depends on numbers that
+    are not in the code, so nothing is said of operations that no way leads to.
+    """,
+    _image("40 60 0A"),
+    _image("40 00 0A"),
+)

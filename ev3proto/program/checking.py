@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 
 from ev3proto.checking import program_codes as codes
 from ev3proto.checking.codes import Code
@@ -15,12 +15,11 @@ from ev3proto.program.objects import CodeObject
 from ev3proto.program.report import ProgramReport
 from ev3proto.program.retyped import CALL
 from ev3proto.program.walk import SIZE_AT, Walk, walk
+from ev3proto.semantics.flow import flow_of, is_label, jump_of, labels_of, reached, target_of
 from ev3proto.tables.declaration import Direction, Effect
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, LOCAL
 from ev3proto.tables.program import ObjectKind
-from ev3proto.text.assembly.writing import goal_of
 
-_ALWAYS = "JR"
 _OBJECT_END = "OBJECT_END"
 _HANDLE_SIZE = 2
 
@@ -44,15 +43,16 @@ def check_program(image: bytes | bytearray | memoryview, *, dialect: str = "offi
         finding = codes.DAMAGED.finding(error.offset, 0, error.reason, "give the whole image")
         return ProgramReport(image, False, 0, (finding,))
     found = walk(image, dialect)
-    findings = sorted(_Check(image, program, found).findings(), key=lambda it: (it.offset, it.code))
+    findings = sorted(_Check(image, program, found, dialect).findings(), key=lambda it: (it.offset, it.code))
     return ProgramReport(image, found.accepted, found.position, tuple(findings))
 
 
 class _Check:
     """The findings of one program."""
 
-    def __init__(self, image: bytes, program: Program, found: Walk) -> None:
+    def __init__(self, image: bytes, program: Program, found: Walk, dialect: str) -> None:
         self._image = image
+        self._dialect = dialect
         self._program = program
         self._walk = found
         self._by_number = {part.number: part for part in program.objects}
@@ -124,7 +124,7 @@ class _Check:
             yield from self._operation(operation, part)
         if self._walk.accepted or part.fault is None:
             yield from self._end(part)
-        yield from _way(part)
+        yield from _way(part, self._image, self._dialect)
 
     def _end(self, part: CodeObject) -> Iterator[Finding]:
         steps = part.operations
@@ -227,20 +227,25 @@ def _at(operation: Operation, argument: Argument, code: Code, message: str, help
 # The way through an object
 
 
-def _way(part: CodeObject) -> Iterator[Finding]:
-    """Jumps that lead to no operation, and operations that no way leads to."""
+def _way(part: CodeObject, image: bytes, dialect: str) -> Iterator[Finding]:
+    """Jumps that lead to no operation or to an unknown place, and operations that no way leads to."""
     steps = part.operations
     if not steps:
         return
-    numbers = {step.offset: number for number, step in enumerate(steps)}
-    ways: list[list[int]] = []
-    is_known = True
-    for number, step in enumerate(steps):
-        goal = goal_of(step)
-        following = [] if Effect.ENDS in step.declaration.effects or step.name == _ALWAYS else [number + 1]
-        if goal is not None and goal in numbers:
-            following.append(numbers[goal])
-        elif goal is not None:
+    starts = {step.offset for step in steps}
+    labels = labels_of(steps)
+    for step in steps:
+        jump = jump_of(step)
+        goal = None if jump is None else target_of(step, jump, labels)
+        if jump is not None and goal is None and not is_label(jump):
+            yield _at(
+                step,
+                jump,
+                codes.UNKNOWN_JUMP,
+                f"{jump.name} is no number in the code, so it is not known where {step.name} leads",
+                "jump by a constant, or by a condition for each place",
+            )
+        elif goal is not None and goal not in starts:
             yield codes.BAD_JUMP.finding(
                 step.offset,
                 step.length,
@@ -248,30 +253,16 @@ def _way(part: CodeObject) -> Iterator[Finding]:
                 "let it lead to the start of an operation of the same object",
                 step.full_name,
             )
-        elif step.name.startswith(_ALWAYS):
-            # Where a variable says how far, nobody can tell.
-            is_known = False
-        ways.append([it for it in following if it < len(steps)])
-    if is_known and part.fault is None:
-        yield from _unreached(steps, _reached(ways))
+    flow = flow_of(image, steps, steps[0].offset, steps[-1].offset + steps[-1].length, dialect)
+    if flow.is_known and part.fault is None:
+        yield from _unreached(steps, reached(steps, flow))
 
 
-def _reached(ways: list[list[int]]) -> set[int]:
-    found, waiting = {0}, [0]
-    while waiting:
-        for number in ways[waiting.pop()]:
-            if number not in found:
-                found.add(number)
-                waiting.append(number)
-    return found
-
-
-def _unreached(steps: tuple[Operation, ...], reached: Iterable[int]) -> Iterator[Finding]:
+def _unreached(steps: tuple[Operation, ...], known: set[int]) -> Iterator[Finding]:
     """One finding for operations in a row. The end of an object may well be one: every writer adds it."""
-    known = set(reached)
     run: list[Operation] = []
-    for number, step in enumerate([*steps, None]):
-        if step is not None and number not in known:
+    for step in [*steps, None]:
+        if step is not None and step.offset not in known:
             run.append(step)
             continue
         while run and Effect.ENDS in run[-1].declaration.effects:

@@ -6,6 +6,7 @@ anywhere, and a jump out of the code runs whatever is there: then it is not know
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
@@ -111,6 +112,13 @@ def flow_of(data: bytes, operations: Sequence[Operation], start: int, end: int, 
                 following.append(target)
         waiting += following
     return flow
+
+
+def reached(operations: Sequence[Operation], flow: Flow) -> set[int]:
+    """The offsets of those operations that can run, or that have code in them that can."""
+    starts = [operation.offset for operation in operations]
+    inside = (offset for offset in flow.operations if offset >= starts[0]) if starts else iter(())
+    return {starts[bisect_right(starts, offset) - 1] for offset in inside}
 
 
 def _following(operation: Operation, end: int) -> list[int]:

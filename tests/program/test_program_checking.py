@@ -158,3 +158,10 @@ def test_newer_commands_are_known_to_the_firmware_that_the_image_is_for() -> Non
     image = image_of((0, 0, f"{code} 0A"), global_size=16)
     assert check_program(with_word(image, 8, 0x6D, 2)).accepted
     assert not check_program(with_word(image, 8, 0x68, 2)).accepted
+
+
+def test_jumps_of_programs_are_followed() -> None:
+    """A jump by a variable is told; what a jump into an operation runs is read there."""
+    (by_variable,) = check_program(PROGRAM_CODES["W015"].example).findings
+    assert (by_variable.code, by_variable.operation) == ("W015", "JR")
+    assert check_program(PROGRAM_CODES["W015"].counterexample).findings == ()

@@ -11,7 +11,7 @@ from ev3proto.checking.report import Finding
 from ev3proto.errors import counted
 from ev3proto.messages import Argument
 from ev3proto.schema.header import COMMAND_HEADER_SIZE
-from ev3proto.semantics.flow import flow_of, is_label, jump_of, labels_of, target_of
+from ev3proto.semantics.flow import flow_of, is_label, jump_of, labels_of, reached, target_of
 from ev3proto.semantics.footprint import whole_number
 from ev3proto.tables.declaration import Effect, Role
 from ev3proto.tables.encoding import CONSTANT, CONSTANT_RANGES, JUMP
@@ -73,7 +73,7 @@ class _Way:
         parsed = [operation.parsed for operation in self._operations]
         self._labels = labels_of(parsed)
         self._flow = flow_of(context.frame, parsed, COMMAND_HEADER_SIZE, context.end, context.dialect)
-        self._has_hidden = not self._flow.operations.keys() <= set(self._starts)
+        self._reached = reached(parsed, self._flow)
 
     def wrong_jumps(self) -> Iterator[Finding]:
         """Jumps that do not lead to an operation, nor to the end."""
@@ -150,22 +150,15 @@ class _Way:
                 )
                 return
 
-    def _is_reached(self, operation: CheckedOperation) -> bool:
-        """Whether it can run, or code that stands in it."""
-        flow = self._flow
-        if operation.start in flow.operations:
-            return True
-        return self._has_hidden and any(operation.start < start < operation.end for start in flow.operations)
-
     def _unreached(self) -> Iterator[Finding]:
         """One finding for the operations in a row that no way leads to."""
         number = 0
         while number < len(self._operations):
-            if self._is_reached(self._operations[number]):
+            if self._operations[number].start in self._reached:
                 number += 1
                 continue
             first = last = self._operations[number]
-            while number < len(self._operations) and not self._is_reached(self._operations[number]):
+            while number < len(self._operations) and self._operations[number].start not in self._reached:
                 last = self._operations[number]
                 number += 1
             if first.facts.ends_code:

@@ -49,6 +49,7 @@ ACCEPTED = (None, None)
         ("94 02 01 80 78 00", ACCEPTED),
         ("2F 60 82F401" + "8301000000" * 100, (0, Reason.CUT_OFF)),
         ("2F 60 04" + "8400" * 2, (0, Reason.CUT_OFF)),
+        ("9E 00 00 00 00 00 D101", ACCEPTED),  # a handle that is to count parameters: none follow, it may be odd
         # Rule 2
         ("B5", (0, Reason.OPCODE)),
         ("01 00", (1, Reason.OPCODE)),

@@ -55,6 +55,7 @@ def test_operations_without_a_fault(code: str, expected: str) -> None:
         ("94 01 01 82 B8 01 82 E8 03", 8, CUT_TONE, (6, True)),  # the operation goes on, but not here
         ("94 01 01 82 B8 01 82 E8", 8, CUT_TONE, (6, True)),
         ("94 01 01 82 B8 01", 6, CUT_TONE, (6, True)),
+        ("94 01 01 01 01", 3, "<SOUND.TONE(VOLUME=1) at 0>", (3, True)),
         ("94 01 01 82 B8 01 A8", 7, CUT_TONE, (6, True)),  # a label has a byte after the first
         ("94 01 01 82 B8 01 85", 7, CUT_TONE, (6, False)),  # no such identification byte
         ("94", 1, "", (1, True)),  # no CMD at all
@@ -68,6 +69,12 @@ def test_operations_without_a_fault(code: str, expected: str) -> None:
         ("C2 09 84 61", 4, "<ARRAY_WRITE(HANDLE=9) at 0>", (2, True)),
         ("9E 00 00 00 00 00 02 60", 8, f"<{READ}VALUES=2) at 0>", (6, True)),  # one of two values
         ("9E 00 00 00 00 00 40 60 64", 9, f"<{READ}VALUES=LV(0)) at 0>", (6, False)),  # a variable counts nothing
+        (
+            "9E 00 00 00 00 00 82 80 00" + "60" * 128,  # a list of parameters has 127 at most
+            137,
+            f"<{READ}VALUES=128) at 0>",
+            (6, False),
+        ),
         ("2F 40 3F 01", 4, "<INIT_BYTES(DESTINATION=LV(0), LENGTH=-1) at 0>", (2, False)),
         ("2F 40 03 01 02", 5, "<INIT_BYTES(DESTINATION=LV(0), LENGTH=3) at 0>", (2, True)),
         ("2F 40 02 01 85", 5, "<INIT_BYTES(DESTINATION=LV(0), LENGTH=2, SOURCE[0]=1) at 0>", (4, False)),
@@ -83,6 +90,19 @@ def test_operations_up_to_a_fault(code: str, end: int, expected: str, fault: tup
         for copied in (copy.copy(partial), copy.deepcopy(partial), pickle.loads(pickle.dumps(partial))):
             assert copied == partial
             assert copied.arguments == partial.arguments
+
+
+def test_an_argument_by_itself_needs_its_end() -> None:
+    with pytest.raises(ev3proto.BuildError, match="the zero that ends it is missing"):
+        ev3proto.operation("SOUND.PLAY", 1, b"\x84a")
+
+
+def test_a_frame_that_is_too_long_whatever_its_length_field_says() -> None:
+    frame = (1100).to_bytes(2, "little") + b"\x01\0\x80\0\0" + b"\x01" * 1095
+    message = ev3proto.parse(frame, strict=False)
+    assert message.fault == ev3proto.Fault(0, "the frame has 1102 bytes; no frame has more than 1024")
+    with pytest.raises(ev3proto.DecodeError, match="the length field says 1100; a frame can have 3 to 1022 bytes"):
+        ev3proto.parse(frame)
 
 
 def read(frame: bytes) -> DirectCommand:

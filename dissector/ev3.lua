@@ -5113,7 +5113,7 @@ local instructions = INSTRUCTION_SETS[dialect]
 --
 -- Where a message is, and how what packets leave behind is freed.
 
-local free_unused, place_of, number_of
+local free_unused, place_of, number_of, new_notes
 do
     -- What a packet leaves behind, items and ranges of a tree above all, Lua frees when all that it holds has doubled,
     -- in small steps. By then it is in no cache of the processor any more, and that takes up to a quarter of the time.
@@ -5141,6 +5141,62 @@ do
 
     function number_of(place)
         return floor(place / OFFSETS)
+    end
+
+    -- Texts by place, of any number of packets. Those of a page of packets are packed outside of Lua as soon as a later
+    -- packet has one: Lua goes through all that it holds whenever it frees something, and lets it double before that.
+    -- A text that an earlier packet gets afterwards stays in `late`. 300,000 packets take 47 bytes each with this, and
+    -- 374 without.
+    local PAGE = 256 * OFFSETS
+    local pack, unpack = Struct.pack, Struct.unpack
+
+    function new_notes()
+        local pages, open, open_number, late = {}, {}, 0, {}
+        local last, last_number
+        local notes = {}
+
+        local function close_page()
+            local records = {}
+            for place, text in pairs(open) do
+                records[#records + 1] = pack("dI2", place, #text) .. text
+            end
+            if records[1] then pages[open_number] = ByteArray.new(concat(records), true) end
+            open = {}
+        end
+
+        local function read_page(number)
+            local found, page, at = {}, pages[number]:raw(), 1
+            while at <= #page do
+                local place, size, start = unpack("dI2", page, at)
+                at = start + size
+                found[place] = sub(page, start, at - 1)
+            end
+            return found
+        end
+
+        function notes.put(place, text)
+            local number = floor(place / PAGE)
+            if number < open_number then
+                late[place] = text
+                return
+            elseif number > open_number then
+                close_page()
+                open_number = number
+            end
+            open[place] = text
+        end
+
+        -- The text of a place, nil where it has none.
+        function notes.get(place)
+            local number = floor(place / PAGE)
+            if number == open_number then return open[place] end
+            if late[place] then return late[place] end
+            if not pages[number] then return nil end
+            if number ~= last_number then last, last_number = read_page(number), number end
+            return last[place]
+        end
+
+        return notes
     end
 end
 
@@ -5866,20 +5922,19 @@ do
     local CARRIES = { direct = 0x000000, system = 0x010000, daisy = 0x020000 }
 
     -- By place: of a command the number of the packet with its reply; of a reply the place of its command, the seconds
-    -- that it took, and the command's frame, in one text, as tables take twice the memory; of a message on a file what
-    -- is known of that.
+    -- that it took, and the command's frame, in one text; of a message on a file what is known of that.
     local replies, requests, transfers
 
     local talks
 
     function forget_dialogues()
-        replies, requests, transfers, talks = {}, {}, {}, {}
+        replies, requests, transfers, talks = new_notes(), new_notes(), {}, {}
     end
     forget_dialogues()
 
     -- The command that a reply answers: `place`, `message`, and `delay`, the seconds that the reply took.
     function request_of(place)
-        local known = requests[place]
+        local known = requests.get(place)
         if not known then return nil end
         local command, delay, start = Struct.unpack("dd", known)
         return { place = command, delay = delay, message = read_message(sub(known, start)) }
@@ -5887,7 +5942,8 @@ do
 
     -- The number of the packet with the reply to a command.
     function reply_to(place)
-        return replies[place]
+        local number = replies.get(place)
+        return number and tonumber(number)
     end
 
     -- The file that a message is about: path, size, bytes done.
@@ -6069,10 +6125,10 @@ do
                 local text = request.message.text
                 request.delay, message.request = pinfo.rel_ts - request.time, request
                 talk.is_proven = talk.is_proven or is_proof(message, request)
-                replies[request.place] = number_of(place)
+                replies.put(request.place, format("%d", number_of(place)))
                 -- Of a system command its number is enough.
                 if message.command then text = sub(text, 1, HEADER_SIZE + 1) end
-                requests[place] = Struct.pack("dd", request.place, request.delay) .. text
+                requests.put(place, Struct.pack("dd", request.place, request.delay) .. text)
                 if counts_all then statistics.count_answer(talk, message, request) end
             end
             transfer = is_on_file and follow_reply(talk, message, request)

@@ -17,20 +17,19 @@ do
     local CARRIES = { direct = 0x000000, system = 0x010000, daisy = 0x020000 }
 
     -- By place: of a command the number of the packet with its reply; of a reply the place of its command, the seconds
-    -- that it took, and the command's frame, in one text, as tables take twice the memory; of a message on a file what
-    -- is known of that.
+    -- that it took, and the command's frame, in one text; of a message on a file what is known of that.
     local replies, requests, transfers
 
     local talks
 
     function forget_dialogues()
-        replies, requests, transfers, talks = {}, {}, {}, {}
+        replies, requests, transfers, talks = new_notes(), new_notes(), {}, {}
     end
     forget_dialogues()
 
     -- The command that a reply answers: `place`, `message`, and `delay`, the seconds that the reply took.
     function request_of(place)
-        local known = requests[place]
+        local known = requests.get(place)
         if not known then return nil end
         local command, delay, start = Struct.unpack("dd", known)
         return { place = command, delay = delay, message = read_message(sub(known, start)) }
@@ -38,7 +37,8 @@ do
 
     -- The number of the packet with the reply to a command.
     function reply_to(place)
-        return replies[place]
+        local number = replies.get(place)
+        return number and tonumber(number)
     end
 
     -- The file that a message is about: path, size, bytes done.
@@ -220,10 +220,10 @@ do
                 local text = request.message.text
                 request.delay, message.request = pinfo.rel_ts - request.time, request
                 talk.is_proven = talk.is_proven or is_proof(message, request)
-                replies[request.place] = number_of(place)
+                replies.put(request.place, format("%d", number_of(place)))
                 -- Of a system command its number is enough.
                 if message.command then text = sub(text, 1, HEADER_SIZE + 1) end
-                requests[place] = Struct.pack("dd", request.place, request.delay) .. text
+                requests.put(place, Struct.pack("dd", request.place, request.delay) .. text)
                 if counts_all then statistics.count_answer(talk, message, request) end
             end
             transfer = is_on_file and follow_reply(talk, message, request)

@@ -2,7 +2,7 @@
 --
 -- Where a message is, and how what packets leave behind is freed.
 
-local free_unused, place_of, number_of
+local free_unused, place_of, number_of, new_notes
 do
     -- What a packet leaves behind, items and ranges of a tree above all, Lua frees when all that it holds has doubled,
     -- in small steps. By then it is in no cache of the processor any more, and that takes up to a quarter of the time.
@@ -30,5 +30,61 @@ do
 
     function number_of(place)
         return floor(place / OFFSETS)
+    end
+
+    -- Texts by place, of any number of packets. Those of a page of packets are packed outside of Lua as soon as a later
+    -- packet has one: Lua goes through all that it holds whenever it frees something, and lets it double before that.
+    -- A text that an earlier packet gets afterwards stays in `late`. 300,000 packets take 47 bytes each with this, and
+    -- 374 without.
+    local PAGE = 256 * OFFSETS
+    local pack, unpack = Struct.pack, Struct.unpack
+
+    function new_notes()
+        local pages, open, open_number, late = {}, {}, 0, {}
+        local last, last_number
+        local notes = {}
+
+        local function close_page()
+            local records = {}
+            for place, text in pairs(open) do
+                records[#records + 1] = pack("dI2", place, #text) .. text
+            end
+            if records[1] then pages[open_number] = ByteArray.new(concat(records), true) end
+            open = {}
+        end
+
+        local function read_page(number)
+            local found, page, at = {}, pages[number]:raw(), 1
+            while at <= #page do
+                local place, size, start = unpack("dI2", page, at)
+                at = start + size
+                found[place] = sub(page, start, at - 1)
+            end
+            return found
+        end
+
+        function notes.put(place, text)
+            local number = floor(place / PAGE)
+            if number < open_number then
+                late[place] = text
+                return
+            elseif number > open_number then
+                close_page()
+                open_number = number
+            end
+            open[place] = text
+        end
+
+        -- The text of a place, nil where it has none.
+        function notes.get(place)
+            local number = floor(place / PAGE)
+            if number == open_number then return open[place] end
+            if late[place] then return late[place] end
+            if not pages[number] then return nil end
+            if number ~= last_number then last, last_number = read_page(number), number end
+            return last[place]
+        end
+
+        return notes
     end
 end

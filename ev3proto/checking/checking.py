@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from operator import attrgetter
 
 from ev3proto.checking.context import CheckContext, checked_operations
@@ -18,7 +19,7 @@ from ev3proto.checking.verdict import verdict
 from ev3proto.errors import as_bytes
 from ev3proto.messages import DaisyCommand, DirectCommand, Message, SystemCommand
 from ev3proto.schema.frame import read_last
-from ev3proto.schema.header import HEADER_SIZE, frame_size, with_length
+from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, MEMORY_SIZE, frame_size, with_length
 from ev3proto.tables.carriers import CARRIERS
 from ev3proto.tables.declaration import Effect
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME
@@ -48,7 +49,7 @@ def check(
     elif type(frame) is not bytes:
         frame = as_bytes(frame, "a frame")
     context = _context(frame, dialect, carrier)
-    findings = _in_order(_findings(context))
+    findings = _in_order(_unswapped(context, _findings(context)))
     accepted, rejected_at = _answer(context, findings)
     return Report(frame, accepted, rejected_at, tuple(findings), dialect, carrier)
 
@@ -71,6 +72,8 @@ def _in_order(findings: list[Finding]) -> list[Finding]:
 
 
 _NO_EFFECTS: frozenset[Effect] = frozenset()
+_MOST_BY_HAND = 64
+"""Errors of a frame that somebody may have made by hand."""
 
 
 def _context(frame: bytes, dialect: str, carrier: str | None) -> CheckContext:
@@ -87,6 +90,35 @@ def _context(frame: bytes, dialect: str, carrier: str | None) -> CheckContext:
     effects = _NO_EFFECTS.union(*[operation.facts.effects for operation in operations])
     has_jumps = True in [operation.facts.is_jump for operation in operations]
     return CheckContext(frame, end, message, verdict(frame, dialect), operations, effects, has_jumps, dialect, carrier)
+
+
+def _unswapped(context: CheckContext, findings: list[Finding]) -> list[Finding]:
+    """Returns the findings, those that swapping the two bytes of the memory word mends as one."""
+    frame, end = context.frame, COMMAND_HEADER_SIZE
+    errors = [finding for finding in findings if finding.severity is _ERROR]
+    if not 0 < len(errors) <= _MOST_BY_HAND or {error.code for error in errors} - {"E401", "E402"}:
+        return findings
+    word = frame[HEADER_SIZE:end][::-1]
+    if word == frame[HEADER_SIZE:end]:
+        return findings
+    other = _findings(_context(frame[:HEADER_SIZE] + word + frame[end:], context.dialect, context.carrier))
+    if not {*other} < {*findings} or any(finding.severity is _ERROR for finding in other):
+        return findings
+    help_text = f"did you swap these two bytes? The low one is first: {word.hex(' ').upper()}"
+    one = replace(errors[0], offset=HEADER_SIZE, length=MEMORY_SIZE, help=help_text)
+    return [one, *other]
+
+
+def swapped(report: Report) -> bytes | None:
+    """Returns the frame with the right order of the bytes of its memory word, where a check says that they are swapped.
+
+    Args:
+        report: What a check found in a frame.
+    """
+    if not any(finding.offset == HEADER_SIZE and finding.code in ("E401", "E402") for finding in report.findings):
+        return None
+    frame = report.frame
+    return frame[:HEADER_SIZE] + frame[HEADER_SIZE:COMMAND_HEADER_SIZE][::-1] + frame[COMMAND_HEADER_SIZE:]
 
 
 def _findings(context: CheckContext) -> list[Finding]:

@@ -12,7 +12,7 @@ from enum import Flag, auto
 from functools import lru_cache
 from itertools import chain
 
-from ev3proto.checking.checking import check
+from ev3proto.checking.checking import check, swapped
 from ev3proto.checking.facts import operation_facts
 from ev3proto.checking.moving import WIDEST, Layout, is_misaligned, multiple
 from ev3proto.checking.report import Change, Fix, Report, uses
@@ -22,7 +22,7 @@ from ev3proto.errors import as_bytes, counted
 from ev3proto.messages import Argument, DirectCommand, Message, Operation, Variable
 from ev3proto.schema.argument import SHORT, encode_variable
 from ev3proto.schema.frame import read_last
-from ev3proto.schema.header import HEADER_SIZE, frame_size, with_length, write_memory
+from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, frame_size, with_length, write_memory
 from ev3proto.semantics.footprint import Footprint, Taken, footprints
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, INDEX_RANGES, JUMP, LOCAL
 from ev3proto.tables.frame import GRANTED_GLOBALS, LENGTH_FIELD, MAX_FRAME, MAX_LOCALS, MessageType
@@ -50,6 +50,11 @@ def fix(
     given = frame.build() if isinstance(frame, Message) else as_bytes(frame, "a frame")
     report = check(given, dialect=dialect, carrier=carrier)
     changes: list[Change] = []
+    unswapped = swapped(report)
+    if unswapped is not None:
+        before, after = (data[HEADER_SIZE:COMMAND_HEADER_SIZE].hex(":").upper() for data in (given, unswapped))
+        changes.append(Change("memory", before, after, "the low byte of the two is first"))
+        report = check(unswapped, dialect=dialect, carrier=carrier)
     while report.findings:
         tried = _Fixing(report.frame, dialect, _ALL)
         better = _better(report, tried)

@@ -623,3 +623,17 @@ def test_a_jump_by_a_variable_is_told() -> None:
     frame = bytes.fromhex("1300010000041030034040407d0184a6440f0a0060")
     assert (only(frame).code, span(only(frame), frame)) == ("W604", "40")
     assert codes(raw("41 40 81 41", memory=4 << 10)) != ["W604"]
+
+
+@pytest.mark.parametrize(
+    ("frame", "code", "offset", "said"),
+    [
+        ("000e002a80000094010182b80182e803", "E102", 0, "did you swap these two bytes?"),
+        ("10002a0080000094010182b80182e803", "E102", 0, "the length does not count its own two bytes"),
+        ("08002a00000004810160", "E402", 5, "did you swap these two bytes?"),
+    ],
+)
+def test_a_slip_in_the_header_is_one_finding(frame: str, code: str, offset: int, said: str) -> None:
+    (finding,) = check(bytes.fromhex(frame)).findings
+    assert (finding.code, finding.offset) == (code, offset)
+    assert said in finding.help

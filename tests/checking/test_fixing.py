@@ -414,3 +414,10 @@ def test_a_thousand_misaligned_variables_take_no_time() -> None:
     crowded = [operation("MOVE32_32", 0, GV(index)) for index in range(1, 1000, 5)]
     fixed = fix(asking(*crowded, global_size=1019))
     assert fixed.report.accepted
+
+
+def test_swapped_bytes_of_the_memory_word_are_put_right() -> None:
+    fixed = fix(bytes.fromhex("08002a00000004810160"))
+    assert fixed.frame.hex() == "08002a00000400810160"
+    assert [(change.what, change.before, change.after) for change in fixed.changes] == [("memory", "00:04", "04:00")]
+    assert fixed.report.findings == ()

@@ -296,3 +296,9 @@ def test_json_has_what_a_source_is_warned_of(tmp_path: Path) -> None:
     assert warning["message"].endswith("which reaches from -127 to 127: it cannot be 300")
     (entry,) = entries("--errors-only", str(source))
     assert "source" not in [finding["code"] for finding in entry["findings"]]
+
+
+def test_replies_in_plain_hex_are_passed_over() -> None:
+    done = run("-", stdin=b"07002a00020000d041\n08000100000400810160\n")
+    assert done.returncode == 0
+    assert "1 frame from the brick not checked" in done.stdout

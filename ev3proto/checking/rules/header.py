@@ -63,6 +63,9 @@ def _length(frame: bytes, size: int, context: CheckContext) -> Iterator[Finding]
             f"a frame has at most {MAX_FRAME} bytes, this one has {size}",
             "send it in several frames",
         )
+    elif (slip := _slip(frame, stated, follow, context)) is not None:
+        code = codes.INCOMPLETE if stated > follow else codes.LEFT_OVER
+        yield code.finding(0, LENGTH_FIELD, _says(stated, follow), slip)
     elif stated > follow:
         yield codes.INCOMPLETE.finding(
             0,
@@ -74,6 +77,17 @@ def _length(frame: bytes, size: int, context: CheckContext) -> Iterator[Finding]
         )
     elif stated < follow:
         yield _left_over(frame, stated, follow, context)
+
+
+def _slip(frame: bytes, stated: int, follow: int, context: CheckContext) -> str | None:
+    """Returns what to do about a length whose bytes are swapped, or which counts itself; None for any other length."""
+    if stated == follow or not _reads_to_its_end(with_length(frame[LENGTH_FIELD:]), context):
+        return None
+    if int.from_bytes(frame[:LENGTH_FIELD], "big") == follow:
+        return f"did you swap these two bytes? The low one is first: {frame[1::-1].hex(' ').upper()} is {follow}"
+    if stated == follow + LENGTH_FIELD:
+        return f"give {follow}: the length does not count its own two bytes"
+    return None
 
 
 def _says(stated: int, follow: int) -> str:

@@ -4955,7 +4955,7 @@ do
             alignment = SIZE_OF[row.validated or type] or 1,
             -- What precedes the value in a line, where the command or the reply has one.
             key = direction ~= OUT and " " .. name:lower() .. "=" or nil,
-            value_key = direction ~= IN and " " .. value_name .. "=" or nil,
+            value_key = direction ~= IN and " " .. value_name:lower() .. "=" or nil,
             is_output = direction ~= IN,
             unit = row.unit,
             names = row.enum and not is_flags and row.enum.names or nil,
@@ -4984,7 +4984,7 @@ do
                 is_float = type == DATAF,
                 size = SIZE_OF[type] or 1, alignment = 1, is_output = direction ~= IN,
                 key = direction ~= OUT and format(" %s[%d]=", list.name:lower(), number) or nil,
-                value_key = " " .. name .. "=",
+                value_key = " " .. name:lower() .. "=",
             }
         end)
     end
@@ -5032,8 +5032,7 @@ do
     function prepare_operation(operation)
         local name, at = operation.name, operation.first_field
         local rows, by_name = read_rows(operation.source), {}
-        operation.title, operation.cmd_name = gsub(name, "%.", " "), name:match("%.(.+)$")
-        operation.source, operation.parameters = nil, {}
+        operation.cmd_name, operation.source, operation.parameters = name:match("%.(.+)$"), nil, {}
         for _, row in ipairs(rows) do
             local own, type = row[1], row[3]
             local _, label, kind = described(name, row)
@@ -5551,10 +5550,13 @@ do
         return parameter.special and parameter.special[value]
     end
 
-    -- A value in a line, without its unit.
+    -- A value in a line: a text, a name, or a number with its unit.
     local function value_text(parameter, value)
         if type(value) == "string" then return shortened(value) end
-        return parameter.names and parameter.names[value] or number_text(value)
+        local name = parameter.names and parameter.names[value]
+        if name then return name end
+        local text = number_text(value)
+        return parameter.unit and text .. " " .. parameter.unit or text
     end
 
     function argument_text(parameter, encoding, value)
@@ -5563,11 +5565,7 @@ do
     end
 
     local function one_value_text(output, value)
-        local parameter = output.parameter
-        if output.is_handle then return number_text(value) end
-        local text, unit = value_text(parameter, value), parameter.unit
-        if not unit or parameter.names and parameter.names[value] then return text end
-        return text .. " " .. unit
+        return output.is_handle and number_text(value) or value_text(output.parameter, value)
     end
 
     function output_text(output)
@@ -5581,7 +5579,7 @@ do
         return "[" .. concat(pieces, ", ") .. "]"
     end
 
-    -- After a head: 7.92 V; of several values VBATT=7.92 V IBATT=0.21 A
+    -- After a head: 7.92 V; of several values vbatt=7.92 V ibatt=0.21 A
     function values_text(head, outputs)
         if #outputs == 1 then return head .. " " .. output_text(outputs[1]) end
         local pieces = { head }
@@ -5655,7 +5653,7 @@ do
     local function add_uses(uses, body, at)
         while at < #body do
             local operation, after, _, reason = read_operation(body, at)
-            if operation then uses[operation.title] = (uses[operation.title] or 0) + 1 end
+            if operation then uses[operation.name] = (uses[operation.name] or 0) + 1 end
             if reason then return false end
             at = after
         end
@@ -6363,7 +6361,7 @@ do
             if reason then fault = { at = offset, reason = reason, kind = kind } end
         end
         if not first then return "", at, fault, outputs end
-        local line = first.title .. phrase
+        local line = first.name .. phrase
         if count > 1 then line = format("%s (+%s)", line, plural(count - 1, "operation")) end
         return line, at, fault, outputs
     end
@@ -6489,13 +6487,13 @@ do
         if message.type.is_error then
             complain(view.item or view.root, "error_reply", "the brick refused or failed the command; it tells no more")
             local operation = request and first_operation(request.message)
-            return operation and "error reply to " .. operation.title or "error reply"
+            return operation and "error reply to " .. operation.name or "error reply"
         end
         local size = plural(stop - HEADER_SIZE, "byte")
         if not request then return "reply: " .. size .. ", command not seen" end
         local outputs, first = read_outputs(request.message, message), first_operation(request.message)
         if view.item then add_outputs(view, outputs) end
-        local head = first and "reply to " .. first.title .. ":" or "reply:"
+        local head = first and "reply to " .. first.name .. ":" or "reply:"
         if outputs[1] then return values_text(head, outputs) end
         return head .. " " .. (stop == HEADER_SIZE and "ok" or size)
     end

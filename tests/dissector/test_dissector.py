@@ -57,15 +57,15 @@ def infos(tshark: Tshark) -> list[str]:
         (1, "beacon: 06165300000a 5555 myEV3 EV3"),
         (7, "unlock 06165300000a"),
         (9, "accepted"),
-        (11, "SOUND TONE volume=5 frequency=440 duration=250"),
+        (11, "SOUND.TONE volume=5 % frequency=440 Hz duration=250 ms"),
         (13, "INPUT_DEVICE_LIST length=4 (+2 operations)"),
         (
             17,
-            "UI_WRITE LED pattern=LED_ORANGE_PULSE; OUTPUT_SPEED layer=0 nos=6 speed=50 (+1 operation);"
-            " UI_READ GET_VBATT",
+            "UI_WRITE.LED pattern=LED_ORANGE_PULSE; OUTPUT_SPEED layer=0 nos=6 speed=50 % (+1 operation);"
+            " UI_READ.GET_VBATT",
         ),
-        (18, "reply to UI_READ GET_VBATT: 7.92 V"),
-        (29, "error reply to UI_READ GET_VBATT"),
+        (18, "reply to UI_READ.GET_VBATT: 7.92 V"),
+        (29, "error reply to UI_READ.GET_VBATT"),
         (31, 'LIST_FILES max_bytes=80 "/home/root/lms2012/prjs/log/"'),
         (32, 'reply: LIST_FILES "/home/root/lms2012/prjs/log/" 80 of 112 bytes'),
         (43, 'CONTINUE_DOWNLOAD "../prjs/log/first.rbf" 1017 of 2500 bytes'),
@@ -82,7 +82,7 @@ def test_the_protocol_column_and_one_line_output_need_no_tree(tshark: Tshark) ->
     assert [line.split(None, 5)[5] for line in lines if " EV3 " in line][3:6] == [
         "EV3 108 unlock 06165300000a",
         "EV3 71 accepted",
-        "EV3 70 SOUND TONE volume=5 frequency=440 duration=250",
+        "EV3 70 SOUND.TONE volume=5 % frequency=440 Hz duration=250 ms",
     ]
 
 
@@ -138,7 +138,7 @@ def test_the_bootloader_has_fields_too(ask: Ask) -> None:
 def test_a_command_in_the_tree(tshark: Tshark) -> None:
     text = tshark.run(WIFI, "-V", "-Y", "frame.number == 11")
     assert text[text.index("EV3: ") :].rstrip().splitlines() == [
-        "EV3: SOUND TONE volume=5 frequency=440 duration=250",
+        "EV3: SOUND.TONE volume=5 % frequency=440 Hz duration=250 ms",
         "    [Brick: 192.0.2.10:5555]",
         "    Length: 14",
         "    Message counter: 1",
@@ -146,7 +146,7 @@ def test_a_command_in_the_tree(tshark: Tshark) -> None:
         "    Memory asked for: 0x0000",
         "        .... ..00 0000 0000 = Global memory: 0 bytes",
         "        0000 00.. .... .... = Local memory: 0 bytes",
-        "    Opcode: SOUND (0x94) TONE volume=5 frequency=440 duration=250",
+        "    Opcode: SOUND (0x94) TONE volume=5 % frequency=440 Hz duration=250 ms",
         "        CMD: SOUND.TONE",
         "        VOLUME: 5 %",
         "            Encoding: LC0",
@@ -265,15 +265,15 @@ def test_commands_that_differ_in_few_bytes_keep_their_own_lines_and_replies(tsha
     capture = Capture(RAW_IP)
     connection = Connection(capture)
     for counter in range(1, 9):
-        # SOUND TONE, UI_READ GET_VBATT into GV(0) or GV(4), SOUND BREAK.
+        # SOUND.TONE, UI_READ.GET_VBATT into GV(0) or GV(4), SOUND.BREAK.
         frequency, index = (440, 0) if counter % 2 else (441, 4)
         tone = bytes.fromhex("9401 8105 82") + struct.pack("<H", frequency) + bytes.fromhex("82FA00")
         body = struct.pack("<H", 8) + tone + bytes([0x81, 0x01, 0x60 + index, 0x94, 0x00])
         connection.send(struct.pack("<HHB", 3 + len(body), counter, 0x00) + body)
         connection.receive(struct.pack("<HHBff", 11, counter, 0x02, 1.5, 7.25))
     path = tshark.place(capture.data(), "alike.pcap")
-    first = ["SOUND TONE volume=5 frequency=440 duration=250 (+2 operations)", "reply to SOUND TONE: 1.5 V"]
-    second = ["SOUND TONE volume=5 frequency=441 duration=250 (+2 operations)", "reply to SOUND TONE: 7.25 V"]
+    first = ["SOUND.TONE volume=5 % frequency=440 Hz duration=250 ms (+2 operations)", "reply to SOUND.TONE: 1.5 V"]
+    second = ["SOUND.TONE volume=5 % frequency=441 Hz duration=250 ms (+2 operations)", "reply to SOUND.TONE: 7.25 V"]
     for words in ([], ["-2"], ["-T", "fields", "-e", "_ws.col.Info"]):
         found = tshark.run(path, *words).splitlines()
         expected = 4 * (first + second)
@@ -302,4 +302,4 @@ def test_no_control_character_is_in_a_line(tshark: Tshark) -> None:
     Connection(capture).send(struct.pack("<HHB", 3 + len(body), 1, 0x80) + body)
     path = tshark.place(capture.data(), "controls.pcap")
     said = tshark.run(path, "-T", "fields", "-e", "_ws.col.Info").strip()
-    assert said == 'COM_SET SET_BRICKNAME name="a\u241b\u2421\ufffd\ufffdä"'
+    assert said == 'COM_SET.SET_BRICKNAME name="a\u241b\u2421\ufffd\ufffdä"'

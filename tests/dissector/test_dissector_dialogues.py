@@ -46,8 +46,8 @@ def test_a_long_dialogue(tshark: Tshark) -> None:
     for counter, what in enumerate(asked):
         number = 2 * counter + 2
         expected += [
-            f"\t{number + 1}\tUI_READ GET_{what} (+1 operation)",
-            f"{number}\t\treply to UI_READ GET_{what}: {counter / 4:g} {READINGS[what][1]}",
+            f"\t{number + 1}\tUI_READ.GET_{what} (+1 operation)",
+            f"{number}\t\treply to UI_READ.GET_{what}: {counter / 4:g} {READINGS[what][1]}",
         ]
     assert found == expected
 
@@ -79,13 +79,13 @@ def test_replies_to_commands_that_come_again(tshark: Tshark) -> None:
     for number in range(1, 6):
         volts = struct.pack("<f", number + 0.5)
         for body, memory, line in (
-            ("0400 81 01 60", volts, f"UI_READ GET_VBATT: {number}.5 V"),
+            ("0400 81 01 60", volts, f"UI_READ.GET_VBATT: {number}.5 V"),
             (
                 "0500 81 01 60 7C 04 64",
                 volts + bytes([number]),
-                f"UI_READ GET_VBATT: VBATT={number}.5 V VOLUME={number} %",
+                f"UI_READ.GET_VBATT: vbatt={number}.5 V volume={number} %",
             ),
-            ("0400 D3 0D 04 60", b"EV%d\0" % number, f'COM_GET GET_BRICKNAME: "EV{number}"'),
+            ("0400 D3 0D 04 60", b"EV%d\0" % number, f'COM_GET.GET_BRICKNAME: "EV{number}"'),
         ):
             connection.send(frame(1, "00", body))
             connection.receive(frame(1, "02", memory.hex()))

@@ -347,18 +347,18 @@ def converse(carrier: Connection | Device | SerialPort, frames: list[bytes]) -> 
 # The command, how much memory it asks for, and what the line on a reply says of some memory.
 REPLIES: dict[tuple[str, int], dict[str, str]] = {
     ("81 01 60", 4): {  # a DATAF with a unit
-        "A470FD40": "UI_READ GET_VBATT: 7.92 V",
-        "00000080": "UI_READ GET_VBATT: 0 V",
-        "0000C0BF": "UI_READ GET_VBATT: -1.5 V",
-        "20BCBE4C": "UI_READ GET_VBATT: 100000000 V",
-        "CA F2 49 F1": "UI_READ GET_VBATT: -1e+30 V",
-        "0000C07F": "UI_READ GET_VBATT: NaN V",
-        "000080FF": "UI_READ GET_VBATT: -inf V",
-        "A470FD": "UI_READ GET_VBATT: 3 bytes",
+        "A470FD40": "UI_READ.GET_VBATT: 7.92 V",
+        "00000080": "UI_READ.GET_VBATT: 0 V",
+        "0000C0BF": "UI_READ.GET_VBATT: -1.5 V",
+        "20BCBE4C": "UI_READ.GET_VBATT: 100000000 V",
+        "CA F2 49 F1": "UI_READ.GET_VBATT: -1e+30 V",
+        "0000C07F": "UI_READ.GET_VBATT: NaN V",
+        "000080FF": "UI_READ.GET_VBATT: -inf V",
+        "A470FD": "UI_READ.GET_VBATT: 3 bytes",
     },
-    ("81 12 60", 1): {"64": "UI_READ GET_LBATT: 100 %", "FF": "UI_READ GET_LBATT: -1 %"},
+    ("81 12 60", 1): {"64": "UI_READ.GET_LBATT: 100 %", "FF": "UI_READ.GET_LBATT: -1 %"},
     ("B3 00 00 60 B3 00 01 64", 8): {
-        "FFFFFFFF 00000080": "OUTPUT_GET_COUNT: TACHO=-1 degrees TACHO=-2147483648 degrees",
+        "FFFFFFFF 00000080": "OUTPUT_GET_COUNT: tacho=-1 degrees tacho=-2147483648 degrees",
         "68010000 00": "OUTPUT_GET_COUNT: 360 degrees",
     },
 }
@@ -701,7 +701,7 @@ frame: the zero that ends it is missing]
     Opcode: PROGRAM_STOP (0x02) prgid=USER_SLOT
         PRGID: USER_SLOT (1)
             Encoding: LC0
-    Opcode: SOUND (0x94) TONE volume=5 frequency=440
+    Opcode: SOUND (0x94) TONE volume=5 % frequency=440 Hz
         CMD: SOUND.TONE
         VOLUME: 5 %
             Encoding: LC0
@@ -722,7 +722,7 @@ def test_a_variable_that_the_brick_refuses_is_told_of_where_it_stands(tshark: Ts
     assert (
         tree(tshark, one_frame(tshark, frame))
         == """\
-EV3: UI_READ GET_VBATT
+EV3: UI_READ.GET_VBATT
     [Brick: 192.0.2.10:5555]
     Length: 8
     Message counter: 4
@@ -760,7 +760,7 @@ def test_a_reply_shorter_than_what_was_asked_is_read_as_far_as_it_goes(tshark: T
     assert (
         said
         == """\
-EV3: reply to UI_READ GET_VBATT: 7.92 V
+EV3: reply to UI_READ.GET_VBATT: 7.92 V
     [Brick: 192.0.2.10:5555]
     Length: 9
     Message counter: 9
@@ -792,7 +792,7 @@ bytes after it]
 def test_no_text_cuts_the_line(tshark: Tshark) -> None:
     path = one_frame(tshark, command("D4 08 84", b"two\nlines\x7f\xe9\t\0"))
     *_, line = tshark.run(path).splitlines()
-    assert line.endswith('COM_SET SET_BRICKNAME name="two\u240alines\u2421\u00e9\u2409"')
+    assert line.endswith('COM_SET.SET_BRICKNAME name="two\u240alines\u2421\u00e9\u2409"')
 
 
 def test_a_brick_that_is_known_as_such_has_its_faulty_reports_shown(tshark: Tshark) -> None:
@@ -805,7 +805,7 @@ def test_a_brick_that_is_known_as_such_has_its_faulty_reports_shown(tshark: Tsha
     lines = [line.split("\t") for line in tshark.run(path, *words).splitlines()]
     assert [int(number) for number, _ in lines] == sent
     assert [said for _, said in lines] == [
-        "SOUND TONE volume=1 frequency=440 duration=1000",
+        "SOUND.TONE volume=1 % frequency=440 Hz duration=1000 ms",
         "no frame (1024 bytes)",
         "message of unknown type 0x77 [fault at offset 4: 0x77 is no message type]",
     ]

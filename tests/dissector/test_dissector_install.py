@@ -125,7 +125,7 @@ def test_installed_it_is_loaded_and_decodes(home: Home) -> None:
     assert home.files() == [".local/lib/wireshark/plugins/ev3.lua"]
     assert home.plugin.stat().st_mode & 0o444 == 0o444
     assert home.read("wifi.pcapng") == home.tshark.run(CAPTURES / "wifi.pcapng")
-    assert "SOUND TONE" in home.read("wifi.pcapng")
+    assert "SOUND.TONE" in home.read("wifi.pcapng")
 
 
 def test_the_tshark_that_is_named(home: Home) -> None:

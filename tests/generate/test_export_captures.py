@@ -110,8 +110,8 @@ def test_wireshark_has_nothing_to_complain_about(carrier: str, tshark: Tshark) -
     form = ("-T", "fields", "-e", "_ws.col.Info")
     told = [line for line in tshark.run(path, "-Y", "ev3.msg_len", *form).splitlines() if line]
     assert len(told) == len(DIALOGUE)
-    assert told[1] == "reply to UI_READ GET_VBATT: 7.92 V"
-    assert told[2] == "SOUND TONE volume=1 frequency=440 duration=1000"
+    assert told[1] == "reply to UI_READ.GET_VBATT: 7.92 V"
+    assert told[2] == "SOUND.TONE volume=1 % frequency=440 Hz duration=1000 ms"
     assert tshark.lua_errors(path) == []
 
 

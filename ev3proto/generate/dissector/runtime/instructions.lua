@@ -81,7 +81,7 @@ do
             alignment = SIZE_OF[row.validated or type] or 1,
             -- What precedes the value in a line, where the command or the reply has one.
             key = direction ~= OUT and " " .. name:lower() .. "=" or nil,
-            value_key = direction ~= IN and " " .. value_name .. "=" or nil,
+            value_key = direction ~= IN and " " .. value_name:lower() .. "=" or nil,
             is_output = direction ~= IN,
             unit = row.unit,
             names = row.enum and not is_flags and row.enum.names or nil,
@@ -110,7 +110,7 @@ do
                 is_float = type == DATAF,
                 size = SIZE_OF[type] or 1, alignment = 1, is_output = direction ~= IN,
                 key = direction ~= OUT and format(" %s[%d]=", list.name:lower(), number) or nil,
-                value_key = " " .. name .. "=",
+                value_key = " " .. name:lower() .. "=",
             }
         end)
     end
@@ -158,8 +158,7 @@ do
     function prepare_operation(operation)
         local name, at = operation.name, operation.first_field
         local rows, by_name = read_rows(operation.source), {}
-        operation.title, operation.cmd_name = gsub(name, "%.", " "), name:match("%.(.+)$")
-        operation.source, operation.parameters = nil, {}
+        operation.cmd_name, operation.source, operation.parameters = name:match("%.(.+)$"), nil, {}
         for _, row in ipairs(rows) do
             local own, type = row[1], row[3]
             local _, label, kind = described(name, row)

@@ -108,13 +108,13 @@ do
         if message.type.is_error then
             complain(view.item or view.root, "error_reply", "the brick refused or failed the command; it tells no more")
             local operation = request and first_operation(request.message)
-            return operation and "error reply to " .. operation.title or "error reply"
+            return operation and "error reply to " .. operation.name or "error reply"
         end
         local size = plural(stop - HEADER_SIZE, "byte")
         if not request then return "reply: " .. size .. ", command not seen" end
         local outputs, first = read_outputs(request.message, message), first_operation(request.message)
         if view.item then add_outputs(view, outputs) end
-        local head = first and "reply to " .. first.title .. ":" or "reply:"
+        local head = first and "reply to " .. first.name .. ":" or "reply:"
         if outputs[1] then return values_text(head, outputs) end
         return head .. " " .. (stop == HEADER_SIZE and "ok" or size)
     end

@@ -159,7 +159,7 @@ do
             if reason then fault = { at = offset, reason = reason, kind = kind } end
         end
         if not first then return "", at, fault, outputs end
-        local line = first.title .. phrase
+        local line = first.name .. phrase
         if count > 1 then line = format("%s (+%s)", line, plural(count - 1, "operation")) end
         return line, at, fault, outputs
     end

@@ -51,7 +51,7 @@ do
     local function add_uses(uses, body, at)
         while at < #body do
             local operation, after, _, reason = read_operation(body, at)
-            if operation then uses[operation.title] = (uses[operation.title] or 0) + 1 end
+            if operation then uses[operation.name] = (uses[operation.name] or 0) + 1 end
             if reason then return false end
             at = after
         end

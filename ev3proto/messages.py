@@ -17,7 +17,8 @@ from ev3proto.errors import BuildError, Fault
 from ev3proto.tables.declaration import Declaration, Parameter
 from ev3proto.tables.encoding import GLOBAL, LOCAL, Encoding
 from ev3proto.tables.frame import MessageType
-from ev3proto.tables.system import SystemStatus
+from ev3proto.tables.mailboxes import Reading, readings
+from ev3proto.tables.system import SYSTEM_BY_NUMBER, SystemStatus
 
 
 @dataclass(frozen=True, slots=True)
@@ -432,6 +433,16 @@ class SystemCommand(Message):
     number: int = 0
     command: str | None = None
     fields: Mapping[str, FieldValue] = field(default_factory=dict, hash=False)
+
+    @property
+    def readings(self) -> dict[str, Reading]:
+        """The readings that fit the message of a WRITEMAILBOX: `text`, `number`, `logic`; none for other commands."""
+        entry = SYSTEM_BY_NUMBER.get(self.number)
+        for declared in entry.request if entry is not None else ():
+            payload = self.fields.get(declared.name)
+            if declared.is_message and isinstance(payload, bytes):
+                return readings(payload)
+        return {}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)

@@ -222,7 +222,7 @@ types:
       - {id: payload_length, type: u2, doc: bytes of the message}
       - id: payload
         size: payload_length
-        doc: "the message: a text with its zero, a float, or one byte for a logic value"
+        doc: "the message: a text (with its zero), a number (a single), a logic value (one byte), or other bytes"
   request_bluetoothpin:
     doc: Hands over the PIN for a Bluetooth device (USB only)
     seq:

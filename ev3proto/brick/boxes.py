@@ -4,14 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-BOXES = 30
-"""Numbered from 0."""
-
-MOST_NAME = 49
-"""Bytes of a name; longer ones are cut."""
-
-MOST_CONTENT = 250
-"""Bytes of a message; what is longer is cut, where the firmware writes over what lies after."""
+from ev3proto.tables.mailboxes import BOXES, MOST_CONTENT, MOST_NAME
 
 
 @dataclass
@@ -55,7 +48,10 @@ class Mailboxes:
         return True
 
     def deliver(self, name: bytes, content: bytes) -> None:
-        """A message has come: the first box of that name gets it, open or closed; without one it is dropped."""
+        """A message has come: the first box of that name gets it, open or closed; without one it is dropped.
+
+        What is longer than a box is cut, where the firmware overwrites the next one.
+        """
         for box in self.boxes:
             if box.name == name:
                 box.size = min(len(content), MOST_CONTENT)

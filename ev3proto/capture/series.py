@@ -1,17 +1,17 @@
-"""Values over time: what the replies of a capture say, a column for each value, a row for each moment."""
+"""Values over time: what the replies of a capture and its messages to mailboxes say, a column for each value."""
 
 from __future__ import annotations
 
 import math
 import sys
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from typing import TypeAlias
 
 from ev3proto.capture.record import Event, Record, utc
 from ev3proto.dialogue import Value
-from ev3proto.messages import DirectCommand
+from ev3proto.messages import DirectCommand, SystemCommand
 
 LATENCY = "latency"
 """The column that every reply has a value for: seconds from its command."""
@@ -27,7 +27,7 @@ Cell: TypeAlias = float | str
 
 @dataclass(frozen=True, slots=True)
 class Row:
-    """What one reply says.
+    """What one reply says, or one message to a mailbox.
 
     time_ns   when it was captured, in nanoseconds since 1970-01-01 UTC
     packet    its packet
@@ -90,10 +90,10 @@ class Series:
 
 
 def series_of(events: Iterable[Event], file: str | None = None, most: int = MOST_CELLS) -> Series:
-    """Gathers the values of all replies.
+    """Gathers the values of all replies and of messages to mailboxes.
 
     Args:
-        events: Of a capture; what is no reply with a value is passed over.
+        events: Of a capture; what has no value is passed over.
         file: The name of the capture, which all rows get.
         most: Rows and values that are kept; further rows are counted.
 
@@ -102,26 +102,43 @@ def series_of(events: Iterable[Event], file: str | None = None, most: int = MOST
     """
     found = Series({LATENCY: "s"})
     for event in events:
-        if not isinstance(event, Record) or event.request is None:
+        if not isinstance(event, Record):
+            continue
+        columns = list(_columns(event))
+        if event.request is None and not columns:
             continue
         if found.size >= most:
             found.omitted += 1
             continue
         latency = event.latency
         cells: dict[str, Cell] = {} if latency is None else {LATENCY: latency}
-        for value, name in _named(event):
-            for suffix, cell in _cells(value):
-                column = sys.intern(name + suffix)
-                if column not in found.units:
-                    found.units[column] = value.unit
-                    found.size += len(column) // _CELL
-                cells[column] = cell
-                found.size += len(cell) // _CELL if isinstance(cell, str) else 0
+        for name, unit, cell in columns:
+            column = sys.intern(name)
+            if column not in found.units:
+                found.units[column] = unit
+                found.size += len(column) // _CELL
+            cells[column] = cell
+            found.size += len(cell) // _CELL if isinstance(cell, str) else 0
         found.size += 1 + len(cells)
         found.rows.append(Row(event.time_ns, event.number, event.peer, cells, event.route.is_timed, file))
     if not any(LATENCY in row.cells for row in found.rows):
         del found.units[LATENCY]
     return found
+
+
+def _columns(event: Record) -> Iterator[tuple[str, str | None, Cell]]:
+    """The values of a message: the name of the column, the unit, the value."""
+    if event.request is not None:
+        for value, name in _named(event):
+            for suffix, cell in _cells(value):
+                yield name + suffix, value.unit, cell
+    elif isinstance(event.message, SystemCommand):
+        prefix = f"{event.message.command}({event.message.fields.get('name', '')!s})"
+        for kind, reading in event.message.readings.items():
+            if isinstance(reading, str):
+                yield f"{prefix}.{kind}", None, reading
+            elif math.isfinite(reading):
+                yield f"{prefix}.{kind}", None, +reading
 
 
 def _named(reply: Record) -> list[tuple[Value, str]]:

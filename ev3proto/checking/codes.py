@@ -768,6 +768,27 @@ LONG_DAISY = _code(
     _sized("2A:00|8A|A0:00:01|" + "01:" * 56 + "01"),
     _sized("2A:00|8A|A0:00:01|" + "01:" * 55 + "01"),
 )
+MAILBOX_TOO_SMALL = _code(
+    "W804",
+    "more than a mailbox holds",
+    """
+    A mailbox has a name of at most 49 characters and room for 250 bytes. The firmware does not check what comes:
+    no mailbox has a longer name, so the message is dropped, and a longer message overwrites the next mailbox.
+    """,
+    _sized("2A:00|81|9E:02:61:00:FB:00:" + "61:" * 250 + "00"),
+    _sized("2A:00|81|9E:02:61:00:FA:00:" + "61:" * 249 + "00"),
+)
+TEXT_WITHOUT_ZERO = _code(
+    "W805",
+    "a message that looks like a text without its zero",
+    """
+    A text in a mailbox ends with a zero, which is part of the message and counted. The firmware copies a message
+    over the last one and does not clear the rest. So a program reads the text up to the next zero: after a longer
+    message, the end of that one follows.
+    """,
+    _sized("2A:00|81|9E:02:61:00:02:00:68:69"),
+    _sized("2A:00|81|9E:02:61:00:03:00:68:69:00"),
+)
 
 # 9: encodings
 

@@ -48,11 +48,11 @@ MOST_COLUMNS = {None: MOST_SHOWN, "csv": 1_000, "json": None}
     help="Draw numbers over time into this file: .svg or .png.",
 )
 def values(files: tuple[str, ...], reading: CaptureOptions, as_csv: bool, as_json: bool, plot: Path | None) -> None:
-    """Prints the values in replies over time: battery, sensors, motors, latencies.
+    """Prints the values in replies over time: battery, sensors, motors, latencies; and messages to mailboxes.
 
     Each value is a column, named after its operation, what that was asked with, and the parameter. --filter chooses the
-    replies; a value that an operation gives for another port is another column. Of several files, each row names its
-    file.
+    replies; a value that an operation gives for another port is another column. A message to a mailbox has a column for
+    each reading that fits: text, number, logic (1 is true). Of several files, each row names its file.
 
     \b
       ev3proto values robot.pcapng

@@ -95,14 +95,17 @@ def _checked(schema: Fields, data: bytes, *, complete: bool) -> dict[str, FieldV
     return values
 
 
-def system_command(command: int | str, *, counter: int = 0, reply: bool = True, **fields: FieldValue) -> SystemCommand:
+def system_command(
+    command: int | str, *, counter: int = 0, reply: bool = True, **fields: FieldValue | float
+) -> SystemCommand:
     """Makes a system command.
 
     Args:
         command: Name or number. BEGIN_DOWNLOAD of the bootloader, 0xF1, has the name of another one: use its number.
         counter: The message counter, 0 to 65535.
         reply: Whether the brick is to answer.
-        fields: Values by the field's name. Lengths that are omitted are worked out.
+        fields: Values by the field's name. Lengths that are omitted are worked out. The message of a mailbox is a text
+            (its zero is added), a number, True or False, or bytes.
 
     Returns:
         The command.

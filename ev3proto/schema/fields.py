@@ -13,6 +13,7 @@ from ev3proto.errors import BuildError, DecodeError, counted, near_misses
 from ev3proto.messages import FieldValue
 from ev3proto.schema.bytewise import Bytewise
 from ev3proto.tables.encoding import STRING_CODING
+from ev3proto.tables.mailboxes import message_of
 from ev3proto.tables.system import SYSTEM, SYSTEM_BY_NUMBER, Field, Kind, SystemCommand
 
 NUMBERS: dict[Kind, Construct] = {Kind.U8: Int8ul, Kind.U16: Int16ul, Kind.U32: Int32ul}
@@ -185,22 +186,22 @@ class Fields(Bytewise):
         return b"".join(self._piece(field, value[field.name], value) for field in self.fields if field.name in value)
 
     def completed(self, value: Mapping[str, Any]) -> dict[str, Any]:
-        """Works out the lengths that were omitted.
+        """Works out the lengths that were omitted, and the bytes of a mailbox's message.
 
         Args:
             value: Values by the field's name.
 
         Returns:
-            The same values with those lengths, in the order of the frame.
+            The same values with those lengths and bytes, in the order of the frame.
 
         Raises:
-            BuildError: A field is unknown, or what is to be counted is no text or bytes.
+            BuildError: A field is unknown, or has no value that can be counted.
         """
         self._refuse_unknown(value)
-        found = dict(value)
+        found = {name: _message(name, one) if self.by_name[name].is_message else one for name, one in value.items()}
         for field in self.fields:
             if field.counts is not None and field.counts in value and field.name not in value:
-                found[field.name] = self._size(field.counts, value)
+                found[field.name] = self._size(field.counts, found)
         return {field.name: found[field.name] for field in self.fields if field.name in found}
 
     def _refuse_unknown(self, value: Mapping[str, Any]) -> None:
@@ -231,6 +232,18 @@ class Fields(Bytewise):
             _text(value, field.name, zeros=field.kind is Kind.LISTING)
         built: bytes = KINDS[field.kind].build(value)
         return built
+
+
+def _message(name: str, value: Any) -> bytes:
+    """The bytes of a mailbox's message. Raises BuildError for what no message is made of."""
+    if isinstance(value, str):
+        _text(value, name, zeros=True)
+    elif not isinstance(value, bytes | int | float):
+        raise BuildError(f"{name} takes a text, a number, True, False or bytes, not {value!r}")
+    try:
+        return message_of(value)
+    except OverflowError:
+        raise BuildError(f"{name} cannot be {value!r}: a number in a message is a single (4 bytes)") from None
 
 
 def _too_short(field: Field) -> str:

@@ -179,7 +179,7 @@ def list_open_handles(*, counter: int = 0, reply: bool = True) -> SystemCommand:
 
 def writemailbox(
     name: str,
-    payload: bytes,
+    payload: str | float | bytes,
     name_length: int | None = None,
     payload_length: int | None = None,
     *,
@@ -190,7 +190,7 @@ def writemailbox(
 
     Args:
         name: The mailbox.
-        payload: The message: a text with its zero, a float, or one byte for a logic value.
+        payload: The message: a text (with its zero), a number (a single), a logic value (one byte), or other bytes.
         name_length: Bytes of the name, with or without its zero; 0 to 255; worked out from name when omitted.
         payload_length: Bytes of the message; 0 to 65535; worked out from payload when omitted.
         counter: Of the message, 0 to 65535.

@@ -30,6 +30,7 @@ class Field(NamedTuple):
     counts    for lengths: the field whose bytes they count; omitted when building, it is worked out
     optional  True where senders omit it
     most      largest number of bytes, where the firmware has a limit
+    is_message  True for the message of a mailbox, a text, a number or a logic value: `tables.mailboxes` reads it
     """
 
     name: str
@@ -38,6 +39,7 @@ class Field(NamedTuple):
     counts: str | None = None
     optional: bool = False
     most: int | None = None
+    is_message: bool = False
 
 
 class SystemStatus(IntEnum):
@@ -277,7 +279,12 @@ SYSTEM = (
             Field("name_length", Kind.U8, "bytes of the name, with or without its zero", counts="name"),
             Field("name", Kind.COUNTED_TEXT, "the mailbox"),
             Field("payload_length", Kind.U16, "bytes of the message", counts="payload"),
-            Field("payload", Kind.DATA, "the message: a text with its zero, a float, or one byte for a logic value"),
+            Field(
+                "payload",
+                Kind.DATA,
+                "the message: a text (with its zero), a number (a single), a logic value (one byte), or other bytes",
+                is_message=True,
+            ),
         ),
         answered=False,
         effects=(Effect.SENDS_MESSAGES,),

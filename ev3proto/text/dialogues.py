@@ -13,7 +13,7 @@ from ev3proto.messages import (
     SystemReply,
 )
 from ev3proto.tables.system import status_meaning
-from ev3proto.text.phrases import argument_value, plain, value_text
+from ev3proto.text.phrases import argument_value, field_texts, value_text
 from ev3proto.text.spans import Line, Role
 
 _MOST_OPERATIONS = 8
@@ -28,7 +28,7 @@ def command_spans(message: Message) -> Line:
         line += _operations(message.operations) if message.operations else [("no operations", Role.ASIDE)]
     elif isinstance(message, SystemCommand):
         line.append((message.command or f"0x{message.number:02X}", Role.OPERATION))
-        line += _fields({name: plain(value) for name, value in message.fields.items()})
+        line += _fields(message)
     elif isinstance(message, DaisyCommand):
         line.append((message.command or f"0x{message.number:02X}", Role.OPERATION))
         line.append((f" from layer {message.layer_from} to layer {message.layer_to}", Role.PLAIN))
@@ -50,10 +50,9 @@ def reply_spans(exchange: Exchange) -> Line:
         return [("fault: the request came back in place of a reply", Role.FAULT)]
     if isinstance(message, SystemReply):
         status = message.status.name if message.status is not None else f"status {message.status_code}"
-        texts = {name: plain(value) for name, value in message.fields.items()}
         meaning = status_meaning(message.number, message.status_code) if message.is_error else None
         said: Line = [(f" ({meaning})", Role.MEANING)] if meaning else []
-        return [(status, Role.FAULT if message.is_error else Role.VALUE), *_fields(texts), *said]
+        return [(status, Role.FAULT if message.is_error else Role.VALUE), *_fields(message), *said]
     if message.type is not None and message.type.is_error:
         return [("error", Role.FAULT)]
     if not exchange.values:
@@ -115,10 +114,12 @@ def _value(value: Value) -> Line:
     return [(f"{value.name}=", Role.NAME), (_short(value_text(value)), Role.VALUE)]
 
 
-def _fields(texts: dict[str, str]) -> Line:
+def _fields(message: SystemCommand | SystemReply) -> Line:
     line: Line = []
-    for name, text in texts.items():
+    for name, text, meaning in field_texts(message):
         line += [(f" {name}=", Role.NAME), (_short(text), Role.VALUE)]
+        if meaning:
+            line.append((f" ({_short(meaning)})", Role.MEANING))
     return line
 
 

@@ -23,7 +23,7 @@ from ev3proto.schema.fields import REPLIES, REQUESTS
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
 from ev3proto.tables.frame import LENGTH_FIELD
 from ev3proto.text.heading import Seen, heading
-from ev3proto.text.phrases import argument_value, plain
+from ev3proto.text.phrases import argument_value, field_texts
 from ev3proto.text.spans import plain_text
 
 _BYTES_A_LINE = 12
@@ -117,11 +117,11 @@ def _fields(message: SystemCommand | SystemReply) -> Iterator[tuple[int, str]]:
     schema = (REPLIES if isinstance(message, SystemReply) else REQUESTS).get(message.number)
     given: dict[str, FieldValue] = {}
     before = 0
-    for name, value in message.fields.items():
+    for name, text, meaning in field_texts(message):
         assert schema is not None, "only the fields of a known command have names"
-        given[name] = value
+        given[name] = message.fields[name]
         size = len(schema.write_present(given))
-        yield size - before, f"{name} {plain(value)}"
+        yield size - before, f"{name} {text} ({meaning})" if meaning else f"{name} {text}"
         before = size
 
 

@@ -5,10 +5,12 @@ from __future__ import annotations
 import json
 import math
 import struct
+from collections.abc import Iterator
 
 from ev3proto.dialogue import Value, ValueType
-from ev3proto.messages import Argument
+from ev3proto.messages import Argument, SystemCommand, SystemReply
 from ev3proto.tables.encoding import GLOBAL, LOCAL, TEXT
+from ev3proto.tables.mailboxes import Reading
 
 _LETTERS = {LOCAL: "L", GLOBAL: "G"}
 _encode = json.JSONEncoder(ensure_ascii=False).encode
@@ -55,6 +57,22 @@ def plain(value: ValueType) -> str:
     if isinstance(value, list):
         return f"[{', '.join(plain(item) for item in value)}]"
     return str(value)
+
+
+def reading_text(value: Reading) -> str:
+    """A reading of a mailbox's message: `"hi"`, `1.5`, `true`."""
+    return str(value).lower() if isinstance(value, bool) else plain(value)
+
+
+def field_texts(message: SystemCommand | SystemReply) -> Iterator[tuple[str, str, str]]:
+    """Each field of a system message: its name, its value, and its meaning where its bytes are a mailbox's message.
+
+    The meaning names each reading that fits: `logic false or text ""`.
+    """
+    found = message.readings if isinstance(message, SystemCommand) else {}
+    meaning = " or ".join(f"{kind} {reading_text(value)}" for kind, value in found.items())
+    for name, value in message.fields.items():
+        yield name, plain(value), meaning if isinstance(value, bytes) else ""
 
 
 def argument_value(argument: Argument) -> str:

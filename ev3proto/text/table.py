@@ -14,7 +14,7 @@ from itertools import zip_longest
 from ev3proto.dialogue import Exchange
 from ev3proto.messages import DaisyCommand, DirectCommand, DirectReply, Message, Operation, SystemCommand, SystemReply
 from ev3proto.text.heading import Seen, heading
-from ev3proto.text.phrases import argument_value, plain, value_text
+from ev3proto.text.phrases import argument_value, field_texts, plain, value_text
 from ev3proto.text.spans import Line, Role
 
 _SHORT_TYPES = {
@@ -68,6 +68,10 @@ def table(exchange: Exchange, seen: Seen) -> Iterator[Line]:
     for value in exchange.values if isinstance(message, DirectReply) else ():
         operation = f"{value.op} {value.command}" if value.command else value.op
         yield [(f"{operation} {value.name} = {value_text(value)}", Role.VALUE)]
+    if isinstance(message, SystemCommand):
+        for name, _, meaning in field_texts(message):
+            if meaning:
+                yield [(f"{message.command} {name} = {meaning}", Role.VALUE)]
     if message.fault is not None and not (seen.cut and message.fault.truncated):
         yield [(f"fault at {message.fault}", Role.FAULT)]
 

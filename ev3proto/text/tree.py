@@ -21,7 +21,7 @@ from ev3proto.tables.daisy import DaisyCommand as DaisySubCommand
 from ev3proto.tables.encoding import STRING_CODING, TEXT
 from ev3proto.tables.system import SYSTEM_BY_NUMBER, status_meaning
 from ev3proto.text.heading import Seen, heading
-from ev3proto.text.phrases import argument_meaning, argument_value, plain, spaced_hex, value_text
+from ev3proto.text.phrases import argument_meaning, argument_value, field_texts, plain, spaced_hex, value_text
 from ev3proto.text.spans import Line, Role
 
 _MOST_REST = 32
@@ -102,12 +102,13 @@ def _system(message: SystemCommand | SystemReply, transfer: Transfer | None) -> 
     if isinstance(message, SystemReply) and (meaning := status_meaning(message.number, message.status_code)):
         yield [(f"        {meaning}", Role.MEANING)]
     width = max((len(name) for name in message.fields), default=0)
-    for name, value in message.fields.items():
+    for name, value, meaning in field_texts(message):
         yield [
             ("        ", Role.PLAIN),
             (name.ljust(width), Role.NAME),
             (" = ", Role.PLAIN),
-            (plain(value), Role.VALUE),
+            (value, Role.VALUE),
+            (f"  {meaning}" if meaning else "", Role.MEANING),
         ]
     if transfer is not None and transfer.path:
         of = "an unknown number of" if transfer.size is None else str(transfer.size)

@@ -44,6 +44,23 @@ def test_json() -> None:
     assert rows[1]["values"] == {"latency": 0.004, "INPUT_READ(0,0,0,0).PCT": 100}
 
 
+def test_messages_to_mailboxes(tmp_path: Path) -> None:
+    log = tmp_path / "robot.log"
+    log.write_text(
+        "09:00:00 sent 0f 00 01 00 81 9e 04 61 62 63 00 04 00 00 00 c0 3f\n"
+        "09:00:01 sent 0c 00 02 00 81 9e 04 61 62 63 00 01 00 01\n"
+        "09:00:02 sent 0e 00 03 00 81 9e 04 61 62 63 00 03 00 68 69 00\n"
+        "09:00:03 sent 0d 00 03 00 81 9e 04 61 62 63 00 02 00 68 69\n"
+    )
+    done = run("values", str(log), "--json")
+    assert [json.loads(line)["values"] for line in done.stdout.splitlines()] == [
+        {"WRITEMAILBOX(abc).number": 1.5},
+        {"WRITEMAILBOX(abc).logic": 1},
+        {"WRITEMAILBOX(abc).text": "hi"},
+    ]
+    assert "hi" in run("values", str(log), "--filter", 'command == "WRITEMAILBOX"').stdout
+
+
 def test_a_picture_has_units_and_names(tmp_path: Path) -> None:
     path = tmp_path / "battery.svg"
     done = run("values", PLUGGED, *BATTERY, "--plot", str(path))

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 import ev3proto
-from ev3proto import GV, LV, Finding, Operation, Report, Severity, check, operation
+from ev3proto import GV, LV, Finding, Operation, Report, Severity, check, operation, system
 from ev3proto.checking.codes import CODES
 from ev3proto.schema.argument import encode_as
 from ev3proto.text.paste import read_text
@@ -637,3 +637,24 @@ def test_a_slip_in_the_header_is_one_finding(frame: str, code: str, offset: int,
     (finding,) = check(bytes.fromhex(frame)).findings
     assert (finding.code, finding.offset) == (code, offset)
     assert said in finding.help
+
+
+def test_messages_to_mailboxes() -> None:
+    def found(name: str, payload: bytes) -> list[tuple[str, int, int, str]]:
+        report = check(system.writemailbox(name, payload).build())
+        assert report.accepted
+        return [(one.code, one.offset, one.length, one.message) for one in report.findings]
+
+    for fits in (b"hi\0", b"", b"\0", b"\1", bytes.fromhex("0000C03F"), b"@@HB", b"\x05", b"\5\0", b"a" * 249 + b"\0"):
+        assert found("a" * 49, fits) == []
+    assert found("a", b"hi") == [("W805", 11, 2, NO_ZERO)]
+    assert found("a", b"stop") == [("W805", 11, 4, NO_ZERO)]
+    assert found("a", b"b" * 250 + b"\0") == [
+        ("W804", 11, 251, "the message has 251 bytes, and a mailbox has room for 250")
+    ]
+    assert found("a" * 50, b"\1") == [
+        ("W804", 7, 50, "the name has 50 characters, and that of a mailbox has 49 at most")
+    ]
+
+
+NO_ZERO = "the message looks like a text, and has no zero at its end"

@@ -437,6 +437,33 @@ WRITEMAILBOX(name="a", payload=bytes(01 02)) /* c */ // d
 TOKENS = re.findall(r"\w+|\W", SAMPLE)
 
 
+@each(
+    "value, payload",
+    [
+        ("'hi'", "68 69 00"),
+        ('"hi\\0"', "68 69 00"),
+        ("1.5F", "00 00 C0 3F"),
+        ("-2", "00 00 00 C0"),
+        ("true", "01"),
+        ("FALSE", "00"),
+        ("bytes(05 00)", "05 00"),
+    ],
+)
+def test_messages_to_mailboxes_are_texts_numbers_and_logic_values(value: str, payload: str) -> None:
+    size = f"{len(bytes.fromhex(payload)):02X}"
+    head = "81 9E 04 61 62 63 00"
+    (frame,) = assembled(f"WRITEMAILBOX(name='abc', payload={value})")
+    assert frame.endswith(f"{head} {size} 00 {payload}")
+    assert assembled(f"WRITEMAILBOX('abc', {value})") == [frame]
+
+
+def test_what_is_no_message_to_a_mailbox() -> None:
+    with pytest.raises(AssemblyError, match=r"column 34: unknown name hi"):
+        assemble("WRITEMAILBOX(name='abc', payload=hi)")
+    with pytest.raises(AssemblyError, match=r"payload cannot be '€'"):
+        assemble("WRITEMAILBOX(name='abc', payload='€')")
+
+
 @given(st.randoms(use_true_random=False), st.text(max_size=20))
 def test_bad_text_gives_an_error_and_nothing_else(chance: random.Random, noise: str) -> None:
     words = list(TOKENS)

@@ -5,6 +5,8 @@ from __future__ import annotations
 import ev3proto
 from ev3proto import Dialogue, operation, parse
 from ev3proto.text.assembly import assembly, operation_line
+from ev3proto.text.dialogues import dialogue_line
+from ev3proto.text.forms import as_c
 from ev3proto.text.heading import Seen, heading
 from ev3proto.text.json_format.from_messages import record
 from ev3proto.text.phrases import plain, short_float
@@ -55,6 +57,45 @@ def test_the_tree_of_a_reply_reads_its_memory() -> None:
         "DIRECT_REPLY, counter 1, 9 bytes: ok (the command it answers was not seen)",
         "     5  global memory: A4 70 FD 40",
     ]
+
+
+def mailbox(payload: bytes) -> bytes:
+    body = bytes.fromhex("2A 00 81 9E 04") + b"abc\0" + len(payload).to_bytes(2, "little") + payload
+    return len(body).to_bytes(2, "little") + body
+
+
+def test_messages_to_mailboxes_are_shown_as_all_that_they_can_mean() -> None:
+    def last(payload: bytes) -> str:
+        return shown(mailbox(payload))[-1]
+
+    assert last(b"hi\0") == '        payload        = 68 69 00  text "hi"'
+    assert last(bytes.fromhex("0000C03F")) == "        payload        = 00 00 C0 3F  number 1.5"
+    assert last(b"abc\0") == '        payload        = 61 62 63 00  number 9.127006e-39 or text "abc"'
+    assert last(b"\0") == '        payload        = 00  logic false or text ""'
+    assert last(b"\1") == "        payload        = 01  logic true"
+    assert last(b"hi") == "        payload        = 68 69"
+    assert drawn(mailbox(b"hi\0"))[-1] == 'WRITEMAILBOX payload = text "hi"'
+    assert drawn(mailbox(b"hi"))[-1].startswith("---")
+
+
+def test_messages_to_mailboxes_are_read_in_json_too() -> None:
+    def read(payload: bytes) -> object:
+        entry = record(Dialogue().follow(parse(mailbox(payload))), Seen())
+        assert entry["fields"]["payload"] == payload.hex()
+        return entry.get("readings")
+
+    assert read(b"hi\0") == {"text": "hi"}
+    assert read(b"\0") == {"logic": False, "text": ""}
+    assert read(bytes.fromhex("0000C03F")) == {"number": 1.5}
+    assert read(bytes.fromhex("0000C07F")) == {"number": "nan"}
+    assert read(b"hi") is None
+
+
+def test_messages_to_mailboxes_are_read_in_dialogues_and_comments() -> None:
+    line = plain_text(dialogue_line(parse(mailbox(b"a text that is so long that it is cut somewhere\0")), None, None))
+    assert line.startswith('WRITEMAILBOX name_length=4 name="abc" payload_length=48 payload=61 20 74')
+    assert line.endswith(' (text "a text that is so long that it is cut somewhere")')
+    assert '/* payload 68 69 00 (text "hi") */' in as_c(parse(mailbox(b"hi\0")))
 
 
 def test_the_tree_shows_a_cmd_that_is_encoded_longer() -> None:

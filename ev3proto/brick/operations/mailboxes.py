@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from ev3proto.brick.boxes import BOXES, MOST_CONTENT, Mailbox
+from ev3proto.brick.boxes import Mailbox
 from ev3proto.brick.handlers import handles
 from ev3proto.brick.handles import Array
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.operation_exits import Busy, Failure, WildAccess
 from ev3proto.brick.places import Place
 from ev3proto.tables.enumerations import DATA_FORMAT, FORMAT_TYPES
+from ev3proto.tables.mailboxes import BOXES, MOST_CONTENT
 
 _SIZES = {number: kind.size for number, kind in FORMAT_TYPES.items()}
 _TEXT = DATA_FORMAT.members["DATA_S"]

@@ -12,7 +12,7 @@ from ev3proto.errors import counted
 from ev3proto.messages import DaisyCommand, SystemCommand
 from ev3proto.schema.fields import NUMBERS
 from ev3proto.schema.header import HEADER_SIZE
-from ev3proto.tables import daisy, paths
+from ev3proto.tables import daisy, mailboxes, paths
 from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.frame import REPORT_SIZES, MessageType
 from ev3proto.tables.system import SYSTEM_BY_NUMBER, Field, Kind
@@ -20,6 +20,9 @@ from ev3proto.tables.system import SystemCommand as Entry
 
 _USB = "usb"
 _PATH = "path"
+_NAME = "name"
+_NAME_OFFSET = HEADER_SIZE + 2
+"""Of a mailbox's name, after the command and the length of the name."""
 _OPENED = "begin"
 """Transfers begin with a path of a file, which the firmware takes apart."""
 
@@ -133,6 +136,8 @@ def _fields(command: SystemCommand, entry: Entry) -> Iterator[Finding]:
             )
         if field.name == _PATH and isinstance(value, str):
             yield from _path(at, value, entry)
+        if field.is_message and isinstance(value, bytes):
+            yield from _mailbox(at, value, str(command.fields[_NAME]), entry, field.name)
         at += size
 
 
@@ -183,6 +188,37 @@ def _path(at: int, path: str, entry: Entry) -> Iterator[Finding]:
             _PATH,
         )
         return
+
+
+def _mailbox(at: int, payload: bytes, name: str, entry: Entry, field: str) -> Iterator[Finding]:
+    """A message that starts at an offset, to a mailbox of that name."""
+    if len(name) > mailboxes.MOST_NAME:
+        yield codes.MAILBOX_TOO_SMALL.finding(
+            _NAME_OFFSET,
+            len(name),
+            f"the name has {len(name)} characters, and that of a mailbox has {mailboxes.MOST_NAME} at most",
+            f"shorten it by {len(name) - mailboxes.MOST_NAME}",
+            entry.name,
+            _NAME,
+        )
+    if len(payload) > mailboxes.MOST_CONTENT:
+        yield codes.MAILBOX_TOO_SMALL.finding(
+            at,
+            len(payload),
+            f"the message has {len(payload)} bytes, and a mailbox has room for {mailboxes.MOST_CONTENT}",
+            f"shorten it by {len(payload) - mailboxes.MOST_CONTENT}",
+            entry.name,
+            field,
+        )
+    if mailboxes.lacks_zero(payload):
+        yield codes.TEXT_WITHOUT_ZERO.finding(
+            at,
+            len(payload),
+            "the message looks like a text, and has no zero at its end",
+            "add a zero, and count it in the length of the message",
+            entry.name,
+            field,
+        )
 
 
 def _lists(entry: Entry) -> bool:

@@ -107,6 +107,7 @@ def _room(entry: SystemCommand) -> int:
 
 def _parameter(entry: SystemCommand, field: Field) -> str:
     kind = "int" if field.kind in NUMBERS else "bytes" if field.kind is Kind.DATA else "str"
+    kind = "str | float | bytes" if field.is_message else kind
     default = _default(entry, field)
     if default is None:
         return f"{field.name}: {kind}"

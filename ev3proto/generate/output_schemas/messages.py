@@ -23,6 +23,7 @@ from ev3proto.tables.carriers import CARRIERS
 from ev3proto.tables.daisy import DaisyCommand
 from ev3proto.tables.declaration import Direction
 from ev3proto.tables.frame import MessageType
+from ev3proto.tables.mailboxes import LOGIC_MESSAGE, NUMBER_MESSAGE, TEXT_MESSAGE
 from ev3proto.tables.system import SYSTEM, SystemStatus
 
 _BYTE: Schema = {"type": "integer", "minimum": 0, "maximum": 255}
@@ -77,7 +78,7 @@ def _contents() -> Schema:
     return {
         "direct-command": {"globals": WHOLE, "locals": WHOLE, "operations": list_of(reference("operation"))},
         "direct-reply": {"status": _OUTCOME, "memory": HEX},
-        "system-command": system,
+        "system-command": {**system, "readings": _readings()},
         "system-reply": {
             **system,
             "status": _OUTCOME,
@@ -93,6 +94,12 @@ def _contents() -> Schema:
         },
         "daisy-reply": {"status": _OUTCOME, "fields": by_name({"type": ["string", "integer"]}, (*daisy, *report))},
     }
+
+
+def _readings() -> Schema:
+    """What the message of a mailbox can mean; a number that is not finite is a text."""
+    kinds: Schema = {TEXT_MESSAGE: TEXT, NUMBER_MESSAGE: {"anyOf": [NUMBER, NOT_FINITE]}, LOGIC_MESSAGE: FLAG}
+    return object_of(kinds, *kinds)
 
 
 def _message(kind: str, contents: Schema) -> Schema:

@@ -13,6 +13,8 @@ from ev3proto.text.assembly.syntax import Call, Name, Raw, WrittenArgument
 from ev3proto.text.assembly.values import Encoder
 from ev3proto.text.assembly.words import STATUS, command_name
 
+_LOGIC = {"true": True, "false": False}
+
 _BY_NAME = {entry.name: entry for entry in reversed(SYSTEM)} | {command_name(entry): entry for entry in SYSTEM}
 
 
@@ -67,10 +69,12 @@ def _status(arguments: list[WrittenArgument], encoder: Encoder) -> int:
     return SystemStatus.SUCCESS
 
 
-def _values(name: str, schema: Fields, arguments: list[WrittenArgument], encoder: Encoder) -> dict[str, FieldValue]:
+def _values(
+    name: str, schema: Fields, arguments: list[WrittenArgument], encoder: Encoder
+) -> dict[str, FieldValue | float]:
     """The fields by name. Values without names are those of the fields in order, lengths omitted."""
     in_order = iter([field for field in schema.fields if field.counts is None])
-    values: dict[str, FieldValue] = {}
+    values: dict[str, FieldValue | float] = {}
     for argument in arguments:
         if argument.name is None:
             field = next(in_order, None)
@@ -87,13 +91,19 @@ def _values(name: str, schema: Fields, arguments: list[WrittenArgument], encoder
     return values
 
 
-def _value(field: Field, argument: WrittenArgument, encoder: Encoder) -> FieldValue:
+def _value(field: Field, argument: WrittenArgument, encoder: Encoder) -> FieldValue | float:
     value = argument.value
     if field.kind in NUMBERS:
         return encoder.whole(value, field.name, 0, (1 << 8 * NUMBERS[field.kind].sizeof()) - 1)
     if isinstance(value, Raw):
         return value.data if field.kind is Kind.DATA else value.data.decode(STRING_CODING)
+    if field.is_message and isinstance(value, Name) and value.text.lower() in _LOGIC:
+        return _LOGIC[value.text.lower()]
     found = encoder.meaning(value)
+    if field.is_message:
+        if isinstance(found, str | int | float):
+            return found
+        raise SourceError(value.at, f"{field.name} takes a text, a number, true, false or bytes(01 FF), not {found!r}")
     if not isinstance(found, str):
         expected = "a text or bytes(01 FF)" if field.kind is Kind.DATA else "a text"
         raise SourceError(value.at, f"{field.name} takes {expected}, not {found!r}")

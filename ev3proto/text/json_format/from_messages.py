@@ -65,7 +65,9 @@ def _contents(message: Message) -> dict[str, Any]:
         case DirectReply():
             return {"status": "error" if message.is_error else "ok", "memory": message.memory.hex()}
         case SystemCommand():
-            return {"command": message.command, "number": message.number, "fields": _fields(message)}
+            found = {"command": message.command, "number": message.number, "fields": _fields(message)}
+            readings = {kind: _plain(value) for kind, value in message.readings.items()}
+            return found | ({"readings": readings} if readings else {})
         case SystemReply():
             return {
                 "command": message.command,

@@ -809,7 +809,7 @@ def test_every_beginning_of_a_frame_is_a_message_of_its_kind(frame: str) -> None
         (lambda: ev3proto.operation("MOVEF_F", 1.0, GV("x")), "the index of a variable must be"),  # type: ignore[arg-type]
         (lambda: ev3proto.direct_reply("abc"), "memory takes bytes"),  # type: ignore[arg-type]
         (lambda: ev3proto.direct_command(b"\x01"), "is no operation"),  # type: ignore[arg-type]
-        (lambda: ev3proto.system_command("WRITEMAILBOX", name="x", payload=5), "payload takes bytes"),
+        (lambda: ev3proto.system_command("CONTINUE_DOWNLOAD", handle=0, data=5), "data takes bytes"),
     ],
 )
 def test_whatever_cannot_be_built_is_a_build_error(make: Callable[[], object], complaint: str) -> None:

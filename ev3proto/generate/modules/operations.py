@@ -1,4 +1,4 @@
-"""`ev3proto.ops` and its dialects: a module for each family, and one for the other opcodes of each of the areas.
+"""`ev3proto.ops` and its dialects: a module for each family, and a private one for all other opcodes.
 
 What a dialect shares with LEGO's own firmware is re-exported from there; its own folder holds what differs.
 """
@@ -31,8 +31,8 @@ from ev3proto.tables import OPCODES, area_of
 from ev3proto.tables import operations as operations_of
 from ev3proto.tables.declaration import DIALECTS, LISTS, Declaration, Direction, Opcode, Parameter, Type
 
-_PLAIN = "plain"
-"""The folder of opcodes without a CMD, one module an area: SOUND is both an area and a family."""
+_PLAIN = "_plain"
+"""The module of the opcodes without a CMD; the index imports all of it."""
 
 _UNCHECKED = "unchecked: bool = False"
 
@@ -73,14 +73,8 @@ def modules(dialect: str) -> dict[str, str]:
     for opcode in _families(dialect):
         if _family_home(opcode, dialect) == dialect:
             files[f"{folder}/{python_name(opcode.name)}.py"] = joined(_family(opcode, dialect))
-    areas = {area: [each for each in found if _home(each) == dialect] for area, found in _plain(dialect).items()}
-    for area, declarations in areas.items():
-        if declarations:
-            files[f"{folder}/{_PLAIN}/{area}.py"] = joined(_area(area, declarations, dialect))
-            text = (
-                f"Opcodes without a CMD of {FIRMWARES[dialect]}: a module for each area of the firmware that has any."
-            )
-            files[f"{folder}/{_PLAIN}/__init__.py"] = joined(docstring([text, "", MARK]))
+    if own := _plain_homes(dialect).get(dialect):
+        files[f"{folder}/{_PLAIN}.py"] = joined(_plain_module(own, dialect))
     return files
 
 
@@ -109,12 +103,12 @@ def _family_home(opcode: Opcode, dialect: str) -> str:
     return next(other for other in DIALECTS if _commands(opcode, other) == wanted)
 
 
-def _plain(dialect: str) -> dict[str, list[Declaration]]:
-    """The operations without a CMD by area."""
+def _plain_homes(dialect: str) -> dict[str, list[Declaration]]:
+    """The operations of a dialect without a CMD, area by area, by the dialect whose folder has them."""
+    plain = [found for found in operations_of(dialect).values() if found.command is None]
     found: dict[str, list[Declaration]] = {}
-    for declaration in operations_of(dialect).values():
-        if declaration.command is None:
-            found.setdefault(area_of(declaration.opcode), []).append(declaration)
+    for declaration in sorted(plain, key=lambda each: area_of(each.opcode)):
+        found.setdefault(_home(declaration), []).append(declaration)
     return found
 
 
@@ -128,30 +122,24 @@ def _name(declaration: Declaration) -> str:
 def _index(dialect: str) -> Iterator[str]:
     yield from docstring(_TEXTS[dialect])
     families = {python_name(opcode.name): _package(_family_home(opcode, dialect)) for opcode in _families(dialect)}
-    plain: dict[str, list[str]] = {}
-    for area, declarations in _plain(dialect).items():
-        for declaration in declarations:
-            module = f"{_package(_home(declaration))}.{_PLAIN}.{area}"
-            plain.setdefault(module, []).append(_name(declaration))
+    plain = _plain_homes(dialect)
     yield ""
-    yield "# ruff: noqa: I001 - one import for each module"
+    yield "# ruff: noqa: F403, I001 - the private modules say what they export; one import for each module"
     yield ""
     for package in sorted(set(families.values())):
         names = [name for name, home in families.items() if home == package]
         yield from _reexported(package, names)
-    for module in sorted(plain):
-        yield from _reexported(module, plain[module])
+    for home in sorted(plain, key=DIALECTS.index):
+        module = f"{_package(home)}.{_PLAIN}"
+        if plain[home] == _plain_homes(home)[home]:
+            yield f"from {module} import *"
+        else:
+            yield from _reexported(module, list(map(_name, plain[home])))
 
 
 def _reexported(module: str, names: Sequence[str]) -> Iterator[str]:
     pairs = [f"{name} as {name}" for name in sorted(names, key=natural)]
-    line = f"from {module} import {', '.join(pairs)}"
-    if len(line) <= WIDTH:
-        yield line
-    else:
-        yield f"from {module} import ("
-        yield from (f"{INDENT}{pair}," for pair in pairs)
-        yield ")"
+    yield from bracketed(f"from {module} import (", pairs, ")", indent=" " * WIDTH)
 
 
 # The modules with functions
@@ -172,10 +160,9 @@ def _family(opcode: Opcode, dialect: str) -> Iterator[str]:
     yield from _functions(own, dialect)
 
 
-def _area(area: str, declarations: Sequence[Declaration], dialect: str) -> Iterator[str]:
+def _plain_module(declarations: Sequence[Declaration], dialect: str) -> Iterator[str]:
     package = _package(dialect).removeprefix("ev3proto.")
-    text = f"Opcodes without a CMD in the firmware's area `{area}`; `{package}` has each under its name."
-    yield from docstring([text, "", MARK])
+    yield from docstring([f"Opcodes without a CMD, area by area; `{package}` has each under its name.", "", MARK])
     yield from _imports(declarations, {})
     yield ""
     yield from exported(map(_name, declarations))

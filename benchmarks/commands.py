@@ -7,8 +7,7 @@ import struct
 from collections.abc import Iterator
 
 import ev3proto
-from ev3proto.schema.instructions import instruction_set
-from ev3proto.schema.operation import OperationSchema
+from ev3proto.schema.instructions import OperationSchema, instruction_set
 from ev3proto.tables.declaration import Parameter, Type
 from ev3proto.tables.encoding import RANGES
 

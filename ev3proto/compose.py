@@ -14,10 +14,18 @@ from ev3proto.messages import DirectCommand, Operation, Variable
 from ev3proto.schema.argument import encode_variable
 from ev3proto.schema.constructors import EMPTY_COMMAND
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, build_frame, write_memory
-from ev3proto.semantics.drafts.allocation import Allocator, Need, aligned, joined
 from ev3proto.semantics.drafts.draft import STAND_IN, Draft, draft_of
-from ev3proto.semantics.drafts.labels import Label, with_jumps
-from ev3proto.semantics.drafts.placeholders import Global, Local, Placeholder
+from ev3proto.semantics.drafts.placeholders import (
+    Allocator,
+    Global,
+    Label,
+    Local,
+    Need,
+    Placeholder,
+    aligned,
+    joined,
+    with_jumps,
+)
 from ev3proto.semantics.footprint import Footprint
 from ev3proto.tables.encoding import GLOBAL, LOCAL
 from ev3proto.tables.frame import DIRECT_COMMAND_TYPES, MAX_FRAME, MAX_LOCALS

@@ -7,13 +7,252 @@ of their own; there it remembers which file each handle stands for.
 
 from __future__ import annotations
 
+import sys
+from collections.abc import Callable, Hashable
 from dataclasses import dataclass, field
+from typing import Generic, TypeVar
 
-from ev3proto.bounded import DEFAULT_MEMORY, Budget
-from ev3proto.messages import DirectCommand, DirectReply, Message, SystemCommand, SystemReply
-from ev3proto.semantics.pairing import Pairing
+from ev3proto.bounded import DEFAULT_MEMORY, Budget, dropper
+from ev3proto.messages import DirectCommand, DirectReply, FieldValue, Message, SystemCommand, SystemReply
 from ev3proto.semantics.replies import Value, ValueType, reply_values, values_of
-from ev3proto.semantics.transfers import Transfer, Transfers
+from ev3proto.tables.system import SYSTEM_BY_NUMBER, SystemStatus
+
+T = TypeVar("T")
+
+MOST_PENDING = 65536
+"""Commands without a reply that are remembered: as many as there are counters."""
+
+MOST_PER_KEY = 4
+"""Commands with the same counter that are remembered, for senders who never change it."""
+
+
+class Pairing(Generic[T]):
+    """Remembers commands, in whatever form, until their replies come.
+
+    Commands whose reply never comes are forgotten when their counter is used again often enough or too many wait.
+
+    key   what a reply has in common with the command that it answers
+    size  what a direct command asks for, and how much its reply carries
+
+    A budget limits the memory of the commands of all pairings that share it; `size_of` says how many bytes one takes.
+    """
+
+    def __init__(
+        self, most: int = MOST_PENDING, budget: Budget | None = None, size_of: Callable[[T], int] = sys.getsizeof
+    ) -> None:
+        self._most = most
+        self._budget = Budget(sys.maxsize) if budget is None else budget
+        self._size_of = size_of
+        self._drop = dropper(self)
+        self._newest: dict[Hashable, int] = {}
+        self._older: dict[Hashable, list[int]] = {}  # where several have the same key, which is rare
+        self._waiting: dict[int, tuple[Hashable, int, T, int]] = {}  # key, size, command, the budget's number
+        self._seen = 0
+        self._oldest = 0  # no command with a lower number waits
+
+    @property
+    def unanswered(self) -> list[T]:
+        """The commands that wait for their reply, oldest first."""
+        return [command for _, _, command, _ in self._waiting.values()]
+
+    def remember(self, key: Hashable, size: int, command: T) -> T | None:
+        """Waits for the command's reply. Returns the command that is forgotten for it, if any is."""
+        budget = self._budget
+        given = budget.given = budget.given + 1
+        number = self._seen
+        self._seen = number + 1
+        before = self._newest.get(key)
+        self._newest[key] = number
+        self._waiting[number] = key, size, command, given
+        budget.hold(given, self._size_of(command), self._drop, number)
+        if before is not None:
+            older = self._older.setdefault(key, [])
+            older.append(before)
+            if len(older) >= MOST_PER_KEY:
+                return self._forget(older[0])
+        if len(self._waiting) > self._most:
+            while self._oldest not in self._waiting:
+                self._oldest += 1
+            return self._forget(self._oldest)
+        return None
+
+    def answered(self, key: Hashable, size: int | None) -> T | None:
+        """The command that a reply answers: the newest that asked for this size, else the newest; None if none waits.
+
+        The newest, because a sender comes back to a counter only after it gave up on the one before. `size` is None
+        for a reply that tells nothing by it.
+        """
+        newest = self._newest.get(key)
+        if newest is None:
+            return None
+        if size is not None and key in self._older:
+            for number in (newest, *reversed(self._older[key])):
+                if self._waiting[number][1] == size:
+                    return self._forget(number)
+        return self._forget(newest)
+
+    def __del__(self) -> None:
+        for *_, given in self._waiting.values():
+            self._budget.release(given)
+
+    def forget(self, number: int) -> None:
+        """Waits no longer for the reply to the command of a number, if it still does."""
+        if number in self._waiting:
+            self._forget(number)
+
+    def _forget(self, number: int) -> T:
+        key, _, command, given = self._waiting.pop(number)
+        self._budget.release(given)
+        if key not in self._older:
+            del self._newest[key]
+            return command
+        older = self._older[key]
+        if number == self._newest[key]:
+            self._newest[key] = older.pop()
+        else:
+            older.remove(number)
+        if not older:
+            del self._older[key]
+        return command
+
+
+MOST_BEGUN = 4096
+"""BEGIN_... commands whose reply is awaited; as many as wait in a conversation."""
+
+_SIZE = 400
+"""Bytes of memory that a transfer takes besides its path, about."""
+
+_HANDLES = 1 << 16
+"""What is added to a handle in the numbers by which a budget knows transfers: below are counters."""
+
+
+@dataclass(slots=True)
+class Transfer:
+    """A file or listing on its way, from its BEGIN_... to its end.
+
+    command      the BEGIN_... command's name
+    path         what is moved
+    size         bytes of it all, None until known
+    handle       the brick's handle, None until known
+    transferred  bytes moved so far
+    """
+
+    command: str
+    path: str
+    size: int | None = None
+    handle: int | None = None
+    transferred: int = 0
+
+    @property
+    def is_complete(self) -> bool:
+        """True when everything was moved."""
+        return self.size is not None and self.transferred >= self.size
+
+
+class Transfers:
+    """The files and listings between one computer and one brick, kept apart by the handles that the brick gives.
+
+    A budget limits the memory of all that share it; a transfer that had to go is not known any more.
+    """
+
+    def __init__(self, budget: Budget | None = None) -> None:
+        self._budget = budget
+        self._drop: Callable[[int], None] | None = None
+        self._begun: dict[int, Transfer] = {}
+        self._open: dict[int, Transfer] = {}
+
+    def __del__(self) -> None:
+        for begun in (*self._begun.values(), *self._open.values()):
+            self._remove(begun)
+
+    def forget(self, number: int) -> None:
+        """Follows a transfer no longer; its number is the counter of its command, or comes from its handle."""
+        if number < _HANDLES:
+            self._begun.pop(number, None)
+        else:
+            self._open.pop(number - _HANDLES, None)
+
+    def requested(self, message: SystemCommand) -> Transfer | None:
+        """What a command moves, its own data counted in; None for a command that moves nothing that is known."""
+        entry = SYSTEM_BY_NUMBER.get(message.number)
+        if entry is None or entry.transfer is None:
+            return None
+        if entry.transfer == "begin":
+            path = str(message.fields.get("path", ""))
+            size = message.fields.get("size")
+            transfer = Transfer(entry.name, path, size if isinstance(size, int) else None)
+            self._remove(self._begun.pop(message.counter, None))
+            self._begun[message.counter] = transfer
+            self._add(transfer, message.counter)
+            if len(self._begun) > MOST_BEGUN:
+                self._remove(self._begun.pop(next(iter(self._begun))))
+            return transfer
+        number = _number(message.fields.get("handle"))
+        return self._moved(self._open.get(number), number, message)
+
+    def progress(self, reply: SystemReply, request: Message | None) -> Transfer | None:
+        """The same for a reply, with the command that it answers."""
+        entry = SYSTEM_BY_NUMBER.get(reply.number)
+        if entry is None or entry.transfer is None:
+            return None
+        if entry.transfer == "begin":
+            transfer = self._begun.pop(reply.counter, None)
+            self._remove(transfer)
+            if reply.is_error or "handle" not in reply.fields:
+                return transfer
+            number = _number(reply.fields["handle"])
+            self._remove(self._open.pop(number, None))
+            if transfer is None:
+                # The command was not seen: the handle stands for another file than before, nobody knows which.
+                return None
+            transfer.handle = number
+            self._open[number] = transfer
+            self._add(transfer, _HANDLES + number)
+        else:
+            handle = reply.fields.get("handle")
+            if handle is None and isinstance(request, SystemCommand):
+                handle = request.fields.get("handle")
+            number = _number(handle)
+            transfer = self._open.get(number)
+            # The brick takes a handle back when a file is closed, complete or in trouble.
+            if entry.transfer == "close" or reply.is_error or reply.status is SystemStatus.END_OF_FILE:
+                self._remove(self._open.pop(number, None))
+        if transfer is not None:
+            for name in ("size", "list_size"):
+                if name in reply.fields:
+                    transfer.size = _number(reply.fields[name])
+        return self._moved(transfer, number, reply)
+
+    def _moved(self, transfer: Transfer | None, number: int, message: SystemCommand | SystemReply) -> Transfer | None:
+        """The transfer under a handle, with what a message has of it counted in.
+
+        One that is complete takes no more, as the brick has closed it. Then the handle stands for another one, whose
+        beginning was not seen, and nothing is known of that.
+        """
+        pieces = [message.fields.get(name, b"") for name in ("data", "list")]
+        size = sum(len(piece) for piece in pieces if isinstance(piece, bytes | str))
+        if transfer is None or not size:
+            return transfer
+        if transfer.is_complete:
+            self._remove(self._open.pop(number, None))
+            return None
+        transfer.transferred += size
+        return transfer
+
+    def _add(self, transfer: Transfer, number: int) -> None:
+        if self._budget is not None:
+            if self._drop is None:
+                self._drop = dropper(self)
+            self._budget.add(transfer, _SIZE + len(transfer.path), self._drop, number)
+
+    def _remove(self, transfer: Transfer | None) -> None:
+        if self._budget is not None and transfer is not None:
+            self._budget.remove(transfer)
+
+
+def _number(value: FieldValue | None) -> int:
+    return value if isinstance(value, int) else -1
+
 
 __all__ = ["Dialogue", "Exchange", "Transfer", "Value", "ValueType", "reply_values", "values_of"]
 

@@ -39,9 +39,9 @@ from ev3proto.program.image import Entry, Program, image_of
 from ev3proto.program.image import parse as parse_program
 from ev3proto.program.parameters import ProgramParameter, code_of, has_size, table_bytes
 from ev3proto.schema import constructors
+from ev3proto.schema.argument import ENCODINGS, SHORT_VALUES
 from ev3proto.schema.frame import parse
 from ev3proto.schema.header import HEADER, HEADER_SIZE, MEMORY, MEMORY_SIZE
-from ev3proto.schema.identification import ENCODINGS, SHORT_VALUES
 from ev3proto.schema.instructions import operation
 from ev3proto.tables import AREAS, area_of, check_dialect, daisy
 from ev3proto.tables import operations as operations_of

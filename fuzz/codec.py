@@ -11,8 +11,8 @@ from ev3proto.checking.fixing import fix
 from ev3proto.dialogue import Exchange
 from ev3proto.stream import StreamError
 from ev3proto.tables.declaration import DIALECTS
-from ev3proto.text.heading import Seen
 from ev3proto.text.json_format.from_messages import record
+from ev3proto.text.phrases import Seen
 from ev3proto.text.table import table
 from ev3proto.text.tree import tree
 

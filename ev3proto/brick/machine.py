@@ -18,8 +18,7 @@ from ev3proto.brick.images import Image, Images, load
 from ev3proto.brick.operation_exits import Busy, Failure, Leave, NoOperation, Sleep, WildAccess
 from ev3proto.brick.places import Place
 from ev3proto.brick.running_programs import CMD_SLOT, FAIL, OK, SLOTS, STOPPED, Program, ProgramObject
-from ev3proto.schema.argument import SIZES, STRINGS
-from ev3proto.schema.identification import ENCODINGS, SHORT_VALUES
+from ev3proto.schema.argument import ENCODINGS, SHORT_VALUES, SIZES, STRINGS
 from ev3proto.tables.declaration import Type
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL, TEXT
 from ev3proto.tables.validation import LABELS

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from ev3proto.bounded import Budget
 from ev3proto.capture.record import Record, Route, new_answered
+from ev3proto.dialogue import Pairing, Transfers
 from ev3proto.messages import Message, SystemCommand, SystemReply
 from ev3proto.schema.frame import FrameSchema
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, Header, read_memory, unpack_header
-from ev3proto.semantics.pairing import Pairing
-from ev3proto.semantics.transfers import Transfers
 from ev3proto.tables.frame import COUNTERS, MessageType
 
 MOST_PENDING = 4096

@@ -7,14 +7,10 @@ from operator import attrgetter
 
 from ev3proto.checking.context import CheckContext, checked_operations
 from ev3proto.checking.report import Finding, Report, Severity
-from ev3proto.checking.rules.arguments import check_arguments
-from ev3proto.checking.rules.effects import check_effects
-from ev3proto.checking.rules.flow import check_flow
-from ev3proto.checking.rules.header import TYPE_OFFSET, check_command_header, check_envelope
-from ev3proto.checking.rules.lists import check_lists
+from ev3proto.checking.rules.arguments import check_arguments, check_lists
+from ev3proto.checking.rules.header import TYPE_OFFSET, check_command_header, check_daisy, check_envelope, check_system
 from ev3proto.checking.rules.memory import check_memory
-from ev3proto.checking.rules.refusals import check_refusals
-from ev3proto.checking.rules.system import check_daisy, check_system
+from ev3proto.checking.rules.operations import check_effects, check_flow, check_refusals
 from ev3proto.checking.verdict import verdict
 from ev3proto.errors import as_bytes
 from ev3proto.messages import DaisyCommand, DirectCommand, Message, SystemCommand

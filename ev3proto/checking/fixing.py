@@ -13,10 +13,10 @@ from functools import lru_cache
 from itertools import chain
 
 from ev3proto.checking.checking import check, swapped
-from ev3proto.checking.facts import operation_facts
+from ev3proto.checking.context import operation_facts
 from ev3proto.checking.moving import WIDEST, Layout, is_misaligned, multiple
 from ev3proto.checking.report import Change, Fix, Report, uses
-from ev3proto.checking.rules.encodings import is_longer, shortest
+from ev3proto.checking.rules.arguments import is_longer, shortest
 from ev3proto.checking.rules.header import MOST_IN_REPLY, TYPE_OFFSET
 from ev3proto.errors import as_bytes, counted
 from ev3proto.messages import Argument, DirectCommand, Message, Operation, Variable

@@ -33,7 +33,7 @@ from ev3proto.errors import DecodeError
 from ev3proto.messages import Argument
 from ev3proto.schema.argument import INTEGER_FORMS, Form, Reader, read_arguments
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, frame_size, read_memory
-from ev3proto.schema.operation import CMD
+from ev3proto.schema.instructions import CMD
 from ev3proto.tables import operations, with_effect
 from ev3proto.tables.declaration import LISTS, Declaration, Effect, Parameter, Role, Type
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, RANGES, Encoding

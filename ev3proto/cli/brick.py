@@ -21,13 +21,13 @@ from ev3proto.brick.servers.limits import PATIENCE, UNLOCK_TIME
 from ev3proto.brick.servers.reporting import Reporter
 from ev3proto.brick.servers.script import Script, ScriptError, read_script
 from ev3proto.brick.servers.server import Options, ServerError, running
+from ev3proto.cli.commands import FiniteRange
 from ev3proto.cli.ending import stopped_by_signals
-from ev3proto.cli.numbers import FiniteRange
 from ev3proto.cli.output import Printer, complain, flush, say
 from ev3proto.tables.declaration import DIALECTS
 from ev3proto.tables.discovery import TCP_PORT
 from ev3proto.temporary import temporary_folder
-from ev3proto.text.visible import visible
+from ev3proto.text.spans import visible
 
 _SHARE = FiniteRange(0, 1)
 _PORT = click.IntRange(0, 65535)

@@ -1,8 +1,9 @@
-"""`ev3proto`: the group of all subcommands."""
+"""`ev3proto`: the group of all subcommands, and the kinds of groups and numbers that they use."""
 
 from __future__ import annotations
 
 import errno
+import math
 import os
 import sys
 from collections.abc import Iterator, Sequence
@@ -16,8 +17,41 @@ import click
 
 from ev3proto.cli.ending import ended_behind
 from ev3proto.cli.output import OutputError, complain, flush
-from ev3proto.text.visible import visible_lines
+from ev3proto.text.spans import visible_lines
 from ev3proto.version import VERSION
+
+
+class Group(click.Group):
+    """A group that does not cut the texts of its subcommands off."""
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """Lists the subcommands, each with the first sentence of its help."""
+        rows = []
+        for name in self.list_commands(ctx):
+            command = self.get_command(ctx, name)
+            if command is not None and not command.hidden:
+                rows.append((name, first_sentence(command)))
+        if rows:
+            with formatter.section("Commands"):
+                formatter.write_dl(rows)
+
+
+def first_sentence(command: click.Command) -> str:
+    """The first sentence of a command's help, without its full stop."""
+    paragraph = " ".join((command.help or "").partition("\n\n")[0].split())
+    return paragraph.partition(". ")[0].removesuffix(".")
+
+
+class FiniteRange(click.FloatRange):
+    """A finite number in a range."""
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
+        """The number that was written."""
+        number = float(super().convert(value, param, ctx))
+        if not math.isfinite(number):
+            self.fail(f"{number} is no finite number", param, ctx)
+        return number
+
 
 SUBCOMMANDS = {
     "brick": "A virtual brick: WiFi on this computer, a folder for files, and whatever else is asked for",

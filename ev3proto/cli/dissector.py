@@ -7,7 +7,7 @@ from pathlib import Path
 
 import click
 
-from ev3proto.cli.groups import Group
+from ev3proto.cli.commands import Group
 from ev3proto.cli.output import binary_output, complain, say
 from ev3proto.generate.dissector.build import FILE_NAME, build
 from ev3proto.generate.dissector.install import (

@@ -30,10 +30,10 @@ from ev3proto.text.assembly.assembling import MAX_TEXT, assembled
 from ev3proto.text.assembly.disassembly import assembly
 from ev3proto.text.assembly.recognising import is_assembly
 from ev3proto.text.forms import as_c, as_hex, as_python
-from ev3proto.text.heading import Seen, heading
 from ev3proto.text.json_format.from_messages import record
 from ev3proto.text.json_format.to_messages import RecordError, frames_in, read_records
 from ev3proto.text.paste import Pasted, read_argument, read_text
+from ev3proto.text.phrases import Seen, heading
 from ev3proto.text.spans import plain_text
 from ev3proto.text.split import Piece
 from ev3proto.whole_files import whole_file

@@ -12,8 +12,7 @@ import click
 from ev3proto.capture import Record
 from ev3proto.capture.text_log import Clock
 from ev3proto.cli.captures import CaptureSource
-from ev3proto.cli.groups import Group
-from ev3proto.cli.numbers import FiniteRange
+from ev3proto.cli.commands import FiniteRange, Group
 from ev3proto.cli.output import binary_output, complain, is_terminal
 from ev3proto.cli.reading import CaptureOptions, reading_options
 from ev3proto.cli.sources import Source, SourceReader, sources

@@ -17,7 +17,7 @@ from ev3proto.cli.captures import CaptureSource
 from ev3proto.cli.output import complain, say
 from ev3proto.cli.reading import CaptureOptions, reading_options
 from ev3proto.cli.tables import Tables
-from ev3proto.text.visible import visible
+from ev3proto.text.spans import visible
 
 
 @click.command()

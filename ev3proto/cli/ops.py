@@ -13,7 +13,7 @@ import click
 from ev3proto.cli.output import Printer, complain
 from ev3proto.errors import near_misses
 from ev3proto.schema.instructions import instruction_set
-from ev3proto.semantics.descriptions import element, facts
+from ev3proto.semantics.domain import element, facts
 from ev3proto.tables import AREAS, OPCODES, area_of, operations
 from ev3proto.tables.declaration import DIALECTS, UNRELEASED, Declaration, Parameter
 from ev3proto.tables.frame import TYPE_ADVICE, TYPE_MEANINGS

@@ -22,8 +22,7 @@ from ev3proto.program.report import program_findings
 from ev3proto.program.sources import MAX_SOURCE
 from ev3proto.text.assembly.errors import AssemblyError, SourceWarning
 from ev3proto.text.diagnostics import ROLES
-from ev3proto.text.notations import NOTATIONS
-from ev3proto.text.phrases import spaced_hex
+from ev3proto.text.phrases import NOTATIONS, spaced_hex
 from ev3proto.text.spans import Line, Role
 from ev3proto.whole_files import write_whole
 

@@ -13,8 +13,8 @@ import click
 
 from ev3proto.brick.servers.faults import Faults
 from ev3proto.capture.dialogues import RequestReply
+from ev3proto.cli.commands import FiniteRange
 from ev3proto.cli.ending import stopped_by_signals
-from ev3proto.cli.numbers import FiniteRange
 from ev3proto.cli.output import OutputError, complain, flush, is_terminal, say
 from ev3proto.cli.recorded import show_dialogue
 from ev3proto.cli.show import Show

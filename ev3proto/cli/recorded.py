@@ -12,11 +12,9 @@ from ev3proto.cli.captures import CaptureSource
 from ev3proto.cli.show import Show
 from ev3proto.cli.texts import is_image
 from ev3proto.temporary import temporary_folder
-from ev3proto.text.dialogues import dialogue_line
-from ev3proto.text.heading import Seen, origin
 from ev3proto.text.json_format.from_messages import record as message_record
-from ev3proto.text.spans import Line, Role
-from ev3proto.text.visible import visible
+from ev3proto.text.phrases import Seen, dialogue_line, origin
+from ev3proto.text.spans import Line, Role, visible
 
 
 def show_capture(show: Show, capture: CaptureSource, *, as_dialogues: bool) -> Iterator[Record]:

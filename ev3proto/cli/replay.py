@@ -24,7 +24,7 @@ from ev3proto.link.replay import Handles, Likeness, Step, compare, steps
 from ev3proto.link.targets import Target
 from ev3proto.tables import operations
 from ev3proto.tables.system import SYSTEM
-from ev3proto.text.dialogues import command_spans
+from ev3proto.text.phrases import command_spans
 from ev3proto.text.spans import Role
 
 _EVERYTHING = "all"

@@ -20,7 +20,7 @@ from ev3proto.brick.running_programs import FAIL, RUNNING, USER_SLOT, Program
 from ev3proto.brick.servers.server import Options, Running, ServerError, running
 from ev3proto.checking.program_codes import DAMAGED, NOT_AS_WRITTEN, REFUSED
 from ev3proto.cli.brick import folder, interrupted, read_script_file
-from ev3proto.cli.numbers import FiniteRange
+from ev3proto.cli.commands import FiniteRange
 from ev3proto.cli.output import complain, flush, is_terminal, say
 from ev3proto.cli.programs import complain_of
 from ev3proto.cli.texts import is_image
@@ -29,7 +29,7 @@ from ev3proto.program.image import MAX_IMAGE
 from ev3proto.tables.enumerations import LEDPATTERN
 from ev3proto.tables.errors import ERRORS
 from ev3proto.text.assembly.errors import AssemblyError
-from ev3proto.text.visible import visible
+from ev3proto.text.spans import visible
 
 _PERIOD = 0.05
 _PRESS = 0.1

@@ -17,7 +17,7 @@ from ev3proto.schema.frame import parse
 from ev3proto.tables import AREAS
 from ev3proto.tables.declaration import DIALECTS
 from ev3proto.text.forms import as_hex
-from ev3proto.text.heading import Seen
+from ev3proto.text.phrases import Seen
 
 MOST_SEEDS = 1 << 64
 

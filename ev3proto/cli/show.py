@@ -8,9 +8,8 @@ from typing import TYPE_CHECKING, Any
 from ev3proto.cli.output import Printer
 from ev3proto.dialogue import Exchange
 from ev3proto.errors import counted
-from ev3proto.text.heading import Seen, heading
 from ev3proto.text.json_format.from_messages import record
-from ev3proto.text.notations import NOTATIONS
+from ev3proto.text.phrases import NOTATIONS, Seen, heading
 from ev3proto.text.spans import Line, plain_text
 from ev3proto.text.table import table
 from ev3proto.text.tree import tree

@@ -11,9 +11,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
-from ev3proto.cli.kinds import kind_of
-from ev3proto.cli.output import Awaited, complain
-from ev3proto.cli.progress import advancing, progress_bar
+from ev3proto.cli.output import Awaited, advancing, complain, progress_bar
 from ev3proto.cli.reading import BUILTIN, CaptureOptions
 from ev3proto.cli.texts import (
     SOURCE_SUFFIX,
@@ -22,13 +20,14 @@ from ev3proto.cli.texts import (
     introduction,
     is_binary,
     is_image,
+    kind_of,
     pieces,
     raw_frames,
     text_lines,
 )
 from ev3proto.text.paste import Pasted, read_argument
+from ev3proto.text.spans import visible
 from ev3proto.text.split import Piece, split
-from ev3proto.text.visible import visible
 
 if TYPE_CHECKING:
     from ev3proto.capture.formats import CaptureFile

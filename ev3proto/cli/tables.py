@@ -6,8 +6,7 @@ from collections.abc import Collection, Sequence
 from itertools import compress
 
 from ev3proto.cli.output import Printer, draw, say
-from ev3proto.text.spans import Role
-from ev3proto.text.visible import visible
+from ev3proto.text.spans import Role, visible
 
 TEXTS = {"kind", "operation", "text", "path", "direction", "state", "brick", "what", "part"}
 """The columns that have texts in them, which stand left and may be folded; the others have numbers."""

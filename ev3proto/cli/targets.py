@@ -10,7 +10,7 @@ from typing import Any
 import click
 
 from ev3proto.checking.checking import check
-from ev3proto.cli.numbers import FiniteRange
+from ev3proto.cli.commands import FiniteRange
 from ev3proto.cli.output import complain
 from ev3proto.link.carriers import open_wire
 from ev3proto.link.channel import Channel

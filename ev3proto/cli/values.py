@@ -20,7 +20,7 @@ from ev3proto.cli.output import complain, say
 from ev3proto.cli.reading import CaptureOptions, reading_options
 from ev3proto.cli.tables import Tables
 from ev3proto.errors import counted
-from ev3proto.text.visible import visible
+from ev3proto.text.spans import visible
 from ev3proto.whole_files import write_whole
 
 MOST_SHOWN = 50

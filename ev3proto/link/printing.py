@@ -9,10 +9,9 @@ from ev3proto.messages import SystemReply
 from ev3proto.schema.frame import parse
 from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.semantics.replies import values_of
-from ev3proto.text.dialogues import command_spans, reply_spans
 from ev3proto.text.forms import as_hex
-from ev3proto.text.spans import plain_text
-from ev3proto.text.visible import visible
+from ev3proto.text.phrases import command_spans, reply_spans
+from ev3proto.text.spans import plain_text, visible
 
 SENT, RECEIVED = "Sent", "Recv"
 

@@ -18,6 +18,7 @@ from dataclasses import dataclass, field
 from ev3proto.brick.servers.faults import Faults
 from ev3proto.capture.dialogues import RequestReply
 from ev3proto.capture.record import Record
+from ev3proto.dialogue import Pairing
 from ev3proto.generate.captures.recording import Recording
 from ev3proto.link.carriers import Wire
 from ev3proto.link.errors import ConnectionLostError, PortInUseError
@@ -28,7 +29,6 @@ from ev3proto.link.reply_stream import Garbage, ReplyStream
 from ev3proto.link.session import pairing_key
 from ev3proto.messages import Message, SystemCommand
 from ev3proto.schema.header import build_frame
-from ev3proto.semantics.pairing import Pairing
 from ev3proto.stream import Decoder, StreamError
 from ev3proto.tables.carriers import Carrier
 from ev3proto.tables.discovery import ACCEPT, UNLOCK_REQUEST

@@ -10,10 +10,10 @@ from dataclasses import dataclass
 from enum import Enum
 
 from ev3proto.bounded import Bounded
+from ev3proto.dialogue import Pairing
 from ev3proto.link.errors import LinkError
 from ev3proto.link.reply_stream import Garbage, ReplyStream
 from ev3proto.schema.header import HEADER_SIZE, Header, build_frame
-from ev3proto.semantics.pairing import Pairing
 from ev3proto.tables.frame import COUNTERS, MessageType
 
 FIRST_COUNTER = 42

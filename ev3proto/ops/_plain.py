@@ -25,8 +25,7 @@ from ev3proto.ops.argument_types import (
     Untyped,
 )
 from ev3proto.semantics.drafts.draft import Draft
-from ev3proto.semantics.drafts.functions import drafts
-from ev3proto.semantics.drafts.values import REQUIRED
+from ev3proto.semantics.drafts.functions import REQUIRED, drafts
 
 __all__ = [
     "add8",

@@ -30,8 +30,7 @@ from ev3proto.enums import (
     TYPE,
 )
 from ev3proto.messages import Argument, Variable
-from ev3proto.semantics.drafts.labels import Label
-from ev3proto.semantics.drafts.placeholders import Placeholder
+from ev3proto.semantics.drafts.placeholders import Label, Placeholder
 
 AnyVariable: TypeAlias = "Variable | Placeholder | Argument | bytes"
 Number: TypeAlias = "int | AnyVariable"

@@ -10,8 +10,7 @@ from typing import overload
 
 from ev3proto.ops.argument_types import AnySLOT, Elements, Number, Output, Real
 from ev3proto.semantics.drafts.draft import Draft
-from ev3proto.semantics.drafts.functions import drafts
-from ev3proto.semantics.drafts.values import REQUIRED
+from ev3proto.semantics.drafts.functions import REQUIRED, drafts
 
 __all__ = [
     "copy",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from construct import Array, BitsInteger, BitStruct, Const, Flag, If, Int8ul, Int16ul, Int32ul, Struct, this
 
-from ev3proto.schema.packed import packed
+from ev3proto.schema.bytewise import packed
 from ev3proto.tables.program import SIGN, STRING_CODE
 
 IMAGE_HEADER = Struct(

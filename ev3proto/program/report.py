@@ -8,8 +8,7 @@ from typing import NoReturn
 
 from ev3proto.checking.report import Finding, Report
 from ev3proto.text.diagnostics import ROLES
-from ev3proto.text.spans import Line, Role, plain_text
-from ev3proto.text.visible import visible
+from ev3proto.text.spans import Line, Role, plain_text, visible
 
 
 @dataclass(frozen=True, slots=True)

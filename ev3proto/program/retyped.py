@@ -12,8 +12,7 @@ from functools import cache
 from ev3proto.messages import Argument, Operation
 from ev3proto.program.parameters import ProgramParameter
 from ev3proto.schema.argument import ArgumentSchema
-from ev3proto.schema.instructions import instruction_set
-from ev3proto.schema.operation import OperationSchema
+from ev3proto.schema.instructions import OperationSchema, instruction_set
 from ev3proto.tables.declaration import DATA8, DATA16, DATA32, DATAF, Direction, Parameter, Type
 from ev3proto.tables.encoding import CONSTANT, LOCAL
 

@@ -15,8 +15,7 @@ from ev3proto.errors import BuildError, DecodeError
 from ev3proto.messages import Operation
 from ev3proto.scapy.arguments import ArgumentField, ArgumentsField, CountField, default_of
 from ev3proto.schema.argument import ArgumentSchema
-from ev3proto.schema.instructions import instruction_set
-from ev3proto.schema.operation import CMD
+from ev3proto.schema.instructions import CMD, instruction_set
 from ev3proto.tables import OPCODES
 from ev3proto.tables.declaration import DIALECTS, Declaration, Type, declarations
 from ev3proto.tables.encoding import CONSTANT

@@ -13,7 +13,7 @@ from typing import NamedTuple
 from construct import BitsInteger, BitStruct, ByteSwapped, Int8ul, Int16ul, Struct
 
 from ev3proto.errors import BuildError
-from ev3proto.schema.packed import packed
+from ev3proto.schema.bytewise import packed
 from ev3proto.tables.frame import (
     COUNTERS,
     GLOBAL_BITS,

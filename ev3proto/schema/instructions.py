@@ -5,17 +5,307 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from functools import cache
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
+from functools import cache, cached_property
 from typing import Any
 
 from ev3proto.errors import BuildError, DecodeError, near_misses
 from ev3proto.messages import Argument, Operation, PartialOperation
-from ev3proto.schema.argument import read_arguments
+from ev3proto.schema.argument import ArgumentSchema, Reader, encode_integer, read_arguments, reader_of
 from ev3proto.schema.bytewise import Bytewise
-from ev3proto.schema.operation import CMD, FamilySchema, OperationSchema, operation_schema
 from ev3proto.tables import OPCODES, check_dialect
-from ev3proto.tables.encoding import CONSTANT
+from ev3proto.tables.declaration import DATA8, Command, Declaration, Direction, Opcode, Parameter, Type
+from ev3proto.tables.encoding import CONSTANT, RANGES
+from ev3proto.tables.enumerations import FORMAT_TYPES
+
+CMD = ArgumentSchema(Parameter("CMD", DATA8, "which of the family's commands it is"))
+"""CMD is a parameter like any other: one byte where it is 31 or less, but senders may encode it longer."""
+
+_LISTS = (Type.COUNT, Type.VALUES)
+_IN_ORDER = (tuple, list)
+
+
+class OperationSchema(Bytewise):
+    """The schema of one opcode/CMD pair."""
+
+    def __init__(self, declaration: Declaration) -> None:
+        super().__init__()
+        self.declaration = declaration
+        opcode, command, parameters = declaration.opcode, declaration.command, declaration.parameters
+        self.head = bytes((opcode.number,)) + (encode_integer(command.number) if command else b"")
+        self.list_parameter = parameters[-1] if parameters and parameters[-1].type in _LISTS else None
+        has_values = self.list_parameter is not None and self.list_parameter.type is Type.VALUES
+        self._parameters = parameters[:-1] if has_values else parameters
+        self.readers = tuple([reader_of(parameter) for parameter in self._parameters])
+        """What reads the arguments before the elements of a list."""
+        self._elements: dict[Type, list[ArgumentSchema]] = {}
+
+    @cached_property
+    def has_outputs(self) -> bool:
+        """Whether any of its parameters takes a value that the brick writes."""
+        parameters = self.declaration.parameters
+        return any(parameter.is_output or parameter.elements is not Direction.IN for parameter in parameters)
+
+    @cached_property
+    def fixed(self) -> tuple[ArgumentSchema, ...]:
+        """The schemas of the arguments before the elements of a list."""
+        return tuple(ArgumentSchema(parameter) for parameter in self._parameters)
+
+    # Reading
+
+    def read(self, data: bytes, at: int) -> tuple[Operation, int]:
+        """The operation at an offset, and the offset after it. DecodeError when another one or none is there."""
+        if not data.startswith(self.head[:1], at):
+            raise DecodeError(at, f"the opcode of {self.declaration.name} is 0x{self.head[0]:02X}")
+        start, end = at, at + 1
+        if self.declaration.command is not None:
+            cmd, end = CMD.read(data, end)
+            if cmd.kind != CONSTANT or cmd.value != self.declaration.command.number:
+                raise DecodeError(
+                    cmd.offset, f"the CMD of {self.declaration.name} is {self.declaration.command.number}"
+                )
+        found: list[Argument] = []
+        end = self._read_arguments(data, end, found)
+        return Operation((self, data, start, end, tuple(found))), end
+
+    def _read_arguments(self, data: bytes, at: int, found: list[Argument]) -> int:
+        at = read_arguments(self.readers, data, at, len(data), found)
+        if self.list_parameter is not None:
+            at = read_arguments(self.elements(found, len(data) - at), data, at, len(data), found)
+        return at
+
+    def elements(self, before: Sequence[Argument], room: int) -> Iterator[Reader]:
+        """Returns what reads the elements of a list.
+
+        Args:
+            before: The arguments before the elements, the last of which counts them.
+            room: Bytes that there are for the elements.
+
+        Raises:
+            DecodeError: The last argument is not a count, or there is not room for so many elements.
+
+        """
+        count = self._count(before[-1], room)
+        return (schema.reader for schema in self._listed(self._element_type(before), count))
+
+    def _count(self, counter: Argument, room: int) -> int:
+        """How many list elements an argument announces. There are `room` bytes for them."""
+        assert self.list_parameter is not None
+        most = RANGES[Type.COUNT].high
+        if counter.kind != CONSTANT or not isinstance(counter.value, int):
+            reason = f"{counter.name} must be a constant: without it nobody knows how many values follow"
+            raise DecodeError(counter.offset, reason)
+        bound = min(room, most) if self.list_parameter.type is Type.COUNT else room
+        if not 0 <= counter.value <= bound:
+            raise DecodeError(
+                counter.offset,
+                f"{counter.name} cannot be {counter.value}: there is room for 0 to {bound} values",
+                truncated=0 <= counter.value <= most,
+            )
+        return counter.value
+
+    def _listed(self, element: Type | None, count: int) -> Iterator[ArgumentSchema]:
+        """The schemas of a list's elements. Without a type they are read as numbers of the brick's choice."""
+        parameter = self.list_parameter
+        assert parameter is not None
+        if element is None:
+            element = parameter.element if isinstance(parameter.element, Type) else Type.ARRAY_TYPED
+        known = self._elements.setdefault(element, [])
+        direction = parameter.elements if parameter.type is Type.COUNT else Direction.IN
+        for index in range(count):
+            if index == len(known):
+                declared = parameter._replace(
+                    name=f"{parameter.name}[{index}]", type=element, direction=direction, element=None
+                )
+                known.append(ArgumentSchema(declared))
+            yield known[index]
+
+    def _element_type(self, arguments: Sequence[Argument]) -> Type | None:
+        """The type of the list's elements where another argument says it."""
+        parameter = self.list_parameter
+        if parameter is None or not isinstance(parameter.element, str):
+            return None
+        for argument in arguments:
+            if argument.name == parameter.element and argument.kind == CONSTANT:
+                return FORMAT_TYPES.get(int(argument.value))
+        return None
+
+    def selector(self, data: bytes, at: int) -> Argument | None:
+        """Reads CMD.
+
+        Args:
+            data: The bytes that the operation is in.
+            at: The offset of its opcode.
+
+        Returns:
+            CMD as an argument. None where the opcode has no CMD.
+
+        """
+        if self.declaration.command is None:
+            return None
+        return CMD.read(data, at + 1)[0]
+
+    def arguments(self, data: bytes, at: int, end: int) -> tuple[Argument, ...]:
+        """Reads the arguments of an operation again that was built, copied, or moved into a frame.
+
+        Args:
+            data: The bytes that the operation is in.
+            at: The offset of its opcode.
+            end: The offset after it, or, where there is a fault in it, after the last argument that can be read.
+
+        Returns:
+            What follows opcode and CMD, up to `end`.
+
+        """
+        found: list[Argument] = []
+        cmd = self.selector(data, at)
+        with suppress(DecodeError):
+            self._read_arguments(data, at + 1 if cmd is None else cmd.offset + cmd.length, found)
+        return tuple([argument for argument in found if argument.offset < end])
+
+    # Building
+
+    def write(self, value: Any) -> bytes:
+        """Writes an operation with every value in its shortest encoding.
+
+        Args:
+            value: Values in the order of the parameters, or a mapping of parameter names to values. A list parameter
+                takes a list, from which its count is worked out. An `Operation` keeps the bytes that it has.
+
+        Returns:
+            Opcode, CMD and arguments.
+
+        Raises:
+            BuildError: A value is missing, too many, or none that the parameter takes. The error names the parameter.
+
+        """
+        if isinstance(value, Operation):
+            return value.raw
+        values = value if isinstance(value, _IN_ORDER) else self._in_order(value)
+        if self.list_parameter is not None:
+            return self.head + b"".join(self._pieces_with_list(list(values)))
+        if len(values) != len(self.fixed):
+            names = ", ".join(schema.parameter.name for schema in self.fixed) or "none"
+            raise BuildError(f"{self.declaration.name} takes {len(self.fixed)} values ({names}), not {len(values)}")
+        return self.head + b"".join([schema.write(one) for schema, one in zip(self.fixed, values, strict=True)])
+
+    def _in_order(self, named: Any) -> list[Any]:
+        if not isinstance(named, Mapping):
+            return list(named)
+        parameters = self.declaration.parameters
+        names = [parameter.name for parameter in parameters]
+        for name in named:
+            if name not in names:
+                raise BuildError(
+                    f"{self.declaration.name} has no parameter {name}: it has {', '.join(names) or 'none'}"
+                )
+        counted = names[-2] if self.list_parameter and self.list_parameter.type is Type.VALUES else None
+        values = []
+        for name in names:
+            if name in named:
+                values.append(named[name])
+            elif name == counted and names[-1] in named:
+                values.append(len(named[names[-1]]))
+            else:
+                raise BuildError(f"{self.declaration.name} needs {name} too")
+        return values
+
+    def _pieces_with_list(self, values: list[Any]) -> Iterator[bytes]:
+        name = self.declaration.name
+        values = self._flat(values)
+        if len(values) < len(self.fixed):
+            missing = self.fixed[len(values)].parameter.name
+            raise BuildError(f"{name} needs {missing} too")
+        arguments: list[Argument] = []
+        for schema, value in zip(self.fixed, values, strict=False):
+            piece = schema.write(value)
+            arguments.append(schema.read(piece, 0)[0])
+            yield piece
+        elements = values[len(self.fixed) :]
+        count = arguments[-1]
+        if count.kind != CONSTANT:
+            raise BuildError(f"{count.name} must be a constant: it tells how many values follow; or give it a list")
+        if count.value != len(elements):
+            raise BuildError(f"{count.name} says {count.value}, but {len(elements)} values follow")
+        element = self._element_type(arguments)
+        for schema, value in zip(self._listed(element, len(elements)), elements, strict=True):
+            yield schema.write(value)
+
+    def _flat(self, values: list[Any]) -> list[Any]:
+        """The values one by one, with the count that a list at the end stands for."""
+        if not values or isinstance(values[-1], str | bytes | Argument) or not isinstance(values[-1], Sequence):
+            return values
+        elements = list(values[-1])
+        assert self.list_parameter is not None
+        if self.list_parameter.type is Type.COUNT and len(values) == len(self.fixed):
+            return [*values[:-1], len(elements), *elements]
+        return [*values[:-1], *elements]
+
+    def make(self, values: Sequence[Any] | Mapping[str, Any]) -> Operation:
+        """Makes an operation of values.
+
+        Args:
+            values: As `write` takes them.
+
+        Returns:
+            The operation by itself, at offset 0.
+
+        Raises:
+            BuildError: As `write` does.
+
+        """
+        raw = self.write(values)
+        return Operation((self, raw, 0, len(raw)))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Copies and pickles are the same schema again, found by its numbers."""
+        command = self.declaration.command
+        return _found, (self.declaration.opcode.name, None if command is None else command.name)
+
+
+_SCHEMAS: dict[int, OperationSchema] = {}
+
+
+def operation_schema(opcode: Opcode, command: Command | None = None) -> OperationSchema:
+    """Finds the schema of an entry of the tables. Dialects that have the entry share the schema.
+
+    Args:
+        opcode: The opcode's entry.
+        command: The entry of its CMD. None for an opcode without CMD.
+
+    Returns:
+        The schema. It is made when it is first asked for.
+
+    """
+    key = id(opcode if command is None else command)  # entries are never dropped, and to hash one takes long
+    schema = _SCHEMAS.get(key)
+    if schema is None:
+        schema = _SCHEMAS[key] = OperationSchema(Declaration(opcode, command))
+    return schema
+
+
+def _found(opcode: str, command: str | None) -> OperationSchema:
+    entry = next(entry for entry in OPCODES if entry.name == opcode)
+    return operation_schema(entry, next((one for one in entry.commands if one.name == command), None))
+
+
+class FamilySchema:
+    """An opcode whose CMD decides what follows.
+
+    opcode    its entry in the tables
+    commands  the schemas of its commands by their number
+    short     the same by the byte that is their number in the shortest encoding, where that is one byte
+    """
+
+    def __init__(self, opcode: Opcode, dialect: str) -> None:
+        self.opcode = opcode
+        self.commands: dict[Any, OperationSchema] = {
+            command.number: operation_schema(opcode, command)
+            for command in opcode.commands
+            if dialect in command.dialects
+        }
+        self.short = {schema.head[1]: schema for schema in self.commands.values() if len(schema.head) == 2}
 
 
 class InstructionSet(Bytewise):

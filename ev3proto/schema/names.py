@@ -27,6 +27,7 @@ from functools import cache
 from ev3proto.errors import BuildError
 from ev3proto.messages import GV, LV
 from ev3proto.schema.argument import (
+    ENCODINGS,
     encode_as,
     encode_float,
     encode_integer,
@@ -35,7 +36,6 @@ from ev3proto.schema.argument import (
     encode_variable,
     with_bits,
 )
-from ev3proto.schema.identification import ENCODINGS
 from ev3proto.tables import OPCODES, enumerations
 from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, LOCAL

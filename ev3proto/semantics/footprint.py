@@ -7,14 +7,15 @@ as the number of bytes in an array, is worked out for each operation in a frame 
 from __future__ import annotations
 
 from bisect import bisect_left
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
 from itertools import accumulate
+from typing import NamedTuple
 
 from ev3proto.messages import Argument, Operation, OperationReader, Variable
 from ev3proto.tables.declaration import LISTS, Direction, Parameter, Role, Type
-from ev3proto.tables.encoding import CONSTANT, GLOBAL
+from ev3proto.tables.encoding import CONSTANT, GLOBAL, TEXT
 
 UNTYPED_SIZE = 4
 """Bytes of the largest number: what to set aside for a value whose type only the brick knows."""
@@ -311,3 +312,42 @@ def _facts(parameter: Parameter, numbers: dict[str, int], *, is_validated: bool,
         cpu_alignment=cpu_alignment,
         alignment=max(validator_alignment, cpu_alignment, UNTYPED_SIZE if is_untyped else 1),
     )
+
+
+NUMBER_SIZE = 4
+"""Bytes of a number in the operation itself, where the brick reads it as an array."""
+
+
+class InlineArray(NamedTuple):
+    """A text or number that the brick reads as an array.
+
+    argument  the text or number
+    length    the parameter that tells how many values it has
+    one       bytes of one value
+    stated    bytes that it has by that parameter
+    present   bytes that it has, the zero of a text included
+    """
+
+    argument: Argument
+    length: str
+    one: int
+    stated: int
+    present: int
+
+
+def inline_arrays(arguments: Sequence[Argument]) -> Iterator[InlineArray]:
+    """The texts and arrays among an operation's arguments whose length another argument tells."""
+    for argument in arguments:
+        parameter, form, *_ = argument
+        length = parameter.length
+        if not isinstance(length, str) or parameter.direction is not Direction.IN:
+            continue
+        if form.kind not in (CONSTANT, TEXT) or form.handle or form.address:
+            continue
+        count = whole_number(next((other for other in arguments if other.name == length), None))
+        if count is None or (count == NO_LIMIT and parameter.type is Type.STRING):
+            continue
+        one = max(parameter.type.size, 1)
+        # Other negative lengths are those of bytes in reverse order.
+        present = argument.length - 1 if form.kind == TEXT else NUMBER_SIZE
+        yield InlineArray(argument, length, one, one * abs(count), present)

@@ -1,6 +1,6 @@
 """How a value may stand in a frame: the encodings, their widths, and which numbers each type can hold.
 
-The identification byte says which encoding follows; its bits are declared in `ev3proto.schema.identification`. Ranges
+The identification byte says which encoding follows; its bits are declared in `ev3proto.schema.argument`. Ranges
 omit the one value that means "not a number".
 """
 

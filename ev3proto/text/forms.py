@@ -22,8 +22,7 @@ from ev3proto.messages import (
 from ev3proto.schema.fields import REPLIES, REQUESTS
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
 from ev3proto.tables.frame import LENGTH_FIELD
-from ev3proto.text.heading import Seen, heading
-from ev3proto.text.phrases import argument_value, field_texts
+from ev3proto.text.phrases import Seen, argument_value, field_texts, heading
 from ev3proto.text.spans import plain_text
 
 _BYTES_A_LINE = 12

@@ -1,4 +1,4 @@
-"""How single things are said: a value with its unit and name, bytes as hex, a float with no more digits than it has."""
+"""How things are said on one line: a value with its unit and name, the heading of a message, a dialogue."""
 
 from __future__ import annotations
 
@@ -6,11 +6,25 @@ import json
 import math
 import struct
 from collections.abc import Iterator
+from typing import NamedTuple
 
-from ev3proto.dialogue import Value, ValueType
-from ev3proto.messages import Argument, SystemCommand, SystemReply
+from ev3proto.dialogue import Exchange, Value, ValueType
+from ev3proto.errors import counted
+from ev3proto.messages import (
+    Argument,
+    DaisyCommand,
+    DaisyReply,
+    DirectCommand,
+    DirectReply,
+    Message,
+    Operation,
+    SystemCommand,
+    SystemReply,
+)
 from ev3proto.tables.encoding import GLOBAL, LOCAL, TEXT
 from ev3proto.tables.mailboxes import Reading
+from ev3proto.tables.system import status_meaning
+from ev3proto.text.spans import Line, Role
 
 _LETTERS = {LOCAL: "L", GLOBAL: "G"}
 _encode = json.JSONEncoder(ensure_ascii=False).encode
@@ -108,3 +122,203 @@ def value_text(value: Value) -> str:
     if value.symbol is not None:
         return f"{text} ({value.symbol})"
     return f"{text} {value.unit}" if value.unit else text
+
+
+class Seen(NamedTuple):
+    """How a message was come by.
+
+    direction  `sent` or `received`, as the computer sees it
+    time       as it was written, or seconds since the capture began
+    cut        the text that it was read from is cut off
+    packets    the packets of a capture that carried it
+    place      carrier and brick
+    answers    for a reply: the packet of the command that it answers
+    latency    for a reply: seconds since then
+    frame      the message's bytes where they are at hand, which saves building them
+    """
+
+    direction: str | None = None
+    time: str | None = None
+    cut: bool = False
+    packets: tuple[int, ...] = ()
+    place: str | None = None
+    answers: int | None = None
+    latency: float | None = None
+    frame: bytes | None = None
+
+
+def origin(seen: Seen) -> Line:
+    """`0.011558 #12 usb 1.7 sent `: what stands before a message."""
+    line: Line = []
+    if seen.time:
+        line.append((f"{seen.time} ", Role.ASIDE))
+    if seen.packets:
+        line.append((f"{packets_text(seen.packets)} ", Role.ASIDE))
+    if seen.place:
+        line.append((f"{seen.place} ", Role.PLAIN))
+    if seen.direction:
+        line.append((f"{seen.direction} ", Role.ASIDE))
+    return line
+
+
+def packets_text(numbers: tuple[int, ...]) -> str:
+    """`#12`, `#12+13`: the packets of a capture."""
+    return f"#{numbers[0]}" if len(numbers) == 1 else f"#{'+'.join(map(str, numbers))}"
+
+
+def heading(exchange: Exchange, seen: Seen) -> Line:
+    """`09:12:31.011558 sent DIRECT_COMMAND_REPLY, counter 42, 16 bytes`, and for replies what they answer and how."""
+    message = exchange.message
+    line = origin(seen)
+    size = len(message.build() if seen.frame is None else seen.frame)
+    if message.type is None:
+        line.append((f"no EV3 message, {counted(size, 'byte')}", Role.HEADING))
+    else:
+        line.append((message.type.name, Role.HEADING))
+        line.append((f", counter {message.counter}, {counted(size, 'byte')}", Role.PLAIN))
+    if seen.cut and message.stated_length is not None:
+        line.append((f" of {message.stated_length + 2}: the text is cut here", Role.MEANING))
+    line += _what(exchange)
+    if seen.latency is not None:
+        line.append((f" ({seen.latency * 1000:.3f} ms after #{seen.answers})", Role.ASIDE))
+    return line
+
+
+def _what(exchange: Exchange) -> Line:
+    message = exchange.message
+    line: Line = []
+    if isinstance(message, SystemCommand | DaisyCommand):
+        line.append((": ", Role.PLAIN))
+        line.append((message.command or f"0x{message.number:02X}", Role.OPERATION))
+    elif isinstance(message, SystemReply):
+        status = message.status.name if message.status is not None else f"status {message.status_code}"
+        line.append((": ", Role.PLAIN))
+        line.append((message.command or f"0x{message.number:02X}", Role.OPERATION))
+        line.append((f" {status}", Role.FAULT if message.is_error else Role.VALUE))
+    elif isinstance(message, DirectReply | DaisyReply) and message.type is not None:
+        line.append(
+            (": error" if message.type.is_error else ": ok", Role.FAULT if message.type.is_error else Role.VALUE)
+        )
+    if exchange.is_orphan:
+        line.append((" (the command it answers was not seen)", Role.ASIDE))
+    return line
+
+
+_MOST_OPERATIONS = 8
+_MOST_VALUES = 16
+_MOST_TEXT = 60
+
+
+def command_spans(message: Message) -> Line:
+    """What a command asks for: its operations with their arguments, or its fields."""
+    line: Line = []
+    if isinstance(message, DirectCommand):
+        line += _operations(message.operations) if message.operations else [("no operations", Role.ASIDE)]
+    elif isinstance(message, SystemCommand):
+        line.append((message.command or f"0x{message.number:02X}", Role.OPERATION))
+        line += _fields(message)
+    elif isinstance(message, DaisyCommand):
+        line.append((message.command or f"0x{message.number:02X}", Role.OPERATION))
+        line.append((f" from layer {message.layer_from} to layer {message.layer_to}", Role.PLAIN))
+        if message.operations:
+            line += [(": ", Role.PLAIN), *_operations(message.operations)]
+    else:
+        line.append(("no EV3 message" if message.type is None else message.type.name, Role.OPERATION))
+    if message.fault is not None:
+        line.append((f" (fault at {message.fault})", Role.FAULT))
+    return line
+
+
+def reply_spans(exchange: Exchange) -> Line:
+    """What a reply says: its values, or how the command went."""
+    message = exchange.message
+    if message.fault is not None:
+        return [(f"fault at {message.fault}", Role.FAULT)]
+    if message.type is not None and message.type.is_command:
+        return [("fault: the request came back in place of a reply", Role.FAULT)]
+    if isinstance(message, SystemReply):
+        status = message.status.name if message.status is not None else f"status {message.status_code}"
+        meaning = status_meaning(message.number, message.status_code) if message.is_error else None
+        said: Line = [(f" ({meaning})", Role.MEANING)] if meaning else []
+        return [(status, Role.FAULT if message.is_error else Role.VALUE), *_fields(message), *said]
+    if message.type is not None and message.type.is_error:
+        return [("error", Role.FAULT)]
+    if not exchange.values:
+        return [("ok", Role.VALUE)]
+    line: Line = []
+    for number, value in enumerate(exchange.values[:_MOST_VALUES]):
+        line += [(", ", Role.PLAIN)] if number else []
+        line += _value(value)
+    if len(exchange.values) > _MOST_VALUES:
+        line.append((f" and {len(exchange.values) - _MOST_VALUES} more", Role.ASIDE))
+    return line
+
+
+def dialogue_line(command: Message | None, reply: Exchange | None, latency: float | None) -> Line:
+    """A command and what came back.
+
+    Args:
+        command: None for a reply whose command was not seen.
+        reply: None for a command that got none.
+        latency: Seconds between them, None where nobody knows.
+    """
+    line: Line = [("(a command that was not seen)", Role.ASIDE)] if command is None else command_spans(command)
+    if reply is not None:
+        line += [(" -> ", Role.PLAIN), *reply_spans(reply)]
+        if latency is not None:
+            line.append((f"  {latency * 1000:.3f} ms", Role.ASIDE))
+    elif command is not None and command.wants_reply:
+        line.append((" -> no reply", Role.FAULT))
+    return line
+
+
+def _operations(operations: tuple[Operation, ...]) -> Line:
+    line: Line = []
+    for number, operation in enumerate(operations[:_MOST_OPERATIONS]):
+        line += [("; ", Role.PLAIN)] if number else []
+        line += _operation(operation)
+    if len(operations) > _MOST_OPERATIONS:
+        line.append((f"; and {len(operations) - _MOST_OPERATIONS} more", Role.ASIDE))
+    return line
+
+
+def _operation(operation: Operation) -> Line:
+    line: Line = [(operation.full_name, Role.OPERATION)]
+    arguments = operation.arguments
+    if not arguments:
+        return line
+    line.append(("(", Role.PLAIN))
+    for number, argument in enumerate(arguments):
+        line += [(", ", Role.PLAIN)] if number else []
+        line += [(f"{argument.name}=", Role.NAME), (_argument(argument), Role.VALUE)]
+    return [*line, (")", Role.PLAIN)]
+
+
+def _argument(argument: Argument) -> str:
+    return argument.symbol or _short(argument_value(argument))
+
+
+def _value(value: Value) -> Line:
+    return [(f"{value.name}=", Role.NAME), (_short(value_text(value)), Role.VALUE)]
+
+
+def _fields(message: SystemCommand | SystemReply) -> Line:
+    line: Line = []
+    for name, text, meaning in field_texts(message):
+        line += [(f" {name}=", Role.NAME), (_short(text), Role.VALUE)]
+        if meaning:
+            line.append((f" ({_short(meaning)})", Role.MEANING))
+    return line
+
+
+def _short(text: str) -> str:
+    return text if len(text) <= _MOST_TEXT else f"{text[: _MOST_TEXT - 3]}..."
+
+
+MACROS = "asm"
+"""With the macro of every encoding, so that the same bytes can be made of it."""
+
+LEGO = "lego"
+"""As LEGO's sources have them."""
+
+NOTATIONS = (MACROS, LEGO)

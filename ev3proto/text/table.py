@@ -13,8 +13,7 @@ from itertools import zip_longest
 
 from ev3proto.dialogue import Exchange
 from ev3proto.messages import DaisyCommand, DirectCommand, DirectReply, Message, Operation, SystemCommand, SystemReply
-from ev3proto.text.heading import Seen, heading
-from ev3proto.text.phrases import argument_value, field_texts, plain, value_text
+from ev3proto.text.phrases import Seen, argument_value, field_texts, heading, plain, value_text
 from ev3proto.text.spans import Line, Role
 
 _SHORT_TYPES = {

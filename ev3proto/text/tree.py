@@ -15,13 +15,21 @@ from ev3proto.messages import (
     SystemCommand,
     SystemReply,
 )
-from ev3proto.schema.identification import ENCODINGS
+from ev3proto.schema.argument import ENCODINGS
 from ev3proto.tables.daisy import TEXTS as DAISY_TEXTS
 from ev3proto.tables.daisy import DaisyCommand as DaisySubCommand
 from ev3proto.tables.encoding import STRING_CODING, TEXT
 from ev3proto.tables.system import SYSTEM_BY_NUMBER, status_meaning
-from ev3proto.text.heading import Seen, heading
-from ev3proto.text.phrases import argument_meaning, argument_value, field_texts, plain, spaced_hex, value_text
+from ev3proto.text.phrases import (
+    Seen,
+    argument_meaning,
+    argument_value,
+    field_texts,
+    heading,
+    plain,
+    spaced_hex,
+    value_text,
+)
 from ev3proto.text.spans import Line, Role
 
 _MOST_REST = 32

@@ -389,7 +389,7 @@ def test_a_filter_that_is_wrong() -> None:
 # The progress bar
 
 
-IMPATIENT = "from ev3proto.cli import main, progress; progress.PATIENCE = 0.1; main.main()"
+IMPATIENT = "from ev3proto.cli import main, output; output.PATIENCE = 0.1; main.main()"
 """A program that is `ev3proto`, but for how long is taken for long."""
 
 

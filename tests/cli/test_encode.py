@@ -19,10 +19,10 @@ from ev3proto.dialogue import Dialogue, Exchange
 from ev3proto.testing import frames, mutated_frames
 from ev3proto.text.assembly import assemble
 from ev3proto.text.forms import as_c, as_hex, as_python
-from ev3proto.text.heading import Seen
 from ev3proto.text.json_format.from_messages import record
 from ev3proto.text.json_format.to_messages import RecordError, frame_of, frames_in, read_records
 from ev3proto.text.paste import read_text
+from ev3proto.text.phrases import Seen
 
 ROOT = Path(__file__).parents[2]
 CAPTURES = [*sorted((ROOT / "captures").glob("*.pcap*")), *sorted((ROOT / "captures").glob("*.log"))]

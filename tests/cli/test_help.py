@@ -16,8 +16,7 @@ import click
 import pytest
 from support.cli import run_ev3proto_text as run
 
-from ev3proto.cli.commands import SUBCOMMANDS, cli
-from ev3proto.cli.groups import first_sentence
+from ev3proto.cli.commands import SUBCOMMANDS, cli, first_sentence
 from ev3proto.version import VERSION
 
 ROOT = Path(__file__).parents[2]

@@ -38,8 +38,7 @@ from ev3proto.checking.checking import check as check_frame
 from ev3proto.compose import Placeholder
 from ev3proto.enums import LED
 from ev3proto.schema.instructions import instruction_set
-from ev3proto.semantics.drafts.functions import drafts
-from ev3proto.semantics.drafts.values import draft
+from ev3proto.semantics.drafts.functions import draft, drafts
 from ev3proto.tables import operations as operations_of
 from ev3proto.tables.declaration import DIALECTS, Declaration, Direction, Parameter, Type
 

@@ -10,7 +10,7 @@ import jsonschema  # type: ignore[import-untyped]
 import pytest
 
 from ev3proto.generate.tables_json.build import build_schema, build_tables
-from ev3proto.schema.identification import ENCODINGS, SHORT_VALUES
+from ev3proto.schema.argument import ENCODINGS, SHORT_VALUES
 from ev3proto.tables import AREAS, OPCODES, enumerations
 from ev3proto.tables.declaration import Enumeration, Parameter, Type
 from ev3proto.tables.system import SYSTEM

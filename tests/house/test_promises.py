@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from ev3proto import bounded
+from ev3proto import bounded, dialogue
 from ev3proto.capture import conversation, files, packets, record, series, statistics
 from ev3proto.capture.carriers.bluetooth import adapters
 from ev3proto.capture.carriers.usb import reports
@@ -25,7 +25,6 @@ from ev3proto.cli.annotations import MOST_COMPLAINTS
 from ev3proto.generate.dissector.build import build
 from ev3proto.link import file_moves
 from ev3proto.program.image import MAX_IMAGE
-from ev3proto.semantics import pairing, transfers
 from ev3proto.tables.claims import STRANGE_PACKETS
 from ev3proto.tables.frame import MAX_FRAME
 from ev3proto.text.paste.pieces import MAX_COLLECTED, MAX_LINE
@@ -35,8 +34,8 @@ MIB, KIB = 1 << 20, 1 << 10
 
 LIMITS = {
     "Commands of one connection that wait for a reply": f"{conversation.MOST_PENDING}",
-    "Commands with one counter": f"{pairing.MOST_PER_KEY}",
-    "Files of one connection that wait for the reply to their first command": f"{transfers.MOST_BEGUN}",
+    "Commands with one counter": f"{dialogue.MOST_PER_KEY}",
+    "Files of one connection that wait for the reply to their first command": f"{dialogue.MOST_BEGUN}",
     "Segments of one direction of TCP": f"{tcp.MOST_AHEAD // MIB} MiB, {tcp.MOST_SEGMENTS_AHEAD} segments",
     "IP packets of which parts wait": f"{fragments.MOST_PACKETS}, each {fragments.MOST_SECONDS} seconds",
     "TCP connections": f"{connections.MOST_CONNECTIONS}",

@@ -25,16 +25,14 @@ from ev3proto.bounded import Budget
 from ev3proto.capture import Record, read
 from ev3proto.checking.checking import check
 from ev3proto.checking.fixing import fix
-from ev3proto.dialogue import Exchange
+from ev3proto.dialogue import Exchange, Pairing
 from ev3proto.pyshark import read as read_by_tshark
-from ev3proto.semantics.pairing import Pairing
-from ev3proto.text.heading import Seen
 from ev3proto.text.json_format.from_messages import record
 from ev3proto.text.json_format.to_messages import frames_in
-from ev3proto.text.spans import plain_text
+from ev3proto.text.phrases import Seen
+from ev3proto.text.spans import plain_text, visible
 from ev3proto.text.table import table
 from ev3proto.text.tree import tree
-from ev3proto.text.visible import visible
 
 HARMFUL = "\x1b]52;c;Zm9v\x07\x1b[2J\x9b31m\x85\x7f\u202e\u2066\u2028"
 

@@ -16,9 +16,8 @@ from ev3proto.dialogue import Exchange
 from ev3proto.schema.frame import read_last
 from ev3proto.text.assembly.disassembly import assembly
 from ev3proto.text.diagnostics import diagnostics, fixed
-from ev3proto.text.heading import Seen
 from ev3proto.text.json_format.from_messages import record
-from ev3proto.text.notations import NOTATIONS
+from ev3proto.text.phrases import NOTATIONS, Seen
 from ev3proto.text.spans import plain_text
 from ev3proto.text.table import table
 from ev3proto.text.tree import tree

@@ -38,7 +38,7 @@ from ev3proto.link.targets import Target
 from ev3proto.schema.discovery import Beacon
 from ev3proto.tables.carriers import Carrier
 from ev3proto.tables.system import SystemStatus
-from ev3proto.text.dialogues import dialogue_line
+from ev3proto.text.phrases import dialogue_line
 from ev3proto.text.spans import plain_text
 
 WIFI_CAPTURE = ROOT / "captures" / "wifi.pcapng"

@@ -14,12 +14,11 @@ from support.effort import effort
 
 import ev3proto
 from ev3proto import BuildError, MessageType
-from ev3proto.schema.argument import ArgumentSchema
+from ev3proto.schema.argument import IDENTIFICATION, ArgumentSchema
 from ev3proto.schema.discovery import BEACON, UNLOCK
 from ev3proto.schema.fields import REPLIES, REQUESTS, Fields
 from ev3proto.schema.frame import SENSOR_REPORT, frame_schema
 from ev3proto.schema.header import HEADER, MEMORY
-from ev3proto.schema.identification import IDENTIFICATION
 from ev3proto.schema.instructions import instruction_set
 from ev3proto.tables import operations as operations_of
 from ev3proto.tables.declaration import DIALECTS, Type

@@ -17,10 +17,10 @@ from support.cpu_time import seconds
 
 import ev3proto
 from ev3proto import GV, LV, BuildError, DecodeError
+from ev3proto.schema.argument import ENCODINGS, IDENTIFICATION, LABEL_BYTE, SHORT_VALUES
 from ev3proto.schema.fields import Fields
 from ev3proto.schema.frame import frame_schema
 from ev3proto.schema.header import HEADER, MEMORY
-from ev3proto.schema.identification import ENCODINGS, IDENTIFICATION, LABEL_BYTE, SHORT_VALUES
 from ev3proto.schema.instructions import instruction_set
 from ev3proto.tables.system import SYSTEM
 

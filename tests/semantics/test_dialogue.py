@@ -9,7 +9,7 @@ import pytest
 
 import ev3proto
 from ev3proto import GV, LV, Value
-from ev3proto.semantics.pairing import MOST_PENDING
+from ev3proto.dialogue import MOST_PENDING
 
 
 def ask(*operations: ev3proto.Operation, counter: int = 1, size: int = 64) -> ev3proto.DirectCommand:

@@ -13,9 +13,8 @@ import ev3proto
 from ev3proto.checking.report import Finding
 from ev3proto.errors import BuildError
 from ev3proto.messages import Argument, DirectCommand, Operation, Variable
-from ev3proto.schema.argument import encode_as, encode_integer, encode_variable
+from ev3proto.schema.argument import ENCODINGS, encode_as, encode_integer, encode_variable
 from ev3proto.schema.header import HEADER_SIZE, read_memory, with_length, write_memory
-from ev3proto.schema.identification import ENCODINGS
 from ev3proto.tables.encoding import CONSTANT
 
 TYPE_OFFSET = 4

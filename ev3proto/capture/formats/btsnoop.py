@@ -9,7 +9,7 @@ from construct import Bytes, Int32ub, Int64ub, Struct
 
 from ev3proto.capture.packets import MOST_PACKET, Interface, Packet
 from ev3proto.capture.record import CaptureError
-from ev3proto.schema.packed import packed
+from ev3proto.schema.bytewise import packed
 from ev3proto.tables.carriers import Link
 
 HEADER = Struct("magic" / Bytes(8), "version" / Int32ub, "link" / Int32ub)

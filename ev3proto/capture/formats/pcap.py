@@ -12,7 +12,7 @@ from construct import Bytes, Int16ul, Int32ul, Struct
 
 from ev3proto.capture.packets import MOST_PACKET, Interface, Packet, new_packet
 from ev3proto.capture.record import CaptureError
-from ev3proto.schema.packed import packed
+from ev3proto.schema.bytewise import packed
 
 MICROSECONDS, NANOSECONDS, MODIFIED = 0xA1B2C3D4, 0xA1B23C4D, 0xA1B2CD34
 """What the first four bytes say, read in the byte order of the file: the unit of times, or an early Linux's format, in

@@ -16,7 +16,7 @@ from construct import Int16ul, Int32ul, Int64ul, Struct
 
 from ev3proto.capture.packets import MOST_PACKET, Interface, Packet
 from ev3proto.capture.record import CaptureError
-from ev3proto.schema.packed import packed
+from ev3proto.schema.bytewise import packed
 
 SECTION, INTERFACE, OLD_PACKET, SIMPLE_PACKET, PACKET = 0x0A0D0D0A, 1, 2, 3, 6
 """The blocks that are read; all others are passed over."""

@@ -10,10 +10,8 @@ from ev3proto.capture.dialogues import is_error
 from ev3proto.capture.record import Announcement, Record
 from ev3proto.dialogue import Transfer
 from ev3proto.messages import DaisyCommand, DirectCommand, Message, SystemCommand, SystemReply
-from ev3proto.text.dialogues import command_spans, reply_spans
-from ev3proto.text.phrases import argument_meaning, argument_value, value_text
-from ev3proto.text.spans import plain_text
-from ev3proto.text.visible import visible
+from ev3proto.text.phrases import argument_meaning, argument_value, command_spans, reply_spans, value_text
+from ev3proto.text.spans import plain_text, visible
 
 MOST_LETTERS = 240
 """Letters of one detail."""

@@ -1,16 +1,318 @@
-"""What is said of an argument by itself, in one pass, since a frame has more arguments than anything else."""
+"""Rules on arguments: their values, encodings, lists. One pass, since a frame has more arguments than anything else."""
 
 from __future__ import annotations
 
-from ev3proto.checking.context import CheckContext
-from ev3proto.checking.facts import parameter_facts
+import math
+from collections.abc import Iterator
+
+from ev3proto.checking import codes
+from ev3proto.checking.context import CheckContext, CheckedOperation, ParameterFacts, parameter_facts
 from ev3proto.checking.report import Finding
-from ev3proto.checking.rules.encodings import SHORTER, longer_finding, longer_form
 from ev3proto.checking.rules.memory import Use
-from ev3proto.checking.rules.values import value_finding
-from ev3proto.schema.argument import SHORT
-from ev3proto.semantics.footprint import element_facts, footprint
-from ev3proto.tables.encoding import GLOBAL, LOCAL
+from ev3proto.errors import counted
+from ev3proto.messages import Argument, Variable
+from ev3proto.schema.argument import ENCODINGS, SHORT, encode_integer, encode_variable
+from ev3proto.semantics.footprint import InlineArray, element_facts, footprint, inline_arrays
+from ev3proto.tables.declaration import Direction, Role, Type
+from ev3proto.tables.encoding import CONSTANT, CONSTANT_RANGES, GLOBAL, INDEX_RANGES, LOCAL, RANGES, TEXT, Encoding
+from ev3proto.tables.validation import LABELS
+
+
+def value_finding(
+    operation: CheckedOperation, number: int, argument: Argument, known: ParameterFacts
+) -> Finding | None:
+    """What is wrong with a constant that is none of `known.numbers`."""
+    is_first = not number and not operation.facts.has_cmd
+    parameter, form, value, _, _ = argument
+    kind, type_ = form.kind, parameter.type
+    if form.handle or form.address:
+        # Only the brick knows what is there. Its validator takes the handle or address itself for the value.
+        return _refused(operation, argument, value, known) if is_first and isinstance(value, int) else None
+    if parameter.direction is not Direction.IN:
+        return _constant_output(operation, argument)
+    if kind == TEXT:
+        is_text = type_ is Type.STRING or parameter.length is not None or type_ is Type.ARRAY_TYPED
+        return None if is_text else _text_for_number(operation, argument)
+    if isinstance(value, float):
+        return _not_a_number(operation, argument) if math.isnan(value) else None
+    if type_ is Type.STRING:
+        return _number_for_text(operation, argument)
+    if type_ is Type.DATAF:
+        return _integer_for_float(operation, argument) if value and parameter.length is None else None
+    assert isinstance(value, int)
+    return _number(operation, argument, value, known, is_first=is_first)
+
+
+def _number(
+    operation: CheckedOperation, argument: Argument, value: int, known: ParameterFacts, *, is_first: bool
+) -> Finding | None:
+    """What is wrong with a whole number."""
+    domain, limits = known.domain, known.limits
+    refused = _refused(operation, argument, value, known) if is_first else None
+    if refused is not None or known.parameter.type is Type.LABEL:
+        return refused
+    if limits is not None and not limits.low <= value <= limits.high:
+        return _cut_down(operation, argument, value, known)
+    if domain is None or domain.covers(value):
+        return None
+    return _illegal(operation, argument, value, known)
+
+
+def _illegal(
+    operation: CheckedOperation, argument: Argument, value: int, known: ParameterFacts, aside: str = ""
+) -> Finding:
+    """A number that the tables do not provide for."""
+    assert known.domain is not None
+    code = codes.NO_MEMBER if known.domain.has_names else codes.OUT_OF_RANGE
+    message = f"{argument[0].name} is {value}{known.outside}{aside}"
+    return operation.finding_at(code, argument, message, known.advice)
+
+
+def _refused(operation: CheckedOperation, argument: Argument, value: int, known: ParameterFacts) -> Finding | None:
+    """A first parameter that the validator does not let pass."""
+    parameter = known.parameter
+    if parameter.role is Role.LABEL:
+        if 0 <= value < LABELS:
+            return None
+        return operation.finding_at(
+            codes.BAD_LABEL,
+            argument,
+            f"{argument.name} is {value}, and there are labels 0 to {LABELS - 1}",
+            f"give 1 to {LABELS - 1}; jumps cannot name label 0",
+        )
+    checked = parameter.validated or parameter.type
+    if checked is Type.STRING:
+        # Of a text, the validator sees its first character.
+        checked = Type.DATA8
+    limits = RANGES.get(checked)
+    if limits is None or limits.low <= value <= limits.high:
+        return None
+    return operation.finding_at(
+        codes.FIRST_OUT_OF_RANGE,
+        argument,
+        f"{argument.name} is {value}, and the brick takes {limits.low} to {limits.high} as {checked}"
+        " in a first parameter",
+        _value_help(known),
+    )
+
+
+def _cut_down(operation: CheckedOperation, argument: Argument, value: int, known: ParameterFacts) -> Finding:
+    """A number that more bytes were given than the parameter has, or the one that means that there is none."""
+    parameter = argument.parameter
+    bits = 8 * parameter.type.size
+    if value == RANGES[parameter.type].nan:
+        return _not_a_number(operation, argument)
+    kept = value & (1 << bits) - 1
+    read = kept - (1 << bits) if kept >> bits - 1 else kept
+    if 0 <= value < 1 << bits:
+        if known.domain is not None and not known.domain.covers(read):
+            return _illegal(operation, argument, value, known, f", and the brick reads it as {read}")
+        return operation.finding_at(
+            codes.NEGATIVE,
+            argument,
+            f"{parameter.name} is {value}, which the brick reads as {read}: it is {_article(parameter.type)}",
+            f"write {read} if these bits are meant, or else a number that fits",
+        )
+    return operation.finding_at(
+        codes.TRUNCATED,
+        argument,
+        f"{parameter.name} is {value}, of which the brick keeps {read}: it is {_article(parameter.type)}",
+        _value_help(known),
+    )
+
+
+def _article(kind: Type) -> str:
+    limits = RANGES[kind]
+    return f"a {kind}, {limits.low} to {limits.high}"
+
+
+def _value_help(known: ParameterFacts) -> str:
+    if known.domain is not None:
+        return f"give {known.domain.choice}"
+    limits = RANGES.get(known.parameter.type)
+    return "give a text" if limits is None else f"give {limits.low} to {limits.high}"
+
+
+def _not_a_number(operation: CheckedOperation, argument: Argument) -> Finding:
+    return operation.finding_at(
+        codes.NOT_A_NUMBER,
+        argument,
+        f'{argument.name} is {argument.value}, which means "not a number"',
+        "give a number, unless just that is meant",
+    )
+
+
+def _constant_output(operation: CheckedOperation, argument: Argument) -> Finding:
+    parameter = argument.parameter
+    wide = parameter.type.size
+    room = f" that has room for {parameter.type}" if wide else ""
+    return operation.finding_at(
+        codes.CONSTANT_OUTPUT,
+        argument,
+        f"{argument.name} is a constant, and the brick writes there",
+        f"give a variable{room}: global for the reply, or local",
+    )
+
+
+def _number_for_text(operation: CheckedOperation, argument: Argument) -> Finding:
+    return operation.finding_at(
+        codes.NUMBER_FOR_TEXT,
+        argument,
+        f"{argument.name} is the number {argument.value}, and the brick reads a text",
+        "give a text as LCS, or a variable that holds one",
+    )
+
+
+def _text_for_number(operation: CheckedOperation, argument: Argument) -> Finding:
+    return operation.finding_at(
+        codes.TEXT_FOR_NUMBER,
+        argument,
+        f"{argument.name} is a text, and the brick reads a {argument.parameter.type}",
+        "give a number",
+    )
+
+
+def _integer_for_float(operation: CheckedOperation, argument: Argument) -> Finding:
+    return operation.finding_at(
+        codes.INTEGER_FOR_FLOAT,
+        argument,
+        f"{argument.name} is the whole number {argument.value}, whose bits the brick reads as a float",
+        f"give {argument.value} as a float: LC4 with the four bytes of an IEEE single",
+    )
+
+
+def longer_form(operation: CheckedOperation, has_jumps: bool) -> list[Finding]:
+    """What is wrong with CMD of an operation that has one."""
+    cmd = operation.parsed.cmd
+    assert cmd is not None
+    return [longer_finding(operation, cmd, has_jumps)] if is_longer(cmd) else []
+
+
+_RANGES = {CONSTANT: CONSTANT_RANGES, LOCAL: INDEX_RANGES, GLOBAL: INDEX_RANGES}
+
+
+def _shorter(form: Encoding) -> range | None:
+    """The values that a shorter form than this one can hold; None where there is none."""
+    if not form.width or form.handle or form.address:
+        return None
+    # Wider ones hold all that narrower ones do.
+    narrower = [numbers for width, numbers in _RANGES.get(form.kind, {}).items() if width < form.width]
+    return narrower[-1] if narrower else None
+
+
+SHORTER = {id(form): _shorter(form) for form in ENCODINGS if form is not None}
+"""The values that a shorter form can hold, by the id of the encoding: there is one object for each."""
+
+
+def is_longer(argument: Argument) -> bool:
+    """Whether its value fits a shorter form."""
+    shorter = SHORTER.get(id(argument.form))
+    return shorter is not None and type(argument.value) is int and argument.value in shorter
+
+
+def shortest(argument: Argument) -> bytes:
+    """The shortest bytes that say the same as one that `is_longer`."""
+    kind, value = argument.form.kind, argument.value
+    assert isinstance(value, int)
+    return encode_integer(value) if kind == CONSTANT else encode_variable(Variable(kind, value))
+
+
+def longer_finding(operation: CheckedOperation, argument: Argument, has_jumps: bool) -> Finding:
+    """What is said of an argument that `is_longer`.
+
+    Args:
+        operation: The operation that it is in.
+        argument: The argument.
+        has_jumps: Whether the command has jumps, which may be over it.
+    """
+    kind, value = argument.form.kind, argument.value
+    shorter = shortest(argument)
+    if argument.parameter.role is Role.JUMP and kind == CONSTANT and isinstance(value, int) and value < 0:
+        shorter = _shorter_way_back(argument, value)
+    aside = ""
+    if has_jumps and argument.parameter.role is not Role.JUMP:
+        aside = f", and count {counted(argument.length - len(shorter), 'byte')} less in jumps over it"
+    return operation.finding_at(
+        codes.LONGER_FORM,
+        argument,
+        f"{argument.name} is {argument.encoding}, and its value fits {counted(len(shorter), 'byte')}",
+        f"write it as {shorter.hex(' ').upper()}{aside}",
+    )
+
+
+def _shorter_way_back(argument: Argument, value: int) -> bytes:
+    """A jump to the same place in fewer bytes: it is counted from its end, which is less far from there then."""
+    for length in range(1, argument.length):
+        data = encode_integer(value + argument.length - length)
+        if len(data) == length:
+            return data
+    return encode_integer(value)
+
+
+def check_lists(operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
+    """The texts and arrays that stand in the operations themselves."""
+    for operation in operations:
+        if operation.facts.has_lists:
+            yield from _long_texts(operation)
+            for array in inline_arrays(operation.arguments):
+                yield from _array(operation, array)
+
+
+def _long_texts(operation: CheckedOperation) -> Iterator[Finding]:
+    for argument in operation.arguments:
+        parameter, form, *_ = argument
+        most = parameter.most
+        if most is None or form.kind != TEXT or parameter.direction is not Direction.IN:
+            continue
+        size = argument.length - 1
+        if size > most and not form.handle and not form.address:
+            yield operation.finding_at(
+                codes.NAME_TOO_LONG,
+                argument,
+                f"{argument.name} has {counted(size - 1, 'character')}, and the firmware takes {most - 1} at most",
+                f"shorten it by {size - most}",
+            )
+
+
+def _array(operation: CheckedOperation, array: InlineArray) -> Iterator[Finding]:
+    argument, length, stated, present = array.argument, array.length, array.stated, array.present
+    says = f"{length} says that {argument.name} has {counted(stated, 'byte')}"
+    if argument.form.kind == CONSTANT:
+        if stated > present:
+            yield operation.finding_at(
+                codes.ARRAY_TOO_SHORT,
+                argument,
+                f"{says}, and it is a single number",
+                "give the bytes as a text, or a variable that holds them",
+            )
+    elif stated > present:
+        yield operation.finding_at(
+            codes.ARRAY_TOO_SHORT,
+            argument,
+            f"{says}, and it has {present} with its zero",
+            ", or ".join((*_count(operation, array, present // array.one), f"give all {counted(stated, 'byte')}")),
+        )
+    elif stated < present - 1:
+        yield operation.finding_at(
+            codes.REST_UNUSED,
+            argument,
+            f"{says}, and it has {present - 1}",
+            ", or ".join(
+                (
+                    *_count(operation, array, -(-(present - 1) // array.one)),
+                    f"omit the last {counted(present - 1 - stated, 'byte')}",
+                )
+            ),
+        )
+
+
+def _count(operation: CheckedOperation, array: InlineArray, count: int) -> Iterator[str]:
+    """The advice to give another number of values, where the array has so many and the parameter can say so."""
+    parameter = next(it for it in operation.facts.declaration.parameters if it.name == array.length)
+    limits = RANGES.get(parameter.type)
+    if 0 < count * array.one <= array.present and (limits is None or count <= limits.high):
+        yield f"give {count} as {array.length}"
+
 
 _VARIABLES = (LOCAL, GLOBAL)
 _SHORT_FORMS = len(SHORT)

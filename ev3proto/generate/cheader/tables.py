@@ -5,7 +5,7 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Iterable, Iterator
 
-from ev3proto.semantics.descriptions import comment, firmwares
+from ev3proto.semantics.domain import comment, firmwares
 from ev3proto.tables import AREAS, daisy
 from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.declaration import Command, Direction, Opcode, Parameter

@@ -11,9 +11,9 @@ from construct.core import SizeofError
 
 from ev3proto.generate.dissector.lua import Name, Source, Table, hexadecimal, literal
 from ev3proto.generate.dissector.names import HEXADECIMAL, filter_name, label
+from ev3proto.schema.argument import ENCODINGS, SHORT_VALUES
 from ev3proto.schema.frame import SENSOR_REPORT
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
-from ev3proto.schema.identification import ENCODINGS, SHORT_VALUES
 from ev3proto.tables import OPCODES, carriers, claims, daisy, discovery, enumerations, frame, operations
 from ev3proto.tables.declaration import DIALECTS, Command, Direction, Enumeration, Opcode, Parameter, Role, Type
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL, RANGES, TEXT, Encoding

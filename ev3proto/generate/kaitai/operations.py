@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ev3proto.generate.kaitai.naming import family_type, identifier, operation_type, parameter_name
 from ev3proto.generate.kaitai.yaml import Hexadecimal, Value
-from ev3proto.semantics.descriptions import comment
+from ev3proto.semantics.domain import comment
 from ev3proto.tables import OPCODES, operations
 from ev3proto.tables.declaration import Declaration, Enumeration, Opcode, Parameter, Type
 from ev3proto.tables.enumerations import FORMAT_TYPES

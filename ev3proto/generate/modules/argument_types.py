@@ -76,8 +76,7 @@ def _lines() -> Iterator[str]:
     yield ""
     yield from imported("ev3proto.enums", [enum.name for enum in enums])
     yield from imported("ev3proto.messages", ["Argument", "Variable"])
-    yield from imported("ev3proto.semantics.drafts.labels", ["Label"])
-    yield from imported("ev3proto.semantics.drafts.placeholders", ["Placeholder"])
+    yield from imported("ev3proto.semantics.drafts.placeholders", ["Label", "Placeholder"])
     yield ""
     yield from (f'{name}: TypeAlias = "{meaning}"' for name, meaning in _ALIASES.items())
     for enum in enums:

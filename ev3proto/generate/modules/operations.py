@@ -25,8 +25,8 @@ from ev3proto.generate.modules.source import (
     python_name,
     sentence,
 )
-from ev3proto.semantics.descriptions import facts
-from ev3proto.semantics.drafts.values import may_be_omitted
+from ev3proto.semantics.domain import facts
+from ev3proto.semantics.drafts.functions import may_be_omitted
 from ev3proto.tables import OPCODES, area_of
 from ev3proto.tables import operations as operations_of
 from ev3proto.tables.declaration import DIALECTS, LISTS, Declaration, Direction, Opcode, Parameter, Type
@@ -186,9 +186,7 @@ def _imports(declarations: Sequence[Declaration], others: Mapping[str, Sequence[
     for module, names in sorted({**others, **({"ev3proto.ops.argument_types": aliases} if aliases else {})}.items()):
         yield from imported(module, names)
     yield "from ev3proto.semantics.drafts.draft import Draft"
-    yield "from ev3proto.semantics.drafts.functions import drafts"
-    if is_overloaded:
-        yield "from ev3proto.semantics.drafts.values import REQUIRED"
+    yield f"from ev3proto.semantics.drafts.functions import {'REQUIRED, ' if is_overloaded else ''}drafts"
 
 
 def _functions(declarations: Sequence[Declaration], dialect: str) -> Iterator[str]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ev3proto.generate.pages.markdown import code, link, page, plain, table
-from ev3proto.schema.identification import ENCODINGS
+from ev3proto.schema.argument import ENCODINGS
 from ev3proto.tables import AREAS
 from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.declaration import declarations

@@ -9,7 +9,7 @@ from ev3proto.generate.pages.areas import AREA_TITLES
 from ev3proto.generate.pages.examples import example_of, explained, is_accepted
 from ev3proto.generate.pages.markdown import block, code, link, page, plain, sentence, table
 from ev3proto.schema.instructions import instruction_set
-from ev3proto.semantics.descriptions import element, facts
+from ev3proto.semantics.domain import element, facts
 from ev3proto.tables import AREAS
 from ev3proto.tables.declaration import DIALECTS, Declaration, Parameter, Type, declarations
 

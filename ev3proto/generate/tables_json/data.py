@@ -5,9 +5,9 @@ from __future__ import annotations
 from itertools import groupby
 from typing import Any
 
+from ev3proto.schema.argument import ENCODINGS, SHORT_VALUES
 from ev3proto.schema.discovery import Unlock
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
-from ev3proto.schema.identification import ENCODINGS, SHORT_VALUES
 from ev3proto.tables import AREAS, carriers, daisy, discovery, enumerations, frame
 from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.declaration import DIALECTS, Command, Direction, Enumeration, Opcode, Parameter, Type

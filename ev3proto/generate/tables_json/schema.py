@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from ev3proto.schema.identification import ENCODINGS
+from ev3proto.schema.argument import ENCODINGS
 from ev3proto.tables import AREAS
 from ev3proto.tables.declaration import DIALECTS, Direction, Effect, Role, Type
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL, TEXT

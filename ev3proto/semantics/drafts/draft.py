@@ -7,9 +7,7 @@ from collections.abc import Mapping
 from ev3proto.errors import BuildError
 from ev3proto.messages import GV, Operation, OperationReader, Variable
 from ev3proto.schema.argument import encode_variable
-from ev3proto.semantics.drafts.allocation import Need
-from ev3proto.semantics.drafts.labels import Label
-from ev3proto.semantics.drafts.placeholders import Placeholder
+from ev3proto.semantics.drafts.placeholders import Label, Need, Placeholder
 from ev3proto.semantics.footprint import Footprint, footprints
 from ev3proto.tables.declaration import Declaration
 

@@ -1,26 +1,314 @@
-"""What the functions of `ev3proto.ops` call: drafts of an operation from one value for each parameter.
+"""Drafts of operations from one value for each parameter: what the functions of `ev3proto.ops` call.
 
-Most calls give plain numbers and names and omit all outputs, or have none. For those the bytes of each value are looked
-up, once it was checked and encoded. All other calls go the careful way, value by value, which takes ten times as long
-(`pytest benchmarks -k composing`).
+Every kind of value is known here, and every mistake named. Most calls give plain numbers and names and omit all
+outputs, or have none. For those the bytes of each value are looked up, once it was checked and encoded. All other calls
+go the careful way, value by value, which takes ten times as long (`pytest benchmarks -k composing`).
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cache
 from typing import Any
 
-from ev3proto.errors import BuildError
+from ev3proto.errors import BuildError, near_misses
+from ev3proto.messages import Argument, Operation, Variable
 from ev3proto.schema.argument import ArgumentSchema
-from ev3proto.schema.instructions import instruction_set
-from ev3proto.schema.operation import OperationSchema
+from ev3proto.schema.instructions import OperationSchema, instruction_set
 from ev3proto.semantics.domain import domain_of
-from ev3proto.semantics.drafts.allocation import Need
 from ev3proto.semantics.drafts.draft import OMITTED, STAND_IN, Draft, Open
-from ev3proto.semantics.drafts.values import check_constant, draft
-from ev3proto.semantics.footprint import memory_facts
-from ev3proto.tables.declaration import Direction
+from ev3proto.semantics.drafts.placeholders import NO_DISTANCE, Label, Need, Placeholder
+from ev3proto.semantics.footprint import Footprint, footprints, inline_arrays, memory_facts
+from ev3proto.tables.declaration import LISTS, Declaration, Direction, Parameter, Role, Type
+from ev3proto.tables.encoding import CONSTANT, RANGES, TEXT
+
+HOW_TO_MEAN_IT = "unchecked=True lets it through"
+"""Ends the sentences of Python calls about values that can be encoded, but mean nothing to the brick."""
+
+
+class MeaningError(BuildError):
+    """A value that can be encoded, but means nothing to the brick.
+
+    Attributes:
+        sentence: What is wrong, without how to let it through.
+    """
+
+    def __init__(self, sentence: str) -> None:
+        self.sentence = sentence
+        super().__init__(f"{sentence}; {HOW_TO_MEAN_IT}")
+
+
+def objections(operation: Operation) -> Iterator[tuple[int, BuildError]]:
+    """What is not legal in an operation that is encoded: constants, variables that are misaligned.
+
+    Args:
+        operation: The operation, by itself or in a frame.
+
+    Yields:
+        The number of the argument, from 0, and an error that names its parameter and what would be right.
+    """
+    arguments = operation.arguments
+    yield from _wrong_arrays(arguments)
+    for number, argument in enumerate(arguments):
+        try:
+            _check_meaning(argument)
+        except BuildError as error:
+            yield number, error
+    yield from _wrong_places(footprints(operation, arguments))
+
+
+def _check_meaning(argument: Argument) -> None:
+    """Refuses a constant that is not legal, in an argument that is encoded.
+
+    Raises:
+        BuildError: Names the parameter and what would be right.
+    """
+    parameter, form, value, *_ = argument
+    if form.handle or form.address or argument.is_variable:
+        return
+    if parameter.direction is not Direction.IN:
+        raise no_variable(parameter, value)
+    if isinstance(value, str):
+        check_text(parameter, value)
+    elif form.kind == CONSTANT:
+        check_number(parameter, value)
+
+
+def _wrong_places(used: Iterable[Footprint]) -> Iterator[tuple[int, BuildError]]:
+    """Variables that are misaligned, for which the brick refuses the whole command."""
+    for footprint in used:
+        multiple = footprint.validator_alignment
+        if footprint.start % multiple:
+            kind = "a handle" if footprint.argument.form.handle else footprint.argument.parameter.type.label
+            sentence = (
+                f"{footprint.argument.name} cannot be {footprint.variable}: as {kind} it must be at a multiple of"
+                f" {multiple}, or the brick refuses it"
+            )
+            yield footprint.number, MeaningError(sentence)
+
+
+def check_number(parameter: Parameter, value: float) -> None:
+    """Refuses a number that is not legal.
+
+    Args:
+        parameter: What the tables declare.
+        value: The number.
+
+    Raises:
+        BuildError: Names the parameter and what would be right.
+    """
+    domain = domain_of(parameter)
+    if domain is not None and not domain.covers(value):
+        sentence = f"{parameter.name} must be {domain.choice}, not {value}"
+        raise MeaningError(sentence) if _can_be(parameter, value) else BuildError(sentence)
+
+
+def check_text(parameter: Parameter, value: str) -> None:
+    """Refuses a text that is longer than the firmware takes.
+
+    Args:
+        parameter: What the tables declare.
+        value: The text.
+
+    Raises:
+        BuildError: Names the parameter and how long the text may be.
+    """
+    size = len(value) + 1
+    if parameter.most is not None and size > parameter.most:
+        raise MeaningError(
+            f"{parameter.name} has {size - 1} characters, and the firmware takes {parameter.most - 1} at most"
+        )
+
+
+def _wrong_arrays(arguments: Sequence[Argument]) -> Iterator[tuple[int, BuildError]]:
+    """Arrays that stand in the operation itself and have fewer bytes than their length says."""
+    for array in inline_arrays(arguments):
+        if array.stated > array.present:
+            argument = array.argument
+            has = f"a text of {array.present} bytes with its zero" if argument.kind == TEXT else "one number"
+            sentence = (
+                f"{argument.name} cannot be {argument.value!r}: {array.length} says that it has {array.stated} bytes,"
+                f" and this is {has}"
+            )
+            yield arguments.index(argument), MeaningError(sentence)
+
+
+def _can_be(parameter: Parameter, value: float) -> bool:
+    """Whether there is an encoding for it."""
+    limits = RANGES.get(parameter.type)
+    if limits is None or value == limits.nan or (isinstance(value, float) and math.isnan(value)):
+        return True
+    return limits.low <= value <= limits.high and value == int(value)
+
+
+def no_variable(parameter: Parameter, value: object) -> BuildError:
+    """The error for a constant where the brick writes."""
+    return MeaningError(
+        f"{parameter.name} cannot be {value!r}: the brick writes to it, so it takes a variable, GV(0) or Local()"
+    )
+
+
+def wrong_name(parameter: Parameter, name: str) -> BuildError:
+    """The error for a text where the name of an enumeration's member should stand."""
+    domain = domain_of(parameter)
+    assert parameter.enum is not None
+    assert domain is not None
+    hint = near_misses(name, [*parameter.enum.members, *parameter.names])
+    if hint:
+        return BuildError(f"{parameter.name} cannot be {name!r}{hint}")
+    return BuildError(f"{parameter.name} must be {domain.choice}, not {name!r}")
+
+
+class _Required:
+    """The default of a parameter that has to be given, where another before it may be omitted."""
+
+    def __repr__(self) -> str:
+        return "required"
+
+
+REQUIRED: Any = _Required()
+
+_ENUMS = "ev3proto.enums"
+"""The module whose classes are the enumerations of the tables, under the same names."""
+
+
+def may_be_omitted(declaration: Declaration, number: int) -> bool:
+    """Whether a parameter, by its number from 0, is an output, or the count of the list after it."""
+    parameters = declaration.parameters
+    parameter = parameters[number]
+    if parameter.type is Type.COUNT:
+        return parameter.elements is Direction.OUT
+    return parameter.direction is Direction.OUT or (
+        number + 1 < len(parameters) and parameters[number + 1].type is Type.VALUES
+    )
+
+
+def draft(schema: OperationSchema, values: Sequence[Any], *, unchecked: bool = False) -> Draft:
+    """A draft from one value for each parameter, in their order.
+
+    Args:
+        schema: The operation.
+        values: As `ev3proto.operation` takes them, a `Placeholder`, or None for an output or a count that is omitted. A
+            list parameter takes a list, one of outputs their number, too.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+
+    Raises:
+        BuildError: Names operation, parameter, and what would be right.
+        TypeError: A value is REQUIRED.
+    """
+    declaration = schema.declaration
+    try:
+        flat = _flat(declaration, values, unchecked)
+        places = {number: value for number, value in enumerate(flat) if isinstance(value, Placeholder | Open)}
+        label = flat[-1] if flat and isinstance(flat[-1], Label) and declaration.is_jump else None
+        operation = schema.make([_standing(value) for value in flat] if places or label is not None else flat)
+        if not unchecked:
+            for _, error in objections(operation):
+                raise error
+        _refuse_unknown_size(footprints(operation), places)
+    except BuildError as error:
+        sentence = str(error)
+        prefix = "" if sentence.startswith(declaration.name) else f"{declaration.name}: "
+        raise BuildError(prefix + sentence) from None
+    return Draft(schema, operation.raw, places, label=label)
+
+
+def _standing(value: Any) -> Any:
+    if isinstance(value, Label):
+        return NO_DISTANCE
+    if isinstance(value, Open):
+        return STAND_IN
+    if isinstance(value, Placeholder):
+        # The scope is kept for messages; the index is the shortest that there is.
+        return Variable(value.scope, 0, value.handle, value.address)
+    return value
+
+
+def _flat(declaration: Declaration, values: Sequence[Any], unchecked: bool) -> list[Any]:
+    """One value for each argument: lists drawn out, their counts put in, what was omitted marked."""
+    flat: list[Any] = []
+    for parameter, value in zip(declaration.parameters, values, strict=True):
+        if value is REQUIRED:
+            raise TypeError(f"{declaration.name} needs {parameter.name}, too")
+        if parameter.type in LISTS:
+            elements = _elements(parameter, value)
+            if parameter.type is Type.COUNT:
+                flat.append(len(elements))
+            elif flat[-1] is OMITTED:
+                flat[-1] = len(elements)
+            flat += elements
+        elif value is None:
+            if not may_be_omitted(declaration, len(flat)):
+                raise BuildError(f"{parameter.name} cannot be omitted: {parameter.text}")
+            flat.append(OMITTED)
+        else:
+            check_constant(parameter, value, unchecked=unchecked)
+            flat.append(value)
+    return flat
+
+
+def _elements(parameter: Parameter, value: Any) -> list[Any]:
+    if parameter.type is Type.COUNT and parameter.elements is not Direction.IN:
+        if value is None:
+            return [OMITTED]
+        if isinstance(value, int) and not isinstance(value, bool):
+            most = RANGES[Type.COUNT].high
+            if not 0 <= value <= most:
+                raise BuildError(f"{parameter.name} must be 0 to {most} as a number of outputs, not {value}")
+            return [OMITTED] * value
+        if isinstance(value, Variable | Placeholder):
+            return [value]
+    if isinstance(value, str | bytes) or not isinstance(value, Iterable):
+        raise BuildError(f"{parameter.name} takes a list, not {value!r}")
+    return [OMITTED if element is None else element for element in value]
+
+
+def check_constant(parameter: Parameter, value: Any, *, unchecked: bool = False) -> None:
+    """Refuses a value by itself that is not legal for a parameter; variables and encoded arguments are.
+
+    Args:
+        parameter: What the tables declare.
+        value: Anything.
+        unchecked: Refuse only what names no member of the parameter's enumeration.
+
+    Raises:
+        BuildError: Names the parameter and what would be right.
+    """
+    if parameter.enum is not None:
+        _check_name(parameter, value)
+    if parameter.role is Role.JUMP and isinstance(value, str):
+        raise BuildError(f"{parameter.name} takes a number, a variable or {Label(value or 'again')!r}, not {value!r}")
+    if unchecked or not isinstance(value, int | float | str):
+        return
+    if parameter.direction is Direction.INOUT:
+        raise no_variable(parameter, value)
+    if parameter.direction is Direction.IN:
+        if isinstance(value, str):
+            check_text(parameter, value)
+        elif parameter.type is not Type.ARRAY_TYPED or isinstance(value, int):
+            check_number(parameter, value)
+
+
+def _check_name(parameter: Parameter, value: Any) -> None:
+    """Refuses what names no member of the parameter's enumeration, or a member of another one."""
+    assert parameter.enum is not None
+    if isinstance(value, str) and parameter.number_of(value) is None and parameter.length is None:
+        raise wrong_name(parameter, value)
+    meant = type(value)
+    is_of_another = meant.__module__ == _ENUMS and meant.__name__ != parameter.enum.name
+    if is_of_another and value.name not in parameter.names:
+        raise BuildError(f"{parameter.name} takes a member of {parameter.enum.name}, not {value!r}")
+
+
+def _refuse_unknown_size(used: Iterable[Footprint], places: Mapping[int, Placeholder | Open]) -> None:
+    for found in used:
+        if found.room is None and isinstance(places.get(found.number), Open):
+            raise BuildError(
+                f"{found.argument.name} cannot be omitted: it is not known how long it becomes. Give the bytes that it"
+                " may take, Global(32), or its place, GV(0)"
+            )
+
 
 _MOST_KEPT = 4096
 """Values of one parameter whose bytes are kept."""
@@ -75,7 +363,7 @@ class OperationDrafts:
             self._places = {len(inputs) + number: OMITTED for number in range(len(needs))}
 
     def draft(self, values: Sequence[Any], unchecked: bool) -> Draft:
-        """A draft from one value for each parameter, as `ev3proto.semantics.drafts.values.draft` makes it."""
+        """A draft from one value for each parameter, as `ev3proto.semantics.drafts.functions.draft` makes it."""
         if self._known is not None and not unchecked:
             encoded = self._head
             try:

@@ -8,8 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from ev3proto.errors import counted
-from ev3proto.schema.instructions import instruction_set
-from ev3proto.schema.operation import OperationSchema
+from ev3proto.schema.instructions import OperationSchema, instruction_set
 from ev3proto.tables import OPCODES
 from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.declaration import DIALECTS, Direction, Parameter, Type

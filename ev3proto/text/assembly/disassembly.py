@@ -22,8 +22,7 @@ from ev3proto.tables.system import SYSTEM_BY_NUMBER
 from ev3proto.text.assembly.macro_notation import operation_line
 from ev3proto.text.assembly.words import CUT, FRAME, MESSAGE, STATUS, command_name
 from ev3proto.text.assembly.writing import lego_lines
-from ev3proto.text.notations import LEGO, MACROS
-from ev3proto.text.phrases import quoted, spaced_hex
+from ev3proto.text.phrases import LEGO, MACROS, quoted, spaced_hex
 
 _BYTES_A_LINE = 32
 

@@ -9,7 +9,7 @@ import struct
 from functools import cache
 
 from ev3proto.messages import Argument, Operation
-from ev3proto.schema.identification import LABEL_BYTE
+from ev3proto.schema.argument import LABEL_BYTE
 from ev3proto.tables.declaration import Enumeration
 from ev3proto.tables.encoding import CONSTANT, JUMP
 from ev3proto.tables.source import BYTES

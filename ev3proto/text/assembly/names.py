@@ -9,8 +9,8 @@ from functools import cache
 from itertools import islice
 from typing import NamedTuple
 
+from ev3proto.schema.instructions import CMD
 from ev3proto.schema.names import constant, constant_names
-from ev3proto.schema.operation import CMD
 from ev3proto.tables import OPCODES
 from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.declaration import DATA8, DATA16, DATA32, DATAF, Direction, Parameter, Role, Type

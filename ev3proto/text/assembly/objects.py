@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from ev3proto.errors import BuildError, counted
-from ev3proto.schema.operation import CMD
+from ev3proto.schema.instructions import CMD
 from ev3proto.tables import OPCODES
 from ev3proto.tables.declaration import Direction, Parameter, Type
 from ev3proto.tables.encoding import GLOBAL, LOCAL

@@ -8,9 +8,8 @@ from functools import cache
 from ev3proto.errors import BuildError, counted
 from ev3proto.messages import Operation
 from ev3proto.schema.argument import ArgumentSchema, encode_integer
-from ev3proto.schema.instructions import InstructionSet, instruction_set
-from ev3proto.schema.operation import CMD, FamilySchema, OperationSchema
-from ev3proto.semantics.drafts.meanings import MeaningError, objections
+from ev3proto.schema.instructions import CMD, FamilySchema, InstructionSet, OperationSchema, instruction_set
+from ev3proto.semantics.drafts.functions import MeaningError, objections
 from ev3proto.tables import OPCODES
 from ev3proto.tables.declaration import DIALECTS, Enumeration, Opcode, Parameter, Type
 from ev3proto.tables.encoding import CONSTANT

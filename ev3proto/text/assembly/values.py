@@ -23,7 +23,7 @@ from ev3proto.schema.argument import (
     encode_label,
     with_bits,
 )
-from ev3proto.semantics.drafts.labels import FORM_OF_SIZE, settle
+from ev3proto.semantics.drafts.placeholders import FORM_OF_SIZE, settle
 from ev3proto.tables.declaration import DATA8, Direction, Parameter, Role, Type
 from ev3proto.tables.encoding import GLOBAL, LOCAL, RANGES
 from ev3proto.tables.source import VARIABLE_WORDS

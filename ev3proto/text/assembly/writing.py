@@ -12,8 +12,7 @@ from typing import NamedTuple
 
 from ev3proto.errors import BuildError
 from ev3proto.messages import Argument, Operation
-from ev3proto.schema.argument import ArgumentSchema
-from ev3proto.schema.identification import LABEL_BYTE
+from ev3proto.schema.argument import LABEL_BYTE, ArgumentSchema
 from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.declaration import Type
 from ev3proto.tables.encoding import BITS, CONSTANT, JUMP

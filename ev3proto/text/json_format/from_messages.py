@@ -19,7 +19,7 @@ from ev3proto.messages import (
 )
 from ev3proto.tables.frame import LENGTH_FIELD
 from ev3proto.tables.system import status_meaning
-from ev3proto.text.heading import Seen
+from ev3proto.text.phrases import Seen
 
 
 def record(exchange: Exchange, seen: Seen) -> dict[str, Any]:

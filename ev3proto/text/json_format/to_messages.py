@@ -26,14 +26,13 @@ from ev3proto.messages import (
 from ev3proto.schema.argument import ArgumentSchema, encode_as, encode_float, with_bits
 from ev3proto.schema.fields import NUMBERS, REPLIES, REQUESTS, Fields
 from ev3proto.schema.frame import parse
-from ev3proto.schema.instructions import instruction_set
-from ev3proto.schema.operation import OperationSchema
+from ev3proto.schema.instructions import OperationSchema, instruction_set
 from ev3proto.tables.declaration import Parameter, Type
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, LOCAL, TEXT
 from ev3proto.tables.frame import COUNTERS, MAX_GLOBALS, MAX_LOCALS, MessageType
 from ev3proto.tables.system import SYSTEM, SYSTEM_BY_NUMBER, Field, Kind, SystemStatus
-from ev3proto.text.heading import Seen
 from ev3proto.text.json_format.from_messages import record
+from ev3proto.text.phrases import Seen
 
 MAX_RECORD = 1 << 22
 """Characters of one object; the longest that a frame can give has a tenth of them."""

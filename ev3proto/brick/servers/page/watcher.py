@@ -11,7 +11,7 @@ from ev3proto.dialogue import Dialogue
 from ev3proto.schema.frame import parse
 from ev3proto.schema.header import HEADER_SIZE, Header
 from ev3proto.tables.frame import MAX_FRAME
-from ev3proto.text.dialogues import command_spans, dialogue_line
+from ev3proto.text.phrases import command_spans, dialogue_line
 from ev3proto.text.spans import Role, plain_text
 
 MOST_KEPT = 200

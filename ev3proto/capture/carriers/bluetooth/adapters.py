@@ -15,7 +15,7 @@ from construct import Int8ul, Int16ub, Int16ul, Int32ub, Struct
 from ev3proto.bounded import Bounded, Budget
 from ev3proto.capture.packets import Packet
 from ev3proto.capture.record import HOST
-from ev3proto.schema.packed import packed
+from ev3proto.schema.bytewise import packed
 from ev3proto.tables.carriers import Link
 
 ACL = Struct("handle" / Int16ul, "length" / Int16ul)

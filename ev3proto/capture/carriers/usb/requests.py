@@ -7,7 +7,7 @@ from typing import NamedTuple
 from construct import Bytes, Int8ul, Int16ul, Int32ul, Int64ul, Struct
 
 from ev3proto.capture.packets import Packet
-from ev3proto.schema.packed import packed
+from ev3proto.schema.bytewise import packed
 from ev3proto.tables.carriers import Link
 
 USBMON = Struct(

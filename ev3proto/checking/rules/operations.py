@@ -1,0 +1,527 @@
+"""Rules on operations: those that the brick refuses, those that are never reached, and what they do to each other."""
+
+from __future__ import annotations
+
+from bisect import bisect_left
+from collections.abc import Iterator
+
+from ev3proto.checking import codes
+from ev3proto.checking.context import CheckContext, CheckedOperation
+from ev3proto.checking.report import Finding
+from ev3proto.errors import Fault, counted
+from ev3proto.messages import Argument
+from ev3proto.schema.argument import ENCODINGS
+from ev3proto.schema.header import COMMAND_HEADER_SIZE
+from ev3proto.schema.instructions import CMD, instruction_set
+from ev3proto.semantics.flow import flow_of, is_label, jump_of, labels_of, reached, target_of
+from ev3proto.semantics.footprint import whole_number
+from ev3proto.tables import OPCODES, with_effect
+from ev3proto.tables.declaration import UNRELEASED, Effect, Role, Type
+from ev3proto.tables.encoding import CONSTANT, CONSTANT_RANGES, JUMP
+
+_OF_PROGRAMS = frozenset((Effect.OF_PROGRAMS,))
+_ENDS = frozenset((Effect.ENDS,))
+
+_OWN_OBJECT = 1
+"""The number of the only object that a direct command has."""
+
+
+def check_flow(context: CheckContext) -> Iterator[Finding]:
+    """The operations of a command as a way."""
+    operations = context.operations
+    if operations and operations[-1].facts.ends_code:
+        yield _object_end(operations[-1], context.end)
+    if not context.effects.isdisjoint(_OF_PROGRAMS):
+        for operation in operations:
+            if operation.has(Effect.OF_PROGRAMS) and not operation.facts.ends_code:
+                yield from _of_programs(operation)
+    if not context.has_jumps and context.effects.isdisjoint(_ENDS):
+        return
+    way = _Way(context)
+    yield from way.wrong_jumps()
+    if context.is_whole:
+        yield from way.dead_ends()
+
+
+def _object_end(operation: CheckedOperation, end: int) -> Finding:
+    if operation.end == end:
+        return operation.finding(codes.NEEDLESS_END, "the firmware puts an OBJECT_END here by itself", "omit it")
+    return codes.AFTER_END.finding(
+        operation.end,
+        end - operation.end,
+        f"{counted(end - operation.end, 'byte')} follow the OBJECT_END at offset {operation.start}, so the firmware"
+        " refuses the command",
+        "omit the OBJECT_END, or what follows it",
+    )
+
+
+def _of_programs(operation: CheckedOperation) -> Iterator[Finding]:
+    objects = [argument for argument in operation.arguments if argument.parameter.role is Role.OBJECT]
+    if any(whole_number(argument) == _OWN_OBJECT for argument in objects):
+        return
+    yield operation.finding(
+        codes.FOREIGN_OBJECT,
+        f"{operation.name} is about objects of a compiled program, and a direct command has only itself",
+        "omit it",
+    )
+
+
+class _Way:
+    """The operations as a way: which can run, and where each of them leads."""
+
+    def __init__(self, context: CheckContext) -> None:
+        self._subject = context
+        self._operations = context.operations
+        self._starts = [operation.start for operation in self._operations]
+        parsed = [operation.parsed for operation in self._operations]
+        self._labels = labels_of(parsed)
+        self._flow = flow_of(context.frame, parsed, COMMAND_HEADER_SIZE, context.end, context.dialect)
+        self._reached = reached(parsed, self._flow)
+
+    def wrong_jumps(self) -> Iterator[Finding]:
+        """Jumps that do not lead to an operation, nor to the end."""
+        for operation in self._operations:
+            jump = jump_of(operation.parsed)
+            if jump is not None:
+                yield from self._wrong_jump(operation, jump)
+
+    def _wrong_jump(self, operation: CheckedOperation, jump: Argument) -> Iterator[Finding]:
+        target = target_of(operation.parsed, jump, self._labels)
+        end = self._subject.end
+        if target is None:
+            if not is_label(jump) or jump.form.handle or jump.form.address:
+                yield operation.finding_at(
+                    codes.JUMP_UNKNOWN,
+                    jump,
+                    f"{jump.name} is no number in the code, so it is not known where {operation.name} leads",
+                    "jump by a constant, or by a condition for each place",
+                )
+            else:
+                yield operation.finding_at(
+                    codes.NO_SUCH_LABEL,
+                    jump,
+                    f"{jump.name} names label {jump.value}, which no LABEL sets",
+                    f"put LABEL {jump.value} where the jump is to lead",
+                )
+        elif not COMMAND_HEADER_SIZE <= target <= end:
+            yield operation.finding_at(
+                codes.JUMP_OUT,
+                jump,
+                f"{jump.name} is {jump.value}, which leads to offset {target}, and the operations are at"
+                f" {COMMAND_HEADER_SIZE} to {end - 1}",
+                f"give {_counted(operation, jump, COMMAND_HEADER_SIZE)} to lead to the first operation, or"
+                f" {_counted(operation, jump, end)} to lead to the end, counted from the end of the jump"
+                f"{_form(jump)}",
+            )
+        elif target != end and target not in self._starts and self._is_known(target):
+            inside = self._operations[bisect_left(self._starts, target) - 1]
+            yield operation.finding_at(
+                codes.JUMP_INTO,
+                jump,
+                f"{jump.name} is {jump.value}, which leads to offset {target}, into the middle of {inside.name}",
+                f"give {_counted(operation, jump, inside.start)} to run {inside.name}, or"
+                f" {_counted(operation, jump, inside.end)} to skip it{_form(jump)}",
+            )
+
+    def _is_known(self, target: int) -> bool:
+        """Whether an operation could be read there."""
+        return bool(self._operations) and target < self._operations[-1].end
+
+    def dead_ends(self) -> Iterator[Finding]:
+        """Operations that no way leads to, or that no way leads out of; nothing if it is unknown what can run."""
+        flow, end = self._flow, self._subject.end
+        if not flow.is_known or not self._operations:
+            return
+        yield from self._unreached()
+        back: dict[int, list[int]] = {}
+        for start, following in flow.following.items():
+            for target in following:
+                back.setdefault(target, []).append(start)
+        leaving, waiting = {end}, [end]
+        while waiting:
+            for start in back.get(waiting.pop(), ()):
+                if start not in leaving:
+                    leaving.add(start)
+                    waiting.append(start)
+        for operation in self._operations:
+            if operation.start in flow.operations and operation.start not in leaving:
+                yield operation.finding(
+                    codes.ENDLESS,
+                    f"from {operation.name} at offset {operation.start} on, every way leads back: the command never"
+                    " ends",
+                    "let the loop end by a condition, or repeat it from outside",
+                )
+                return
+
+    def _unreached(self) -> Iterator[Finding]:
+        """One finding for the operations in a row that no way leads to."""
+        number = 0
+        while number < len(self._operations):
+            if self._operations[number].start in self._reached:
+                number += 1
+                continue
+            first = last = self._operations[number]
+            while number < len(self._operations) and self._operations[number].start not in self._reached:
+                last = self._operations[number]
+                number += 1
+            if first.facts.ends_code:
+                # It is where the command ends in any case.
+                continue
+            yield codes.UNREACHABLE.finding(
+                first.start,
+                last.end - first.start,
+                f"no way leads to {first.name}" + (f" and what follows up to {last.name}" if last is not first else ""),
+                "omit it, or let a jump lead there",
+                first.name,
+            )
+
+
+def _counted(operation: CheckedOperation, jump: Argument, target: int) -> int:
+    """What a jump has to say to lead to an offset in the frame.
+
+    It is counted from the end of the jump, which lies further on where the number takes more bytes than the one that
+    stands there now.
+    """
+    kept = jump.length if jump.form.kind == CONSTANT else 0
+    for width, numbers in CONSTANT_RANGES.items():
+        length = 1 + width
+        number = target - (operation.end - jump.length + length) if target < operation.end else target - operation.end
+        if length >= kept and number in numbers:
+            return number
+    return target - operation.end
+
+
+def _form(jump: Argument) -> str:
+    """What has to be said of a jump that is written as a label and is none."""
+    return ", and write it as a constant" if jump.form.kind == JUMP else ""
+
+
+_AWAITS_SOUND = with_effect(Effect.AWAITS_SOUND)
+_AWAITS_MOVE = with_effect(Effect.AWAITS_MOVE)
+_SHOWS = with_effect(Effect.SHOWS)
+
+_LOOKED_AT = frozenset((Effect.STARTS_SOUND, Effect.SHOWS, Effect.STARTS_MOVE, Effect.DRAWS))
+
+_PORTS = 4
+"""Motor ports of a brick."""
+
+
+def check_effects(context: CheckContext) -> Iterator[Finding]:
+    """The operations of a command in their order."""
+    operations = context.operations
+    present = context.effects
+    if present.isdisjoint(_LOOKED_AT):
+        return
+    if Effect.STARTS_SOUND in present:
+        yield from _sounds(operations)
+    if Effect.SHOWS in present:
+        yield from _pictures(operations)
+    if Effect.STARTS_MOVE in present:
+        yield from _moves(operations)
+    if Effect.DRAWS in present and context.is_whole:
+        yield from _not_shown(operations)
+
+
+def _waits(operation: CheckedOperation) -> bool:
+    """Whether what was begun gets some time here. A loop may be one that waits."""
+    return operation.has(Effect.WAITS) or operation.facts.is_jump
+
+
+def _sounds(operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
+    playing: CheckedOperation | None = None
+    for operation in operations:
+        starts, ends = operation.has(Effect.STARTS_SOUND), operation.has(Effect.ENDS_SOUND)
+        if playing is not None and (starts or ends):
+            yield playing.finding(
+                codes.SOUND_INTERRUPTED,
+                f"{operation.name} at offset {operation.start} cuts this sound off as soon as it starts",
+                f"put {_AWAITS_SOUND.name} (0x{_AWAITS_SOUND.opcode.number:02X}) after it, which waits until the sound"
+                " has ended",
+            )
+        if starts:
+            playing = operation
+        elif ends or _waits(operation):
+            playing = None
+
+
+def _pictures(operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
+    """Pictures that are shown, and at once replaced by another one."""
+    shown: CheckedOperation | None = None
+    wiping: CheckedOperation | None = None
+    is_drawn = False
+    for operation in operations:
+        if operation.has(Effect.SHOWS):
+            if shown is not None and wiping is not None:
+                yield shown.finding(
+                    codes.PICTURE_REPLACED,
+                    f"{wiping.name} and {operation.name} at offset {operation.start} replace this picture at once",
+                    "wait in between, with TIMER_WAIT and TIMER_READY",
+                )
+            shown, wiping, is_drawn = (operation if is_drawn else None), None, False
+        elif operation.has(Effect.WIPES) and shown is not None:
+            wiping = operation
+        elif _waits(operation):
+            shown = None
+        is_drawn = is_drawn or operation.has(Effect.DRAWS)
+
+
+def _not_shown(operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
+    """What is drawn after the last UPDATE; one finding for all of it."""
+    hidden: CheckedOperation | None = None
+    for operation in operations:
+        if operation.has(Effect.SHOWS) or operation.has(Effect.DIALOG):
+            hidden = None
+        elif operation.has(Effect.DRAWS):
+            hidden = operation
+    if hidden is not None:
+        assert _SHOWS.command is not None
+        code = f"{_SHOWS.opcode.number:02X}:{_SHOWS.command.number:02X}"
+        yield hidden.finding(
+            codes.NOT_SHOWN,
+            f"{hidden.name} draws on the canvas, and nothing shows it",
+            f"put {_SHOWS.name} ({code}) after the last drawing, unless a later command does that",
+        )
+
+
+def _moves(operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
+    moving: dict[tuple[int, int], CheckedOperation] = {}
+    for operation in operations:
+        starts = operation.has(Effect.STARTS_MOVE)
+        if not starts and not operation.has(Effect.STOPS_MOTORS):
+            if _waits(operation):
+                moving.clear()
+            continue
+        ports = _ports(operation)
+        interrupted = {moving[port].start: moving[port] for port in ports if port in moving}
+        for before in interrupted.values():
+            yield before.finding(
+                codes.MOVE_INTERRUPTED,
+                f"{operation.name} at offset {operation.start} ends this move as soon as it starts",
+                f"put {_AWAITS_MOVE.name} (0x{_AWAITS_MOVE.opcode.number:02X}) after it, which waits until the motors"
+                " are done",
+            )
+        for port in ports:
+            moving.pop(port, None)
+        if starts:
+            moving.update(dict.fromkeys(ports, operation))
+
+
+def _ports(operation: CheckedOperation) -> list[tuple[int, int]]:
+    """Layer and bit of the motors that an operation is about; none where that is not known."""
+    known = {argument.parameter.role: whole_number(argument) for argument in operation.arguments}
+    layer, mask = known.get(Role.LAYER), known.get(Role.MOTORS)
+    if layer is None or mask is None:
+        return []
+    return [(layer, 1 << bit) for bit in range(_PORTS) if mask & 1 << bit]
+
+
+def check_refusals(context: CheckContext) -> Iterator[Finding]:
+    """What stops the reader of the operations, or the validator where the reader goes on."""
+    if not context.effects.isdisjoint(_NEVER_RUNS):
+        yield from _never_run(context)
+    if context.dialect == "official":
+        yield from _newer(context)
+    fault = context.fault
+    if context.verdict.spins:
+        yield _spins(context)
+        if fault is not None and _faulty_start(context) == context.verdict.rejected_at:
+            return
+    # That the frame ends too early, or that its length is wrong, has been said already.
+    if fault is not None and context.end > COMMAND_HEADER_SIZE and not (context.is_length_wrong and fault.truncated):
+        yield _fault(context, fault)
+
+
+_NEVER_RUNS = frozenset((Effect.NEVER_RUNS,))
+
+
+def _never_run(context: CheckContext) -> Iterator[Finding]:
+    for operation in context.operations:
+        if operation.has(Effect.NEVER_RUNS):
+            yield operation.finding(
+                codes.UNKNOWN_OPCODE,
+                f"0x{operation.parsed.opcode:02X} is {operation.name}, which the firmware never runs",
+                _out_of_step(operation.start),
+            )
+
+
+def _faulty_start(context: CheckContext) -> int:
+    """Where the operation starts that cannot be read."""
+    start: int = COMMAND_HEADER_SIZE
+    for last in context.operations[-1:]:
+        start = last.end if last.parsed.is_complete else last.start
+    return start
+
+
+def _newer(context: CheckContext) -> Iterator[Finding]:
+    rejected_at = context.verdict.rejected_at
+    for operation in context.operations:
+        if not operation.facts.is_newer:
+            continue
+        cmd = operation.parsed.cmd
+        assert cmd is not None
+        known = f"firmware of 2013 does not know {operation.name} and reads its arguments as operations"
+        if rejected_at is not None and rejected_at >= operation.start:
+            yield operation.finding_at(
+                codes.NEWER,
+                cmd,
+                f"{known}: it refuses the command at offset {rejected_at}",
+                "send it to bricks with newer firmware only",
+            )
+            # What the validator stops at further on has the same reason.
+            rejected_at = None
+        else:
+            yield operation.finding_at(codes.NEWER_ACCEPTED, cmd, known, "send it to bricks with newer firmware only")
+
+
+def _spins(context: CheckContext) -> Finding:
+    verdict = context.verdict
+    at = verdict.blamed
+    assert at is not None
+    operation = next((operation for operation in context.operations if operation.start == verdict.rejected_at), None)
+    argument = next((it for it in operation.arguments if it.offset == at), None) if operation else None
+    help_ = "give the number of the values that follow, 0 or more"
+    if operation is not None and argument is not None:
+        counted = argument.value if argument.kind == CONSTANT else "no number"
+        message = f"{argument.name} is {counted}: the brick reads millions of values before it looks at anything else"
+        return operation.finding_at(codes.SPINS, argument, message, help_)
+    message = "the brick takes this for a count of values, and reads millions of them before it looks at anything else"
+    return codes.SPINS.finding(at, max(context.end - at, 0), message, help_)
+
+
+def _fault(context: CheckContext, fault: Fault) -> Finding:
+    """What the reader stops at. What the validator makes of the bytes after it follows from that."""
+    start = _faulty_start(context)
+    if context.operations and context.operations[-1].start == start:
+        return _faulty_argument(context, context.operations[-1], fault)
+    family = instruction_set(context.dialect).families[context.frame[start]]
+    if family is None:
+        return _unknown_opcode(context, start)
+    return _faulty_cmd(context, start, family.opcode.name, fault)
+
+
+def _unknown_opcode(context: CheckContext, start: int) -> Finding:
+    number = context.frame[start]
+    others = [opcode for opcode in OPCODES if opcode.number == number]
+    if others and others[0].dialects == UNRELEASED:
+        message = f"0x{number:02X} is {others[0].name}, which is documented, and which no firmware implements"
+        return codes.UNKNOWN_OPCODE.finding(start, 1, message, others[0].note)
+    if others:
+        message = (
+            f"0x{number:02X} is {others[0].name} for the dialects {' and '.join(others[0].dialects)}, and not an opcode"
+            f" of {context.dialect} firmware"
+        )
+    else:
+        message = f"0x{number:02X} is not an opcode of the {context.dialect} firmware"
+    return codes.UNKNOWN_OPCODE.finding(start, 1, message, _out_of_step(start))
+
+
+def _out_of_step(start: int) -> str:
+    if start == COMMAND_HEADER_SIZE:
+        return "give an opcode; the operations start after the two bytes that ask for memory"
+    return "give an opcode, or look at the operation before it: one of its arguments may be too short or too long"
+
+
+def _faulty_cmd(context: CheckContext, start: int, name: str, fault: Fault) -> Finding:
+    """An opcode is there, and no CMD that says what follows."""
+    at = start + 1
+    if fault.truncated:
+        return codes.CUT_OFF.finding(
+            start, context.end - start, f"{name}: {fault.reason}", "give the bytes that are missing", name, "CMD"
+        )
+    first = context.frame[at]
+    encoding = ENCODINGS[first]
+    if encoding is None:
+        return _undefined_form(at, first, name, "CMD")
+    family = instruction_set(context.dialect).families[context.frame[start]]
+    assert family is not None
+    names = [
+        f"{number} {schema.declaration.command.name}"  # type: ignore[union-attr]
+        for number, schema in sorted(family.commands.items())
+        if context.dialect != "official" or not schema.declaration.is_newer
+    ]
+    known = ", ".join(names[:_MOST_NAMES])
+    more = ", ..." if len(names) > _MOST_NAMES else ""
+    cmd, _ = CMD.read(context.frame[: context.end], at)
+    if encoding.kind != CONSTANT:
+        return codes.VARIABLE_CMD.finding(
+            at,
+            cmd.length,
+            f"CMD of {name} is {encoding.name}, and must be a number in the frame itself",
+            f"give one of {known}{more}",
+            name,
+            "CMD",
+        )
+    return codes.UNKNOWN_CMD.finding(
+        at,
+        cmd.length,
+        f"{name} has no CMD {cmd.value}{_consequence(context, start)}",
+        f"give one of {known}{more}",
+        name,
+        "CMD",
+    )
+
+
+_MOST_NAMES = 6
+
+
+def _consequence(context: CheckContext, start: int) -> str:
+    """What the brick does where it does not stop at the fault itself."""
+    rejected_at = context.verdict.rejected_at
+    if rejected_at is None:
+        return "; the brick does not notice, and runs what follows as operations"
+    if rejected_at > start:
+        return f"; the brick takes what follows for operations, and refuses the command at offset {rejected_at}"
+    return ""
+
+
+def _undefined_form(at: int, first: int, name: str, parameter: str) -> Finding:
+    return codes.UNDEFINED_FORM.finding(
+        at,
+        1,
+        f"0x{first:02X} is not an identification byte: {parameter} of {name} has no encoding that the firmware defines",
+        "give the argument as LC0, LC1, LC2, LC4, LCS or a variable",
+        name,
+        parameter,
+    )
+
+
+def _faulty_argument(context: CheckContext, operation: CheckedOperation, fault: Fault) -> Finding:
+    """The operation is known, and one of its arguments cannot be read."""
+    at = fault.offset
+    count = next((argument for argument in operation.arguments if argument.offset == at), None)
+    if count is not None:
+        # An argument that can be read is no reason to stop, unless it tells how many follow.
+        return _faulty_count(context, operation, count, fault)
+    parameters = operation.facts.declaration.parameters
+    parameter = parameters[min(len(operation.arguments), len(parameters) - 1)]
+    if fault.truncated:
+        last = min(at, context.end)
+        return codes.CUT_OFF.finding(
+            last,
+            context.end - last,
+            f"{operation.name}: {fault.reason}",
+            f"give the bytes that are missing, or the right length of what comes before {parameter.name}",
+            operation.name,
+            parameter.name,
+        )
+    return _undefined_form(at, context.frame[at], operation.name, parameter.name)
+
+
+def _faulty_count(context: CheckContext, operation: CheckedOperation, count: Argument, fault: Fault) -> Finding:
+    is_number = count.kind == CONSTANT and isinstance(count.value, int)
+    is_count = fault.truncated or operation.facts.declaration.parameters[-1].type is Type.VALUES
+    if is_number and is_count and int(count.value) >= 0:
+        room = context.end - count.offset - count.length
+        return operation.finding_at(
+            codes.CUT_OFF,
+            count,
+            f"{count.name} says that {counted(int(count.value), 'value')} follow, and {counted(room, 'byte')} do",
+            "give as many values as it says, or the number that there are",
+        )
+    state = f"{count.name} is {count.value}" if is_number else f"{count.name} is {count.encoding}, which is no number"
+    return operation.finding_at(
+        codes.BAD_COUNT,
+        count,
+        f"{state}{_consequence(context, operation.start)}",
+        "give the number of the values that follow as a constant",
+    )

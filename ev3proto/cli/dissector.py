@@ -25,7 +25,7 @@ from ev3proto.whole_files import write_whole
 
 @click.group(cls=Group)
 def dissector() -> None:
-    """The dissector for Wireshark: one Lua file that lets Wireshark read frames.
+    """The dissector for Wireshark: a Lua file that lets Wireshark read frames, and one for statistics.
 
     \b
       ev3proto dissector install --profile
@@ -76,7 +76,8 @@ def build_command(output: Path | None, check: bool) -> None:
 def install(folder: Path | None, with_profile: bool, tshark: str | None, force: bool) -> None:
     """Installs the dissector for the user who runs this.
 
-    ev3.lua goes into the personal folder for Lua plugins that tshark names, and tshark is asked whether it loads it.
+    ev3.lua, which dissects, and ev3_statistics.lua, which adds statistics and the export of files, go into the
+    personal folder for Lua plugins that tshark names, and tshark is asked whether it loads ev3.lua.
     The profile goes into tshark's personal configuration. Where there is no tshark, the folders are those that
     Wireshark's manual names for this system.
 
@@ -140,10 +141,10 @@ def _install(folder: Path | None, with_profile: bool, tshark: str | None, force:
     named = Folders.below(folder) if folder is not None else None
     folders = named or (asked.folders() if asked else Folders.documented())
     plugin = folders.plugins / FILE_NAME
-    outcome = install_dissector(folders.plugins, force=force)
-    if outcome is InstallResult.KEPT:
-        raise InstallError(f"{plugin} is another program's: move it away, or overwrite it with --force")
-    say(f"{plugin}: {outcome.value}")
+    for path, outcome in install_dissector(folders.plugins, force=force):
+        if outcome is InstallResult.KEPT:
+            raise InstallError(f"{path} is another program's: move it away, or overwrite it with --force")
+        say(f"{path}: {outcome.value}")
     if with_profile:
         _install_profile(folders.profiles, force=force)
     trouble = asked.trouble(plugin) if asked else None

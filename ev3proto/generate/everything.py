@@ -29,7 +29,7 @@ def build(more: Mapping[str, str]) -> dict[str, str]:
     """
     return {
         **modules.build(),
-        f"dissector/{dissector.FILE_NAME}": dissector.build(),
+        **{f"dissector/{name}": text for name, text in dissector.files().items()},
         f"exports/{cheader.FILE_NAME}": cheader.build(),
         f"exports/{kaitai.FILE_NAME}": kaitai.build(),
         f"exports/{tables_json.TABLES_NAME}": tables_json.build_tables(),

@@ -271,13 +271,11 @@ def test_every_filter_of_the_readme(
 def test_the_commands_of_the_readme(tshark: Tshark, command: str, output: str) -> None:
     program, option, capture, *words = shlex.split(command)
     assert (program, option) == ("tshark", "-r")
-    assert tshark.run(ROOT / capture, *words) == output
+    assert tshark.run(ROOT / capture, *tshark.statistics, *words) == output
 
 
 def test_every_name_in_the_readme(tshark: Tshark, fields: dict[str, Field]) -> None:
-    names = set(re.findall(r"`(ev3\.[a-z0-9_.]+)`", README)) - {
-        *("ev3.lua", "ev3.tcp_ports", "ev3.firmware", "ev3.export")
-    }
+    names = set(re.findall(r"`(ev3\.[a-z0-9_.]+)`", README)) - {*("ev3.lua", "ev3.tcp_ports", "ev3.firmware")}
     assert len(names) > 50
     experts = {line.split("\t")[2] for line in report(tshark, "fields") if "\tev3.expert." in line}
     assert names - fields.keys() - experts == set()
@@ -285,9 +283,9 @@ def test_every_name_in_the_readme(tshark: Tshark, fields: dict[str, Field]) -> N
 
 
 def test_the_preferences_in_the_readme(tshark: Tshark) -> None:
-    words = [word for option in re.findall(r"`-o (ev3\.\S+?)`", README) for word in ("-o", option)]
+    words = [word for option in re.findall(r"`-o (ev3\S+?)`", README) for word in ("-o", option)]
     assert len(words) == 8
-    said = tshark.run(CAPTURES / "wifi.pcapng", *words, "-Y", "ev3.sound.tone.volume")
+    said = tshark.run(CAPTURES / "wifi.pcapng", *tshark.statistics, *words, "-Y", "ev3.sound.tone.volume")
     assert said.count("volume=5") == 1
     assert "Operation " in said
 

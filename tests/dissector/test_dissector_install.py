@@ -24,7 +24,7 @@ from support.wireshark import Tshark
 
 from ev3proto.cli.dissector import dissector
 from ev3proto.generate.dissector import install, profile
-from ev3proto.generate.dissector.build import build
+from ev3proto.generate.dissector.build import build, build_statistics
 
 ROOT = Path(__file__).parents[2]
 CAPTURES = ROOT / "captures"
@@ -70,6 +70,10 @@ class Home:
     @property
     def plugin(self) -> Path:
         return self.folder / ".local" / "lib" / "wireshark" / "plugins" / "ev3.lua"
+
+    @property
+    def statistics(self) -> Path:
+        return self.plugin.with_name("ev3_statistics.lua")
 
     @property
     def profile(self) -> Path:
@@ -120,12 +124,27 @@ def with_profile(tshark: Tshark) -> Home:
 def test_installed_it_is_loaded_and_decodes(home: Home) -> None:
     done = home.install()
     assert (done.returncode, done.stderr) == (0, "")
-    assert done.stdout.splitlines() == [f"{home.plugin}: written", f"{home.program} loads it.", RELOAD]
+    assert done.stdout.splitlines() == [
+        f"{home.plugin}: written",
+        f"{home.statistics}: written",
+        f"{home.program} loads it.",
+        RELOAD,
+    ]
     assert home.plugin.read_bytes() == build().encode()
-    assert home.files() == [".local/lib/wireshark/plugins/ev3.lua"]
+    assert home.statistics.read_bytes() == build_statistics().encode()
+    assert home.files() == [f".local/lib/wireshark/plugins/{name}.lua" for name in ("ev3", "ev3_statistics")]
     assert home.plugin.stat().st_mode & 0o444 == 0o444
     assert home.read("wifi.pcapng") == home.tshark.run(CAPTURES / "wifi.pcapng")
     assert "SOUND.TONE" in home.read("wifi.pcapng")
+
+
+def test_the_two_files_load_in_any_order(home: Home) -> None:
+    home.install()
+    words = ("wifi.pcapng", "-q", "-o", "ev3_statistics.print:TRUE")
+    said = home.read(*words)
+    home.statistics.rename(home.statistics.with_name("a.lua"))
+    assert "\nSOUND.TONE " in said
+    assert home.read(*words) == said
 
 
 def test_the_tshark_that_is_named(home: Home) -> None:
@@ -172,6 +191,7 @@ def test_a_folder_of_ones_own_needs_no_tshark(tmp_path: Path) -> None:
     assert (done.returncode, done.stderr) == (0, "")
     assert done.stdout.splitlines() == [
         f"{folder / 'ev3.lua'}: written",
+        f"{folder / 'ev3_statistics.lua'}: written",
         f"{folder / 'profiles' / 'EV3' / 'preferences'}: written",
         f"{folder / 'profiles' / 'EV3' / 'colorfilters'}: written",
         f"{folder / 'profiles' / 'EV3' / 'dfilter_buttons'}: written",
@@ -180,6 +200,7 @@ def test_a_folder_of_ones_own_needs_no_tshark(tmp_path: Path) -> None:
     ]
     assert tree(tmp_path) == [
         "new/plugins/ev3.lua",
+        "new/plugins/ev3_statistics.lua",
         "new/plugins/profiles/EV3/colorfilters",
         "new/plugins/profiles/EV3/dfilter_buttons",
         "new/plugins/profiles/EV3/preferences",
@@ -189,7 +210,7 @@ def test_a_folder_of_ones_own_needs_no_tshark(tmp_path: Path) -> None:
 def test_a_folder_and_a_tshark(home: Home, tmp_path: Path) -> None:
     done = run("--dir", str(home.plugin.parent), "--tshark", str(home.program))
     assert (done.returncode, done.stderr) == (0, "")
-    assert done.stdout.splitlines()[1] == f"{home.program} loads it."
+    assert done.stdout.splitlines()[2] == f"{home.program} loads it."
     done = run("--dir", str(tmp_path / "plugins"), "--tshark", str(home.program))
     assert (tmp_path / "plugins" / "ev3.lua").exists()
     assert (done.returncode, done.stderr) == (1, f"{home.program} does not load it: {ELSEWHERE}\n")
@@ -252,7 +273,7 @@ def test_another_dissector_of_the_same_name(home: Home) -> None:
     (home.plugin.parent / "a-first.lua").write_text('local other = Proto("EV3", "another")\n')
     done = home.install()
     assert done.returncode == 1
-    assert done.stdout == f"{home.plugin}: written\n"
+    assert done.stdout == f"{home.plugin}: written\n{home.statistics}: written\n"
     assert done.stderr.startswith(f"{home.program} does not load it: Lua says: ")
     assert "there cannot be two protocols with the same name" in done.stderr
 
@@ -265,7 +286,7 @@ def test_newer_ones_load_nothing_as_root(home: Home) -> None:
     home.program.write_text(text)
     done = home.install()
     assert done.returncode == 1
-    assert done.stdout == f"{home.plugin}: written\n"
+    assert done.stdout == f"{home.plugin}: written\n{home.statistics}: written\n"
     assert done.stderr == (
         f"{home.program} does not load it: as root, Wireshark 4.4 and later load no Lua plugins; run this, and "
         "Wireshark, as an ordinary user\n"
@@ -277,6 +298,7 @@ def test_the_profile(home: Home) -> None:
     assert (done.returncode, done.stderr) == (0, "")
     assert done.stdout.splitlines() == [
         f"{home.plugin}: written",
+        f"{home.statistics}: written",
         f"{home.profile / 'preferences'}: written",
         f"{home.profile / 'colorfilters'}: written",
         f"{home.profile / 'dfilter_buttons'}: written",
@@ -289,6 +311,7 @@ def test_the_profile(home: Home) -> None:
         ".config/wireshark/profiles/EV3/dfilter_buttons",
         ".config/wireshark/profiles/EV3/preferences",
         ".local/lib/wireshark/plugins/ev3.lua",
+        ".local/lib/wireshark/plugins/ev3_statistics.lua",
     ]
     lines = home.read("wifi.pcapng", "-C", "EV3").splitlines()
     assert re.search(r" EV3 87 2 0\.0043\d* reply to ", lines[13]), lines[13]
@@ -406,6 +429,7 @@ def test_configuration_in_another_place(home: Home, variable: str, profiles: str
     assert (done.returncode, done.stderr) == (0, "")
     assert home.files() == [
         ".local/lib/wireshark/plugins/ev3.lua",
+        ".local/lib/wireshark/plugins/ev3_statistics.lua",
         f"{profiles}/EV3/colorfilters",
         f"{profiles}/EV3/dfilter_buttons",
         f"{profiles}/EV3/preferences",
@@ -472,6 +496,7 @@ def test_without_a_tshark_the_usual_folders_are_taken(
     plugins, profile = USUAL[platform]
     files = [
         f"{plugins}/ev3.lua",
+        f"{plugins}/ev3_statistics.lua",
         *(f"{profile}/{name}" for name in ("colorfilters", "dfilter_buttons", "preferences")),
     ]
     done = CliRunner().invoke(dissector, ["install", "--profile"])
@@ -479,7 +504,7 @@ def test_without_a_tshark_the_usual_folders_are_taken(
     assert "There is no tshark to ask" in done.output
     assert sorted(tree(tmp_path)) == sorted(files)
     done = CliRunner().invoke(dissector, ["uninstall"])
-    assert (done.exit_code, done.output.count(": removed\n")) == (0, 4)
+    assert (done.exit_code, done.output.count(": removed\n")) == (0, 5)
     assert tree(tmp_path) == []
 
 

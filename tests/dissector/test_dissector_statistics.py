@@ -22,31 +22,33 @@ def tone(counter: int) -> bytes:
 
 
 def test_statistics_at_the_end_of_a_run(tshark: Tshark) -> None:
-    said = tshark.run(CAPTURES / "wifi.pcapng", "-q", "-o", "ev3.statistics:TRUE")
+    said = tshark.run(CAPTURES / "wifi.pcapng", "-q", *tshark.statistics, "-o", "ev3_statistics.print:TRUE")
     rows = {re.sub(r" +\d.*", "", line): line.split() for line in said.splitlines() if line}
     assert rows["CONTINUE_UPLOAD"][1:] == ["3", "3", "1861", "3", "4.50", "4.60"]
     assert rows["UI_READ.GET_VBATT"][1:] == ["4", "4", "97", "3", "4.30", "4.30"]
     assert rows["OUTPUT_START"][1:] == ["1", "1", "15", "0"]  # the second operation of its command
     assert rows["192.0.2.10:5555"][1] == "42"
     assert rows["../prjs/log/first.rbf"][1:] == ["2500", "2500"]
-    assert "1 of 19 commands that want a reply have none" in said
+    assert "1 of 19 commands that wanted a reply got none" in said
 
 
 def test_statistics_fit_in_a_window(tshark: Tshark) -> None:
     """Wireshark's window for text breaks lines after some 70 characters: columns are as wide as what stands in them."""
-    said = tshark.run(CAPTURES / "wifi.pcapng", "-q", "-o", "ev3.statistics:TRUE").splitlines()
-    assert "Operation             uses messages bytes answers mean ms most ms" in said
-    assert "CONTINUE_DOWNLOAD        3        3  2545       3    5.97    8.80" in said
+    said = tshark.run(
+        CAPTURES / "wifi.pcapng", "-q", *tshark.statistics, "-o", "ev3_statistics.print:TRUE"
+    ).splitlines()
+    assert "Operation             uses messages bytes answers mean ms max ms" in said
+    assert "CONTINUE_DOWNLOAD        3        3  2545       3    5.97   8.80" in said
     assert max(map(len, said)) <= 70
 
 
 def test_a_brick_is_named_by_its_address_alone(tshark: Tshark) -> None:
-    said = tshark.run(CAPTURES / "bluetooth.log", "-q", "-o", "ev3.statistics:TRUE")
+    said = tshark.run(CAPTURES / "bluetooth.log", "-q", *tshark.statistics, "-o", "ev3_statistics.print:TRUE")
     assert re.search(r"^06:16:53:00:00:0a +24 +2257 +10 ", said, re.MULTILINE)
 
 
 def test_without_the_preference_nothing_is_printed(tshark: Tshark) -> None:
-    assert tshark.run(CAPTURES / "wifi.pcapng", "-q") == ""
+    assert tshark.run(CAPTURES / "wifi.pcapng", "-q", *tshark.statistics) == ""
 
 
 def export_folder(tshark: Tshark, name: str) -> Path:
@@ -59,21 +61,21 @@ def export_folder(tshark: Tshark, name: str) -> Path:
 
 def test_files_are_exported(tshark: Tshark) -> None:
     folder = export_folder(tshark, "exported")
-    words = ("-q", "-o", f"ev3.export:{folder}")
+    words = ("-q", *tshark.statistics, "-o", f"ev3_statistics.export:{folder}")
     said = tshark.run(CAPTURES / "wifi.pcapng", *words)
     assert "first.rbf: 2500 bytes" in said
     assert sorted((path.name, path.stat().st_size) for path in folder.iterdir()) == [
         ("first.rbf", 2500),
         ("values.rtf", 2710),
     ]
-    assert "first.rbf: kept, it was there before" in tshark.run(CAPTURES / "wifi.pcapng", *words)
+    assert "first.rbf: exists already, not overwritten" in tshark.run(CAPTURES / "wifi.pcapng", *words)
 
 
 def test_a_link_in_the_folder_is_not_followed(tshark: Tshark) -> None:
     folder, outside = export_folder(tshark, "linked"), export_folder(tshark, "outside")
     (folder / "first.rbf").symlink_to(Path("..") / outside.name / "first.rbf")
-    said = tshark.run(CAPTURES / "wifi.pcapng", "-q", "-o", f"ev3.export:{folder}")
-    assert "first.rbf: kept, it was there before" in said
+    said = tshark.run(CAPTURES / "wifi.pcapng", "-q", *tshark.statistics, "-o", f"ev3_statistics.export:{folder}")
+    assert "first.rbf: exists already, not overwritten" in said
     assert list(outside.iterdir()) == []
     assert (folder / "values.rtf").stat().st_size == 2710
 
@@ -82,12 +84,21 @@ def test_what_cannot_be_exported_is_said_and_leaves_nothing(tshark: Tshark) -> N
     """A folder that is missing, and a disk with room for 2,560 bytes a file: first.rbf fits, values.rtf does not."""
     capture = tshark.place(CAPTURES / "wifi.pcapng")
     missing = tshark.folder / "missing"
-    said = tshark.run(capture, "-q", "-o", f"ev3.export:{missing}")
+    said = tshark.run(capture, "-q", *tshark.statistics, "-o", f"ev3_statistics.export:{missing}")
     assert f"{missing}/values.rtf: not written: No such file or directory" in said.splitlines()
 
     folder = export_folder(tshark, "full")
     full_disk = ["sh", "-c", "trap '' XFSZ; ulimit -f 5; exec \"$@\"", "sh"]
-    words = [str(tshark.path), *tshark.words, "-r", str(capture), "-q", "-o", f"ev3.export:{folder}"]
+    words = [
+        str(tshark.path),
+        *tshark.words,
+        "-r",
+        str(capture),
+        "-q",
+        *tshark.statistics,
+        "-o",
+        f"ev3_statistics.export:{folder}",
+    ]
     done = subprocess.run([*full_disk, *words], capture_output=True, text=True, check=True)
     assert f"{folder}/values.rtf: not written: File too large" in done.stdout.splitlines()
     assert f"{folder}/first.rbf: 2500 bytes" in done.stdout.splitlines()
@@ -106,7 +117,9 @@ def exported(tshark: Tshark, folder: Path, names: list[str]) -> list[str]:
         ]
         for message, say in zip(sent, (connection.send, connection.receive, connection.send), strict=True):
             say(message.build())
-    tshark.run(tshark.place(capture.data(), "names.pcap"), "-q", "-o", f"ev3.export:{folder}")
+    tshark.run(
+        tshark.place(capture.data(), "names.pcap"), "-q", *tshark.statistics, "-o", f"ev3_statistics.export:{folder}"
+    )
     return sorted(path.name for path in folder.iterdir())
 
 
@@ -116,7 +129,7 @@ def moved(tshark: Tshark, messages: Iterable[tuple[bool, ev3proto.Message]], *wo
     connection = Connection(capture)
     for to_brick, message in messages:
         (connection.send if to_brick else connection.receive)(message.build())
-    return tshark.run(tshark.place(capture.data(), "moved.pcap"), "-q", *words).splitlines()
+    return tshark.run(tshark.place(capture.data(), "moved.pcap"), "-q", *tshark.statistics, *words).splitlines()
 
 
 def download(
@@ -131,7 +144,7 @@ def download(
 
 def test_an_empty_file_is_exported(tshark: Tshark) -> None:
     folder = export_folder(tshark, "empty")
-    said = moved(tshark, download(0, "../prjs/empty.rtf", 0), "-o", f"ev3.export:{folder}")
+    said = moved(tshark, download(0, "../prjs/empty.rtf", 0), "-o", f"ev3_statistics.export:{folder}")
     assert said == [f"{folder}/empty.rtf: 0 bytes"]
     assert [(path.name, path.stat().st_size) for path in folder.iterdir()] == [("empty.rtf", 0)]
 
@@ -139,9 +152,9 @@ def test_an_empty_file_is_exported(tshark: Tshark) -> None:
 def test_a_file_of_another_size_than_was_said(tshark: Tshark) -> None:
     folder = export_folder(tshark, "sizes")
     messages = [*download(0, "short.rtf", 9, b"12345678"), *download(10, "long.rtf", 3, b"12", b"34")]
-    assert moved(tshark, messages, "-o", f"ev3.export:{folder}") == [
-        f"{folder}/short.rtf: 8 bytes, not all of it",
-        f"{folder}/long.rtf: 4 bytes, but its size was said to be 3",
+    assert moved(tshark, messages, "-o", f"ev3_statistics.export:{folder}") == [
+        f"{folder}/short.rtf: 8 bytes, incomplete",
+        f"{folder}/long.rtf: 4 bytes, announced as 3",
     ]
 
 
@@ -149,7 +162,7 @@ def test_a_complete_file_takes_no_more(tshark: Tshark) -> None:
     """Where the reply to the next file's beginning is missing, its pieces have the handle of the file before."""
     folder = export_folder(tshark, "complete")
     second = [(True, message) for to_brick, message in download(10, "second.rtf", 2, b"cd") if to_brick]
-    said = moved(tshark, [*download(0, "first.rtf", 2, b"ab"), *second], "-o", f"ev3.export:{folder}")
+    said = moved(tshark, [*download(0, "first.rtf", 2, b"ab"), *second], "-o", f"ev3_statistics.export:{folder}")
     assert said == [f"{folder}/first.rtf: 2 bytes"]
     assert (folder / "first.rtf").read_bytes() == b"ab"
 
@@ -158,14 +171,14 @@ def test_how_many_files_are_not_kept(tshark: Tshark) -> None:
     """256 are."""
     folder = export_folder(tshark, "many")
     messages = [sent for number in range(258) for sent in download(10 * number, f"{number}.rtf", 1, b"x")]
-    said = moved(tshark, messages, "-o", f"ev3.export:{folder}", "-o", "ev3.statistics:TRUE")
-    assert said.count("and 2 files more, of which nothing was kept") == 2
+    said = moved(tshark, messages, "-o", f"ev3_statistics.export:{folder}", "-o", "ev3_statistics.print:TRUE")
+    assert said.count("and 2 more files not kept") == 2
     assert len(list(folder.iterdir())) == 256
 
 
 def test_one_command_is_counted_in_the_singular(tshark: Tshark) -> None:
-    said = moved(tshark, list(download(0, "x.rtf", 1))[:1], "-o", "ev3.statistics:TRUE")
-    assert "1 of 1 command that wants a reply has none" in said
+    said = moved(tshark, list(download(0, "x.rtf", 1))[:1], "-o", "ev3_statistics.print:TRUE")
+    assert "1 of 1 command that wanted a reply got none" in said
 
 
 def test_exported_files_stay_in_their_folder(tshark: Tshark) -> None:

@@ -22,7 +22,7 @@ from ev3proto.capture.formats import pcapng
 from ev3proto.capture.timeline import collecting
 from ev3proto.cli import live, texts, values
 from ev3proto.cli.annotations import MOST_COMPLAINTS
-from ev3proto.generate.dissector.build import build
+from ev3proto.generate.dissector.build import build, build_statistics
 from ev3proto.link import file_moves
 from ev3proto.program.image import MAX_IMAGE
 from ev3proto.tables.claims import STRANGE_PACKETS
@@ -88,7 +88,7 @@ def test_the_limits_are_those_of_the_code() -> None:
 
 
 def test_the_limits_of_the_dissector_are_those_of_its_code() -> None:
-    script = build()
+    script = build() + build_statistics()
 
     def limit(name: str) -> int:
         """The number that a constant has, also where several are set in one line."""

@@ -161,6 +161,11 @@ class Tshark:
         """The arguments that make tshark load the script, as pyshark wants them: `custom_parameters=tshark.words`."""
         return ["-n", *([] if self.script is None else ["-X", f"lua_script:{self.script}"])]
 
+    @property
+    def statistics(self) -> list[str]:
+        """Further arguments, which make it load ev3_statistics.lua."""
+        return ["-X", f"lua_script:{self.place(DISSECTOR.with_name('ev3_statistics.lua'))}"]
+
     def place(self, source: Path | bytes, name: str = "") -> Path:
         """Copies a file, or bytes, into the work folder; the path is valid for tshark and for us."""
         data, own_name = (source, "") if isinstance(source, bytes) else (source.read_bytes(), source.name)

@@ -9,6 +9,7 @@ from ev3proto.tables.carriers import CARRIERS
 from ev3proto.version import VERSION
 
 FILE_NAME = "ev3.lua"
+STATISTICS_NAME = "ev3_statistics.lua"
 
 RUNTIME = (
     "fields",
@@ -16,7 +17,6 @@ RUNTIME = (
     "memory",
     "reading",
     "phrases",
-    "statistics",
     "dialogue",
     "values",
     "operations",
@@ -33,13 +33,15 @@ RUNTIME = (
 Each carrier has one, with its name.
 """
 
+_MADE_BY = f"This file is made by ev3proto {VERSION}"
+
 HEAD = f"""\
 -- LEGO MINDSTORMS EV3 dissector for Wireshark 4.0 and later (Lua 5.2 and 5.4). Licence: MIT.
 --
--- To install it put this one file into the personal Lua plugins folder, which Wireshark names under Help, About,
+-- To install it, put this one file into the personal Lua plugins folder, which Wireshark names under Help, About,
 -- Folders; or run: ev3proto dissector install
 --
--- This file is made by ev3proto {VERSION}, of its tables of the EV3's protocol and its runtime for Wireshark.
+-- {_MADE_BY}, of its tables of the EV3's protocol and its runtime for Wireshark.
 -- Change those, not this.
 
 set_plugin_info({{
@@ -50,9 +52,36 @@ set_plugin_info({{
 
 """
 
+STATISTICS_HEAD = f"""\
+-- Statistics and export of files for the LEGO MINDSTORMS EV3 dissector, ev3.lua. Licence: MIT.
+--
+-- To install it, put it beside ev3.lua into the personal Lua plugins folder; or run: ev3proto dissector install
+--
+-- {_MADE_BY}, of its runtime for Wireshark. Change that, not this.
+
+set_plugin_info({{
+    version = "{VERSION}",
+    description = "LEGO MINDSTORMS EV3: statistics, and export of the files that were transferred",
+    author = "the ev3proto authors",
+}})
+
+"""
+
 
 def build() -> str:
-    """The text of ev3.lua."""
-    folder = resources.files(__package__) / "runtime"
-    parts = [(folder / f"{name}.lua").read_text(encoding="utf-8") for name in RUNTIME]
-    return HEAD + "\n".join([data(), *parts])
+    """Returns the text of ev3.lua, which dissects."""
+    return HEAD + "\n".join([data(), *map(_part, RUNTIME)])
+
+
+def files() -> dict[str, str]:
+    """Returns the Lua files by name, in the order in which Wireshark loads them."""
+    return {FILE_NAME: build(), STATISTICS_NAME: build_statistics()}
+
+
+def build_statistics() -> str:
+    """Returns the text of ev3_statistics.lua, which counts what ev3.lua shows and exports files. It is optional."""
+    return STATISTICS_HEAD + _part("statistics")
+
+
+def _part(name: str) -> str:
+    return (resources.files(__package__) / "runtime" / f"{name}.lua").read_text(encoding="utf-8")

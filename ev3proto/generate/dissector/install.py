@@ -14,7 +14,7 @@ from enum import Enum
 from pathlib import Path
 
 from ev3proto.generate.dissector import profile
-from ev3proto.generate.dissector.build import FILE_NAME, build
+from ev3proto.generate.dissector.build import files
 
 TIMEOUT = 60
 PLATFORM = sys.platform
@@ -77,9 +77,10 @@ class Folders:
         return cls(Path.home() / ".local" / "lib" / "wireshark" / "plugins", configuration / "profiles")
 
 
-def install_dissector(folder: Path, *, force: bool) -> InstallResult:
-    """Writes ev3.lua into a folder."""
-    return _write(folder / FILE_NAME, build(), is_ours=lambda text: _OURS in text, force=force)
+def install_dissector(folder: Path, *, force: bool) -> Iterator[tuple[Path, InstallResult]]:
+    """Writes ev3.lua and ev3_statistics.lua into a folder, and tells what became of each."""
+    for name, text in files().items():
+        yield folder / name, _write(folder / name, text, is_ours=lambda text: _OURS in text, force=force)
 
 
 def install_profile(profiles: Path, *, force: bool) -> Iterator[tuple[Path, InstallResult]]:
@@ -103,8 +104,9 @@ def uninstall(folders: Folders, *, force: bool) -> Iterator[tuple[Path, InstallR
         InstallError: A file cannot be removed.
 
     """
-    plugin = folders.plugins / FILE_NAME
-    yield plugin, _remove(plugin, is_ours=lambda text: _OURS in text, force=force)
+    for name in files():
+        plugin = folders.plugins / name
+        yield plugin, _remove(plugin, is_ours=lambda text: _OURS in text, force=force)
     place = folders.profiles / profile.NAME
     for name in profile.files():
         yield place / name, _remove(place / name, is_ours=profile.is_unchanged, force=force)

@@ -162,9 +162,7 @@ do
         end
         local transfer = talk.open[values.handle]
         if not transfer or not values.data then return transfer end
-        transfer = add_piece(talk, values.handle, transfer, values.data)
-        if transfer and counts_all then statistics.keep_piece(transfer, values.data) end
-        return transfer
+        return add_piece(talk, values.handle, transfer, values.data)
     end
 
     -- The handle that a command for an open file has as its first field.
@@ -192,9 +190,7 @@ do
         end
         if not transfer then return nil end
         transfer.size = values.size or values.list_size or transfer.size
-        transfer = add_piece(talk, handle, transfer, values.data or values.list or "")
-        if transfer and counts_all and not values.list then statistics.keep_piece(transfer, values.data or "") end
-        return transfer
+        return add_piece(talk, handle, transfer, values.data or values.list or "")
     end
 
     -- Whether a command waits for this reply.
@@ -208,7 +204,6 @@ do
         local type = message.type
         local is_on_file = message.command and message.command.transfer
         if not type or message.is_overwritten then return end
-        if counts_all then statistics.count_message(talk, message) end
         if type.is_command and not type.wants_reply and not is_on_file then return end
         local transfer
         if type.is_command then
@@ -224,7 +219,6 @@ do
                 -- Of a system command its number is enough.
                 if message.command then text = sub(text, 1, HEADER_SIZE + 1) end
                 requests.put(place, Struct.pack("dd", request.place, request.delay) .. text)
-                if counts_all then statistics.count_answer(talk, message, request) end
             end
             transfer = is_on_file and follow_reply(talk, message, request)
         end

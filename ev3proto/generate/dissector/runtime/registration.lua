@@ -21,8 +21,6 @@ do
 
     function ev3.init()
         forget_dialogues()
-        statistics.forget()
-        statistics.print_at_end()
         each_carrier("forget")
     end
 
@@ -36,8 +34,6 @@ do
     ev3.prefs.firmware = Pref.enum("Firmware", 1, "The firmware whose instruction set to read by",
         dialect_choices, false)
     ev3.prefs.bytes = Pref.bool("Bytes as a field", false, "Give all bytes of each frame in one field, for programs")
-
-    statistics.register()
 
     function ev3.prefs_changed()
         each_carrier("prefs_changed")

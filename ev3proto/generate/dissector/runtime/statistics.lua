@@ -1,300 +1,392 @@
--- Statistics --------------------------------------------------------------------------------------------------------
+-- What was said in a capture, by operation and by brick, and the files that were transferred. Wireshark shows them in
+-- windows, tshark prints them at the end of a run if the preferences say so.
 --
--- What was said in a capture, by operation and by brick, and the files that were moved. Wireshark shows it in windows,
--- tshark prints it at the end of a run where the preference says so.
+-- All is read from the fields of ev3.lua, by a listener that exists only where statistics were asked for. So this file
+-- costs nothing until then, and the order in which the two are loaded does not matter.
 
-local counts_all
-local statistics = {}
-do
-    -- Whether anybody may ask for them: whoever has a window, and tshark where the preferences say so.
-    counts_all = gui_enabled()
+local format, gsub, sub = string.format, string.gsub, string.sub
+local concat = table.concat
 
-    -- Rows, files and bytes that are kept at most: names in a capture may be of anybody's making.
-    local MOST_ROWS, MOST_FILES, MOST_BYTES = 1000, 256, 64 * 1024 * 1024
-    -- Bytes of the name of a file that is written, and of its extension: file systems take 143, and a number may be
-    -- added.
-    local MOST_NAME, MOST_EXTENSION = 100, 25
-    -- Characters to which a column is widened for a long name.
-    local MOST_WIDTH = 60
+-- Limits on rows, files and bytes that are kept: a capture may hold any number of names.
+local MOST_ROWS, MOST_FILES, MOST_BYTES = 1000, 256, 64 * 1024 * 1024
+-- Bytes of the name of an exported file, and of its extension: file systems take 143, and a number may be added.
+local MOST_NAME, MOST_EXTENSION = 100, 25
+-- Characters to which a column is widened for a long name.
+local MOST_WIDTH = 60
 
-    -- By name: how many messages, bytes of them, answers, and the seconds until these.
-    local operations, bricks
-    local row_counts, files, kept_bytes, omitted
-    local wanted, answered
+local script = Proto("EV3_statistics", "EV3 statistics")
 
-    function statistics.forget()
-        operations, bricks, row_counts = {}, {}, { 0, 0 }
-        files, kept_bytes, omitted = {}, 0, 0
-        wanted, answered = 0, 0
+script.prefs.print = Pref.bool("Print at the end", false, "Print statistics at the end of a run of tshark")
+script.prefs.export = Pref.string("Export folder", "", "Folder into which tshark writes the files that were transferred")
+
+local function plural(count, word)
+    return format("%d %s%s", count, word, count == 1 and "" or "s")
+end
+
+-- Messages ----------------------------------------------------------------------------------------------------------
+
+-- By field: what it tells of the message whose fields are read.
+local READERS = {
+    ["ev3.msg_num"] = function(message, info) message.counter = info.value end,
+    ["ev3.cmd_type"] = function(message, info)
+        message.is_command = info.display:find("COMMAND", 1, true) ~= nil
+        message.wants_reply = info.display:find("COMMAND_REPLY", 1, true) ~= nil
+    end,
+    ["ev3.request_in"] = function(message, info) message.request_in = info.value end,
+    ["ev3.response_time"] = function(message, info) message.delay = info.value:tonumber() end,
+    ["ev3.data"] = function(message, info) message.data = info.value:raw() end,
+    ["ev3.transfer.path"] = function(message, info) message.path = info.value end,
+    ["ev3.transfer.done"] = function(message, info) message.done = info.value end,
+    ["ev3.transfer.size"] = function(message, info) message.size = info.value end,
+    -- With a CMD, the name of an operation is opcode and CMD.
+    ["ev3.cmd"] = function(message, info) message.names[#message.names] = info.value end,
+}
+
+-- An opcode, a system command or one of the daisy chain: its name stands before its number, if it has one.
+local function read_name(message, info)
+    message.names[#message.names + 1] = info.display:match("^([%u%d_]+) %(")
+end
+
+for _, name in ipairs({ "ev3.op", "ev3.sys_cmd", "ev3.daisy.command" }) do
+    READERS[name] = read_name
+end
+
+-- The messages in a packet. The field of its brick comes before those of the message, the first of which is its length.
+local function read_messages(number)
+    local messages, message, brick = {}, nil, "(unknown)"
+    for _, info in ipairs({ all_field_infos() }) do
+        local name = info.name
+        if name == "ev3.brick" then
+            brick = info.value
+        elseif name == "ev3.msg_len" then
+            message = { packet = number, brick = brick, bytes = info.value + info.len, names = {} }
+            messages[#messages + 1] = message
+        elseif message and READERS[name] then
+            READERS[name](message, info)
+        end
     end
-    statistics.forget()
+    return messages
+end
 
-    local function row_of(rows, kind, name)
+-- What a command is counted as, and how often each: its operations, or the system or daisy command that it is.
+local function count_uses(command)
+    local uses = {}
+    for _, name in ipairs(command.names) do
+        uses[name] = (uses[name] or 0) + 1
+    end
+    if not next(uses) then uses["(no operation)"] = 1 end
+    return uses
+end
+
+-- Counting ----------------------------------------------------------------------------------------------------------
+
+-- Nothing counted yet. Rows are by name; `waiting` are commands whose replies are to come, `open` the files that are
+-- transferred now, by brick and path.
+local function new_survey()
+    return {
+        operations = { count = 0, rows = {} }, bricks = { count = 0, rows = {} }, waiting = {}, wanted = 0, answered = 0,
+        open = {}, files = {}, kept_bytes = 0, omitted = 0,
+    }
+end
+
+local function row_of(group, name)
+    if not group.rows[name] and group.count >= MOST_ROWS then name = "(others)" end
+    local row = group.rows[name]
+    if not row then
+        row = { uses = 0, messages = 0, bytes = 0, answers = 0, total = 0, most = 0 }
+        group.rows[name], group.count = row, group.count + 1
+    end
+    return row
+end
+
+local function count_message(row, message)
+    row.messages, row.bytes = row.messages + 1, row.bytes + message.bytes
+end
+
+local function count_answer(row, delay)
+    row.answers, row.total, row.most = row.answers + 1, row.total + delay, math.max(row.most, delay)
+end
+
+local function key_of(brick, packet, counter)
+    return concat({ brick, packet, counter }, " ")
+end
+
+local function count_command(survey, command)
+    local uses = count_uses(command)
+    for name, times in pairs(uses) do
+        local row = row_of(survey.operations, name)
+        row.uses = row.uses + times
+        count_message(row, command)
+    end
+    if command.wants_reply then
+        survey.wanted = survey.wanted + 1
+        survey.waiting[key_of(command.brick, command.packet, command.counter)] = uses
+    end
+end
+
+local function count_reply(survey, reply)
+    local key = key_of(reply.brick, reply.request_in, reply.counter)
+    survey.answered = survey.answered + 1
+    count_answer(row_of(survey.bricks, reply.brick), reply.delay)
+    for name in pairs(survey.waiting[key] or {}) do
+        local row = row_of(survey.operations, name)
+        row.bytes = row.bytes + reply.bytes
+        count_answer(row, reply.delay)
+    end
+    survey.waiting[key] = nil
+end
+
+-- A file that is transferred; the command by which it begins makes a new one of it.
+local function file_of(survey, message)
+    local key = message.brick .. " " .. message.path
+    local is_begin = message.is_command and (message.names[1] or ""):find("^BEGIN_")
+    if is_begin or not survey.open[key] then
+        survey.open[key] = { path = message.path, pieces = {} }
+    end
+    return survey.open[key]
+end
+
+-- Keeps a piece of a file, or an empty file. Listings of folders are no files.
+local function keep_piece(survey, message)
+    if (message.names[1] or ""):find("LIST_FILES", 1, true) then return end
+    local file, data = file_of(survey, message), message.data or ""
+    file.size, file.done = message.size, message.done
+    if file.is_dropped or data == "" and file.size ~= 0 then return end
+    if not file.is_listed and #survey.files >= MOST_FILES then
+        file.is_dropped, survey.omitted = true, survey.omitted + 1
+        return
+    end
+    if not file.is_listed then
+        file.is_listed = true
+        table.insert(survey.files, file)
+    end
+    if survey.kept_bytes + #data > MOST_BYTES then
+        file.is_dropped = true
+        return
+    end
+    survey.kept_bytes = survey.kept_bytes + #data
+    table.insert(file.pieces, data)
+end
+
+local function count_packet(survey, number)
+    for _, message in ipairs(read_messages(number)) do
+        count_message(row_of(survey.bricks, message.brick), message)
+        if message.is_command then
+            count_command(survey, message)
+        elseif message.request_in then
+            count_reply(survey, message)
+        end
+        if message.path then keep_piece(survey, message) end
+    end
+end
+
+-- A listener that counts all packets into a survey, with all of their fields.
+local function listen(survey)
+    local listener = Listener.new("frame", "ev3", true)
+    function listener.packet(pinfo)
+        count_packet(survey, pinfo.number)
+    end
+    return listener
+end
+
+-- Texts -------------------------------------------------------------------------------------------------------------
+
+-- A name in a line: control characters, the two-byte ones too, would break it.
+local function on_one_line(text)
+    return (gsub(gsub(text, "[\0-\31\127]", "?"), "\194[\128-\159]", "?"))
+end
+
+-- Characters of a UTF-8 text.
+local function width_of(text)
+    return select(2, gsub(text, "[^\128-\191]", ""))
+end
+
+-- Lines of columns as wide as their contents, as a window of Wireshark breaks lines after some 70 characters. The first
+-- column is aligned on the left, all others on the right.
+local function columns_text(lines)
+    local widths, out = {}, {}
+    for _, line in ipairs(lines) do
+        for number, word in ipairs(line) do
+            widths[number] = math.min(math.max(widths[number] or 0, width_of(word)), MOST_WIDTH)
+        end
+    end
+    for _, line in ipairs(lines) do
+        local words = {}
+        for number, word in ipairs(line) do
+            local blanks = (" "):rep(widths[number] - width_of(word))
+            words[number] = number == 1 and word .. blanks or blanks .. word
+        end
+        out[#out + 1] = gsub(concat(words, " "), " +$", "")
+    end
+    return concat(out, "\n")
+end
+
+local function milliseconds(row, seconds)
+    return row.answers > 0 and format("%.2f", 1000 * seconds) or ""
+end
+
+local function table_text(heading, rows, has_uses)
+    local names = {}
+    for name in pairs(rows) do
+        names[#names + 1] = name
+    end
+    table.sort(names, function(one, other)
+        if rows[one].messages ~= rows[other].messages then return rows[one].messages > rows[other].messages end
+        return one < other
+    end)
+    local lines = { { heading, has_uses and "uses" or "", "messages", "bytes", "answers", "mean ms", "max ms" } }
+    for _, name in ipairs(names) do
         local row = rows[name]
-        if row then return row end
-        if row_counts[kind] >= MOST_ROWS then
-            name = "(others)"
-            if rows[name] then return rows[name] end
-        end
-        row_counts[kind] = row_counts[kind] + 1
-        row = { uses = 0, messages = 0, bytes = 0, answers = 0, total = 0, most = 0, wanted = 0 }
-        rows[name] = row
-        return row
+        lines[#lines + 1] = {
+            on_one_line(name), has_uses and format("%d", row.uses) or "", format("%d", row.messages),
+            format("%d", row.bytes), format("%d", row.answers), milliseconds(row, row.total / row.answers),
+            milliseconds(row, row.most),
+        }
     end
+    return columns_text(lines)
+end
 
-    local function count(row, message)
-        row.messages, row.bytes = row.messages + 1, row.bytes + message.stop
-        if message.type.wants_reply then row.wanted = row.wanted + 1 end
+-- A text about files, and how many more there were.
+local function with_omitted(survey, text)
+    if survey.omitted == 0 then return text end
+    return format("%s\nand %s not kept", text, plural(survey.omitted, "more file"))
+end
+
+local function files_text(survey)
+    local lines = { { "File", "transferred", "size" } }
+    for _, file in ipairs(survey.files) do
+        local size = file.size and format("%d", file.size) or ""
+        lines[#lines + 1] = { on_one_line(file.path), format("%d", file.done), size }
     end
+    return with_omitted(survey, columns_text(lines))
+end
 
-    -- Adds the operations from an offset on to `uses`, by name. Returns whether all of them can be read.
-    local function add_uses(uses, body, at)
-        while at < #body do
-            local operation, after, _, reason = read_operation(body, at)
-            if operation then uses[operation.name] = (uses[operation.name] or 0) + 1 end
-            if reason then return false end
-            at = after
-        end
-        return true
+local function survey_text(survey)
+    local unanswered = survey.wanted - survey.answered
+    return concat({
+        table_text("Operation", survey.operations.rows, true), "", table_text("Brick", survey.bricks.rows), "",
+        files_text(survey), "",
+        format("%d of %s that wanted a reply got none", unanswered, plural(survey.wanted, "command")),
+    }, "\n") .. "\n"
+end
+
+-- Export ------------------------------------------------------------------------------------------------------------
+
+-- Windows drops dots and blanks at the end of a name.
+local function without_end(name)
+    return (gsub(name, "[%. ]+$", ""))
+end
+
+-- A name cut to the bytes that file systems take; a short extension is kept.
+local function cut_name(name)
+    if #name <= MOST_NAME then return name end
+    local extension = name:match("[^%.](%.[^%.]+)$") or ""
+    if #extension > MOST_EXTENSION then extension = "" end
+    return without_end(sub(name, 1, MOST_NAME - #extension)) .. extension
+end
+
+-- The name under which a file is written: nothing in its path leads out of the folder.
+local function safe_name(path, taken)
+    local name = gsub(path:match("[^/\\]*$"), "[\194-\244][\128-\191]+", "_")
+    name = gsub(gsub(name, "[^%w%._%- ]", "_"), "^[%. ]+", "_")
+    name = cut_name(without_end(name))
+    -- Names of devices on Windows, which drops blanks before the first dot, too.
+    local stem = gsub(name:match("^[^%.]*"):upper(), " +$", "")
+    if name == "" or stem:match("^CO[MN]%d?$") or stem:match("^LPT%d$") or stem:match("^[PANX][RUL][NXL]$") then
+        name = "_" .. name
     end
-
-    -- What a command is counted as, and how often each: all its operations, or the system or daisy command that it is.
-    -- `body` is what follows its header.
-    local function uses_of(message, body)
-        if message.command then return { [message.command.name] = 1 } end
-        local uses = {}
-        if message.type.carries == "direct" then
-            add_uses(uses, body, MEMORY_FIELD)
-        elseif message.type.carries == "daisy" and DAISY.names[byte(body, 1)] then
-            local inside = {}
-            local is_code = DAISY.carries_operations[byte(body, 1)] and add_uses(inside, body, DAISY_PAYLOAD)
-            uses = is_code and inside or {}
-            uses[DAISY.names[byte(body, 1)]] = 1
-        end
-        if not next(uses) then uses["(no operation)"] = 1 end
-        return uses
+    local free, number = name, 1
+    while taken[free:lower()] do
+        number = number + 1
+        free = format("%d-%s", number, name)
     end
+    taken[free:lower()] = true
+    return free
+end
 
-    -- A message that is seen for the first time, and the conversation it belongs to.
-    function statistics.count_message(talk, message)
-        count(row_of(bricks, 2, (talk.name or talk.key)), message)
-        if not message.type.is_command then return end
-        if message.type.wants_reply then wanted = wanted + 1 end
-        for name, times in pairs(uses_of(message, body_of(message))) do
-            local row = row_of(operations, 1, name)
-            row.uses = row.uses + times
-            count(row, message)
-        end
+-- Writes a file whole, or leaves none. Returns why it could not be written, else nil.
+local function write_file(path, data)
+    local file, reason = io.open(path, "wb")
+    -- Lua puts the path before the reason.
+    if not file then return (gsub(reason, "^.*: ", "")) end
+    local is_written, write_error = file:write(data)
+    local is_closed, close_error = file:close()
+    if is_written and is_closed then return nil end
+    os.remove(path)
+    return write_error or close_error
+end
+
+-- Whether something of that name exists. Renaming it to itself changes nothing, and succeeds where opening it would
+-- fail, as with a dangling link, or wait for ever, as with a pipe. Where a system refuses that, it is opened.
+local function exists(path)
+    if os.rename(path, path) then return true end
+    local file = io.open(path, "rb")
+    if file then file:close() end
+    return file ~= nil
+end
+
+local function size_text(file, size)
+    local text = plural(size, "byte")
+    if not file.size or size == file.size then return text end
+    return size < file.size and text .. ", incomplete" or format("%s, announced as %d", text, file.size)
+end
+
+local function export_file(file, path)
+    if exists(path) then return "exists already, not overwritten" end
+    local data = concat(file.pieces)
+    local reason = write_file(path, data)
+    return reason and "not written: " .. reason or size_text(file, #data)
+end
+
+-- Writes the files into an existing folder, never over others. Returns a line on each.
+local function export_files(survey, folder)
+    if not folder:find("%S") then return "Nothing was written: choose an existing folder." end
+    local taken, lines = {}, {}
+    for _, file in ipairs(survey.files) do
+        local path = folder .. "/" .. safe_name(file.path, taken)
+        lines[#lines + 1] = path .. ": " .. export_file(file, path)
     end
+    return lines[1] and with_omitted(survey, concat(lines, "\n")) or "no files were transferred in this capture"
+end
 
-    local function add_answer(row, delay)
-        row.answers, row.total = row.answers + 1, row.total + delay
-        if delay > row.most then row.most = delay end
-    end
+-- Windows, and the end of a run -------------------------------------------------------------------------------------
 
-    -- A reply to a command.
-    function statistics.count_answer(talk, message, request)
-        local delay = request.delay
-        answered = answered + 1
-        add_answer(row_of(bricks, 2, (talk.name or talk.key)), delay)
-        for name in pairs(uses_of(message, body_of(request.message))) do
-            local row = row_of(operations, 1, name)
-            row.bytes = row.bytes + message.stop
-            add_answer(row, delay)
-        end
-    end
+-- Counts the capture that is open now.
+local function survey_of_capture()
+    local survey = new_survey()
+    local listener = listen(survey)
+    retap_packets()
+    listener:remove()
+    return survey
+end
 
-    -- A piece of a file that is moved; `transfer` is where it is kept, an empty file without any.
-    function statistics.keep_piece(transfer, data)
-        if transfer.is_dropped or data == "" and transfer.size ~= 0 then return end
-        if not transfer.pieces then
-            if #files >= MOST_FILES then
-                transfer.is_dropped, omitted = true, omitted + 1
-                return
-            end
-            transfer.pieces = {}
-            files[#files + 1] = transfer
-        end
-        if data == "" then return end
-        if kept_bytes + #data > MOST_BYTES then transfer.is_dropped = true return end
-        kept_bytes = kept_bytes + #data
-        transfer.pieces[#transfer.pieces + 1] = data
-    end
+local function show_window(title, text)
+    TextWindow.new(title):set(text)
+end
 
-    -- Lines of columns, each as wide as what stands in it: a window of Wireshark breaks lines after some 70 characters.
-    -- The first column begins on the left, all others end on the right.
-    local function columns_text(lines)
-        local widths, out = {}, {}
-        for _, line in ipairs(lines) do
-            for number, word in ipairs(line) do
-                widths[number] = math.min(math.max(widths[number] or 0, #word), MOST_WIDTH)
-            end
-        end
-        for _, line in ipairs(lines) do
-            local words = {}
-            for number, word in ipairs(line) do
-                local blanks = (" "):rep(widths[number] - #word)
-                words[number] = number == 1 and word .. blanks or blanks .. word
-            end
-            out[#out + 1] = gsub(concat(words, " "), " +$", "")
-        end
-        return concat(out, "\n")
-    end
+if gui_enabled() then
+    -- Wireshark makes submenus of names with a slash under Tools only.
+    register_menu("EV3: Operations, Bricks and Files", function()
+        show_window("EV3: Statistics", survey_text(survey_of_capture()))
+    end, MENU_STAT_UNSORTED)
+    register_menu("EV3: Export Files...", function()
+        new_dialog("EV3: Export Files", function(folder)
+            show_window("EV3: Exported Files", export_files(survey_of_capture(), folder))
+        end, "Existing output folder")
+    end, MENU_STAT_UNSORTED)
+end
 
-    local function table_text(heading, rows, has_uses)
-        local names, lines = {}, {}
-        for name in pairs(rows) do
-            names[#names + 1] = name
-        end
-        table.sort(names, function(one, other)
-            if rows[one].messages ~= rows[other].messages then return rows[one].messages > rows[other].messages end
-            return one < other
-        end)
-        lines[1] = { heading, has_uses and "uses" or "", "messages", "bytes", "answers", "mean ms", "most ms" }
-        for _, name in ipairs(names) do
-            local row = rows[name]
-            local mean = row.answers > 0 and format("%.2f", 1000 * row.total / row.answers) or ""
-            local most = row.answers > 0 and format("%.2f", 1000 * row.most) or ""
-            local uses = has_uses and format("%d", row.uses) or ""
-            lines[#lines + 1] = { on_one_line(name), uses, format("%d", row.messages), format("%d", row.bytes),
-                format("%d", row.answers), mean, most }
-        end
-        return columns_text(lines)
-    end
+local is_listening
 
-    -- A text on the files that were kept, and how many there were besides.
-    local function with_omitted(text)
-        if omitted == 0 then return text end
-        return format("%s\nand %s more, of which nothing was kept", text, plural(omitted, "file"))
-    end
-
-    local function files_text()
-        local lines = { { "File", "moved", "size" } }
-        for _, transfer in ipairs(files) do
-            local size = transfer.size and format("%d", transfer.size) or ""
-            lines[#lines + 1] = { on_one_line(transfer.path), format("%d", transfer.done), size }
-        end
-        return with_omitted(columns_text(lines))
-    end
-
-    local function all_text()
-        local of_all = wanted == 1 and "1 command that wants a reply has none"
-            or format("%d commands that want a reply have none", wanted)
-        local counts = format("%d of %s", wanted - answered, of_all)
-        return concat({
-            table_text("Operation", operations, true), "", table_text("Brick", bricks), "", files_text(), "", counts,
-        }, "\n") .. "\n"
-    end
-
-    -- Windows leaves dots and blanks at the end of a name out.
-    local function without_end(name)
-        return (gsub(name, "[%. ]+$", ""))
-    end
-
-    -- A name of at most so many bytes as file systems take, its extension kept where that is a short one.
-    local function cut_name(name)
-        if #name <= MOST_NAME then return name end
-        local extension = name:match("[^%.](%.[^%.]+)$") or ""
-        if #extension > MOST_EXTENSION then extension = "" end
-        return without_end(sub(name, 1, MOST_NAME - #extension)) .. extension
-    end
-
-    -- The name under which a file is written: nothing of its path leads out of the folder.
-    local function safe_name(path, taken)
-        local name = gsub(gsub(path:match("[^/\\]*$"), "[^%w%._%- ]", "_"), "^[%. ]+", "_")
-        name = cut_name(without_end(name))
-        -- Windows leaves blanks before the first dot of a device's name out, too.
-        local stem = gsub(name:match("^[^%.]*"):upper(), " +$", "")
-        if name == "" or stem:match("^CO[MN]%d?$") or stem:match("^LPT%d$") or stem:match("^[PANX][RUL][NXL]$") then
-            name = "_" .. name
-        end
-        local free, number = name, 1
-        while taken[free:lower()] do
-            number = number + 1
-            free = format("%d-%s", number, name)
-        end
-        taken[free:lower()] = true
-        return free
-    end
-
-    -- Writes a file whole, or leaves none. Returns why it could not be written, nil where it was.
-    local function write_file(path, data)
-        local file, why = io.open(path, "wb")
-        -- Lua puts the path before what it says of a file that cannot be opened.
-        if not file then return (gsub(why, "^.*: ", "")) end
-        local written, short = file:write(data)
-        local closed, late = file:close()
-        if written and closed then return nil end
-        os.remove(path)
-        return short or late
-    end
-
-    -- Says whether there is something of that name. To rename it to its own name changes nothing, and succeeds where to
-    -- open it would fail, as with a link to nothing, or wait for ever, as with a pipe. Where a system should not allow
-    -- that, it is opened.
-    local function is_there(path)
-        if os.rename(path, path) then return true end
-        local file = io.open(path, "rb")
-        if file then file:close() end
-        return file ~= nil
-    end
-
-    -- What is said of a file that has another size than was announced.
-    local function flaw_of(transfer, size)
-        if not transfer.size or size == transfer.size then return "" end
-        return size < transfer.size and ", not all of it" or format(", but its size was said to be %d", transfer.size)
-    end
-
-    -- Writes the files into a folder that exists. Files that are there stay as they are. Returns a line on each.
-    local function export_files(folder)
-        if not folder:find("%S") then return "Nothing was written: name a folder that exists" end
-        local taken, lines = {}, {}
-        for _, transfer in ipairs(files) do
-            local path = folder .. "/" .. safe_name(transfer.path, taken)
-            local outcome
-            if is_there(path) then
-                outcome = "kept, it was there before"
-            else
-                local data = concat(transfer.pieces)
-                local failure = write_file(path, data)
-                outcome = failure and "not written: " .. failure or plural(#data, "byte") .. flaw_of(transfer, #data)
-            end
-            lines[#lines + 1] = path .. ": " .. outcome
-        end
-        return lines[1] and with_omitted(concat(lines, "\n")) or "no files were moved in this capture"
-    end
-
-    local function show_window(title, text)
-        local window = TextWindow.new(title)
-        window:set(text)
-    end
-
-    function statistics.register()
-        ev3.prefs.statistics = Pref.bool("Statistics of tshark", false, "Print statistics at the end of a run")
-        ev3.prefs.export = Pref.string("Export folder of tshark", "", "Write the files that were moved to this folder")
-        if gui_enabled() then
-            -- Wireshark makes submenus of names with a slash under Tools only.
-            register_menu("EV3: Operations, Bricks and Files", function()
-                show_window("EV3: statistics", all_text())
-            end, MENU_STAT_UNSORTED)
-            register_menu("EV3: Export Files...", function()
-                new_dialog("EV3: export files", function(folder)
-                    show_window("EV3: exported files", export_files(folder))
-                end, "Into a folder that exists")
-            end, MENU_STAT_UNSORTED)
-        end
-    end
-
-    local at_end
-
-    -- Called before a capture is read.
-    function statistics.print_at_end()
-        counts_all = gui_enabled() or ev3.prefs.statistics or ev3.prefs.export ~= ""
-        if gui_enabled() or at_end or not counts_all then return end
-        at_end = Listener.new("frame")
-        function at_end.draw()
-            if ev3.prefs.statistics then print(all_text()) end
-            if ev3.prefs.export ~= "" then print(export_files(ev3.prefs.export)) end
-        end
+-- Called before a capture is read, when the preferences are known.
+function script.init()
+    local prefs = script.prefs
+    if gui_enabled() or is_listening or not prefs.print and prefs.export == "" then return end
+    is_listening = true
+    local survey = new_survey()
+    local listener = listen(survey)
+    function listener.draw()
+        if prefs.print then print(survey_text(survey)) end
+        if prefs.export ~= "" then print(export_files(survey, prefs.export)) end
     end
 end

@@ -1,0 +1,404 @@
+-- Statistics and export of files for the LEGO MINDSTORMS EV3 dissector, ev3.lua. Licence: MIT.
+--
+-- To install it, put it beside ev3.lua into the personal Lua plugins folder; or run: ev3proto dissector install
+--
+-- This file is made by ev3proto 0.1.0, of its runtime for Wireshark. Change that, not this.
+
+set_plugin_info({
+    version = "0.1.0",
+    description = "LEGO MINDSTORMS EV3: statistics, and export of the files that were transferred",
+    author = "the ev3proto authors",
+})
+
+-- What was said in a capture, by operation and by brick, and the files that were transferred. Wireshark shows them in
+-- windows, tshark prints them at the end of a run if the preferences say so.
+--
+-- All is read from the fields of ev3.lua, by a listener that exists only where statistics were asked for. So this file
+-- costs nothing until then, and the order in which the two are loaded does not matter.
+
+local format, gsub, sub = string.format, string.gsub, string.sub
+local concat = table.concat
+
+-- Limits on rows, files and bytes that are kept: a capture may hold any number of names.
+local MOST_ROWS, MOST_FILES, MOST_BYTES = 1000, 256, 64 * 1024 * 1024
+-- Bytes of the name of an exported file, and of its extension: file systems take 143, and a number may be added.
+local MOST_NAME, MOST_EXTENSION = 100, 25
+-- Characters to which a column is widened for a long name.
+local MOST_WIDTH = 60
+
+local script = Proto("EV3_statistics", "EV3 statistics")
+
+script.prefs.print = Pref.bool("Print at the end", false, "Print statistics at the end of a run of tshark")
+script.prefs.export = Pref.string("Export folder", "", "Folder into which tshark writes the files that were transferred")
+
+local function plural(count, word)
+    return format("%d %s%s", count, word, count == 1 and "" or "s")
+end
+
+-- Messages ----------------------------------------------------------------------------------------------------------
+
+-- By field: what it tells of the message whose fields are read.
+local READERS = {
+    ["ev3.msg_num"] = function(message, info) message.counter = info.value end,
+    ["ev3.cmd_type"] = function(message, info)
+        message.is_command = info.display:find("COMMAND", 1, true) ~= nil
+        message.wants_reply = info.display:find("COMMAND_REPLY", 1, true) ~= nil
+    end,
+    ["ev3.request_in"] = function(message, info) message.request_in = info.value end,
+    ["ev3.response_time"] = function(message, info) message.delay = info.value:tonumber() end,
+    ["ev3.data"] = function(message, info) message.data = info.value:raw() end,
+    ["ev3.transfer.path"] = function(message, info) message.path = info.value end,
+    ["ev3.transfer.done"] = function(message, info) message.done = info.value end,
+    ["ev3.transfer.size"] = function(message, info) message.size = info.value end,
+    -- With a CMD, the name of an operation is opcode and CMD.
+    ["ev3.cmd"] = function(message, info) message.names[#message.names] = info.value end,
+}
+
+-- An opcode, a system command or one of the daisy chain: its name stands before its number, if it has one.
+local function read_name(message, info)
+    message.names[#message.names + 1] = info.display:match("^([%u%d_]+) %(")
+end
+
+for _, name in ipairs({ "ev3.op", "ev3.sys_cmd", "ev3.daisy.command" }) do
+    READERS[name] = read_name
+end
+
+-- The messages in a packet. The field of its brick comes before those of the message, the first of which is its length.
+local function read_messages(number)
+    local messages, message, brick = {}, nil, "(unknown)"
+    for _, info in ipairs({ all_field_infos() }) do
+        local name = info.name
+        if name == "ev3.brick" then
+            brick = info.value
+        elseif name == "ev3.msg_len" then
+            message = { packet = number, brick = brick, bytes = info.value + info.len, names = {} }
+            messages[#messages + 1] = message
+        elseif message and READERS[name] then
+            READERS[name](message, info)
+        end
+    end
+    return messages
+end
+
+-- What a command is counted as, and how often each: its operations, or the system or daisy command that it is.
+local function count_uses(command)
+    local uses = {}
+    for _, name in ipairs(command.names) do
+        uses[name] = (uses[name] or 0) + 1
+    end
+    if not next(uses) then uses["(no operation)"] = 1 end
+    return uses
+end
+
+-- Counting ----------------------------------------------------------------------------------------------------------
+
+-- Nothing counted yet. Rows are by name; `waiting` are commands whose replies are to come, `open` the files that are
+-- transferred now, by brick and path.
+local function new_survey()
+    return {
+        operations = { count = 0, rows = {} }, bricks = { count = 0, rows = {} }, waiting = {}, wanted = 0, answered = 0,
+        open = {}, files = {}, kept_bytes = 0, omitted = 0,
+    }
+end
+
+local function row_of(group, name)
+    if not group.rows[name] and group.count >= MOST_ROWS then name = "(others)" end
+    local row = group.rows[name]
+    if not row then
+        row = { uses = 0, messages = 0, bytes = 0, answers = 0, total = 0, most = 0 }
+        group.rows[name], group.count = row, group.count + 1
+    end
+    return row
+end
+
+local function count_message(row, message)
+    row.messages, row.bytes = row.messages + 1, row.bytes + message.bytes
+end
+
+local function count_answer(row, delay)
+    row.answers, row.total, row.most = row.answers + 1, row.total + delay, math.max(row.most, delay)
+end
+
+local function key_of(brick, packet, counter)
+    return concat({ brick, packet, counter }, " ")
+end
+
+local function count_command(survey, command)
+    local uses = count_uses(command)
+    for name, times in pairs(uses) do
+        local row = row_of(survey.operations, name)
+        row.uses = row.uses + times
+        count_message(row, command)
+    end
+    if command.wants_reply then
+        survey.wanted = survey.wanted + 1
+        survey.waiting[key_of(command.brick, command.packet, command.counter)] = uses
+    end
+end
+
+local function count_reply(survey, reply)
+    local key = key_of(reply.brick, reply.request_in, reply.counter)
+    survey.answered = survey.answered + 1
+    count_answer(row_of(survey.bricks, reply.brick), reply.delay)
+    for name in pairs(survey.waiting[key] or {}) do
+        local row = row_of(survey.operations, name)
+        row.bytes = row.bytes + reply.bytes
+        count_answer(row, reply.delay)
+    end
+    survey.waiting[key] = nil
+end
+
+-- A file that is transferred; the command by which it begins makes a new one of it.
+local function file_of(survey, message)
+    local key = message.brick .. " " .. message.path
+    local is_begin = message.is_command and (message.names[1] or ""):find("^BEGIN_")
+    if is_begin or not survey.open[key] then
+        survey.open[key] = { path = message.path, pieces = {} }
+    end
+    return survey.open[key]
+end
+
+-- Keeps a piece of a file, or an empty file. Listings of folders are no files.
+local function keep_piece(survey, message)
+    if (message.names[1] or ""):find("LIST_FILES", 1, true) then return end
+    local file, data = file_of(survey, message), message.data or ""
+    file.size, file.done = message.size, message.done
+    if file.is_dropped or data == "" and file.size ~= 0 then return end
+    if not file.is_listed and #survey.files >= MOST_FILES then
+        file.is_dropped, survey.omitted = true, survey.omitted + 1
+        return
+    end
+    if not file.is_listed then
+        file.is_listed = true
+        table.insert(survey.files, file)
+    end
+    if survey.kept_bytes + #data > MOST_BYTES then
+        file.is_dropped = true
+        return
+    end
+    survey.kept_bytes = survey.kept_bytes + #data
+    table.insert(file.pieces, data)
+end
+
+local function count_packet(survey, number)
+    for _, message in ipairs(read_messages(number)) do
+        count_message(row_of(survey.bricks, message.brick), message)
+        if message.is_command then
+            count_command(survey, message)
+        elseif message.request_in then
+            count_reply(survey, message)
+        end
+        if message.path then keep_piece(survey, message) end
+    end
+end
+
+-- A listener that counts all packets into a survey, with all of their fields.
+local function listen(survey)
+    local listener = Listener.new("frame", "ev3", true)
+    function listener.packet(pinfo)
+        count_packet(survey, pinfo.number)
+    end
+    return listener
+end
+
+-- Texts -------------------------------------------------------------------------------------------------------------
+
+-- A name in a line: control characters, the two-byte ones too, would break it.
+local function on_one_line(text)
+    return (gsub(gsub(text, "[\0-\31\127]", "?"), "\194[\128-\159]", "?"))
+end
+
+-- Characters of a UTF-8 text.
+local function width_of(text)
+    return select(2, gsub(text, "[^\128-\191]", ""))
+end
+
+-- Lines of columns as wide as their contents, as a window of Wireshark breaks lines after some 70 characters. The first
+-- column is aligned on the left, all others on the right.
+local function columns_text(lines)
+    local widths, out = {}, {}
+    for _, line in ipairs(lines) do
+        for number, word in ipairs(line) do
+            widths[number] = math.min(math.max(widths[number] or 0, width_of(word)), MOST_WIDTH)
+        end
+    end
+    for _, line in ipairs(lines) do
+        local words = {}
+        for number, word in ipairs(line) do
+            local blanks = (" "):rep(widths[number] - width_of(word))
+            words[number] = number == 1 and word .. blanks or blanks .. word
+        end
+        out[#out + 1] = gsub(concat(words, " "), " +$", "")
+    end
+    return concat(out, "\n")
+end
+
+local function milliseconds(row, seconds)
+    return row.answers > 0 and format("%.2f", 1000 * seconds) or ""
+end
+
+local function table_text(heading, rows, has_uses)
+    local names = {}
+    for name in pairs(rows) do
+        names[#names + 1] = name
+    end
+    table.sort(names, function(one, other)
+        if rows[one].messages ~= rows[other].messages then return rows[one].messages > rows[other].messages end
+        return one < other
+    end)
+    local lines = { { heading, has_uses and "uses" or "", "messages", "bytes", "answers", "mean ms", "max ms" } }
+    for _, name in ipairs(names) do
+        local row = rows[name]
+        lines[#lines + 1] = {
+            on_one_line(name), has_uses and format("%d", row.uses) or "", format("%d", row.messages),
+            format("%d", row.bytes), format("%d", row.answers), milliseconds(row, row.total / row.answers),
+            milliseconds(row, row.most),
+        }
+    end
+    return columns_text(lines)
+end
+
+-- A text about files, and how many more there were.
+local function with_omitted(survey, text)
+    if survey.omitted == 0 then return text end
+    return format("%s\nand %s not kept", text, plural(survey.omitted, "more file"))
+end
+
+local function files_text(survey)
+    local lines = { { "File", "transferred", "size" } }
+    for _, file in ipairs(survey.files) do
+        local size = file.size and format("%d", file.size) or ""
+        lines[#lines + 1] = { on_one_line(file.path), format("%d", file.done), size }
+    end
+    return with_omitted(survey, columns_text(lines))
+end
+
+local function survey_text(survey)
+    local unanswered = survey.wanted - survey.answered
+    return concat({
+        table_text("Operation", survey.operations.rows, true), "", table_text("Brick", survey.bricks.rows), "",
+        files_text(survey), "",
+        format("%d of %s that wanted a reply got none", unanswered, plural(survey.wanted, "command")),
+    }, "\n") .. "\n"
+end
+
+-- Export ------------------------------------------------------------------------------------------------------------
+
+-- Windows drops dots and blanks at the end of a name.
+local function without_end(name)
+    return (gsub(name, "[%. ]+$", ""))
+end
+
+-- A name cut to the bytes that file systems take; a short extension is kept.
+local function cut_name(name)
+    if #name <= MOST_NAME then return name end
+    local extension = name:match("[^%.](%.[^%.]+)$") or ""
+    if #extension > MOST_EXTENSION then extension = "" end
+    return without_end(sub(name, 1, MOST_NAME - #extension)) .. extension
+end
+
+-- The name under which a file is written: nothing in its path leads out of the folder.
+local function safe_name(path, taken)
+    local name = gsub(path:match("[^/\\]*$"), "[\194-\244][\128-\191]+", "_")
+    name = gsub(gsub(name, "[^%w%._%- ]", "_"), "^[%. ]+", "_")
+    name = cut_name(without_end(name))
+    -- Names of devices on Windows, which drops blanks before the first dot, too.
+    local stem = gsub(name:match("^[^%.]*"):upper(), " +$", "")
+    if name == "" or stem:match("^CO[MN]%d?$") or stem:match("^LPT%d$") or stem:match("^[PANX][RUL][NXL]$") then
+        name = "_" .. name
+    end
+    local free, number = name, 1
+    while taken[free:lower()] do
+        number = number + 1
+        free = format("%d-%s", number, name)
+    end
+    taken[free:lower()] = true
+    return free
+end
+
+-- Writes a file whole, or leaves none. Returns why it could not be written, else nil.
+local function write_file(path, data)
+    local file, reason = io.open(path, "wb")
+    -- Lua puts the path before the reason.
+    if not file then return (gsub(reason, "^.*: ", "")) end
+    local is_written, write_error = file:write(data)
+    local is_closed, close_error = file:close()
+    if is_written and is_closed then return nil end
+    os.remove(path)
+    return write_error or close_error
+end
+
+-- Whether something of that name exists. Renaming it to itself changes nothing, and succeeds where opening it would
+-- fail, as with a dangling link, or wait for ever, as with a pipe. Where a system refuses that, it is opened.
+local function exists(path)
+    if os.rename(path, path) then return true end
+    local file = io.open(path, "rb")
+    if file then file:close() end
+    return file ~= nil
+end
+
+local function size_text(file, size)
+    local text = plural(size, "byte")
+    if not file.size or size == file.size then return text end
+    return size < file.size and text .. ", incomplete" or format("%s, announced as %d", text, file.size)
+end
+
+local function export_file(file, path)
+    if exists(path) then return "exists already, not overwritten" end
+    local data = concat(file.pieces)
+    local reason = write_file(path, data)
+    return reason and "not written: " .. reason or size_text(file, #data)
+end
+
+-- Writes the files into an existing folder, never over others. Returns a line on each.
+local function export_files(survey, folder)
+    if not folder:find("%S") then return "Nothing was written: choose an existing folder." end
+    local taken, lines = {}, {}
+    for _, file in ipairs(survey.files) do
+        local path = folder .. "/" .. safe_name(file.path, taken)
+        lines[#lines + 1] = path .. ": " .. export_file(file, path)
+    end
+    return lines[1] and with_omitted(survey, concat(lines, "\n")) or "no files were transferred in this capture"
+end
+
+-- Windows, and the end of a run -------------------------------------------------------------------------------------
+
+-- Counts the capture that is open now.
+local function survey_of_capture()
+    local survey = new_survey()
+    local listener = listen(survey)
+    retap_packets()
+    listener:remove()
+    return survey
+end
+
+local function show_window(title, text)
+    TextWindow.new(title):set(text)
+end
+
+if gui_enabled() then
+    -- Wireshark makes submenus of names with a slash under Tools only.
+    register_menu("EV3: Operations, Bricks and Files", function()
+        show_window("EV3: Statistics", survey_text(survey_of_capture()))
+    end, MENU_STAT_UNSORTED)
+    register_menu("EV3: Export Files...", function()
+        new_dialog("EV3: Export Files", function(folder)
+            show_window("EV3: Exported Files", export_files(survey_of_capture(), folder))
+        end, "Existing output folder")
+    end, MENU_STAT_UNSORTED)
+end
+
+local is_listening
+
+-- Called before a capture is read, when the preferences are known.
+function script.init()
+    local prefs = script.prefs
+    if gui_enabled() or is_listening or not prefs.print and prefs.export == "" then return end
+    is_listening = true
+    local survey = new_survey()
+    local listener = listen(survey)
+    function listener.draw()
+        if prefs.print then print(survey_text(survey)) end
+        if prefs.export ~= "" then print(export_files(survey, prefs.export)) end
+    end
+end

@@ -8,11 +8,11 @@ in order when it has ended.
 from __future__ import annotations
 
 import math
+import re
 from collections import deque
 from collections.abc import Hashable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from time import thread_time
 from typing import NamedTuple
 
 from ev3proto.brick.clock import (
@@ -27,9 +27,11 @@ from ev3proto.brick.clock import (
     OPERATIONS_PER_TICK,
     OPERATIONS_PER_TURN,
     TICK,
+    thread_time,
 )
 from ev3proto.brick.dispatch import dispatch_table
 from ev3proto.brick.equipment import Equipment
+from ev3proto.brick.images import Image
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.running_programs import (
     CMD_SLOT,
@@ -68,6 +70,8 @@ AFTER_CODE = bytes((_OBJECT_END,)) + bytes(8)
 LOCALS = 64
 """Bytes of local memory that every direct command finds, however few it asks for: the most that it can ask for."""
 
+
+_MOST_NAME = 20
 
 _MOST_SECONDS = 10**12
 """So many may pass at once: 31,700 years. Infinity would never be over."""
@@ -169,6 +173,22 @@ class Brick(Equipment):
         program = self.machine.slots[USER_SLOT]
         if program is not None:
             self.machine.end_program(program, STOP)
+
+    def start(self, image: bytes, name: str = "program") -> Program | None:
+        """Starts a program as PROGRAM_START would, in the slot for programs of users; one that runs there ends.
+
+        Args:
+            image: Contents of an .rbf file.
+            name: What its folder in prjs is called: letters, digits, _ and -, any others become _.
+
+        Returns:
+            The program; None where the brick refuses the image.
+        """
+        project = f"../prjs/{re.sub(r'[^A-Za-z0-9_-]', '_', name)[:_MOST_NAME] or 'program'}/"
+        self.files.make_folder(project.rstrip("/").encode())
+        if not self.machine.start_program(USER_SLOT, Image(image, project)):
+            return None
+        return self.machine.program_in(USER_SLOT)
 
     # Frames
 

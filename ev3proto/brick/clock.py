@@ -1,5 +1,10 @@
 """How long things take on the virtual brick, and where what never ends is ended."""
 
+import time
+
+thread_time = getattr(time, "thread_time", time.perf_counter)
+"""The processor's time of this thread, in seconds. Python in a browser has one thread, and no such clock."""
+
 TICK = 1_000
 """Microseconds from one turn of the programs to the next while one of them waits."""
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import asyncio
 import os
-import re
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -15,8 +14,7 @@ import click
 from ev3proto.brick import Brick
 from ev3proto.brick.devices.display.braille import braille
 from ev3proto.brick.devices.display.canvas import WIDTH
-from ev3proto.brick.images import Image
-from ev3proto.brick.running_programs import FAIL, RUNNING, USER_SLOT, Program
+from ev3proto.brick.running_programs import FAIL, RUNNING, Program
 from ev3proto.brick.servers.server import Options, Running, ServerError, running
 from ev3proto.checking.program_codes import DAMAGED, NOT_AS_WRITTEN, REFUSED
 from ev3proto.cli.brick import folder, interrupted, read_script_file
@@ -47,7 +45,6 @@ _KEYS = {
     b"\x08": "back",
     b"\x1b": "back",
 }
-_MOST_NAME = 20
 
 
 @click.command()
@@ -155,12 +152,10 @@ def _start(brick: Brick, image: bytes, name: str) -> Program | None:
     for finding in report.findings:
         if finding.code in {code.code for code in told}:
             complain(f"{finding.severity}[{finding.code}]: offset {finding.offset}: {finding.message}")
-    project = f"../prjs/{re.sub(r'[^A-Za-z0-9_-]', '_', name)[:_MOST_NAME] or 'program'}/"
-    brick.files.make_folder(project.rstrip("/").encode())
-    if brick.machine.start_program(USER_SLOT, Image(image, project)):
-        return brick.machine.program_in(USER_SLOT)
-    complain("the brick refuses the program" + (": it needs more memory than there is" if report.accepted else ""))
-    return None
+    program = brick.start(image, name)
+    if program is None:
+        complain("the brick refuses the program" + (": it needs more memory than there is" if report.accepted else ""))
+    return program
 
 
 def _ending(brick: Brick, program: Program) -> int:

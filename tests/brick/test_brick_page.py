@@ -18,10 +18,10 @@ from urllib.parse import urlsplit
 
 import aiohttp
 import pytest
-from selenium.webdriver import Chrome
+from selenium.webdriver import ActionChains, Chrome
 from selenium.webdriver.common.by import By
 from selenium.webdriver.support.ui import WebDriverWait
-from support.browser import chromium, complaints
+from support.browser import chromium, complaints, scrolls_sideways
 from support.server import Client, Served, command, served
 
 from ev3proto.brick.servers.server import Options
@@ -65,7 +65,6 @@ def test_link_opens_the_page_and_nothing_else_does(brick: Served) -> None:
     assert fetch(link, Host="127.0.0.1:1")[0] == 403
     assert fetch(link, Origin="http://ev3.example")[0] == 403
     assert fetch(link, Origin="null")[0] == 403
-    assert fetch(plain + "file?path=/home/root/lms2012/../../../etc/passwd&" + parts.query)[0] == 404
 
 
 def test_policy_of_the_page(brick: Served) -> None:
@@ -106,7 +105,10 @@ def test_token_is_another_one_at_each_start(tmp_path: Path) -> None:
         assert first.now.link.partition("token=")[2] != second.now.link.partition("token=")[2]
 
 
-def test_actions_and_what_is_wrong_with_them(brick: Served) -> None:
+def test_actions_and_what_is_wrong_with_them(brick: Served, tmp_path: Path) -> None:
+    (tmp_path / "prjs").mkdir(exist_ok=True)
+    (tmp_path / "prjs" / "robot.rbf").write_bytes(b"LEGO")
+
     async def talk() -> list[dict[str, Any]]:
         found: list[dict[str, Any]] = []
         url = brick.now.link.replace("http", "ws", 1).replace("/?", "/live?")
@@ -121,6 +123,8 @@ def test_actions_and_what_is_wrong_with_them(brick: Served) -> None:
                 '{"do": "read", "port": 1, "mode": 0, "values": ["x"]}',
                 '{"do": "read", "port": 1, "mode": 7, "values": [1]}',
                 '{"do": "list", "path": "/etc"}',
+                '{"do": "fetch", "path": "/home/root/lms2012/../../../etc/passwd"}',
+                '{"do": "fetch", "path": "/home/root/lms2012/prjs/robot.rbf"}',
                 '{"do": "list", "path": "/home/root/lms2012"}',
             ):
                 await socket.send_str(action)
@@ -132,20 +136,23 @@ def test_actions_and_what_is_wrong_with_them(brick: Served) -> None:
     messages = asyncio.run(talk())
     assert "facts" in messages[0] or "facts" in messages[1]
     errors = [message["error"] for message in messages if "error" in message]
-    assert len(errors) == 7
-    assert errors[-1] == "there is no folder /etc"
+    assert len(errors) == 8
+    assert errors[-2:] == ["there is no folder /etc", "there is no file /home/root/lms2012/../../../etc/passwd"]
+    (file,) = [message["file"] for message in messages if "file" in message]
+    assert file == {"path": "/home/root/lms2012/prjs/robot.rbf", "contents": "TEVHTw=="}
     (folder,) = [message["folder"] for message in messages if "folder" in message]
     assert [entry["name"] for entry in folder["entries"]] == ["apps", "prjs", "sys", "tools"]
     assert brick.now.brick.inputs.plugged()[1].raw() == 4000
 
 
-def test_page_in_a_browser(tmp_path: Path) -> None:
+@pytest.mark.parametrize("width", [390, 1400])
+def test_page_in_a_browser(tmp_path: Path, width: int) -> None:
     (tmp_path / "prjs").mkdir()
     (tmp_path / "<img src=x>.rbf").write_bytes(b"12345")
     with (
         served(tmp_path, replace(WITH_PAGE, clients=2)) as brick,
         Client(brick.port) as client,
-        chromium(tmp_path / "profile") as browser,
+        chromium(tmp_path / "profile", width) as browser,
     ):
         _look(browser, brick, client)
         assert complaints(browser) == []
@@ -162,7 +169,7 @@ def _look(browser: Chrome, brick: Served, client: Client) -> None:
             "SOUND(TONE, 50, 440, 3000)\nOUTPUT_SPEED(0, 1, 50)\nOUTPUT_START(0, 1)"
         )
     )
-    wait.until(lambda _: browser.find_element(By.ID, "light").text == "LED_ORANGE_FLASH")
+    wait.until(lambda _: browser.find_element(By.ID, "leds").text == "LED_ORANGE_FLASH")
     assert "orange" in str(browser.find_element(By.ID, "pad").get_attribute("class"))
     pixel = "return [...document.getElementById('display').getContext('2d').getImageData(arguments[0], 5, 1, 1).data]"
     wait.until(lambda _: browser.execute_script(pixel, 59)[0] < 60)
@@ -180,6 +187,17 @@ def _look(browser: Chrome, brick: Served, client: Client) -> None:
     wait.until(lambda _: client.ask(read)[5] == 77)
     # The button is released in a message of its own.
     wait.until(lambda _: brick.now.brick.buttons.bump(2))
+
+    # A distance has its unit; a touch sensor is a button.
+    brick.now.brick.plug(2, 30, {0: (1941,)})
+    wait.until(lambda _: "194.1 cm" in browser.find_element(By.ID, "sensors").text)
+    brick.now.brick.plug(3, 16)
+    touch = wait.until(lambda _: browser.find_element(By.CSS_SELECTOR, ".touch"))
+    ActionChains(browser).click_and_hold(touch).perform()
+    wait.until(lambda _: brick.now.brick.inputs.plugged()[3].raw() == 2000 and touch.text == "pressed")
+    ActionChains(browser).release().perform()
+    wait.until(lambda _: brick.now.brick.inputs.plugged()[3].raw() == 1000 and touch.text == "not pressed")
+    assert not scrolls_sideways(browser)
 
     # What is not asked for is hidden; a name is shown as text.
     browser.find_element(By.ID, "filter").send_keys("input_read")

@@ -16,16 +16,13 @@ import time
 from collections.abc import AsyncIterator, Awaitable, Callable
 from contextlib import asynccontextmanager, suppress
 from importlib.resources import files
-from typing import Any
 
 from aiohttp import WSMsgType, web
 from aiohttp.http import HttpProcessingError
 
-from ev3proto.brick.devices.display.canvas import WIDTH
-from ev3proto.brick.devices.display.png import write_png
 from ev3proto.brick.servers.host import Host
-from ev3proto.brick.servers.page.state import ActionError, act, contents, facts, listing, state
-from ev3proto.brick.servers.page.watcher import Talk, Watcher
+from ev3proto.brick.servers.page.state import Changes, answer
+from ev3proto.brick.servers.page.watcher import Watcher
 
 PERIOD = 0.05
 """Seconds from one look at the brick to the next."""
@@ -34,15 +31,13 @@ MOST_PAGES = 16
 """Pages at once."""
 
 _MOST_MESSAGE = 1 << 14
-_MOST_TALKS = 25
-"""Dialogues that are decoded at each look."""
-
 _STATIC = {
     "/": ("page.html", "text/html"),
     "/page.js": ("page.js", "text/javascript"),
-    "/page.css": ("page.css", "text/css"),
+    "/brick.js": ("brick.js", "text/javascript"),
+    "/brick.css": ("brick.css", "text/css"),
+    "/icon.svg": ("icon.svg", "image/svg+xml"),
 }
-_SCREENSHOT_SCALE = 3
 _HEADERS = {
     "X-Content-Type-Options": "nosniff",
     "X-Frame-Options": "DENY",
@@ -83,8 +78,6 @@ async def serving(host: Host, address: str, port: int) -> AsyncIterator[tuple[st
     for path in _STATIC:
         application.router.add_get(path, page.static)
     application.router.add_get("/live", page.live)
-    application.router.add_get("/file", page.file)
-    application.router.add_get("/display.png", page.display)
     logger = logging.Logger(__name__)
     logger.addHandler(_Log(host))
     runner = web.AppRunner(application, access_log=None, logger=logger, handle_signals=False, shutdown_timeout=0.2)
@@ -204,20 +197,6 @@ class _Page:
         body = (files("ev3proto.brick.servers.page") / "static" / name).read_bytes()
         return web.Response(body=body, content_type=kind, charset="utf-8")
 
-    async def display(self, _: web.Request) -> web.StreamResponse:
-        """The display as a picture."""
-        picture = write_png(self._host.brick.display.rows, WIDTH, _SCREENSHOT_SCALE)
-        return web.Response(body=picture, content_type="image/png")
-
-    async def file(self, request: web.Request) -> web.StreamResponse:
-        """A file of the brick, to be saved and never shown."""
-        try:
-            body = contents(self._host, request.query.get("path", ""))
-        except ActionError:
-            return web.Response(status=404, text="there is no such file\n")
-        headers = {"Content-Disposition": "attachment"}
-        return web.Response(body=body, content_type="application/octet-stream", headers=headers)
-
     async def live(self, request: web.Request) -> web.StreamResponse:
         """All that happens, as it happens, and what is asked for."""
         if len(self._sockets) >= MOST_PAGES:
@@ -231,9 +210,10 @@ class _Page:
             async for message in socket:
                 if message.type is not WSMsgType.TEXT:
                     continue
-                answer = self._answer(message.data)
-                if answer is not None:
-                    await socket.send_str(json.dumps(answer))
+                said = answer(self._host.brick, message.data)
+                self._host.wake()
+                if said is not None:
+                    await socket.send_str(json.dumps(said))
         except ConnectionError:
             pass  # the browser has gone
         finally:
@@ -241,50 +221,17 @@ class _Page:
             self._sockets.discard(socket)
         return socket
 
-    def _answer(self, text: str) -> dict[str, Any] | None:
-        """Does what a message asks for; what is to be sent back."""
-        try:
-            asked = json.loads(text)
-            if isinstance(asked, dict) and asked.get("do") == "list":
-                return {"folder": listing(self._host, str(asked.get("path", "")))}
-            act(self._host, asked)
-        except (json.JSONDecodeError, RecursionError):
-            return {"error": "that was no JSON"}
-        except (ActionError, OSError) as error:
-            return {"error": str(error)}
-        return None
-
     async def _send(self, socket: web.WebSocketResponse) -> None:
         """Sends what has changed. A page that does not read is sent nothing more until it does."""
         unshown = self.watcher.open()
-        last: dict[str, Any] = {}
+        changes = Changes(self._host.brick, unshown, lambda: [each.name for each in self._host.connections])
         try:
-            await socket.send_str(json.dumps({"facts": facts()}))
             while True:
-                now = state(self._host)
-                message = {key: value for key, value in now.items() if last.get(key, _UNSEEN) != value}
-                last = now
-                talks = [self._talk(talk) for talk in unshown.take(_MOST_TALKS)]
-                if talks:
-                    message["talks"] = talks
-                    message["left_out"] = unshown.left_out
-                if message:
-                    await socket.send_str(json.dumps(message))
+                new = changes.take()
+                if new:
+                    await socket.send_str(json.dumps(new))
                 await asyncio.sleep(PERIOD)
         except ConnectionError:
             pass  # the browser has gone
         finally:
             self.watcher.close(unshown)
-
-    def _talk(self, talk: Talk) -> dict[str, Any]:
-        line, is_wrong = talk.line(self._host.brick.dialect)
-        return {
-            "number": talk.number,
-            "client": talk.client,
-            "time": round(talk.begun, 3),
-            "text": line,
-            "wrong": is_wrong,
-        }
-
-
-_UNSEEN = object()

@@ -1,17 +1,21 @@
-"""What a page shows of a brick, as JSON; and what a page may do to it."""
+"""What a page shows of a brick, as JSON; and what a page may do to it. Whatever carries it: a socket, or a worker."""
 
 from __future__ import annotations
 
 import base64
+import json
 import math
 import os
+from collections.abc import Callable, Sequence
 from typing import Any
 
+from ev3proto.brick.brick import Brick
+from ev3proto.brick.deviations import DEVIATIONS
 from ev3proto.brick.devices.buttons import BUTTONS
 from ev3proto.brick.devices.motors import PORTS as MOTOR_PORTS
 from ev3proto.brick.devices.sensors import PORTS
 from ev3proto.brick.running_programs import RUNNING, USER_SLOT
-from ev3proto.brick.servers.host import Host
+from ev3proto.brick.servers.page.watcher import Unshown
 from ev3proto.tables.devices import DEVICE_TYPES
 from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.enumerations import CONN, LEDPATTERN, TYPE
@@ -20,13 +24,12 @@ MOST_FILES = 500
 """Entries of a folder that are shown."""
 
 _MOST_TERMINAL = 2000
+_MOST_TALKS = 25
+"""Dialogues that are decoded at each look."""
+
 _MOTOR = CONN.members["CONN_OUTPUT_TACHO"]
 _NONE = TYPE.members["TYPE_NONE"]
 _NAMES = {number: name.removeprefix("TYPE_") for name, number in TYPE.members.items()}
-
-
-class ActionError(ValueError):
-    """A page asked for something impossible."""
 
 
 def facts() -> dict[str, Any]:
@@ -40,8 +43,9 @@ def facts() -> dict[str, Any]:
                 {
                     "name": mode.name,
                     "datasets": mode.datasets,
-                    "least": min(mode.raw),
-                    "most": max(mode.raw),
+                    "raw": mode.raw,
+                    "si": mode.si,
+                    "decimals": mode.decimals,
                     "symbol": mode.symbol,
                 }
                 for mode in device.modes
@@ -51,12 +55,35 @@ def facts() -> dict[str, Any]:
         if number != TYPE.members["TYPE_UNKNOWN"]
     ]
     leds = {number: name for name, number in LEDPATTERN.members.items()}
-    return {"types": types, "none": _NONE, "leds": leds, "buttons": list(BUTTONS), "motors": list(MOTOR_PORTS)}
+    return {"types": types, "none": _NONE, "leds": leds, "deviations": DEVIATIONS}
 
 
-def state(host: Host) -> dict[str, Any]:
-    """All that changes, by key; whatever is not JSON is omitted by its key's own form."""
-    brick = host.brick
+class Changes:
+    """What one page has not been sent yet: first what never changes, then what has changed since the last look."""
+
+    def __init__(self, brick: Brick, unshown: Unshown, clients: Callable[[], Sequence[str]]) -> None:
+        self._brick = brick
+        self._unshown = unshown
+        self._clients = clients
+        self._last: dict[str, Any] = {}
+
+    def take(self) -> dict[str, Any]:
+        """What is new, by key; empty where nothing is."""
+        now = _state(self._brick) | {"clients": list(self._clients())}
+        last, self._last = self._last, now
+        new: dict[str, Any] = {} if last else {"facts": facts()}
+        new |= {key: value for key, value in now.items() if last.get(key, _UNSEEN) != value}
+        talks = [talk.entry(self._brick.dialect) for talk in self._unshown.take(_MOST_TALKS)]
+        if talks:
+            new |= {"talks": talks, "left_out": self._unshown.left_out}
+        return new
+
+
+_UNSEEN = object()
+
+
+def _state(brick: Brick) -> dict[str, Any]:
+    """All that changes, by key."""
     playing = brick.sound.playing
     program = brick.machine.slots[USER_SLOT]
     return {
@@ -64,19 +91,18 @@ def state(host: Host) -> dict[str, Any]:
         "display": base64.b64encode(b"".join(brick.display.rows)).decode(),
         "light": brick.leds,
         "down": [name for name, number in BUTTONS.items() if brick.buttons.is_down(number)],
-        "motors": _motors(host),
-        "sensors": _sensors(host),
+        "motors": _motors(brick),
+        "sensors": _sensors(brick),
         "tone": None
         if playing is None or not playing.frequency
         else {"volume": playing.volume, "frequency": playing.frequency, "began": playing.began},
         "terminal": (bytes(brick.console.printed) + bytes(brick.console.text))[-_MOST_TERMINAL:].decode(STRING_CODING),
-        "clients": [connection.name for connection in host.connections],
         "program": program is not None and program.status == RUNNING,
         "battery": {"volt": round(brick.panel.battery.voltage, 2), "percent": brick.panel.battery.percent},
     }
 
 
-def _motors(host: Host) -> list[dict[str, Any]]:
+def _motors(brick: Brick) -> list[dict[str, Any]]:
     return [
         {
             "port": port,
@@ -85,12 +111,12 @@ def _motors(host: Host) -> list[dict[str, Any]]:
             "speed": motor.speed_now,
             "busy": motor.is_busy,
         }
-        for port, motor in zip(MOTOR_PORTS, host.brick.outputs.motors, strict=True)
+        for port, motor in zip(MOTOR_PORTS, brick.outputs.motors, strict=True)
     ]
 
 
-def _sensors(host: Host) -> list[dict[str, Any]]:
-    plugged = host.brick.inputs.plugged()
+def _sensors(brick: Brick) -> list[dict[str, Any]]:
+    plugged = brick.inputs.plugged()
     found: list[dict[str, Any]] = []
     for port in range(1, PORTS + 1):
         device = plugged.get(port)
@@ -103,13 +129,55 @@ def _sensors(host: Host) -> list[dict[str, Any]]:
     return found
 
 
-def listing(host: Host, path: str) -> dict[str, Any]:
-    """A folder of the brick. ActionError where there is none."""
-    files = host.brick.files
+def answer(brick: Brick, text: str) -> dict[str, Any] | None:
+    """Does what a page asks for.
+
+    Args:
+        brick: To which it is done.
+        text: An object as JSON with `do`: press, release, plug, read, list, fetch.
+
+    Returns:
+        What is to be sent back to the page, None where there is nothing; an `error` where it asked for what cannot be.
+    """
+    try:
+        return _act(brick, json.loads(text))
+    except (json.JSONDecodeError, RecursionError):
+        return {"error": "that was no JSON"}
+    except (ValueError, IndexError, OSError) as error:
+        return {"error": str(error)}
+
+
+def _act(brick: Brick, action: Any) -> dict[str, Any] | None:
+    match action:
+        case {"do": "press", "button": str(button)}:
+            brick.press(button)
+        case {"do": "release", "button": str(button)}:
+            brick.release(button)
+        case {"do": "plug", "port": int() | str() as port, "type": int(number)}:
+            brick.plug(port, number)
+        case {"do": "read", "port": int(port), "mode": int(mode), "values": list(values)}:
+            device = brick.inputs.plugged().get(port)
+            if device is not None:
+                brick.plug(port, device.type.number, {mode: _numbers(values, device.type.modes[mode].datasets)})
+        case {"do": "list", "path": str(path)}:
+            return {"folder": _listing(brick, path)}
+        case {"do": "fetch", "path": str(path)}:
+            found = brick.files.read(_path(path))
+            if found is None:
+                raise ValueError(f"there is no file {path}")
+            return {"file": {"path": path, "contents": base64.b64encode(found).decode()}}
+        case _:
+            raise ValueError("there is no such action")
+    return None
+
+
+def _listing(brick: Brick, path: str) -> dict[str, Any]:
+    """A folder of the brick. ValueError where there is none."""
+    files = brick.files
     name = _path(path)
     place = files.locate(name)
     if place is None or not files.is_folder(name):
-        raise ActionError(f"there is no folder {path}")
+        raise ValueError(f"there is no folder {path}")
     entries = []
     for entry in files.shown(name)[:MOST_FILES]:
         below = name.rstrip(b"/") + b"/" + entry
@@ -120,50 +188,10 @@ def listing(host: Host, path: str) -> dict[str, Any]:
     return {"path": path, "entries": entries}
 
 
-def contents(host: Host, path: str) -> bytes:
-    """A file of the brick. ActionError where there is none."""
-    found = host.brick.files.read(_path(path))
-    if found is None:
-        raise ActionError(f"there is no file {path}")
-    return found
-
-
-def act(host: Host, action: Any) -> None:
-    """Does what a page asks for.
-
-    Args:
-        host: What drives the brick.
-        action: An object with `do`: press, release, plug, read.
-
-    Raises:
-        ActionError: It is none of these, or asks for what cannot be.
-    """
-    if not isinstance(action, dict):
-        raise ActionError("an action is an object")
-    brick = host.brick
-    try:
-        match action:
-            case {"do": "press", "button": str(button)}:
-                brick.press(button)
-            case {"do": "release", "button": str(button)}:
-                brick.release(button)
-            case {"do": "plug", "port": int() | str() as port, "type": int(number)}:
-                brick.plug(port, number)
-            case {"do": "read", "port": int(port), "mode": int(mode), "values": list(values)}:
-                device = brick.inputs.plugged().get(port)
-                if device is not None:
-                    brick.plug(port, device.type.number, {mode: _numbers(values, device.type.modes[mode].datasets)})
-            case _:
-                raise ActionError("there is no such action")
-    except (ValueError, IndexError) as error:
-        raise ActionError(str(error)) from None
-    host.wake()
-
-
 def _numbers(values: list[Any], most: int) -> tuple[float, ...]:
     numbers = [value for value in values if isinstance(value, int | float) and math.isfinite(value)]
     if len(numbers) != len(values) or len(numbers) > most:
-        raise ActionError(f"readings are 1 to {most} numbers")
+        raise ValueError(f"readings are 1 to {most} numbers")
     return tuple(float(number) for number in numbers)
 
 
@@ -171,4 +199,4 @@ def _path(path: str) -> bytes:
     try:
         return path.encode(STRING_CODING)
     except UnicodeEncodeError:
-        raise ActionError("no name on a brick has such characters") from None
+        raise ValueError("no name on a brick has such characters") from None

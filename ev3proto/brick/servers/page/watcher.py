@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections import OrderedDict, deque
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any, Protocol
 
-from ev3proto.brick.servers.host import Connection
 from ev3proto.dialogue import Dialogue
 from ev3proto.schema.frame import parse
 from ev3proto.schema.header import HEADER_SIZE, Header
@@ -22,6 +22,13 @@ MOST_PENDING = 256
 
 MOST_UNSHOWN = 400
 """Dialogues that a page has not been sent yet; older ones are counted only."""
+
+
+class Client(Protocol):
+    """Who sends commands: a connection of the brick, or the page itself."""
+
+    number: int
+    name: str
 
 
 @dataclass(eq=False)
@@ -43,8 +50,8 @@ class Talk:
     reply: bytes | None = None
     latency: float | None = None
 
-    def line(self, dialect: str) -> tuple[str, bool]:
-        """What both say, decoded, and whether something went wrong."""
+    def entry(self, dialect: str) -> dict[str, Any]:
+        """It for a page: what both say, decoded, and whether something went wrong."""
         dialogue = Dialogue()
         command = None if self.command is None else parse(self.command, strict=False, dialect=dialect)
         if command is not None:
@@ -54,7 +61,9 @@ class Talk:
             line = dialogue_line(command, exchange, self.latency)
         else:
             line = [] if command is None else command_spans(command)
-        return plain_text(line), any(role is Role.FAULT for _, role in line)
+        is_wrong = any(role is Role.FAULT for _, role in line)
+        time = round(self.begun, 3)
+        return {"number": self.number, "client": self.client, "time": time, "text": plain_text(line), "wrong": is_wrong}
 
 
 class Unshown:
@@ -101,16 +110,16 @@ class Watcher:
         """A page has gone."""
         self._pages.discard(unshown)
 
-    def opened(self, connection: Connection) -> None:
+    def opened(self, connection: Client) -> None:
         """Nothing to show yet."""
 
-    def left(self, connection: Connection, data: bytes, reason: str) -> None:
+    def left(self, connection: Client, data: bytes, reason: str) -> None:
         """Nothing to show: the host says it."""
 
-    def closed(self, connection: Connection) -> None:
+    def closed(self, connection: Client) -> None:
         """Nothing to show."""
 
-    def frame(self, connection: Connection, frame: bytes, is_from_host: bool) -> None:
+    def frame(self, connection: Client, frame: bytes, is_from_host: bool) -> None:
         """A command begins a dialogue, the reply with its counter ends it."""
         if len(frame) < HEADER_SIZE:
             return

@@ -1,11 +1,16 @@
-"""How Sphinx builds the documentation: `sphinx-build -W docs build/docs`, with what the extra `docs` installs."""
+"""How Sphinx builds the documentation: `python -m sphinx -W docs build/docs`, with what the extra `docs` installs."""
+
+import sys
+from pathlib import Path
 
 from ev3proto.version import VERSION
+
+sys.path.insert(0, str(Path(__file__).parent))
 
 project = "ev3proto"
 release = version = VERSION
 html_title = f"ev3proto {VERSION}"
-extensions = ["myst_parser"]
+extensions = ["myst_parser", "playground.build"]
 myst_heading_anchors = 3
 exclude_patterns: list[str] = []
 html_theme = "furo"

@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-import fcntl
-import os
 import re
 import subprocess
-import sys
 from pathlib import Path
 from typing import Any
 
 import pytest
 from selenium.webdriver.support.ui import WebDriverWait
 from support.browser import chromium
+from support.site import built_site
 from support.wireshark import Tshark
 
 import ev3proto
@@ -44,17 +42,8 @@ def headings(path: Path) -> list[str]:
 
 @pytest.fixture(scope="session")
 def built(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The documentation, built by the command that CONTRIBUTING.md names; once for all workers of a run."""
-    base = tmp_path_factory.getbasetemp()
-    shared = base.parent if "PYTEST_XDIST_WORKER" in os.environ else base
-    folder = shared / "documentation"
-    with (shared / "documentation.lock").open("w") as lock:
-        fcntl.flock(lock, fcntl.LOCK_EX)
-        if not (folder / "index.html").exists():
-            command = [sys.executable, "-m", "sphinx", "-q", "-W", "--keep-going", str(DOCS), str(folder)]
-            done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
-            assert (done.returncode, done.stderr) == (0, "")
-    return folder
+    """The documentation, as it is built."""
+    return built_site(tmp_path_factory)
 
 
 def test_the_search_finds_numbers_names_and_words(built: Path, tmp_path: Path) -> None:

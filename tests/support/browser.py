@@ -38,6 +38,7 @@ def chromium(profile: Path, width: int = 1400) -> Iterator[Chrome]:
         "--disable-background-networking",
         "--disable-component-update",
         "--disable-sync",
+        "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1",
         f"--window-size={width},1000",
         f"--user-data-dir={profile}",
     ):

@@ -127,6 +127,9 @@ def _example(declaration: Declaration, dialect: str) -> Iterator[str]:
     example = example_of(declaration, dialect)
     yield from block("python", [example.call])
     yield from block("text", explained(example.frame, dialect))
+    if dialect == DIALECTS[0]:
+        yield f'<a href="../playground/index.html#text={example.frame.hex()}">Try it</a> in the playground.'
+        yield ""
     if not is_accepted(example, dialect):
         yield "The validator of the release of 2013 refuses this frame."
         yield ""

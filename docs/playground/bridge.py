@@ -1,0 +1,361 @@
+"""What the playground asks of Python: what the command line says of a text, and a virtual brick.
+
+Every function takes and returns what JSON and JavaScript have, too. Runs in Pyodide, and anywhere else.
+"""
+
+from __future__ import annotations
+
+import io
+import json
+import re
+from contextlib import redirect_stderr, redirect_stdout
+from pathlib import Path
+from tempfile import mkdtemp
+from typing import Any, NamedTuple
+
+from ev3proto.brick import Brick
+from ev3proto.brick.servers.page.state import Changes, answer
+from ev3proto.brick.servers.page.watcher import Watcher
+from ev3proto.cli.commands import cli
+from ev3proto.schema.header import frame_size
+from ev3proto.semantics.domain import facts
+from ev3proto.tables import OPCODES
+from ev3proto.tables.declaration import Declaration, declarations
+
+MOST_SHOWN = 200_000
+"""Characters of an answer that are shown."""
+
+MOST_DIALOGUES = 1000
+
+MOST_SENT = 100
+"""Frames that are sent to the brick at once."""
+
+MOST_COMPLETIONS = 40
+
+MOST_STEP = 0.25
+"""Seconds that the brick's clock advances at most from one tick to the next: a page that sleeps does not catch up."""
+
+STRETCH = 0.02
+"""Seconds for which a command or program may compute before the page gets its turn."""
+
+_PLACE = Path(mkdtemp())
+_TEXT, _SOURCE, _IMAGE, _FRAMES = (_PLACE / name for name in ("input", "input.lms", "input.rbf", "frames"))
+_OFFSET = re.compile(r" +(\d+)  +\S")
+"""How lines of the tree begin that are about bytes: with the offset of the first."""
+
+_FINDING = re.compile(r"^(?:error|warning|hint)\[(\w+)\]")
+_OBJECT = re.compile(r"^[ \t]*(?:vmthread|subcall|block)[ \t]+[A-Za-z_]", re.MULTILINE)
+"""An object of a program's source."""
+
+_CALL = re.compile(r"([A-Za-z_]\w*)\s*\(([^()]*)$")
+_WORD = re.compile(r"[A-Za-z_][\w.]*$")
+
+
+class Said(NamedTuple):
+    """What a command printed, and its exit status."""
+
+    out: str
+    errors: str
+    status: int
+
+
+def command(*arguments: str) -> Said:
+    """Runs a subcommand of ev3proto."""
+    with io.TextIOWrapper(io.BytesIO(), "utf-8") as out, io.TextIOWrapper(io.BytesIO(), "utf-8") as errors:
+        status = 0
+        with redirect_stdout(out), redirect_stderr(errors):
+            try:
+                cli(arguments, prog_name="ev3proto")
+            except SystemExit as end:
+                status = int(end.code or 0)
+        texts = []
+        for stream in (out, errors):
+            stream.flush()
+            stream.seek(0)
+            texts.append(stream.read().replace(f"{_PLACE}/", ""))
+    return Said(texts[0], texts[1], status)
+
+
+# What stands in the input
+
+
+class Input(NamedTuple):
+    """What is being looked at.
+
+    names   it, or the files that have it, as arguments of subcommands
+    image   of a program
+    source  of a program, as an argument of subcommands
+    errors  what the assembler complained of
+    """
+
+    names: tuple[str, ...] = ()
+    image: bytes | None = None
+    source: tuple[str, ...] = ()
+    errors: str = ""
+
+
+_now = Input()
+
+
+def look(text: str) -> str:
+    """Reads what was typed or pasted.
+
+    Returns:
+        An object as JSON: `lines` of the tree, each with its text, the number of its frame (-1 for none), the offset
+        and number of the bytes that it is about; `frames`, in hex; `findings`, each with its text and code; `error`;
+        `made`, the frames in several notations; `dialogues`, each with time, text, latency.
+    """
+    global _now
+    _now = _typed(text)
+    return json.dumps(_looked())
+
+
+def open_file(name: str, data: Any) -> str:
+    """Reads a file, as `look` does a text.
+
+    Args:
+        name: Its name, of which only the ending counts.
+        data: Its bytes, or an array of JavaScript.
+    """
+    global _now
+    contents = data if isinstance(data, bytes) else data.to_bytes()
+    path = _PLACE / f"file{Path(name).suffix.lower() if name.isprintable() else ''}"
+    path.write_bytes(contents)
+    _now = _source(path) if path.suffix == ".lms" else Input((str(path),), contents if path.suffix == ".rbf" else None)
+    return json.dumps(_looked())
+
+
+def _typed(text: str) -> Input:
+    if not text.strip():
+        return Input()
+    if _OBJECT.search(text):
+        _SOURCE.write_text(text, encoding="utf-8")
+        return _source(_SOURCE)
+    if "\n" in text.strip():
+        _TEXT.write_text(text, encoding="utf-8")
+        names: tuple[str, ...] = (str(_TEXT),)
+    else:
+        names = ("--", text.strip())
+    said = command("decode", *names)
+    if said.out or "assembly" not in said.errors:
+        return Input(names)
+    made = command("encode", *names)
+    return Input(_as_names(made.out), errors=made.errors)
+
+
+def _as_names(frames: str) -> tuple[str, ...]:
+    """Frames as arguments: a single one itself, so that what is said of it names no file."""
+    if frames.count("\n") == 1:
+        return ("--", frames.strip())
+    if frames:
+        _FRAMES.write_text(frames, encoding="utf-8")
+        return (str(_FRAMES),)
+    return ()
+
+
+def _source(path: Path) -> Input:
+    _IMAGE.unlink(missing_ok=True)
+    errors = command("encode", str(path), "-o", str(_IMAGE)).errors
+    if not _IMAGE.exists():
+        return Input(errors=errors)
+    return Input((str(_IMAGE),), _IMAGE.read_bytes(), (str(path),))
+
+
+def _looked() -> dict[str, Any]:
+    names = _now.names
+    if not names:
+        return {"lines": [], "frames": [], "findings": [], "error": _now.errors, "made": {}, "dialogues": []}
+    decoded = command("decode", *names)
+    checked = command("check", *(_now.source or names))
+    answer: dict[str, Any] = {
+        "error": _now.errors or decoded.errors,
+        "findings": _findings(_shortened(checked.out + ("" if checked.errors == decoded.errors else checked.errors))),
+    }
+    if _now.image is not None:
+        lines = [[line, -1, 0, 0] for line in _shortened(decoded.out).splitlines()]
+        return answer | {"lines": lines, "frames": [], "made": {}, "dialogues": []}
+    records = _records(names)
+    made = {form: _shortened(command("encode", "--to", form, *names).out) for form in ("hex", "c", "python")}
+    return answer | {
+        "lines": _lines(_shortened(decoded.out), records),
+        "frames": [record.get("hex", "") for record in records],
+        "made": made,
+        "dialogues": _dialogues(names) if len(records) > 1 else [],
+    }
+
+
+def _records(names: tuple[str, ...]) -> list[dict[str, Any]]:
+    return [json.loads(line) for line in command("decode", "--json", *names).out.splitlines()]
+
+
+def _shortened(text: str) -> str:
+    if len(text) <= MOST_SHOWN:
+        return text
+    kept = text[: text.rindex("\n", 0, MOST_SHOWN) + 1]
+    return f"{kept}... and {text.count(chr(10), len(kept))} more lines: ev3proto on the command line shows all\n"
+
+
+def _lines(tree: str, records: list[dict[str, Any]]) -> list[list[Any]]:
+    """The lines of the tree, and which bytes each is about: messages begin without a blank, bytes with their offset."""
+    lines: list[list[Any]] = []
+    number = -1
+    lengths: dict[int, int] = {}
+    for text in tree.splitlines():
+        offset, length = 0, 0
+        if text and not text.startswith(" "):
+            number = min(number + 1, len(records) - 1)
+            lengths = dict(_spans(records[number])) if records else {}
+            length = len(records[number].get("hex", "")) // 2 if records else 0
+        elif found := _OFFSET.match(text):
+            offset = int(found[1])
+            length = lengths.get(offset, 1)
+        lines.append([text, number if length else -1, offset, length])
+    return lines
+
+
+def _spans(record: dict[str, Any]) -> list[tuple[int, int]]:
+    """Offset and number of bytes of all that a message has of them."""
+    parts = [*record.get("operations", ()), *(record.get("values") or ())]
+    return [(part["offset"], part["length"]) for each in parts for part in (each, *each.get("args", ()))]
+
+
+def _findings(text: str) -> list[dict[str, str]]:
+    """What `check` printed, cut before each finding."""
+    found = [{"text": "", "code": ""}]
+    for line in text.splitlines(keepends=True):
+        if begin := _FINDING.match(line):
+            found.append({"text": "", "code": begin[1]})
+        found[-1]["text"] += line
+    return [each for each in found if each["text"]]
+
+
+def _dialogues(names: tuple[str, ...]) -> list[dict[str, Any]]:
+    texts = command("decode", "--dialogues", *names).out.splitlines()
+    records = command("decode", "--dialogues", "--json", *names).out.splitlines()
+    return [
+        {"text": text.strip(), "latency": json.loads(record).get("latency")}
+        for text, record in list(zip(texts, records, strict=True))[:MOST_DIALOGUES]
+    ]
+
+
+def explain(code: str) -> str:
+    """What a code of `check` means, as a string of JSON."""
+    return json.dumps(command("check", "--explain", code).out)
+
+
+def fix() -> str:
+    """What the input becomes with all that is certain put right, in the lesson's notation: JSON."""
+    fixed = [json.loads(line) for line in command("check", "--fix", "--json", *_now.names).out.splitlines()]
+    frames = [each["hex"] for each in fixed if each.get("hex")]
+    _FRAMES.write_text("\n".join(frames), encoding="utf-8")
+    return json.dumps(command("encode", str(_FRAMES)).out.strip())
+
+
+def as_assembly(frame: str) -> str:
+    """A frame as text that can be edited, and encoded again: JSON."""
+    return json.dumps(command("decode", "--format", "asm", "--", frame).out)
+
+
+# Completion
+
+
+def complete(before: str) -> str:
+    """What may follow.
+
+    Args:
+        before: The line up to the cursor.
+
+    Returns:
+        JSON: `word`, the letters that a completion replaces; `words`, each with what to insert and what to show; `hint`
+        on the parameter at the cursor.
+    """
+    found = _WORD.search(before)
+    word = found[0] if found else ""
+    call = _CALL.search(before)
+    hint, options = "", _OPERATIONS if call is None else []
+    if call is not None:
+        hint, options = _inside(call[1].upper().removeprefix("OP"), call[2].split(","))
+    if not word and call is None:
+        options = []
+    wanted = word.upper()
+    words = [option for option in options if option[0].upper().startswith(wanted) and option[0] != word]
+    return json.dumps({"word": word, "words": words[:MOST_COMPLETIONS], "hint": hint})
+
+
+def _signature(declaration: Declaration) -> str:
+    names = [parameter.name for parameter in declaration.parameters]
+    head = [] if declaration.command is None else [declaration.command.name]
+    return f"{declaration.opcode.name}({', '.join([*head, *names])})"
+
+
+_DECLARATIONS = list(declarations(OPCODES))
+_OPERATIONS = [
+    (each.name, f"{_signature(each)}  {each.text}") for each in sorted(_DECLARATIONS, key=lambda each: each.name)
+]
+
+
+def _inside(opcode: str, given: list[str]) -> tuple[str, list[tuple[str, str]]]:
+    """The hint and the names for the last argument of a call."""
+    matching = [each for each in _DECLARATIONS if each.opcode.name == opcode or each.name == opcode]
+    if not matching:
+        return "", []
+    if matching[0].command is not None and matching[0].name != opcode:
+        if len(given) == 1:
+            return "", [(each.command.name, f"{_signature(each)}  {each.text}") for each in matching if each.command]
+        chosen = given.pop(0).strip().upper()
+        matching = [each for each in matching if each.command and each.command.name == chosen]
+    if not matching or len(given) > len(matching[0].parameters):
+        return "", []
+    parameter = matching[0].parameters[len(given) - 1]
+    said = "; ".join([parameter.text, *facts(parameter)])
+    members = parameter.enum.members if parameter.enum else parameter.names
+    return f"{parameter.name}: {said}", [(name, f"{name} = {number}") for name, number in members.items()]
+
+
+# The brick
+
+
+class _Page:
+    """The one client of the brick."""
+
+    number = 1
+    name = "playground"
+
+
+_page = _Page()
+_brick = Brick(mkdtemp(), stretch=STRETCH)
+_watcher = Watcher(lambda: _brick.microseconds / 1_000_000)
+_changes = Changes(_brick, _watcher.open(), tuple)
+
+
+def tick(seconds: float) -> str:
+    """Lets time pass on the brick. Returns what is new on it as JSON, empty where nothing is."""
+    for _, reply in _brick.advance_all(min(seconds, MOST_STEP)):
+        _watcher.frame(_page, reply, False)
+    new = _changes.take()
+    return json.dumps(new) if new else ""
+
+
+def act(action: str) -> str:
+    """Does something to the brick, given as JSON. Returns what the page is told, as JSON."""
+    return json.dumps(answer(_brick, action))
+
+
+def send() -> str:
+    """Sends the commands that stand in the input, or starts the program. Returns a sentence where it cannot: JSON."""
+    if _now.image is not None:
+        program = _brick.start(_now.image)
+        return json.dumps("" if program is not None else "The brick refuses the program: see what check says.")
+    records = (
+        [json.loads(line) for line in command("decode", "--json", *_now.names).out.splitlines()] if _now.names else []
+    )
+    frames = [bytes.fromhex(each["hex"]) for each in records if each["kind"].endswith("command") and each.get("hex")]
+    if not frames:
+        return json.dumps("There is no command in the input.")
+    for frame in frames[:MOST_SENT]:
+        if len(frame) < frame_size(frame):
+            return json.dumps("The frame is cut off: a brick would wait for the rest.")
+        _watcher.frame(_page, frame, True)
+        for _, reply in _brick.receive_from(_page, frame):
+            _watcher.frame(_page, reply, False)
+    return json.dumps("" if len(frames) <= MOST_SENT else f"Of {len(frames)} commands the first {MOST_SENT} were sent.")

@@ -1,0 +1,136 @@
+"""Puts the playground into the documentation that Sphinx has built: an extension of docs/conf.py.
+
+The folder `playground` of the site has the page, Pyodide (Python for browsers, from npm, by package-lock.json), and in
+packages.zip ev3proto with the packages that it needs, as they are installed here.
+"""
+
+from __future__ import annotations
+
+import importlib.metadata
+import json
+import shutil
+import subprocess
+import zipfile
+from collections.abc import Iterator
+from importlib.resources import files
+from pathlib import Path
+from typing import Any
+
+from sphinx.application import Sphinx
+from sphinx.errors import ExtensionError
+
+from ev3proto.version import VERSION
+
+HERE = Path(__file__).parent
+LESSON = HERE.parents[1] / "captures" / "lesson-02.log"
+WITHOUT = "no_playground"
+"""The tag with which Sphinx builds the rest only."""
+
+PAGE = ("index.html", "playground.css", "playground.js", "worker.js")
+BRICK = ("brick.css", "brick.js", "icon.svg")
+PYODIDE = ("pyodide.mjs", "pyodide.asm.js", "pyodide.asm.wasm", "pyodide-lock.json", "python_stdlib.zip")
+PACKAGES = ("construct", "click", "dpkt", "lark")
+
+_TIME = (1980, 1, 1, 0, 0, 0)
+
+
+def setup(app: Sphinx) -> dict[str, Any]:
+    """Registers what is done when the pages are there."""
+    app.connect("builder-inited", _begun)
+    app.connect("build-finished", _finished)
+    return {"parallel_read_safe": True}
+
+
+def _is_wanted(app: Sphinx) -> bool:
+    return app.builder.format == "html" and not app.tags.has(WITHOUT)
+
+
+def _begun(app: Sphinx) -> None:
+    if _is_wanted(app) and shutil.which("npm") is None:
+        raise ExtensionError(f"the playground needs npm, which is not installed: -t {WITHOUT} builds the rest")
+
+
+def _finished(app: Sphinx, error: Exception | None) -> None:
+    if error is None and _is_wanted(app):
+        build(Path(app.outdir) / "playground", Path(app.outdir).parent / "npm")
+
+
+def build(site: Path, npm: Path) -> None:
+    """Makes the playground.
+
+    Args:
+        site: The folder to put it into.
+        npm: A folder in which npm may install.
+
+    Raises:
+        ExtensionError: npm cannot install Pyodide.
+    """
+    pyodide = _pyodide(npm)
+    (site / "pyodide").mkdir(parents=True, exist_ok=True)
+    for name in PAGE:
+        text = (HERE / name).read_text(encoding="utf-8")
+        (site / name).write_text(text.replace("@VERSION@", VERSION), encoding="utf-8")
+    for name in BRICK:
+        (site / name).write_bytes((files("ev3proto.brick.servers.page") / "static" / name).read_bytes())
+    for name in PYODIDE:
+        shutil.copy(pyodide / name, site / "pyodide" / name)
+    (site / "lesson.json").write_text(json.dumps(list(_lesson()), indent=1), encoding="utf-8")
+    _pack(site / "packages.zip")
+    version = json.loads((pyodide / "package.json").read_text(encoding="utf-8"))
+    (site / "licences.txt").write_text("\n".join(_licences(version)), encoding="utf-8")
+
+
+def _pyodide(npm: Path) -> Path:
+    """The folder of Pyodide, as npm has installed it."""
+    npm.mkdir(parents=True, exist_ok=True)
+    for name in ("package.json", "package-lock.json"):
+        shutil.copy(HERE / name, npm / name)
+    command = [shutil.which("npm") or "npm", "ci", "--ignore-scripts", "--no-audit", "--no-fund"]
+    done = subprocess.run(command, cwd=npm, capture_output=True, text=True, check=False)
+    if done.returncode:
+        said = " ".join(done.stderr.split())[:300]
+        raise ExtensionError(f"npm cannot install Pyodide for the playground ({said}): -t {WITHOUT} builds the rest")
+    return npm / "node_modules" / "pyodide"
+
+
+def _pack(path: Path) -> None:
+    """Packs ev3proto, what it needs, and what the page asks of them."""
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as packed:
+        for name, file in sorted(_modules()):
+            packed.writestr(zipfile.ZipInfo(name, _TIME), file.read_bytes(), zipfile.ZIP_DEFLATED)
+
+
+def _modules() -> Iterator[tuple[str, Path]]:
+    own = Path(str(files("ev3proto")))
+    for file in own.rglob("*.py"):
+        yield f"ev3proto/{file.relative_to(own).as_posix()}", file
+    yield "bridge.py", HERE / "bridge.py"
+    for package in PACKAGES:
+        for entry in importlib.metadata.files(package) or ():
+            # Distributions have their licences beside the code.
+            if entry.parts[0] != ".." and entry.suffix in (".py", ".lark", ""):
+                yield entry.as_posix(), Path(str(entry.locate()))
+
+
+def _lesson() -> Iterator[dict[str, str]]:
+    """The commands of the lesson, each with what it is."""
+    title = ""
+    seen: dict[str, int] = {}
+    for line in LESSON.read_text(encoding="utf-8").splitlines():
+        if line.startswith("#"):
+            title = line.removeprefix("#").strip()
+            continue
+        _, is_sent, frame = line.partition("Sent ")
+        if is_sent:
+            number = seen[title] = seen.get(title, 0) + 1
+            yield {"title": title if number == 1 else f"{title}: {number}", "frame": frame}
+
+
+def _licences(pyodide: dict[str, Any]) -> Iterator[str]:
+    """What the site has of others, and on which terms."""
+    yield f"Pyodide {pyodide['version']}, {pyodide['license']}, with Python {pyodide.get('python', '')}".rstrip(" ,")
+    for package in PACKAGES:
+        about = importlib.metadata.metadata(package)
+        terms = [about[key] for key in ("License-Expression", "License") if key in about]
+        yield f"{about['Name']} {about['Version']}, {(terms or ['see packages.zip'])[0].splitlines()[0]}"
+    yield ""

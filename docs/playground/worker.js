@@ -1,0 +1,40 @@
+// Runs Python beside the page: ev3proto's command line, and a virtual brick that lives as long as the page.
+
+import { loadPyodide } from "./pyodide/pyodide.mjs";
+
+const PERIOD = 50;
+
+const say = (message) => postMessage(message);
+
+const start = async () => {
+  say({ status: "Loading Python …" });
+  const python = await loadPyodide({ indexURL: new URL("./pyodide/", import.meta.url).href });
+  say({ status: "Loading ev3proto …" });
+  const packages = await fetch(new URL("./packages.zip", import.meta.url));
+  if (!packages.ok) throw new Error(`packages.zip: ${packages.status} ${packages.statusText}`);
+  python.unpackArchive(await packages.arrayBuffer(), "zip", { extractDir: "/packages" });
+  python.runPython("import sys; sys.path.insert(0, '/packages')");
+  return python.pyimport("bridge");
+};
+
+const started = start();
+
+onmessage = async ({ data: { number, call, given } }) => {
+  const bridge = await started;
+  try {
+    say({ number, answer: JSON.parse(bridge[call](...given)) });
+  } catch (error) {
+    say({ number, error: String(error.message ?? error) });
+  }
+};
+
+started.then((bridge) => {
+  say({ ready: true });
+  let before = performance.now();
+  setInterval(() => {
+    const now = performance.now();
+    const news = bridge.tick((now - before) / 1000);
+    before = now;
+    if (news) say({ brick: JSON.parse(news) });
+  }, PERIOD);
+}, (error) => say({ failed: String(error.message ?? error) }));

@@ -4491,7 +4491,8 @@ end
 
 -- System commands ----------------------------------------------------------------------------------------------------
 --
--- Number, name, what it does; request and reply are fields: name, kind, name in filters, label.
+-- Number, name, what it does; request and reply are fields: name, kind, name in filters, label; statuses are
+-- what those other than SUCCESS mean.
 
 local SYSTEM = {
     {
@@ -4499,12 +4500,23 @@ local SYSTEM = {
         request = { { "size", U32, "file_len", "Size" }, { "path", TEXT, "file_name", "Path" } },
         reply = { { "handle", U8, "handle", "Handle" } },
         transfer = "begin",
+        statuses = {
+            [8] = "the file is complete: its size is 0, or all of it came with this frame",
+            [1] = "no such file can be made: it is a folder, or the file system refuses the name",
+            [9] = "there is not enough room for a file of that size, or the frame had more data than announced",
+            [4] = "all handles are in use: files were begun and never completed or closed",
+        },
     },
     {
         0x93, "CONTINUE_DOWNLOAD", "Writes the next piece of a file; the file closes itself when it is complete",
         request = { { "handle", U8, "handle", "Handle" }, { "data", BYTES, "data", "Data" } },
         reply = { { "handle", U8, "handle", "Handle" } },
         transfer = "continue",
+        statuses = {
+            [8] = "that was the rest, and the file is closed; bytes beyond its size are dropped",
+            [1] = "no file is open under that handle: it is complete, closed, or was never begun",
+            [10] = "the handle is known, but its file is not open",
+        },
     },
     {
         0x94, "BEGIN_UPLOAD", "Opens a file on the brick for reading and fetches its first piece",
@@ -4515,12 +4527,19 @@ local SYSTEM = {
             { "data", BYTES, "data", "Data" },
         },
         transfer = "begin",
+        statuses = {
+            [8] = "all of the file is in this reply", [1] = "there is no such file", [4] = "all handles are in use",
+        },
     },
     {
         0x95, "CONTINUE_UPLOAD", "Fetches the next piece of a file",
         request = { { "handle", U8, "handle", "Handle" }, { "max_bytes", U16, "max_bytes", "Max bytes" } },
         reply = { { "handle", U8, "handle", "Handle" }, { "data", BYTES, "data", "Data" } },
         transfer = "continue",
+        statuses = {
+            [8] = "that was the rest of the file", [2] = "the handle is known, but its file is not open",
+            [1] = "no file is open under that handle",
+        },
     },
     {
         0x96, "BEGIN_GETFILE",
@@ -4532,6 +4551,10 @@ local SYSTEM = {
             { "data", BYTES, "data", "Data" },
         },
         transfer = "begin",
+        statuses = {
+            [8] = "all that the file has so far is in this reply", [2] = "there is no such file",
+            [1] = "all handles are in use",
+        },
     },
     {
         0x97, "CONTINUE_GETFILE", "Fetches the next piece of a file that may still be growing",
@@ -4542,12 +4565,17 @@ local SYSTEM = {
             { "data", BYTES, "data", "Data" },
         },
         transfer = "continue",
+        statuses = {
+            [8] = "that was all that the file has so far", [2] = "the handle is known, but its file is not open",
+            [1] = "no file is open under that handle",
+        },
     },
     {
         0x98, "CLOSE_FILEHANDLE", "Closes an open file before its end",
         request = { { "handle", U8, "handle", "Handle" }, { "hash", BYTES, "hash", "Hash", optional = true } },
         reply = { { "handle", U8, "handle", "Handle", optional = true } },
         transfer = "close",
+        statuses = { [1] = "no file is open under that handle" },
     },
     {
         0x99, "LIST_FILES", "Lists a folder and fetches the first piece of the listing",
@@ -4558,15 +4586,27 @@ local SYSTEM = {
             { "list", LISTING, "list", "List" },
         },
         transfer = "begin",
+        statuses = {
+            [8] = "all of the listing is in this reply", [10] = "there is no such folder, or no handle is free",
+        },
     },
     {
         0x9A, "CONTINUE_LIST_FILES", "Fetches the next piece of a listing",
         request = { { "handle", U8, "handle", "Handle" }, { "max_bytes", U16, "max_bytes", "Max bytes" } },
         reply = { { "handle", U8, "handle", "Handle" }, { "list", LISTING, "list", "List" } },
         transfer = "continue",
+        statuses = { [8] = "that was the rest of the listing", [10] = "the handle holds no listing" },
     },
-    { 0x9B, "CREATE_DIR", "Makes a folder", request = { { "path", TEXT, "path_name", "Path" } } },
-    { 0x9C, "DELETE_FILE", "Deletes a file or an empty folder", request = { { "path", TEXT, "path_name", "Path" } } },
+    {
+        0x9B, "CREATE_DIR", "Makes a folder",
+        request = { { "path", TEXT, "path_name", "Path" } },
+        statuses = { [5] = "it cannot be made: it exists, its parent does not, or it is not allowed there" },
+    },
+    {
+        0x9C, "DELETE_FILE", "Deletes a file or an empty folder",
+        request = { { "path", TEXT, "path_name", "Path" } },
+        statuses = { [5] = "it cannot be removed: it does not exist, is not empty, or it is not allowed there" },
+    },
     {
         0x9D, "LIST_OPEN_HANDLES", "Asks which file handles are in use",
         reply = { { "handles", BYTES, "handles", "Handles" } },
@@ -4577,7 +4617,7 @@ local SYSTEM = {
             { "name_length", U8, "mailbox_length", "Name length", counts = "name" },
             { "name", COUNTED_TEXT, "mailbox", "Name" },
             { "payload_length", U16, "payload_length", "Payload length", counts = "payload" },
-            { "payload", BYTES, "payload", "Payload" },
+            { "payload", BYTES, "payload", "Payload", is_message = true },
         },
     },
     {
@@ -4594,6 +4634,7 @@ local SYSTEM = {
             { "pin_length", U8, "pin_length", "Pin length", counts = "pin" },
             { "pin", COUNTED_TEXT, "pin", "Pin" },
         },
+        statuses = { [12] = "this works by USB only" },
     },
     { 0xA0, "ENTERFWUPDATE", "Restarts the brick into its firmware updater" },
     {
@@ -4778,6 +4819,11 @@ local field = {
 
     system_command = ProtoField.uint8("ev3.sys_cmd", "System command", base.HEX, NAMES.system_commands),
     status = ProtoField.uint8("ev3.reply_status", "Status", base.HEX, STATUS.names),
+
+    message_text = ProtoField.string("ev3.payload.text", "Text", "a mailbox's message, read as a text"),
+    message_number = ProtoField.float("ev3.payload.number", "Number", "a mailbox's message, read as a number"),
+    message_logic = ProtoField.bool("ev3.payload.logic", "Logic", base.NONE, nil, 0,
+        "a mailbox's message, read as yes or no"),
 
     daisy_command = ProtoField.uint8("ev3.daisy.command", "Sub-command", base.HEX, DAISY.names),
     layer_from = ProtoField.uint8("ev3.daisy.layer_from", "From layer"),
@@ -5092,7 +5138,7 @@ do
     for _, row in ipairs(SYSTEM) do
         local command = {
             name = row[2], text = row[3], request = row.request or {}, reply = row.reply or {},
-            transfer = row.transfer, is_bootloader = row.bootloader,
+            transfer = row.transfer, is_bootloader = row.bootloader, statuses = row.statuses or {},
         }
         for _, side in ipairs({ command.request, command.reply }) do
             for _, declared in ipairs(side) do
@@ -6073,9 +6119,9 @@ end
 -- Messages ----------------------------------------------------------------------------------------------------------
 --
 -- One frame, read as far as it goes. Each kind of message has one function, which returns the line that the info column
--- shows, and adds to the tree if somebody looks at it. Its `view` is the same for all: `root`, the tree; `item`, the
--- message's item in that, or nil; `tvb` and `base`, the buffer and where in it the frame is; `place`, where the message
--- is in the capture.
+-- shows, and adds to the tree if it is looked at. Its `view` is the same for all: `root`, the tree; `item`, the
+-- message's item in that, or nil; `target`, the one of these that exists; `tvb` and `base`, the buffer and where in it
+-- the frame is; `place`, where the message is in the capture.
 
 local show_message
 do
@@ -6178,7 +6224,7 @@ do
             add(view.item, field.memory, bytes_between(view, HEADER_SIZE, stop))
         end
         if message.type.is_error then
-            complain(view.item or view.root, "error_reply", "the brick refused or failed the command; it tells no more")
+            complain(view.target, "error_reply", "the brick refused or failed the command; it tells no more")
             local operation = request and first_operation(request.message)
             return operation and "error reply to " .. operation.name or "error reply"
         end
@@ -6191,6 +6237,34 @@ do
         return head .. " " .. (stop == HEADER_SIZE and "ok" or size)
     end
 
+    -- The readings that fit a mailbox's message, of which a frame has the bytes alone: field, value, and a text.
+    local function readings_of(payload)
+        local readings = {}
+        local function add_reading(kind, value, text)
+            readings[#readings + 1] = { field = field["message_" .. kind], value = value, text = kind .. " " .. text }
+        end
+        if payload == "\0" or payload == "\1" then
+            add_reading("logic", payload == "\1", payload == "\1" and "true" or "false")
+        end
+        if #payload == SIZE_OF[DATAF] then
+            local number = READ_TYPE[DATAF](payload, 0)
+            add_reading("number", number, number_text(number))
+        end
+        local text = payload:match("^([^\0]*)\0$")
+        if text and (#payload ~= SIZE_OF[DATAF] or not find(text, "[^\32-\126\160-\255]")) then
+            add_reading("text", utf8_text(text), shortened(text))
+        end
+        return readings
+    end
+
+    local function message_text(payload)
+        local texts = {}
+        for _, reading in ipairs(readings_of(payload)) do
+            texts[#texts + 1] = reading.text
+        end
+        return texts[1] and concat(texts, " or ")
+    end
+
     -- The values that tell most about a system message: its texts, and how much there is.
     local function fields_text(message)
         local pieces = {}
@@ -6200,7 +6274,7 @@ do
             if kind == TEXT or kind == COUNTED_TEXT then
                 pieces[#pieces + 1] = " " .. shortened(value)
             elseif kind == BYTES or kind == LISTING then
-                pieces[#pieces + 1] = " " .. plural(#value, "byte")
+                pieces[#pieces + 1] = " " .. (declared.is_message and message_text(value) or plural(#value, "byte"))
             elseif not declared.counts and declared.name ~= "handle" then
                 pieces[#pieces + 1] = format(declared.hexadecimal and " %s=0x%X" or " %s=%d", declared.filter, value)
             end
@@ -6222,6 +6296,12 @@ do
         return STATUS.names[status] or format("status %d", status)
     end
 
+    -- What a status means as the answer to a command, after a colon; empty where the firmware does not answer so.
+    local function status_meaning(message)
+        local meaning = message.command and message.command.statuses[message.status]
+        return meaning and ": " .. meaning or ""
+    end
+
     local function add_system_message(message, view)
         local item, at, command, text = view.item, HEADER_SIZE, message.command, message.text
         if byte(text, at + 1) then
@@ -6229,16 +6309,17 @@ do
             if command then added:append_text(": " .. command.text) end
         end
         if message.status then
-            item:add(field.status, bytes_between(view, at + 1, at + 2), message.status)
+            local added = item:add(field.status, bytes_between(view, at + 1, at + 2), message.status)
+            added:append_text(status_meaning(message))
         end
         for _, found in ipairs(message.fields) do
             local declared, range = found.declared, bytes_between(view, found.at, found.stop)
             local value = found.value
             if type(value) == "string" then value = utf8_text(value) end
-            if declared.kind == BYTES then
-                item:add(declared.field, range)
-            else
-                item:add(declared.field, range, value)
+            local added = declared.kind == BYTES and item:add(declared.field, range)
+                or item:add(declared.field, range, value)
+            for _, reading in ipairs(declared.is_message and readings_of(found.value) or {}) do
+                added:add(reading.field, range, reading.value)
             end
         end
         add_rest(message, view, message.rest)
@@ -6249,7 +6330,7 @@ do
         local command, status = message.command, message.status
         if view.item then add_system_message(message, view) end
         if status and (STATUS.fails[status] ~= false or message.type.is_error) then
-            complain(view.item or view.root, "failed", "the command failed: " .. status_text(status))
+            complain(view.target, "failed", "the command failed: " .. status_text(status) .. status_meaning(message))
         end
         if not command then
             local number = byte(message.text, HEADER_SIZE + 1)
@@ -6325,8 +6406,8 @@ do
         end
     end
 
-    local function add_links(message, view, target, is_new)
-        local type, item, place = message.type, view.item, view.place
+    local function add_links(message, view, is_new)
+        local type, item, target, place = message.type, view.item, view.target, view.place
         if not type or message.is_overwritten then return end
         if type.wants_reply then
             -- The first time that a command is seen, its reply is still to come.
@@ -6406,7 +6487,9 @@ do
     -- in the buffer; `said` is said of the message instead of what it says; `is_new`: it is seen for the first time.
     function show_message(message, place, tvb, base, tree, is_shown, said, is_new)
         local type, item = message.type, is_shown and add_frame(tree, tvb, base, message) or nil
-        local view = { root = tree, item = item, tvb = tvb, base = base, place = place, request = nil }
+        local view = {
+            root = tree, item = item, target = item or tree, tvb = tvb, base = base, place = place, request = nil,
+        }
         local show = show_unknown_message
         if type and type.is_command then
             show = SHOW_COMMAND[type.carries]
@@ -6415,15 +6498,15 @@ do
         end
         local line = show(message, view)
         check_size(message)
-        local fault, target = message.fault, item or tree
+        local fault = message.fault
         if said then
             line = said
         elseif fault then
             line = format("%s [fault at offset %d: %s]", line, fault.at, fault.reason)
         end
         if item then set_text(item, "EV3: " .. line) end
-        add_links(message, view, target, is_new)
-        if fault then complain(target, fault.kind, format("at offset %d: %s", fault.at, fault.reason)) end
+        add_links(message, view, is_new)
+        if fault then complain(view.target, fault.kind, format("at offset %d: %s", fault.at, fault.reason)) end
         return line, item
     end
 end

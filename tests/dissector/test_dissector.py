@@ -16,6 +16,8 @@ from scapy.utils import wrpcap
 from support.packets import RAW_IP, Capture, Connection
 from support.wireshark import Tshark
 
+import ev3proto
+
 CAPTURES = Path(__file__).parents[2] / "captures"
 WIFI = CAPTURES / "wifi.pcapng"
 
@@ -70,7 +72,7 @@ def infos(tshark: Tshark) -> list[str]:
         (32, 'reply: LIST_FILES "/home/root/lms2012/prjs/log/" 80 of 112 bytes'),
         (43, 'CONTINUE_DOWNLOAD "../prjs/log/first.rbf" 1017 of 2500 bytes'),
         (51, 'reply: BEGIN_DOWNLOAD "/home/root/none/here.rtf" 0 of 3 bytes ILLEGAL_PATH'),
-        (52, 'WRITEMAILBOX "abc" 6 bytes'),
+        (52, 'WRITEMAILBOX "abc" text "hello"'),
     ],
 )
 def test_the_info_column_tells_what_happened(infos: list[str], packet: int, line: str) -> None:
@@ -303,3 +305,41 @@ def test_no_control_character_is_in_a_line(tshark: Tshark) -> None:
     path = tshark.place(capture.data(), "controls.pcap")
     said = tshark.run(path, "-T", "fields", "-e", "_ws.col.Info").strip()
     assert said == 'COM_SET.SET_BRICKNAME name="a\u241b\u2421\ufffd\ufffdä"'
+
+
+def test_messages_to_mailboxes_are_read(tshark: Tshark) -> None:
+    """Their bytes, and each reading that fits: a frame does not say which one was meant."""
+    said = {
+        b"hello\0": 'text "hello"',
+        b"\x01": "logic true",
+        b"\0": 'logic false or text ""',
+        b"\0\0\xc0\x3f": "number 1.5",
+        b"abc\0": 'number 9.127006e-39 or text "abc"',
+        b"\xe9\0": 'text "é"',
+        b"x\0y": "3 bytes",
+    }
+    capture = Capture(RAW_IP)
+    connection = Connection(capture)
+    for payload in said:
+        connection.send(ev3proto.system_command("WRITEMAILBOX", name="abc", payload=payload).build())
+    path = tshark.place(capture.data(), "mailboxes.pcap")
+    readings = ("ev3.payload.text", "ev3.payload.number", "ev3.payload.logic")
+    words = [word for name in ("_ws.col.Info", "ev3.payload", *readings) for word in ("-e", name)]
+    rows = [line.split("\t") for line in tshark.run(path, "-T", "fields", *words).splitlines()]
+    assert [row[0] for row in rows] == [f'WRITEMAILBOX "abc" {text}' for text in said.values()]
+    assert [row[1] for row in rows] == [payload.hex() for payload in said]
+    assert [row[2:] for row in rows[:3]] == [["hello", "", ""], ["", "", rows[1][4]], ["", "", rows[2][4]]]
+    assert (rows[1][4].lower(), rows[2][4].lower()) in {("1", "0"), ("true", "false")}
+    assert (rows[3][2:], rows[5][2]) == (["", "1.5", ""], "é")
+
+
+def test_a_status_is_explained(tshark: Tshark) -> None:
+    capture = Capture(RAW_IP)
+    connection = Connection(capture)
+    connection.send(ev3proto.system_command("CLOSE_FILEHANDLE", reply=True, handle=3).build())
+    connection.receive(bytes.fromhex("0600 0000 05 98 01 03"))
+    said = tshark.run(tshark.place(capture.data(), "status.pcap"), "-V", "-O", "ev3")
+    meaning = "no file is open under that handle"
+    assert f"Status: UNKNOWN_HANDLE (0x01): {meaning}" in said
+    assert f"the command failed: UNKNOWN_HANDLE: {meaning}" in said
+    assert "EV3: reply: CLOSE_FILEHANDLE UNKNOWN_HANDLE" in said

@@ -57,7 +57,8 @@ def _sections() -> Iterator[tuple[str, str, Iterator[str]]]:
     )
     yield (
         "System commands",
-        "Number, name, what it does; request and reply are fields: name, kind, name in filters, label.",
+        "Number, name, what it does; request and reply are fields: name, kind, name in filters, label; statuses are\n"
+        "-- what those other than SUCCESS mean.",
         _system(),
     )
     yield "Daisy chain", "What bricks say to each other when they are joined by USB.", _daisy()
@@ -248,6 +249,8 @@ def _system_command(command: SystemCommand) -> Table:
         named["transfer"] = command.transfer
     if command.bootloader:
         named["bootloader"] = True
+    if command.statuses:
+        named["statuses"] = Table(named={status.value: text for status, text in command.statuses})
     return Table([hexadecimal(command.number), command.name, command.text], named)
 
 
@@ -259,6 +262,8 @@ def _system_field(command: SystemCommand, field: Field) -> Table:
         named["optional"] = True
     if field.name in HEXADECIMAL:
         named["hexadecimal"] = True
+    if field.is_message:
+        named["is_message"] = True
     return Table([field.name, FIELD_KINDS[field.kind], filter_name(command, field), label(field)], named)
 
 

@@ -218,7 +218,7 @@ do
     for _, row in ipairs(SYSTEM) do
         local command = {
             name = row[2], text = row[3], request = row.request or {}, reply = row.reply or {},
-            transfer = row.transfer, is_bootloader = row.bootloader,
+            transfer = row.transfer, is_bootloader = row.bootloader, statuses = row.statuses or {},
         }
         for _, side in ipairs({ command.request, command.reply }) do
             for _, declared in ipairs(side) do

@@ -1,9 +1,9 @@
 -- Messages ----------------------------------------------------------------------------------------------------------
 --
 -- One frame, read as far as it goes. Each kind of message has one function, which returns the line that the info column
--- shows, and adds to the tree if somebody looks at it. Its `view` is the same for all: `root`, the tree; `item`, the
--- message's item in that, or nil; `tvb` and `base`, the buffer and where in it the frame is; `place`, where the message
--- is in the capture.
+-- shows, and adds to the tree if it is looked at. Its `view` is the same for all: `root`, the tree; `item`, the
+-- message's item in that, or nil; `target`, the one of these that exists; `tvb` and `base`, the buffer and where in it
+-- the frame is; `place`, where the message is in the capture.
 
 local show_message
 do
@@ -106,7 +106,7 @@ do
             add(view.item, field.memory, bytes_between(view, HEADER_SIZE, stop))
         end
         if message.type.is_error then
-            complain(view.item or view.root, "error_reply", "the brick refused or failed the command; it tells no more")
+            complain(view.target, "error_reply", "the brick refused or failed the command; it tells no more")
             local operation = request and first_operation(request.message)
             return operation and "error reply to " .. operation.name or "error reply"
         end
@@ -119,6 +119,34 @@ do
         return head .. " " .. (stop == HEADER_SIZE and "ok" or size)
     end
 
+    -- The readings that fit a mailbox's message, of which a frame has the bytes alone: field, value, and a text.
+    local function readings_of(payload)
+        local readings = {}
+        local function add_reading(kind, value, text)
+            readings[#readings + 1] = { field = field["message_" .. kind], value = value, text = kind .. " " .. text }
+        end
+        if payload == "\0" or payload == "\1" then
+            add_reading("logic", payload == "\1", payload == "\1" and "true" or "false")
+        end
+        if #payload == SIZE_OF[DATAF] then
+            local number = READ_TYPE[DATAF](payload, 0)
+            add_reading("number", number, number_text(number))
+        end
+        local text = payload:match("^([^\0]*)\0$")
+        if text and (#payload ~= SIZE_OF[DATAF] or not find(text, "[^\32-\126\160-\255]")) then
+            add_reading("text", utf8_text(text), shortened(text))
+        end
+        return readings
+    end
+
+    local function message_text(payload)
+        local texts = {}
+        for _, reading in ipairs(readings_of(payload)) do
+            texts[#texts + 1] = reading.text
+        end
+        return texts[1] and concat(texts, " or ")
+    end
+
     -- The values that tell most about a system message: its texts, and how much there is.
     local function fields_text(message)
         local pieces = {}
@@ -128,7 +156,7 @@ do
             if kind == TEXT or kind == COUNTED_TEXT then
                 pieces[#pieces + 1] = " " .. shortened(value)
             elseif kind == BYTES or kind == LISTING then
-                pieces[#pieces + 1] = " " .. plural(#value, "byte")
+                pieces[#pieces + 1] = " " .. (declared.is_message and message_text(value) or plural(#value, "byte"))
             elseif not declared.counts and declared.name ~= "handle" then
                 pieces[#pieces + 1] = format(declared.hexadecimal and " %s=0x%X" or " %s=%d", declared.filter, value)
             end
@@ -150,6 +178,12 @@ do
         return STATUS.names[status] or format("status %d", status)
     end
 
+    -- What a status means as the answer to a command, after a colon; empty where the firmware does not answer so.
+    local function status_meaning(message)
+        local meaning = message.command and message.command.statuses[message.status]
+        return meaning and ": " .. meaning or ""
+    end
+
     local function add_system_message(message, view)
         local item, at, command, text = view.item, HEADER_SIZE, message.command, message.text
         if byte(text, at + 1) then
@@ -157,16 +191,17 @@ do
             if command then added:append_text(": " .. command.text) end
         end
         if message.status then
-            item:add(field.status, bytes_between(view, at + 1, at + 2), message.status)
+            local added = item:add(field.status, bytes_between(view, at + 1, at + 2), message.status)
+            added:append_text(status_meaning(message))
         end
         for _, found in ipairs(message.fields) do
             local declared, range = found.declared, bytes_between(view, found.at, found.stop)
             local value = found.value
             if type(value) == "string" then value = utf8_text(value) end
-            if declared.kind == BYTES then
-                item:add(declared.field, range)
-            else
-                item:add(declared.field, range, value)
+            local added = declared.kind == BYTES and item:add(declared.field, range)
+                or item:add(declared.field, range, value)
+            for _, reading in ipairs(declared.is_message and readings_of(found.value) or {}) do
+                added:add(reading.field, range, reading.value)
             end
         end
         add_rest(message, view, message.rest)
@@ -177,7 +212,7 @@ do
         local command, status = message.command, message.status
         if view.item then add_system_message(message, view) end
         if status and (STATUS.fails[status] ~= false or message.type.is_error) then
-            complain(view.item or view.root, "failed", "the command failed: " .. status_text(status))
+            complain(view.target, "failed", "the command failed: " .. status_text(status) .. status_meaning(message))
         end
         if not command then
             local number = byte(message.text, HEADER_SIZE + 1)
@@ -253,8 +288,8 @@ do
         end
     end
 
-    local function add_links(message, view, target, is_new)
-        local type, item, place = message.type, view.item, view.place
+    local function add_links(message, view, is_new)
+        local type, item, target, place = message.type, view.item, view.target, view.place
         if not type or message.is_overwritten then return end
         if type.wants_reply then
             -- The first time that a command is seen, its reply is still to come.
@@ -334,7 +369,9 @@ do
     -- in the buffer; `said` is said of the message instead of what it says; `is_new`: it is seen for the first time.
     function show_message(message, place, tvb, base, tree, is_shown, said, is_new)
         local type, item = message.type, is_shown and add_frame(tree, tvb, base, message) or nil
-        local view = { root = tree, item = item, tvb = tvb, base = base, place = place, request = nil }
+        local view = {
+            root = tree, item = item, target = item or tree, tvb = tvb, base = base, place = place, request = nil,
+        }
         local show = show_unknown_message
         if type and type.is_command then
             show = SHOW_COMMAND[type.carries]
@@ -343,15 +380,15 @@ do
         end
         local line = show(message, view)
         check_size(message)
-        local fault, target = message.fault, item or tree
+        local fault = message.fault
         if said then
             line = said
         elseif fault then
             line = format("%s [fault at offset %d: %s]", line, fault.at, fault.reason)
         end
         if item then set_text(item, "EV3: " .. line) end
-        add_links(message, view, target, is_new)
-        if fault then complain(target, fault.kind, format("at offset %d: %s", fault.at, fault.reason)) end
+        add_links(message, view, is_new)
+        if fault then complain(view.target, fault.kind, format("at offset %d: %s", fault.at, fault.reason)) end
         return line, item
     end
 end

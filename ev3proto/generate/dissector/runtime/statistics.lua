@@ -17,7 +17,7 @@ local MOST_WIDTH = 60
 local script = Proto("EV3_statistics", "EV3 statistics")
 
 script.prefs.print = Pref.bool("Print at the end", false, "Print statistics at the end of a run of tshark")
-script.prefs.export = Pref.string("Export folder", "", "Folder into which tshark writes the files that were transferred")
+script.prefs.export = Pref.string("Export folder", "", "Folder for transferred files, written by tshark")
 
 local function plural(count, word)
     return format("%d %s%s", count, word, count == 1 and "" or "s")
@@ -84,8 +84,8 @@ end
 -- transferred now, by brick and path.
 local function new_survey()
     return {
-        operations = { count = 0, rows = {} }, bricks = { count = 0, rows = {} }, waiting = {}, wanted = 0, answered = 0,
-        open = {}, files = {}, kept_bytes = 0, omitted = 0,
+        operations = { count = 0, rows = {} }, bricks = { count = 0, rows = {} },
+        waiting = {}, wanted = 0, answered = 0, open = {}, files = {}, kept_bytes = 0, omitted = 0,
     }
 end
 

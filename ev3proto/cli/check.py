@@ -19,13 +19,12 @@ from ev3proto.checking.report import Finding, Fix, Report
 from ev3proto.cli.output import Printer, complain
 from ev3proto.cli.reading import CaptureOptions, reading_options
 from ev3proto.cli.sources import Source, SourceReader, sources
-from ev3proto.cli.texts import SOURCE_SUFFIX
+from ev3proto.cli.texts import SOURCE_SUFFIX, Piece
 from ev3proto.errors import counted, near_misses
 from ev3proto.tables.carriers import CARRIERS
 from ev3proto.text.diagnostics import diagnostics, explanation, fixed
 from ev3proto.text.paste import Pasted
 from ev3proto.text.spans import Line, Role
-from ev3proto.text.split import Piece
 
 if TYPE_CHECKING:
     from ev3proto.capture.record import Record

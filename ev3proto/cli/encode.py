@@ -20,7 +20,7 @@ from ev3proto.cli.captures import CaptureSource
 from ev3proto.cli.output import binary_output, complain, is_terminal, say
 from ev3proto.cli.reading import CaptureOptions, reading_options
 from ev3proto.cli.sources import Source, SourceReader, sources
-from ev3proto.cli.texts import Unread, introduction
+from ev3proto.cli.texts import Piece, Unread, introduction
 from ev3proto.dialogue import Dialogue
 from ev3proto.messages import Message
 from ev3proto.schema.frame import parse
@@ -35,7 +35,6 @@ from ev3proto.text.json_format.to_messages import RecordError, frames_in, read_r
 from ev3proto.text.paste import Pasted, read_argument, read_text
 from ev3proto.text.phrases import Seen, heading
 from ev3proto.text.spans import plain_text
-from ev3proto.text.split import Piece
 from ev3proto.whole_files import whole_file
 
 _START = 8

@@ -16,6 +16,7 @@ from ev3proto.cli.commands import FiniteRange, Group
 from ev3proto.cli.output import binary_output, complain, is_terminal
 from ev3proto.cli.reading import CaptureOptions, reading_options
 from ev3proto.cli.sources import Source, SourceReader, sources
+from ev3proto.cli.texts import Piece
 from ev3proto.errors import BuildError
 from ev3proto.generate import output_schemas
 from ev3proto.generate.captures import CaptureWriter, TimedFrame
@@ -25,7 +26,6 @@ from ev3proto.generate.tables_json import build as tables
 from ev3proto.tables.carriers import CARRIERS, DEFAULT_CARRIER
 from ev3proto.tables.declaration import DIALECTS
 from ev3proto.text.paste import Pasted
-from ev3proto.text.split import Piece
 from ev3proto.whole_files import whole_file, write_whole
 
 F = TypeVar("F", bound=Callable[..., object])

@@ -14,6 +14,7 @@ from ev3proto.cli.recorded import show_dialogue
 from ev3proto.cli.show import Show
 from ev3proto.cli.sources import Source, sources
 from ev3proto.cli.targets import TargetType, channel_to, is_refused, timeout_option
+from ev3proto.cli.texts import Piece
 from ev3proto.errors import counted
 from ev3proto.link.channel import Channel
 from ev3proto.link.errors import LinkError
@@ -23,7 +24,6 @@ from ev3proto.messages import Message
 from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.tables.declaration import DIALECTS
 from ev3proto.text.paste import Pasted
-from ev3proto.text.split import Piece
 
 
 class Collected:

@@ -16,6 +16,7 @@ from ev3proto.cli.reading import BUILTIN, CaptureOptions
 from ev3proto.cli.texts import (
     SOURCE_SUFFIX,
     START,
+    Piece,
     hex_lines,
     introduction,
     is_binary,
@@ -23,11 +24,11 @@ from ev3proto.cli.texts import (
     kind_of,
     pieces,
     raw_frames,
+    split,
     text_lines,
 )
 from ev3proto.text.paste import Pasted, read_argument
 from ev3proto.text.spans import visible
-from ev3proto.text.split import Piece, split
 
 if TYPE_CHECKING:
     from ev3proto.capture.formats import CaptureFile

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import ev3proto
 from ev3proto import Dialogue, operation, parse
+from ev3proto.cli.texts import split
 from ev3proto.text.assembly import assembly, operation_line
 from ev3proto.text.forms import as_c
 from ev3proto.text.json_format.from_messages import record
 from ev3proto.text.phrases import Seen, dialogue_line, heading, plain, short_float
 from ev3proto.text.spans import plain_text
-from ev3proto.text.split import split
 from ev3proto.text.table import table
 from ev3proto.text.tree import tree
 

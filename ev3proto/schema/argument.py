@@ -343,13 +343,8 @@ _NAN_ENCODING = {1: "LC1", 2: "LC2", 4: "LC4"}
 _INDEX_LAYOUTS = {0: None, 1: "<B", 2: "<H", 4: "<I"}
 
 
-_CONSTANTS = tuple(
-    (CONSTANT_RANGES[width], struct.Struct(f"<B{letter}").pack, _BY_NAME[f"LC{width}", False, False])
-    for width, letter in ((1, "b"), (2, "h"))
-)
-"""What LC1 and LC2 hold, and how each is written."""
-
-_LC4 = _BY_NAME["LC4", False, False]
+_pack_1, _pack_2, _pack_4 = (struct.Struct(f"<B{letter}").pack for letter in "bhi")
+_LC1, _LC2, _LC4 = (_BY_NAME[name, False, False] for name in ("LC1", "LC2", "LC4"))
 
 
 def encode_integer(value: int) -> bytes:
@@ -366,13 +361,14 @@ def encode_integer(value: int) -> bytes:
         BuildError: The number needs more than 32 bits.
 
     """
-    if value in CONSTANT_RANGES[0]:
+    if -32 <= value < 32:
         return bytes((value & 0x3F,))
-    for numbers, pack, head in _CONSTANTS:
-        if value in numbers:
-            return pack(head, value)
-    if -0x80000000 <= value <= 0x7FFFFFFF:
-        return struct.pack("<Bi", _LC4, value)
+    if -0x80 < value < 0x80:
+        return _pack_1(_LC1, value)
+    if -0x8000 < value < 0x8000:
+        return _pack_2(_LC2, value)
+    if -0x80000000 <= value < 0x80000000:
+        return _pack_4(_LC4, value)
     raise BuildError(f"no constant can be {value}: the largest encoding, LC4, holds -2147483647 to 2147483647")
 
 

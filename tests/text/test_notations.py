@@ -163,7 +163,7 @@ def test_what_looks_like_a_frame_and_is_none(text: str) -> None:
 
 
 MISTAKES = {
-    "00 0E 00 2A 80 00 00 94 01 01 82 B8 01 82 E8 03": "did you swap its bytes 00 0E?",
+    "00 0E 00 2A 80 00 00 94 01 01 82 B8 01 82 E8 03": "did you swap these two bytes, 00 0E?",
     "10 00 2A 00 80 00 00 94 01 01 82 B8 01 82 E8 03": "does the length count its own two bytes?",
     "0e 00 2a 00 80 00 00 G8 01 01 82 b8 01 82 e8 03": "column 22: 'G8' is not hex",
     r"\x0e\x00\x2a\x00\x80\x00\x00\x94\x01\xof\x82\xb8\x01\x82\xe8\x03": "column 37: '\\\\xof' is not an escape",

@@ -1,4 +1,4 @@
-"""Blanks what is written among bytes without being one, column for column: times, casts, tags, remarks, colours.
+"""Blanks or rewrites what is written among bytes without being one, column for column: times, casts, tags, remarks.
 
 A line keeps its length, so that a column found in the result is a column of the line.
 """
@@ -6,13 +6,13 @@ A line keeps its length, so that a column found in the result is a column of the
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 
 OTHER = "\x00"
 """Replaces characters that cannot be bytes and that end a run of them."""
 
-_COLOUR = re.compile(r"\x1b\[[0-9;?]{0,20}[A-Za-z]")
 _CLOCK = r"(?:[01]?\d|2[0-3]):[0-5]\d:[0-6]\d(?:[.,]\d{1,9})?"
-_FOREIGN = re.compile(
+_FOREIGN = (
     # A UUID, a date with or without a time, a time.
     r"(?<![\w-])[0-9a-fA-F]{8}-[0-9a-fA-F]{4}-[0-9a-fA-F]{4}-[0-9a-fA-F]{4}-[0-9a-fA-F]{12}(?![\w-])"
     rf"|(?<![\w.:|-])(?:19|20)\d\d[-/.][01]\d[-/.][0-3]\d(?:[T ]\s?{_CLOCK})?(?:Z|\s?[+-]\d\d:?\d\d)?(?![\w:|-])"
@@ -21,16 +21,15 @@ _FOREIGN = re.compile(
     # An address of IPv6 whose zeros are omitted.
     r"|(?<![\w:.])(?:[0-9a-fA-F]{1,4}:){1,6}:(?:[0-9a-fA-F]{1,4}:){0,5}[0-9a-fA-F]{1,4}(?:%\w+|/\d{1,3})?(?![\w:])"
     # A number with decimal places, an address on the internet; but groups of four digits are bytes.
-    r"|(?<![\w.-])(?!\d{4}(?:\.\d{4}){2}\.\d\d)[-+]?\d+(?:\.\d+)+(?:e[-+]?\d+)?(?![\w.])",
-    re.ASCII,
+    r"|(?<![\w.-])(?!\d{4}(?:\.\d{4}){2}\.\d\d)[-+]?\d+(?:\.\d+)+(?:e[-+]?\d+)?(?![\w.])"
 )
-_CAST = re.compile(
+_CAST = (
     r"\(\s?(?:(?:un)?signed )?(?:byte|char|u?int8_t|u8|sbyte|Byte|SByte|UInt8|uint8|BYTE)\s?\)"
     r"|\.to(?:Byte|UByte|Char)\(\)|\bas (?:u8|i8|byte|Byte)\b"
     r"|\b(?:bytes|bytearray|bytes\.fromhex|byte|char|chr|Chr\$?|ord|CByte|UInt8|uint8|int8|u8|ToByte|int)(?=\s?\()"
-    r"|\bb?(?=')(?='..?')",
+    r"|\bb?(?=')(?='..?')"
 )
-_BESIDE = re.compile(
+_BESIDE = (
     # Characters that a debugger shows beside numbers, and types beside values.
     r"(?<=[0-9a-fA-F])\s'(?:\\(?:[0-7]{1,3}|x[0-9a-fA-F]{1,2}|[^\s\w])|\\[a-z0]|[^'\\])'"
     r"|(?<=[0-9a-fA-F])\t+(?:unsigned char|byte|uint8_t|char)\s*$"
@@ -38,54 +37,87 @@ _BESIDE = re.compile(
     r"|(?<=0x[0-9a-fA-F]{2})\s\((?:\^.|M-\^?.?|.)\)\s*$"
     r"|(?<=[0-9a-fA-F])\s<[^<>\s]{1,120}>(?=:)"
 )
-_ENTITY = re.compile(r"&(?:quot|apos|nbsp|lt|gt|#3[49]|#x2[27]|#160);")
-_COLUMNS = re.compile(r"^\s*Columns? \d{1,5} (?:through|and) \d{1,5}:?\s*$")
-_TAG = re.compile(r"</?(?![0-9a-fA-F]{2}>)[A-Za-z_][\w:.-]{0,60}\s?/?>")
+_HEX = "[0-9a-fA-F]"
+
+
+def _each(pattern: str, replacement: str) -> Callable[[re.Match[str]], str]:
+    return lambda found: re.sub(pattern, replacement, found[0])
+
+
+_REWRITES: tuple[tuple[str, re.Pattern[str], str | Callable[[re.Match[str]], str]], ...] = (
+    ("\x1b", re.compile(r"\x1b\[[0-9;?]{0,20}[A-Za-z]"), " "),
+    (".:-/", re.compile(_FOREIGN, re.ASCII), OTHER),
+    ("'<\t", re.compile(_BESIDE), " "),
+    ("<", re.compile(r"</?(?![0-9a-fA-F]{2}>)[A-Za-z_][\w:.-]{0,60}\s?/?>"), " "),
+    ("&", re.compile(r"&(?:quot|apos|nbsp|lt|gt|#3[49]|#x2[27]|#160);"), " "),
+    ("C", re.compile(r"^\s*Columns? \d{1,5} (?:through|and) \d{1,5}:?\s*$"), " "),
+    ("('s", re.compile(_CAST), " "),
+    # Pairs of digits with a mark in front of each or between them: 0x0f0x00, %0F%00, =0F=00, 0f.00, 0f_00, 0f00.2a00.
+    ("xX", re.compile(rf"(?<![\w.])0[xX]{_HEX}{{2}}(?:0[xX]{_HEX}{{2}})+(?!\w)"), _each("0[xX](..)", r"\1  ")),
+    ("%=", re.compile(rf"(?:%{_HEX}{{2}}){{5,}}|(?:=[0-9A-F]{{2}}){{2,}}=?(?!\w)"), _each("[%=](..)?", r"\1 ")),
+    ("_.", re.compile(rf"(?<![\w.]){_HEX}{{2}}(?:[_.]{_HEX}{{2}}){{4,}}(?!\w)"), _each("[_.]", " ")),
+    (".", re.compile(rf"(?<![\w.]){_HEX}{{4}}(?:\.{_HEX}{{4}}){{2,}}(?:\.{_HEX}{{2}})?(?![\w.])"), _each(r"\.", " ")),
+    ("#", re.compile(rf"(?:#(?:\$?{_HEX}{{2}}|\d{{1,3}})){{5,}}(?!\w)"), _each(r"#(\$?\w+)", r"\1 ")),
+    # Marks that mean 0x: 8'h0f, &H0F, 16#0F#, 16r0F, #x0F.
+    (
+        "'#r&",
+        re.compile(rf"(?<!\w)(?:\d{{1,2}}'[hH]|&[hH]|16[#r]|#[xX])(?={_HEX}{{1,2}}(?![^\W#&]))"),
+        lambda found: "0x".rjust(len(found[0])),
+    ),
+    # What replaces an unknown counter in a frame without blanks.
+    ("xXmM", re.compile(rf"(?<![\w.])({_HEX}{{4}})(?:[xX]{{4}}|[mM]{{4}})(?={_HEX}{{2,}}(?!\w))"), r"\g<1>0000"),
+)
+"""What is rewritten: characters one of which is in the line, the pattern, what replaces it or each character of it."""
+
 # Frames of tables, blanks that do not break, smart quotes, dashes.
 _LOOKALIKES = str.maketrans(
     "\u2502\u2503\u250a\u00a0\u202f\u201c\u201d\u201e\u2018\u2019\u2010\u2011\u2013\u2212", '||   """\'\'----'
 )
-_LEAD = re.compile(r"^\s*(?:(?://+[/!]?|#+|/\*+|\*(?!/)|;+|--+(?=\s)|'(?=\s)|REM\b|%+(?=\s)|<!--|>+(?=\s))\s?)+")
-_DIRECTIVE = re.compile(
-    r"^[\s\w.$@:]{0,40}?(?:\.byte|\.db|\bdb|\bDB|\bdc\.b|\bDC\.B|\bdefb|\bDEFB|\bfcb|\bFCB|(?:\d{1,5}\s+)?DATA"
-    r"|\.ascii|\bBYTE)\s"
+_LEAD = re.compile(
+    r"^\s*(?:(?:(?://+[/!]?|#+|/\*+|\*(?!/)|;+|--+(?=\s)|'(?=\s)|REM\b|%+(?=\s)|<!--|>+(?=\s))\s?)+)?"
+    r"(?:[\s\w.$@:]{0,40}?(?:\.byte|\.db|\bdb|\bDB|\bdc\.b|\bDC\.B|\bdefb|\bDEFB|\bfcb|\bFCB|(?:\d{1,5}\s+)?DATA"
+    r"|\.ascii|\bBYTE)\s)?"
 )
 _REMARK = re.compile(
     r"//|(?<=[\s,;)}\]])(?:#(?![xX$\d])|;(?=\s*[^\W\d_]{2})|--(?=\s)|'(?=\s*[A-Za-z]{3})|\\{1,2}\s|%(?=\s))"
 )
+_CELLS = re.compile(r"\s*[0-7]{7}(?: (?: {2}[ \S]| \\[0abtnvfr]|[0-7]{3}))+\s*")
+_CELL = re.compile(r" (?:  ([ \S])| (\\.)|([0-7]{3}))")
+_CODES = {f"\\{letter}": code for letter, code in zip("0abtnvfr", (0, 7, 8, 9, 10, 11, 12, 13), strict=True)}
 
 
-def blank(line: str, pattern: re.Pattern[str], character: str = " ") -> str:
-    """Returns the line, each match replaced by as many characters."""
-    return pattern.sub(lambda found: character * len(found[0]), line)
+def clean(line: str, *, has_cells: bool = False) -> str:
+    """Returns the line without what no notation of bytes has: colours, times, addresses on the internet, casts.
 
-
-def clean(line: str) -> str:
-    """Returns the line without what no notation of bytes has: colours, times, addresses on the internet, casts."""
-    if "\x1b" in line:
-        line = blank(line, _COLOUR)
+    Args:
+        line: A line.
+        has_cells: The line before is one of `od -c`; otherwise one has an escape.
+    """
     if not line.isascii():
         line = line.translate(_LOOKALIKES)
-    if "." in line or ":" in line or "-" in line or "/" in line:
-        line = blank(line, _FOREIGN, OTHER)
-    if "'" in line or "<" in line or "\t" in line:
-        line = blank(line, _BESIDE)
-    if "<" in line and ">" in line:
-        line = blank(line, _TAG)
-    if "&" in line:
-        line = blank(line, _ENTITY)
-    if line.lstrip().startswith("Column"):
-        line = blank(line, _COLUMNS)
-    return blank(line, _CAST) if "(" in line or " as " in line or "'" in line else line
+    if (has_cells or "\\" in line) and _CELLS.fullmatch(line):
+        # Cells of four columns become octal escapes. hexdump fills its last row with blanks, which are not cells.
+        cells = line if line.endswith(" " * 4) and not line.endswith(" " * 5) else line.rstrip()
+        return " " * 7 + _CELL.sub(lambda cell: f"\\{_code(*cell.groups()):03o}", cells.lstrip()[7:])
+    for marks, pattern, new in _REWRITES:
+        if any(map(line.__contains__, marks)):
+            line = pattern.sub((lambda found, new=new: new * len(found[0])) if new in (" ", OTHER) else new, line)
+    return line
+
+
+def _code(character: str | None, escape: str | None, octal: str | None) -> int:
+    return ord(character) if character else int(octal, 8) if octal else _CODES[escape or ""]
+
+
+def blanked(line: str, start: int, end: int) -> str:
+    """Returns the line with blanks in those columns."""
+    return line[:start] + " " * (end - start) + line[end:]
 
 
 def without_marks(line: str) -> str:
     """Returns the line without the marks of a comment at its start, and without an assembler's directive."""
-    for pattern in (_LEAD, _DIRECTIVE):
-        found = pattern.match(line)
-        if found is not None:
-            line = " " * found.end() + line[found.end() :]
-    return line
+    lead = _LEAD.match(line)
+    return line if lead is None else blanked(line, 0, lead.end())
 
 
 def without_remarks(line: str, *, is_inside: bool = False) -> tuple[str, bool]:
@@ -97,20 +129,15 @@ def without_remarks(line: str, *, is_inside: bool = False) -> tuple[str, bool]:
     """
     parts: list[str] = []
     position = 0
-    while True:
+    while is_inside or (begin := line.find("/*", position)) >= 0:
+        if not is_inside:
+            parts.append(line[position:begin])
+        start = position if is_inside else begin
+        end = line.find("*/", start if is_inside else start + 2)
+        position, is_inside = (len(line), True) if end < 0 else (end + 2, False)
+        parts.append(" " * (position - start))
         if is_inside:
-            end = line.find("*/", position)
-            if end < 0:
-                return "".join([*parts, " " * (len(line) - position)]), True
-            parts.append(" " * (end + 2 - position))
-            position = end + 2
-        begin = line.find("/*", position)
-        if begin < 0:
-            break
-        parts.append(line[position:begin])
-        position, is_inside = begin, True
-        parts.append("  ")
-        position += 2
+            return "".join(parts), True
     line = "".join([*parts, line[position:]])
     found = _REMARK.search(line, len(line) - len(line.lstrip()) + 1)
-    return (line if found is None else line[: found.start()] + " " * (len(line) - found.start())), False
+    return (line if found is None else blanked(line, found.start(), len(line))), False

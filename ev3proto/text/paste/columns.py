@@ -10,7 +10,7 @@ import re
 from collections.abc import Collection
 
 from ev3proto.tables.frame import MAX_FRAME
-from ev3proto.text.paste.cleaning import OTHER
+from ev3proto.text.paste.cleaning import OTHER, blanked
 
 _OFFSET = re.compile(
     r"^(?P<before>(?:.{0,80}?[\s\])>:|[])??)(?P<offset>(?:0[xX])?[0-9a-fA-F]{4,16})"
@@ -35,14 +35,13 @@ def without_columns(line: str, counts: Collection[int] = ()) -> str:
         counts: How many bytes the rows before it have, in each reading of them.
     """
     alone = _ONLY_OFFSET.match(line)
-    if alone is not None and _numbers(alone["offset"]) & {*counts} - {0}:
+    if alone is not None and {*_numbers(alone["offset"]).values()} & {*counts} - {0}:
         return " " * len(line)
     offset = _OFFSET.match(line)
-    if offset is None or not _is_offset(line, offset, counts):
+    if offset is None or not _is_offset(line, offset, {*counts} - {0}):
         return _without_text(line, 0, has_offset=False)
     begin = offset.start("offset") if offset["before"].strip() else 0
-    line = line[:begin] + " " * (offset.end() - begin) + line[offset.end() :]
-    return _without_text(line, offset.end(), has_offset=True)
+    return _without_text(blanked(line, begin, offset.end()), offset.end(), has_offset=True)
 
 
 def repeated_rows(before: str, line: str, size: int, count: int) -> int | None:
@@ -55,47 +54,39 @@ def repeated_rows(before: str, line: str, size: int, count: int) -> int | None:
         count: How many bytes all rows have up to the `*`.
     """
     first, second = _ROW_OFFSET.match(before), _ROW_OFFSET.match(line)
-    if first is None or second is None or size == 0:
-        return None
-    for base in (16, 10, 8):
-        try:
-            begin, end = int(first["offset"], base), int(second["offset"], base)
-        except ValueError:
-            continue
-        missing = end - count
-        if 0 < begin == count - size and 0 < missing <= MAX_FRAME and missing % size == 0:
-            return missing // size
+    if first is not None and second is not None and size:
+        begins, ends = _numbers(first["offset"]), _numbers(second["offset"])
+        for base in begins.keys() & ends.keys():
+            missing = ends[base] - count
+            if 0 < begins[base] == count - size and 0 < missing <= MAX_FRAME and missing % size == 0:
+                return missing // size
     return None
 
 
 def _is_offset(line: str, offset: re.Match[str], counts: Collection[int]) -> bool:
     """Whether the digits are an offset: zero, the bytes so far, or in a format that only offsets have."""
     digits = offset["offset"].lower().removeprefix("0x")
-    numbers = _numbers(digits)
-    if numbers & {count for count in counts if count}:
+    numbers = {*_numbers(digits).values()}
+    if numbers & {*counts}:
         return True
     group = _GROUP.match(line, offset.end())
     width = len(group["digits"]) if group is not None else 0
-    is_set_off = ":" in offset["mark"] or len(offset["blanks"]) > 1 or "\t" in offset["blanks"]
+    is_wide = len(offset["blanks"]) > 1
     if numbers == {0}:
         # No frame begins with four zeros, nor with two and a report number.
         is_in_words = (len(digits), width) in ((4, 8), (8, 4), (8, 8))
+        is_set_off = ":" in offset["mark"] or is_wide or "\t" in offset["blanks"]
         return is_set_off or len(digits) in (6, 7) or width == 2 or is_in_words
-    is_address = offset["offset"][:2] in ("0x", "0X") and len(digits) >= 6
-    if is_address and width == 2 and len(offset["blanks"]) > 1:
+    if offset["offset"][:2] in ("0x", "0X") and len(digits) >= 6 and width == 2 and is_wide:
         return True
-    return not offset["before"].strip() and (
-        ":" in offset["mark"] or (width == 2 and (len(offset["blanks"]) > 1 or len(digits) in (6, 7)))
-    )
+    is_row = ":" in offset["mark"] or (width == 2 and (is_wide or len(digits) in (6, 7)))
+    return is_row and not offset["before"].strip()
 
 
-def _numbers(digits: str) -> set[int]:
-    """Returns the numbers that the digits of an offset may mean: od counts in octal."""
-    numbers = {int(digits, 16)}
-    for base, known in ((10, "0123456789"), (8, "01234567")):
-        if set(digits) <= set(known):
-            numbers.add(int(digits, base))
-    return numbers
+def _numbers(digits: str) -> dict[int, int]:
+    """Returns the numbers that the digits of an offset may mean, by base: od counts in octal."""
+    bases = [16, *(base for base, known in ((10, "0123456789"), (8, "01234567")) if {*digits} <= {*known})]
+    return {base: int(digits, base) for base in bases}
 
 
 def _without_text(line: str, start: int, *, has_offset: bool) -> str:
@@ -111,20 +102,16 @@ def _without_text(line: str, start: int, *, has_offset: bool) -> str:
             break
         data += bytes.fromhex(group["digits"])
         position = group.end()
-        is_wide = len(group["blanks"]) > 1 or line[position] in "|>"
-        if not is_wide:
+        if len(group["blanks"]) < 2 and line[position] not in "|>":
             if has_offset and len(data) == _ROW and _PAIR.match(line, position) is None:
-                return line[:position] + " " * (len(line) - position)
-            continue
-        if len(line) - position > _MOST_TEXT:
-            continue
-        text = line[position:]
-        is_text = _says(text, data)
-        # Wider gaps than one blank also separate groups of bytes; more bytes follow those.
-        if not is_text and has_offset and not _NUMBERS.fullmatch(text):
-            is_text = text[0] == "|" or len(group["blanks"]) > _ROW or _MORE.match(text) is None
-        if is_text:
-            return line[:position] + " " * len(text)
+                return blanked(line, position, len(line))
+        elif len(line) - position <= _MOST_TEXT:
+            text = line[position:]
+            # Wider gaps than one blank also separate groups of bytes; more bytes follow those.
+            may_be = has_offset and not _NUMBERS.fullmatch(text)
+            is_set_off = text[0] == "|" or len(group["blanks"]) > _ROW or _MORE.match(text) is None
+            if _says(text, data) or (may_be and is_set_off):
+                return blanked(line, position, len(line))
     return line
 
 

@@ -8,25 +8,24 @@ from __future__ import annotations
 
 from collections.abc import Callable, Set
 from itertools import pairwise
-from typing import NamedTuple
 
 from ev3proto.messages import DirectCommand, SystemCommand, SystemReply
 from ev3proto.schema.frame import parse
 from ev3proto.schema.header import (
     COMMAND_HEADER_SIZE,
     HEADER_SIZE,
-    MEMORY,
     MEMORY_SIZE,
     build_frame,
     frame_size,
     is_frame_size,
     with_length,
+    write_memory,
 )
 from ev3proto.semantics.footprint import footprints
 from ev3proto.tables.encoding import GLOBAL, LOCAL
 from ev3proto.tables.frame import DIRECT_COMMAND_TYPES, LENGTH_FIELD, MAX_GLOBALS, MAX_LOCALS, MessageType
 
-_TYPES = frozenset(int(member) for member in MessageType)
+_TYPES = frozenset(map(int, MessageType))
 _COMMANDS = frozenset(int(member) for member in MessageType if member.is_command)
 LOOKS = 7
 """The fewest bytes that look like a frame."""
@@ -41,14 +40,6 @@ _RFCOMM = (0xEF, 0xFF)
 """The control byte of RFCOMM packets that carry data."""
 
 
-class Span(NamedTuple):
-    """A frame: its first byte, the byte after its last, and whether both are natural boundaries."""
-
-    start: int
-    end: int
-    is_natural: bool
-
-
 def is_flawless(frame: bytes) -> bool:
     """Whether a brick could read all of a frame, and knows its command."""
     message = parse(frame, strict=False)
@@ -57,10 +48,20 @@ def is_flawless(frame: bytes) -> bool:
     return not isinstance(message, SystemCommand | SystemReply) or message.command is not None
 
 
+def is_something(frame: bytes) -> bool:
+    """Whether more is in a frame than zeros and ones, which are operations without a flaw that programs do not send."""
+    return len(set(frame[HEADER_SIZE:])) > 2
+
+
+def is_one_frame(data: bytes) -> bool:
+    """Whether bytes that were gathered among words are one frame, without a flaw and not by chance."""
+    return len(data) >= HEADER_SIZE and frame_size(data) == len(data) and is_something(data) and is_flawless(data)
+
+
 def frames_in(
-    data: bytes, starts: Set[int], ends: Set[int], unknown: Set[int] = frozenset(), *, is_hid: bool = False
-) -> list[Span]:
-    """Returns the frames in the bytes of a run, in their order. They do not overlap.
+    data: bytes, starts: Set[int], ends: Set[int], unknown: Set[int], *, is_hid: bool
+) -> list[tuple[int, int, bool]]:
+    """Returns the frames in the bytes of a run, in their order; they do not overlap.
 
     Args:
         data: The bytes.
@@ -68,57 +69,44 @@ def frames_in(
         ends: Offsets of natural boundaries at which a frame may end.
         unknown: Offsets of bytes that are not given; only those of a counter may be.
         is_hid: A report number of zero may be in front.
+
+    Returns:
+        Of each frame its first byte, the byte after its last, and whether both are natural boundaries.
     """
-    found: list[Span] = []
+    found: list[tuple[int, int, bool]] = []
     size, padded = len(data), len(data.rstrip(b"\0"))
     budget = _TRIES * size + 1024
     at = after = 0
     while at + HEADER_SIZE <= size:
-        end = at + frame_size(data, at)
-        if data[at + _TYPE_AT] not in _TYPES or end > size or not is_frame_size(end - at):
+        end = _end(data, at)
+        if end is None:
             at += 1
             continue
-        is_carried = _is_in_rfcomm(data, at, end)
+        # RFCOMM has its control byte and its length in front of a frame, and one byte of a check sum after it.
+        is_carried = end + 1 == size and any(byte in _RFCOMM for byte in data[max(at - 3, 0) : max(at - 1, 0)])
         starts_well = is_carried or at in starts or (at == after and bool(found)) or (is_hid and at == 1)
-        ends_well = is_carried or end in ends or (end >= padded and size in ends) or _continues(data, end)
+        ends_well = is_carried or end in ends or (end >= padded and size in ends) or _end(data, end) is not None
         takes = starts_well and ends_well
         if not takes and budget > 0:
             budget -= end - at
             is_long = end - at >= LOOKS
             is_lone = data[at + _TYPE_AT] in _COMMANDS and 0 < at < HEADER_SIZE
             may = not starts_well and (ends_well or is_lone) and (is_long or at <= 2)
-            takes = may and (not is_long or is_something(data[at:end])) and is_flawless(bytes(data[at:end]))
+            takes = may and (not is_long or is_something(data[at:end])) and is_flawless(data[at:end])
         if takes and not any(at <= place < at + 2 or at + 4 <= place < end for place in unknown):
-            found.append(Span(at, end, starts_well and ends_well))
+            found.append((at, end, starts_well and ends_well))
             at = after = end
         else:
             at += 1
     return found
 
 
-def is_something(frame: bytes) -> bool:
-    """Whether more is in a frame than zeros and ones, which are operations without a flaw that programs do not send."""
-    return len(set(frame[HEADER_SIZE:])) > 2
-
-
-def _is_in_rfcomm(data: bytes, at: int, end: int) -> bool:
-    """Whether RFCOMM is around a frame: the control byte and its length in front, one byte of a check sum after."""
-    size = end - at
-    if at < 3 or end + 1 != len(data):
-        return False
-    length = bytes((size << 1 | 1,)) if size < 0x80 else bytes(((size & 0x7F) << 1, size >> 7 & 0xFF))
-    return any(
-        at > len(before) + 1 and data[at - len(before) - 1] in _RFCOMM and data[at - len(before) : at] == before
-        for before in (length, length + data[at - 1 : at])
-    )
-
-
-def _continues(data: bytes, at: int) -> bool:
-    """Whether another frame starts there and ends inside the bytes."""
+def _end(data: bytes, at: int) -> int | None:
+    """Returns where the frame ends that may start there, by its length and its type; None for no frame."""
     if at + HEADER_SIZE > len(data) or data[at + _TYPE_AT] not in _TYPES:
-        return False
-    end = at + frame_size(data, at)
-    return end <= len(data) and is_frame_size(end - at)
+        return None
+    size = frame_size(data, at)
+    return at + size if at + size <= len(data) and is_frame_size(size) else None
 
 
 def may_begin(data: bytes | bytearray) -> bool:
@@ -126,16 +114,6 @@ def may_begin(data: bytes | bytearray) -> bool:
     if len(data) < LENGTH_FIELD or not is_frame_size(says := frame_size(data)) or says > _MOST_MISSING * len(data):
         return False
     return len(data) <= _TYPE_AT or data[_TYPE_AT] in _TYPES
-
-
-def covered(spans: list[Span]) -> int:
-    """Returns how many bytes the frames have."""
-    return sum(span.end - span.start for span in spans)
-
-
-def is_whole(data: bytes, spans: list[Span]) -> bool:
-    """Whether the frames are all of the bytes, but for padding with zeros."""
-    return bool(spans) and covered(spans) == spans[-1].end and not any(data[spans[-1].end :])
 
 
 def reason(data: bytes, *, is_dense: bool, is_decimal: bool) -> str | None:
@@ -148,15 +126,16 @@ def reason(data: bytes, *, is_dense: bool, is_decimal: bool) -> str | None:
     """
     if len(data) < LOOKS or _counts_up(data):
         return None
-    says = frame_size(data)
-    has_type = data[_TYPE_AT] in _TYPES
-    if is_dense and len(data) in HASHES and not (abs(says - len(data)) <= _NEARLY and has_type):
+    says, has_type = frame_size(data), data[_TYPE_AT] in _TYPES
+    is_near = abs(says - len(data)) <= _NEARLY
+    if is_dense and len(data) in HASHES and not (is_near and has_type):
         return None
-    if swapped(data):
-        return f"the length field says {says - LENGTH_FIELD}: did you swap its bytes {data[:2].hex(' ').upper()}?"
+    if _swapped(data):
+        return (
+            f"the length field says {says - LENGTH_FIELD}: did you swap these two bytes, {data[:2].hex(' ').upper()}?"
+        )
     if says > _MOST_MISSING * len(data) or (is_decimal and not any(data[2:])):
         return None
-    is_near = abs(says - len(data)) <= _NEARLY
     if not is_near and not (has_type and (is_frame_size(says) or is_flawless(with_length(data[LENGTH_FIELD:])))):
         return None
     here = f"{len(data)} bytes"
@@ -170,13 +149,11 @@ def reason(data: bytes, *, is_dense: bool, is_decimal: bool) -> str | None:
 
 def is_nearly(data: bytes) -> bool:
     """Whether bytes are a frame but for a length field that is wrong by a little, and does not count itself."""
-    if len(data) < LOOKS or data[_TYPE_AT] not in _TYPES:
-        return False
-    says = frame_size(data)
+    says = frame_size(data) if len(data) >= LOOKS and data[_TYPE_AT] in _TYPES else 0
     return is_frame_size(says) and -_NEARLY <= says - len(data) < LENGTH_FIELD
 
 
-def swapped(data: bytes) -> bool:
+def _swapped(data: bytes) -> bool:
     """Whether the length field fits once its two bytes are swapped, and the rest is a frame without a flaw."""
     right = data[1::-1] + data[2:]
     return len(data) >= LOOKS and frame_size(right) == len(data) and data[_TYPE_AT] in _TYPES and is_flawless(right)
@@ -184,11 +161,10 @@ def swapped(data: bytes) -> bool:
 
 def bare_reason(data: bytes) -> str | None:
     """Returns what bytes without a header are, as a sentence, and which option reads them; None for other bytes."""
-    if len(data) < HEADER_SIZE or _counts_up(data) or swapped(data):
+    if len(data) < HEADER_SIZE or _counts_up(data) or _swapped(data):
         return None
-    says = frame_size(data)
-    is_padded = is_frame_size(says) and data[_TYPE_AT] in _TYPES and says < len(data) and not any(data[says:])
-    if abs(says - len(data)) <= _NEARLY or is_padded:
+    end = _end(data, 0)
+    if abs(frame_size(data) - len(data)) <= _NEARLY or (end is not None and not any(data[end:])):
         return None
     for text, make in _BARE:
         frame = make(data)
@@ -213,14 +189,12 @@ def with_header(data: bytes) -> bytes | None:
     if not isinstance(message, DirectCommand):
         return None
     used = {GLOBAL: 0, LOCAL: 0}
-    for operation in message.operations:
-        for found in footprints(operation):
-            scope = found.argument.kind
-            used[scope] = max(used[scope], found.start + (found.room or found.size))
+    for found in (place for operation in message.operations for place in footprints(operation)):
+        scope = found.argument.kind
+        used[scope] = max(used[scope], found.start + (found.room or found.size))
     if not any(used.values()) or used[GLOBAL] > MAX_GLOBALS or used[LOCAL] > MAX_LOCALS:
         return plain
-    code = DIRECT_COMMAND_TYPES[bool(used[GLOBAL])]
-    return build_frame(code, 0, MEMORY.build({"globals": used[GLOBAL], "locals": used[LOCAL]}) + data)
+    return build_frame(DIRECT_COMMAND_TYPES[bool(used[GLOBAL])], 0, write_memory(used[GLOBAL], used[LOCAL]) + data)
 
 
 _BARE: tuple[tuple[str, Callable[[bytes], bytes | None]], ...] = (

@@ -16,21 +16,12 @@ from ev3proto.schema.header import frame_size, is_frame_size
 from ev3proto.tables.frame import MAX_FRAME
 from ev3proto.text.paste.cleaning import clean, without_marks, without_remarks
 from ev3proto.text.paste.columns import repeated_rows, without_columns
-from ev3proto.text.paste.fitting import HASHES, bare_reason, is_flawless, is_something, may_begin, reason
+from ev3proto.text.paste.fitting import HASHES, bare_reason, is_one_frame, may_begin, reason
 from ev3proto.text.paste.head import NO_HEAD, Direction, Head, announced, direction_of, head_before
 from ev3proto.text.paste.mistakes import broken
 from ev3proto.text.paste.pieces import LEAST, MAX_COLLECTED, MAX_LINE, MAX_TEXT, Pasted, check_text, short
-from ev3proto.text.paste.readings import (
-    Stretch,
-    best_reading,
-    boundaries,
-    changes_in,
-    likely_bytes,
-    plain_bytes,
-    readings,
-    whole_bytes,
-)
-from ev3proto.text.paste.values import Run, Style, all_values, character_cells, listed, runs, without_indexes
+from ev3proto.text.paste.readings import Stretch, boundaries, changes_in, likely_bytes, readings, tried, whole_bytes
+from ev3proto.text.paste.values import Run, Style, Value, listed, runs, without_indexes
 
 _MAY_HAVE = re.compile(r"^\s*[a-fA-F]\s*$|[0-9\\]|[A-Za-z0-9+/]{8}|\b[a-fA-F]{2}\b")
 # What `check` prints under a finding: the frame itself is above it.
@@ -56,7 +47,6 @@ class Row(NamedTuple):
     line    the line
     run     the part of it that may belong to a frame over several lines
     listed  the same without an index
-    looks   why it looks like a frame if it is not one
     said    what the line above says of its bytes
     """
 
@@ -64,7 +54,6 @@ class Row(NamedTuple):
     line: str
     run: Run | None = None
     listed: Run | None = None
-    looks: Pasted | None = None
     said: Head = NO_HEAD
 
 
@@ -97,7 +86,7 @@ class Track:
         if any(frame_size(data) == len(data) for data in begun):
             return True
         # Zeros after a frame are padding, unless another reading takes them for a part of its frame.
-        is_padded = bool(begun) and not self.was_padded and all(_ends_within(data, 0) for data in begun)
+        is_padded = bool(begun) and not self.was_padded and all(_is_padded(data) for data in begun)
         self.was_padded = self.was_padded or is_padded
         return is_padded
 
@@ -111,22 +100,29 @@ class Track:
         return run
 
 
+def _is_padded(data: bytearray) -> bool:
+    end = frame_size(data)
+    return is_frame_size(end) and end <= len(data) and not any(data[end:])
+
+
 @dataclass(slots=True)
 class Group:
     """Rows that the next line may continue.
 
     tracks      their runs, as they are and without indexes
+    looks       what the first of them looks like by itself
     has_commas  a comma ends each row but the last
     has_gap     a `*` replaces rows like the one before it, as many as the next offset says
     """
 
     was_opened: bool
     depth: int
+    looks: Pasted | None
+    in_comment: bool
     rows: list[Row] = field(default_factory=list)
     tracks: tuple[Track, Track] = field(default_factory=lambda: (Track(), Track()))
     last: Row = field(default_factory=lambda: Row(0, ""))
     size: int = 0
-    in_comment: bool = False
     has_commas: bool = True
     has_gap: bool = False
     empty: int = 0
@@ -154,101 +150,113 @@ class Group:
         """Returns the bytes of all readings."""
         return [data for track in self.live for data in (track.data or {}).values()]
 
+    def fill(self, line: str) -> bool:
+        """Adds the rows that a `*` replaces; tells whether the offset in the line says how many they are."""
+        self.has_gap = False
+        last = self.last
+        assert last.run is not None
+        for name, data in (self.tracks[0].data or {}).items():
+            size = len(whole_bytes(last.run, name) or b"")
+            count = repeated_rows(last.line, line, size, len(data))
+            if count is not None and len(data) + count * size <= MAX_FRAME + size:
+                for _ in range(count):
+                    self.add(last)
+                return True
+        return False
+
 
 class Reader:
     """Reads the frames of a text, and says of the rest what looks like one."""
 
     def __init__(self) -> None:
         self._group: Group | None = None
-        self._opens = self._was_opened = False
+        self._opens = self._was_opened = self._has_frame = False
         self._said = NO_HEAD
         self._check_sum: int | None = None
         self._parts: deque[tuple[Row, bytes]] = deque(maxlen=_MOST_PARTS)
+        self._found: list[Pasted] = []
 
     def read(self, lines: Iterable[str]) -> Iterator[Pasted]:
         """Yields all pieces in the lines, in their order."""
-        before: list[bytes] = []
-        number = 0
-        for piece, line in self._all(lines):
-            if _STRACE_DUMP.match(line) and piece.line == number + 1 and piece.data in before:
-                continue
-            before = [*(before if piece.line == number else []), piece.data]
-            number = piece.line
-            yield piece
-
-    def _all(self, lines: Iterable[str]) -> Iterator[tuple[Pasted, str]]:
         for number, line in enumerate(lines, 1):
             check_text(line)
             if len(line) > MAX_LINE:
-                yield from self._close()
+                self._close()
                 problem = f"the line has more than {MAX_LINE} characters and was not read"
-                yield Pasted(b"", number, short(line, MAX_TEXT), problem=problem), line
-                continue
-            line = line.rstrip("\r\n")
-            if self._group is not None:
-                if self._continues(self._group, line, number):
-                    yield from self._finished(self._group)
-                    continue
-                yield from self._close()
-            said = self._said
-            yield from self._new_line(line, number)
-            if self._said is said and line[:1].strip():
-                # What was said of the bytes is true for the line after it, and for those that are indented.
-                self._said, self._check_sum = NO_HEAD, None
-        yield from self._close()
+                self._found.append(Pasted(b"", number, short(line, MAX_TEXT), problem=problem))
+            else:
+                self._take(line.rstrip("\r\n"), number)
+            yield from self._found
+            self._found.clear()
+        self._close()
+        yield from self._found
 
-    def _new_line(self, line: str, number: int) -> Iterator[tuple[Pasted, str]]:
-        """Reads a line that does not continue others."""
+    def _take(self, line: str, number: int) -> None:
+        if self._group is not None:
+            if self._continues(self._group, line, number):
+                self._finish(self._group)
+                return
+            self._close()
+        if self._has_frame and _STRACE_DUMP.match(line):
+            return
+        self._has_frame = False
+        said = self._said
         self._was_opened, self._opens = self._opens, line.rstrip().endswith(("[", "{", "("))
-        if _MAY_HAVE.search(line) is None or _EXCERPT.match(line):
+        if _MAY_HAVE.search(line) is not None and _EXCERPT.match(line) is None:
+            self._first(line, number)
+        else:
             self._listen(line)
             if line.strip():
                 self._parts.clear()
-            return
+        if self._said is said and line[:1].strip():
+            # What was said of the bytes is true for the line after it, and for those that are indented.
+            self._said, self._check_sum = NO_HEAD, None
+
+    def _emit(self, pieces: list[Pasted]) -> bool:
+        """Adds frames to what was found; tells whether there are any."""
+        if pieces:
+            self._parts.clear()
+            self._found += pieces
+            self._has_frame = True
+        return bool(pieces)
+
+    def _first(self, line: str, number: int) -> None:
+        """Reads a line that does not continue others."""
         whole = clean(line)
-        row, in_comment, found = self._row(line, number, whole, 0)
+        row, in_comment, found = self._row(line, number, whole, None)
         looks = None
-        for attempt in self._attempts(row, line, whole, found):
+        for attempt in self._attempts(row, whole, found):
             pieces, why = _frames(row, attempt)
             looks = looks or why
-            if pieces:
-                self._parts.clear()
-                yield from ((piece, line) for piece in pieces)
+            if self._emit(pieces):
                 return
         self._listen(line)
-        row = row._replace(looks=looks)
-        if row.run is not None and row.run.is_tail and _may_continue(row.run) and not _is_heading(row.run):
-            self._group = Group(row.run.opened > 0 or self._was_opened, row.run.depth + self._was_opened)
-            self._group.in_comment, self._group.size = in_comment, len(line)
+        run = row.run
+        if run is not None and run.is_tail and _may_continue(run):
+            depth = run.depth + self._was_opened
+            self._group = Group(run.opened > 0 or self._was_opened, depth, looks, in_comment, size=len(line))
             self._group.add(row)
         else:
-            yield from self._left([row])
+            self._left([row], {number: looks})
 
-    def _attempts(self, row: Row, line: str, whole: str, found: list[Run]) -> Iterator[list[Run]]:
+    def _attempts(self, row: Row, whole: str, found: list[Run]) -> Iterator[list[Run]]:
         """Yields the runs of a line as they are, without its remarks, and whatever is between its values."""
-        cells = character_cells(line)
-        plain = runs(without_columns(whole)) if cells is None else [cells]
+        plain = runs(without_columns(whole))
         for run in plain:
             run.check_sum = self._check_sum
-        numbered = without_indexes(all_values(plain), 0, LEAST)
+        values = _all(plain)
+        numbered = without_indexes(values, 0, LEAST)
         yield [listed(numbered)] if numbered is not None else plain
         if row.run is not None and not any(run.values == row.run.values for run in plain):
-            yield [row.run] if len(row.run.values) == len(all_values(found)) else [*found[:-1], row.run]
+            yield [row.run] if len(row.run.values) == len(_all(found)) else [*found[:-1], row.run]
         # The same words between the values, or the name of each part in front of it or after it.
-        values = all_values(plain)
         marked = [value for value in values if value.style is Style.MARKED]
-        if len(plain) < 2 and len(marked) in (0, len(values)):
-            return
-        for some in (marked, *(values[start:] for start in range(_MOST_BEFORE))):
-            if len(some) >= LEAST and Style.STRING not in {value.style for value in some}:
-                best = best_reading(run := listed(some))[0]
-                if best.is_whole and _is_frame(best.spans[0][0].data):
-                    yield [run]
-        parts = [likely_bytes(run) for run in plain]
-        for start in range(min(len(parts), _MOST_BEFORE)):
-            rest = parts[start:]
-            if None not in rest and _is_frame(b"".join(part or b"" for part in rest)):
-                yield [_of_parts(plain[start:], rest)]
+        if len(plain) > 1 or len(marked) not in (0, len(values)):
+            for some in (marked, *(values[start:] for start in range(_MOST_BEFORE))):
+                if len(some) >= LEAST - 1 and Style.STRING not in {value.style for value in some}:
+                    best = tried(run := listed(some))[0]
+                    if best.is_whole and is_one_frame(best.stretches[0].data):
+                        yield [run]
 
     def _listen(self, line: str) -> None:
         """Remembers what a line without frames says of the frames that follow."""
@@ -257,21 +265,18 @@ class Reader:
             self._check_sum = int(check_sum[1], 16)
         self._said = announced(line) or self._said
 
-    def _row(self, line: str, number: int, whole: str, index: int) -> tuple[Row, bool, list[Run]]:
+    def _row(self, line: str, number: int, whole: str, group: Group | None) -> tuple[Row, bool, list[Run]]:
         """Returns a line as a part of a frame over several lines, whether a comment continues, and its runs."""
-        group = self._group
         is_inside = group is not None and group.in_comment
         bare, in_comment = without_remarks(whole if is_inside else without_marks(whole), is_inside=is_inside)
-        counts = set() if group is None else {len(data) for data in group.data()}
-        bare = without_columns(bare, counts)
-        continues = group is not None and character_cells(group.rows[0].line) is not None
-        cells = character_cells(line, continues=continues)
+        bare = without_columns(bare, {len(data) for data in group.data()} if group is not None else ())
         is_text = group is not None and group.last.run is not None and group.last.run.is_text
-        found = [cells] if cells is not None else runs(bare, is_text=is_text)
+        found = runs(bare, is_text=is_text)
         if not found:
             return Row(number, line), in_comment, found
-        every = all_values(found)
+        every = _all(found)
         marked = [value for value in every if value.style is Style.MARKED]
+        index = 0 if group is None else len(group.tracks[1].runs)
         values = marked if 0 < len(marked) < len(every) else without_indexes(every, index, 1)
         run = _without_prefix(found[-1], bare)
         run.check_sum = self._check_sum
@@ -279,37 +284,35 @@ class Reader:
         if is_call and run.opened > 0 >= run.depth:
             # The brackets of a call that has one part of the bytes, as in `data.Add(0x0F);`.
             run = replace(run, opened=0, depth=0)
-        row = Row(number, line, run, None if values is None else listed(values), said=self._said)
-        return row, in_comment, found
+        return Row(number, line, run, None if values is None else listed(values), self._said), in_comment, found
 
     # Lines that belong together
 
     def _continues(self, group: Group, line: str, number: int) -> bool:
         """Takes a line that continues the rows; tells whether it did."""
-        last = group.last
-        assert last.run is not None
+        last = group.last.run
+        assert last is not None
         if line.strip() == "*" and not group.has_gap:
             group.has_gap = True
             group.add(Row(number, line))
             return True
-        if group.has_gap and not _filled(group, line):
+        if group.has_gap and not group.fill(line):
             return False
         if _INDEX_ALONE.fullmatch(line):
             group.add(Row(number, line))
             return True
-        whole = clean(line)
-        index = len(group.tracks[1].runs)
-        row, in_comment, _ = self._row(line, number, whole, index)
+        whole = clean(line, has_cells=last.is_text)
+        row, in_comment, _ = self._row(line, number, whole, group)
         if row.run is None:
             # Only a list with commas continues after a comment, and after more than some empty lines.
             group.empty += 1
             has_begun = any(len(data) >= LEAST for data in group.data())
             is_empty = has_begun and not whole.strip() and group.empty <= _MOST_EMPTY
-            if not group.in_comment and not last.run.has_comma and not is_empty:
+            if not group.in_comment and not last.has_comma and not is_empty:
                 return False
             if without_columns(without_remarks(without_marks(whole), is_inside=group.in_comment)[0], {0}).strip():
                 return False
-        elif not _follows(last, row) or not group.data() or _stands_alone(group, row.run):
+        elif not _follows(group.last, row) or not group.data() or _stands_alone(group, row.run):
             return False
         group.size += len(line) + 1
         if group.size <= MAX_COLLECTED:
@@ -319,91 +322,84 @@ class Reader:
             group.add(row)
         return True
 
-    def _finished(self, group: Group) -> Iterator[tuple[Pasted, str]]:
-        """Yields the frame that the rows make, when the last of them ended it."""
+    def _finish(self, group: Group) -> None:
+        """Emits the frame that the rows make, when the last of them ended it."""
         last = group.rows[-1].run
         if last is None:
             return
-        if not (group.is_array and group.depth > 0):
-            # What has an index or a mark in each row is meant without the rest.
-            for track in group.live[:1]:
-                if track.is_complete():
-                    joined = track.joined(is_array=group.is_array)
-                    if best_reading(joined)[0].is_whole:
-                        self._group = None
-                        self._parts.clear()
-                        yield from ((piece, group.rows[0].line) for piece in _pieces(group.rows, joined))
-                        return
+        # What has an index or a mark in each row is meant without the rest.
+        for track in group.live[:1] if not (group.is_array and group.depth > 0) else ():
+            if track.is_complete():
+                joined = track.joined(is_array=group.is_array)
+                if tried(joined)[0].is_whole and self._emit(_pieces(group.rows, joined)):
+                    self._group = None
+                    return
         if not last.is_tail or (group.was_opened and group.depth <= 0):
-            yield from self._close()
+            self._close()
 
-    def _close(self) -> Iterator[tuple[Pasted, str]]:
-        """Yields what is in the rows that are not continued."""
+    def _close(self) -> None:
+        """Emits what is in the rows that are not continued."""
         group, self._group = self._group, None
         if group is None:
             return
-        rows = group.rows
+        rows, looks = group.rows, group.looks
         if group.size > MAX_COLLECTED:
             if any(may_begin(data) for data in group.data()):
                 problem = f"the bytes that start here have more than {MAX_COLLECTED // 1024} KiB of text"
-                yield Pasted(b"", rows[0].number, short(rows[0].line, MAX_TEXT), problem=problem), rows[0].line
+                self._found.append(Pasted(b"", rows[0].number, short(rows[0].line, MAX_TEXT), problem=problem))
             return
-        looks = None
-        for track in group.live:
-            if len(track.runs) > 1:
-                joined = track.joined(is_array=group.is_array)
-                pieces = _pieces(rows, joined)
-                looks = looks or _looks(rows, joined)
-                if pieces:
-                    self._parts.clear()
-                    yield from ((piece, rows[0].line) for piece in pieces)
-                    return
-        if len(rows) == 1:
-            yield from self._left(rows)
-            return
-        found = [_frames(row, runs(without_columns(clean(row.line)))) for row in rows]
-        if any(pieces for pieces, _ in found):
-            for row, (pieces, why) in zip(rows, found, strict=True):
-                yield from ((piece, row.line) for piece in pieces)
-                if not pieces:
-                    yield from self._left([row._replace(looks=why)])
-            return
-        looked = [row._replace(looks=why) for row, (_, why) in zip(rows, found, strict=True)]
-        if all(row.looks is None for row in looked):
-            looked[0] = looked[0]._replace(looks=looks)
-        yield from self._left(looked, is_array=group.was_opened and rows[0].run is not None and not rows[0].run.opened)
-
-    def _left(self, rows: list[Row], *, is_array: bool = False) -> Iterator[tuple[Pasted, str]]:
-        """Yields what there is in rows without a frame: one with words between the rows, or where one breaks off."""
-        for row in rows:
-            piece = self._labelled(row)
-            if piece is not None:
-                yield piece, row.line
+        for track in group.live if len(rows) > 1 else ():
+            joined = track.joined(is_array=group.is_array)
+            if self._emit(_pieces(rows, joined)):
                 return
+            looks = looks or _looks(rows, joined)
+        left: list[Row] = []
+        reasons: dict[int, Pasted | None] = {}
+        for row in rows:
+            pieces, why = _frames(row, runs(without_columns(clean(row.line)))) if len(rows) > 1 else ([], None)
+            if pieces:
+                self._left(left, reasons)
+                left = []
+                self._emit(pieces)
+            else:
+                left.append(row)
+                reasons[row.number] = why
+        if len(left) == len(rows) and not any(reasons.values()):
+            reasons[rows[0].number] = looks
+        is_array = group.was_opened and len(rows) > 1 and rows[0].run is not None and not rows[0].run.opened
+        self._left(left, reasons, is_array=is_array)
+
+    def _left(self, rows: list[Row], looks: dict[int, Pasted | None], *, is_array: bool = False) -> None:
+        """Emits what there is in rows without a frame: one with words between the rows, or where one breaks off."""
+        for row in rows:
+            if self._labelled(row):
+                return
+        if not rows:
+            return
+        first = rows[0]
+        found = broken([row.line for row in rows], first.number, is_sure=False, is_array=is_array)
         gap = next((row.number for row in rows if row.line.strip() == "*"), None)
-        found = broken([row.line for row in rows], rows[0].number, is_sure=False, is_array=is_array)
-        if gap is not None and rows[0].run is not None and may_begin(plain := plain_bytes(rows[0].run) or b""):
+        if gap is not None and first.run is not None and may_begin(plain := _plain(first.run) or b""):
             problem = f"line {gap}: the dump leaves lines out here, as the * tells"
-            found = [Pasted(plain, rows[0].number, short(rows[0].line, MAX_TEXT), problem=problem)]
-        looks = {row.number: row.looks for row in rows if row.looks is not None}
+            found = [Pasted(plain, first.number, short(first.line, MAX_TEXT), problem=problem)]
         for piece in found:
             # What lacks only its header is reported as such.
             why = looks.get(piece.line)
             if piece.problem is not None or piece.cut or why is None or why.problem != bare_reason(piece.data):
-                looks.clear()
-                yield piece, rows[0].line
-        yield from ((piece, rows[0].line) for piece in looks.values())
+                looks = {}
+                self._found.append(piece)
+        self._found += [why for row in rows if (why := looks.get(row.number)) is not None]
 
-    def _labelled(self, row: Row) -> Pasted | None:
-        """Returns the frame that ends with a line, of lines that have a part of it each, with any words beside it.
+    def _labelled(self, row: Row) -> bool:
+        """Emits the frame that ends with a line, of lines that have a part of it each, with any words beside it.
 
         Such lines have nothing in common, so the frame must not have a flaw.
         """
-        data = None if row.run is None else plain_bytes(row.run)
+        data = None if row.run is None else _plain(row.run)
         if data is None:
             if row.line.strip():
                 self._parts.clear()
-            return None
+            return False
         self._parts.append((row, data))
         parts = [*self._parts]
         after = b""
@@ -411,14 +407,13 @@ class Reader:
             after = parts[index][1] + after
             # A column of numbers has parts of one size, those of a frame differ.
             is_column = len({len(part) for _, part in parts[index:]}) == 1 and index < len(parts) - 1
-            if not is_column and _is_frame(after):
-                self._parts.clear()
+            if not is_column and is_one_frame(after):
                 first = parts[index][0]
-                start = first.run.start if first.run is not None else 0
                 text = short("\n".join(part.line for part, _ in parts[index:]), MAX_TEXT)
+                column = first.run.start + 1 if first.run is not None else 1
                 said = first.said
-                return Pasted(after, first.number, text, said.direction, said.time, column=start + 1)
-        return None
+                return self._emit([Pasted(after, first.number, text, said.direction, said.time, column=column)])
+        return False
 
 
 def bytes_in(line: str) -> bytes:
@@ -427,18 +422,16 @@ def bytes_in(line: str) -> bytes:
     return max((likely_bytes(run) or b"" for run in runs(without_columns(bare))), key=len, default=b"")
 
 
-def _is_frame(data: bytes) -> bool:
-    """Whether bytes that were gathered among words are one frame, without a flaw and not by chance."""
-    return len(data) >= LEAST and frame_size(data) == len(data) and is_something(data) and is_flawless(data)
+def _all(found: list[Run]) -> list[Value]:
+    return [value for run in found for value in run.values]
 
 
-def _of_parts(found: list[Run], parts: list[bytes | None]) -> Run:
-    """Returns runs with their bytes as one run."""
-    values = [
-        run.values[0]._replace(end=run.end, style=Style.MARKED, data=data or b"")
-        for run, data in zip(found, parts, strict=True)
-    ]
-    return listed(values)
+def _plain(run: Run) -> bytes | None:
+    """Returns the bytes of a run that has padded hex or marked numbers only; None for any other."""
+    is_plain = all(
+        value.style is Style.MARKED or (value.style is Style.BARE and len(value.text) % 2 == 0) for value in run.values
+    )
+    return whole_bytes(run, "hex") if is_plain else None
 
 
 def _frames(row: Row, found: list[Run]) -> tuple[list[Pasted], Pasted | None]:
@@ -448,7 +441,7 @@ def _frames(row: Row, found: list[Run]) -> tuple[list[Pasted], Pasted | None]:
     position = 0
     seen: set[tuple[bytes, Direction | None]] = set()
     for run in found:
-        if run.most_bytes < LEAST:
+        if sum(len(value.text if value.data is None else value.data) for value in run.values) < LEAST:
             continue
         here = _pieces([row], run, position)
         # A line that shows the same frame in several notations has it once.
@@ -467,27 +460,23 @@ def _pieces(rows: list[Row], run: Run, position: int = 0) -> list[Pasted]:
     shown = "\n".join(row.line for row in rows[:_MOST_SHOWN])
     by_number = {row.number: row for row in rows}
     heads: dict[int, Head] = {}
-    for stretch, spans in best_reading(run)[0].spans:
-        # Padding belongs to the frame in front of it, which is how it is reported.
-        is_padded = len(spans) == 1 and not any(stretch.data[spans[0].end :])
-        for start, end, _ in spans:
-            value, last = run.values[stretch.places[start]], run.values[stretch.places[end - 1]]
-            row = by_number[run.lines[stretch.places[start]]] if run.lines else rows[0]
-            until = row.run.start if len(rows) > 1 and row.run is not None else value.start
-            head = heads.get(row.number)
-            if head is None:
-                head = heads[row.number] = head_before(row.line, position, until)
-            data = stretch.data[start:end]
-            found.append(
-                Pasted(
-                    stretch.data[start:] if is_padded else data,
-                    row.number,
-                    short(row.line[value.start : last.end] if len(rows) == 1 else shown, MAX_TEXT),
-                    direction_of(data, row.line, until, head, row.said),
-                    head.time or row.said.time,
-                    column=value.start + 1,
-                )
+    for frame in tried(run)[0].frames:
+        value, last = run.values[frame.first], run.values[frame.last]
+        row = by_number[run.lines[frame.first]] if run.lines else rows[0]
+        until = row.run.start if len(rows) > 1 and row.run is not None else value.start
+        head = heads.get(row.number)
+        if head is None:
+            head = heads[row.number] = head_before(row.line, position, until)
+        found.append(
+            Pasted(
+                frame.data + frame.padding,
+                row.number,
+                short(row.line[value.start : last.end] if len(rows) == 1 else shown, MAX_TEXT),
+                direction_of(frame.data, row.line, until, head, row.said),
+                head.time or row.said.time,
+                column=value.start + 1,
             )
+        )
     return found
 
 
@@ -496,20 +485,17 @@ def _looks(rows: list[Row], run: Run) -> Pasted | None:
     is_long = len(run.values) > 1 or len(run.values[0].text) > 3
     if not is_long or run.values[0].style in (Style.NAME, Style.BASE64):
         return None
-    for one in best_reading(run)[1]:
-        for stretch in one.stretches:
-            if stretch.name not in ("hex", "decimal", "string", "number", "octal"):
-                continue
-            for start in sorted(boundaries(run, stretch)[0])[:_MOST_STARTS]:
-                is_alone = start == 0 and run.is_head and run.is_tail and stretch.name == "hex"
-                problem = (_bare(run, stretch) if is_alone else None) or _why(run, stretch, start)
-                if problem is not None:
-                    place = stretch.places[start]
-                    number = run.lines[place] if run.lines else rows[0].number
-                    row = next(row for row in rows if row.number == number)
-                    column = run.values[place].start
-                    text = short(row.line[column:], MAX_TEXT)
-                    return Pasted(b"", number, text, problem=problem, column=column + 1, unread=True)
+    for stretch in (stretch for one in tried(run) for stretch in one.stretches):
+        for start in sorted(boundaries(run, stretch)[0])[:_MOST_STARTS] if "words" not in stretch.name else ():
+            is_alone = start == 0 and run.is_head and run.is_tail and stretch.name == "hex"
+            problem = (_bare(run, stretch) if is_alone else None) or _why(run, stretch, start)
+            if problem is not None:
+                place = stretch.places[start]
+                number = run.lines[place] if run.lines else rows[0].number
+                row = next(row for row in rows if row.number == number)
+                column = run.values[place].start
+                text = short(row.line[column:], MAX_TEXT)
+                return Pasted(b"", number, text, problem=problem, column=column + 1, unread=True)
     return None
 
 
@@ -529,38 +515,43 @@ def _why(run: Run, stretch: Stretch, start: int) -> str | None:
     end = start + 1
     while end < len(places) and (places[end] == places[end - 1] or places[end] not in changes):
         end += 1
-    classes = {run.gaps[place] for place in places[start + 1 : end]} - {""}
-    data = stretch.data[start:end]
-    is_dense = classes <= {":", "-"}
+    data, values = stretch.data[start:end], [run.values[place] for place in places[start:end]]
+    is_dense = {run.gaps[place] for place in places[start + 1 : end]} <= {"", ":", "-"}
     if len(data) == 6 and is_dense:
         return None
-    texts = [run.values[place].text for place in places[start:end]]
-    is_decimal = stretch.name == "decimal" or (min(map(len, texts)) == 1 and all(map(str.isdecimal, texts)))
-    is_decimal = is_decimal and all(run.values[place].style is Style.BARE for place in places[start:end])
-    return reason(data, is_dense=is_dense, is_decimal=is_decimal)
+    is_short = min(len(value.text) for value in values) == 1 and all(value.text.isdecimal() for value in values)
+    is_bare = all(value.style is Style.BARE for value in values)
+    return reason(data, is_dense=is_dense, is_decimal=is_bare and (stretch.name == "decimal" or is_short))
 
 
 def _may_continue(run: Run) -> bool:
-    """Whether the next line may continue a run."""
+    """Whether the next line may continue a run; not what numbers the columns of a dump."""
     if run.opened > 0 and run.depth <= 0:
         return False
-    return run.values[0].style is not Style.BASE64 or len(run.values[0].text) % 4 == 0
-
-
-def _is_heading(run: Run) -> bool:
-    """Whether the values number the columns of a dump."""
-    digits = [value.text for value in run.values[:8] if value.style is Style.BARE]
-    return [text.lstrip("0") or "0" for text in digits] == [*"01234567"]
+    digits = [value.text.lstrip("0") or "0" for value in run.values[:8] if value.style is Style.BARE]
+    is_base64 = run.values[0].style is Style.BASE64
+    return digits != [*"01234567"] and (not is_base64 or len(run.values[0].text) % 4 == 0)
 
 
 def _follows(last: Row, row: Row) -> bool:
     """Whether a row is written as the one before it, and begins where that ended."""
     assert last.run is not None
     assert row.run is not None
-    first, second = last.run.values[0].style, row.run.values[0].style
-    if last.run.is_text != row.run.is_text or (first is Style.BASE64) != (second is Style.BASE64):
+    styles = [
+        style if style in (Style.STRING, Style.BASE64) else None
+        for style in (last.run.values[0].style, row.run.values[0].style)
+    ]
+    if styles[0] is not styles[1]:
         return False
     return row.run.is_head or _shape(last.line[: last.run.start]) == _shape(row.line[: row.run.start])
+
+
+def _stands_alone(group: Group, run: Run) -> bool:
+    """Whether a row is a frame of its own, which does not end the frame in front of it."""
+    return tried(run)[0].is_whole and not any(
+        len(data) > 1 and len(data) < frame_size(data) <= len(data) + len(whole_bytes(run, name) or b"")
+        for name, data in (group.tracks[0].data or {}).items()
+    )
 
 
 def _shape(text: str) -> str:
@@ -568,46 +559,16 @@ def _shape(text: str) -> str:
     return _DIGITS.sub("0", text).strip()
 
 
-def _stands_alone(group: Group, run: Run) -> bool:
-    """Whether a row is a frame of its own, which does not end the frame in front of it."""
-    if not best_reading(run)[0].is_natural:
-        return False
-    for name, data in (group.tracks[0].data or {}).items():
-        part = whole_bytes(run, name) or b""
-        is_exact = len(data) >= 2 and frame_size(data) == len(data) + len(part)
-        if is_exact or (len(data) >= LEAST and _ends_within(data + part, len(data))):
-            return False
-    return True
-
-
-def _filled(group: Group, line: str) -> bool:
-    """Adds the rows that a `*` replaces; tells whether the offset in the line says how many they are."""
-    group.has_gap = False
-    last = group.last
-    assert last.run is not None
-    for name, data in (group.tracks[0].data or {}).items():
-        size = len(whole_bytes(last.run, name) or b"")
-        count = repeated_rows(last.line, line, size, len(data))
-        if count is not None and len(data) + count * size <= MAX_FRAME + size:
-            for _ in range(count):
-                group.add(last)
-            return True
-    return False
-
-
-def _ends_within(data: bytes | bytearray, start: int) -> bool:
-    """Whether the frame that begins the data ends after that offset, with nothing but zeros after it."""
-    end = frame_size(data)
-    return is_frame_size(end) and start < end <= len(data) and len(data.rstrip(b"\0")) <= end
-
-
 def _without_prefix(run: Run, line: str) -> Run:
     """Returns the run without the numbers of a log line in front of it, as in `D/EV3 ( 1234): 0f 00`."""
     for place in range(min(_MOST_PREFIX, len(run.values) - 1), 0, -1):
         gap = line[run.values[place - 1].end : run.values[place].start]
         if _PREFIX_ENDS.fullmatch(gap) and run.gaps[place] != [*run.gaps, ""][place + 1]:
-            values, gaps, depth = run.values[place:], ["", *run.gaps[place + 1 :]], run.depth - run.opened
-            return replace(
-                run, values=values, gaps=gaps, changes=None, tried=None, is_head=False, opened=0, depth=depth
+            return Run(
+                run.values[place:],
+                ["", *run.gaps[place + 1 :]],
+                is_tail=run.is_tail,
+                depth=run.depth - run.opened,
+                has_comma=run.has_comma,
             )
     return run

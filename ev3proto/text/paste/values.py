@@ -9,10 +9,15 @@ import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from enum import Enum, auto
+from functools import cache
 from typing import Any, NamedTuple
 
+from ev3proto.errors import BuildError
+from ev3proto.schema import names
+from ev3proto.schema.argument import encode_as
+from ev3proto.tables import OPCODES
+from ev3proto.tables.frame import MessageType
 from ev3proto.text.paste.cleaning import OTHER
-from ev3proto.text.paste.literals import constant_bytes, literal
 
 
 class Style(Enum):
@@ -35,12 +40,7 @@ class Style(Enum):
 
 
 class Value(NamedTuple):
-    """A value in a line.
-
-    start, end  its columns
-    text        what its reading needs: the digits, or the body of a string
-    data        its bytes, where every reading gives the same
-    """
+    """A value in a line: its columns, the digits or the body of a string, its bytes where every reading gives these."""
 
     start: int
     end: int
@@ -91,11 +91,6 @@ class Run:
         return self.values[-1].end
 
     @property
-    def most_bytes(self) -> int:
-        """An upper limit of its bytes in any reading."""
-        return sum(len(value.text if value.data is None else value.data) for value in self.values)
-
-    @property
     def is_text(self) -> bool:
         """Whether its values are string literals."""
         return self.values[0].style is Style.STRING
@@ -105,23 +100,13 @@ _HEX = "0-9a-fA-F"
 _TOKEN = re.compile(
     rf"""
       (?P<lesson>0[xX]\|)
-    | (?P<sized>(?<!\w)\d{{1,2}}'[hH](?P<digit>[{_HEX}]{{1,2}})(?!\w))
     | (?P<quote>(?<![\w\\])(?P<prefix>(?:b|B|rb|br|u8|u|U|L|@|\$|c)?)(?P<mark>["'`]))
     | (?P<binary>(?<![\w.])(?:0[bB]|\#b|%|B(?=[01]{{8}}))(?P<bits>[01](?:_?[01]){{7}})(?!\w))
     | (?P<long>(?<![\w.])(?:0[xX]|(?<!\\)\\x(?=[{_HEX}]{{10}}))(?P<glued>(?:[{_HEX}]{{2}}){{2,}})(?![\w\\]))
-    | (?P<glued_marks>(?<![\w.])0[xX][{_HEX}]{{2}}(?:0[xX][{_HEX}]{{2}})+(?!\w))
-    | (?P<numbered>(?<![.$&\#])\#(?P<sharp>[{_HEX}]{{2}}|\d{{1,3}})(?!\w))
-    | (?P<marked>(?<![\w.$])(?:&[hH]|\#?\$|\#[xX]|16r|16\#|\\?0[xX]|[xX](?=[{_HEX}]{{2}}(?!\w))|'[hH]|[xXH](?=["']))
-        ["']?(?P<hex>[{_HEX}]{{1,2}}|[fF]{{6}}[{_HEX}]{{2}})["'\#]?
-        (?:_?(?:u8|i8|u32|i32|usize|uy|y|UL|ul|u|U|L|l))?&?(?!\w))
+    | (?P<marked>(?<![\w.$])(?:\#?\$|\\?0[xX]|[xX](?=[{_HEX}]{{2}}(?!\w))|[xXH](?=["']))
+        ["']?(?P<hex>[{_HEX}]{{1,2}}|[fF]{{6}}[{_HEX}]{{2}})["'\#]?(?:_?(?:[ui](?:8|32|size)|[uU]?[yYlL]|[lL]?[uU]))?&?(?!\w))
     | (?P<suffixed>(?<![\w.])(?P<digits>0?[{_HEX}]{{2}}|\d)[hH](?!\w))
-    | (?P<percent>%(?P<code>[{_HEX}]{{2}}))
     | (?P<unknown>(?<![\w.])(?P<placeholder>[xX]{{4}}|[xX]{{2}}|[mM]{{4}}|MM)(?!\w))
-    | (?P<templated>(?<![\w.])[{_HEX}]{{4}}(?:[xX]{{4}}|[mM]{{4}})[{_HEX}]{{2,}}(?!\w))
-    | (?P<joined>(?<![\w.])[{_HEX}]{{2}}(?:[_.][{_HEX}]{{2}}){{4,}}(?![\w]))
-    | (?P<fours>(?<![\w.])[{_HEX}]{{4}}(?:\.[{_HEX}]{{4}}){{2}}
-        (?:(?:\.[{_HEX}]{{4}})+(?:\.[{_HEX}]{{2}})?|\.[{_HEX}]{{2}})(?![\w.]))
-    | (?P<printable>(?:=[0-9A-F]{{2}}){{2,}}=?(?!\w))
     | (?P<base64>(?<![\w+/.-])(?=[\w+/-]*[G-Zg-z+/])(?=[\w+/-]*[A-Z])[A-Za-z0-9+/_-]{{8,}}={{0,3}}(?![\w+/=.]))
     | (?P<negative>(?<![\w)\]<>=-])-(?P<number>\d{{1,3}})(?![\w.]))
     | (?P<typed>(?<![\w.])(?P<decimal>\d{{1,3}})['_]?(?:u8|i8|uy|u|U|UL|L)(?!\w))
@@ -135,14 +120,18 @@ _BODY = {mark: re.compile(rf"[^{mark}\\]*(?:\\.[^{mark}\\]*)*") for mark in "\"'
 _UNQUOTED = re.compile(
     rf"(?:\\(?:[xX]\{{?[{_HEX}]{{1,2}}\}}?|u00[{_HEX}]{{2}}|\d{{1,3}}|[abtnvfre\\\"' #])|[!#-&(-\[\]-~])*"
 )
+_CHARACTERS = {"a": "\a", "b": "\b", "t": "\t", "n": "\n", "v": "\v", "f": "\f", "r": "\r", "e": "\x1b"}
+_ESCAPE = re.compile(
+    rf"\\(?:[xXu]\{{([{_HEX}]{{1,2}})\}}|(?:[xX]|u00)([{_HEX}]{{1,2}})|([0-3]?[0-7]{{1,2}})|([A-Za-z\W]))"
+)
+_DECIMAL_ESCAPE = re.compile(_ESCAPE.pattern.replace("[0-3]?[0-7]{1,2}", r"\d{1,3}"))
+_MACRO = re.compile(r"(LC[0124SXF]|[LG]V[0124X]|LAB1)\s?\(\s*([^()]*?)\s*\)")
+_NUMBER = re.compile(r"-?(?:0[xX][0-9a-fA-F]{1,8}|0|[1-9]\d{0,9})")
 _GAP = re.compile(r"[\s,;:|+&/\\\"'`<>()\[\]{}_-]*")
 _JOINER = re.compile(r"[\s+&()\\]*|\s*\.\.?\s*|\s*,\s*")
 _IS_ADDED = re.compile(r"[\"')\]\s]*\+[\"'(\[\s]*")
 _HEX_ONLY = re.compile(rf"[\s,:{_HEX}-]*")
-_NESTED = re.compile(r"b?([\"']).*\1")
-_CALL = re.compile(r"[A-Za-z_]\w*\s?\([^()]{0,80}\)")
-_AFTER_WORD = re.compile(r"\s{0,8}(?:[(,}\])]|$)")
-_AFTER_NAME = re.compile(r"\s{0,8}(?:[,}\])]|$)")
+_NAME = re.compile(r"(?:[A-Za-z_]\w*\s?\([^()]{0,80}\)|\w+)(?=\s{0,8}(?:[,}\])]|$))")
 _BEFORE_NAME = re.compile(r"(?:[,{(\[]|^)\s*$")
 _AROUND = " \t\r\n\f\v,;:|+&/\\\"'`<>()[]{}_-"
 _ENDS = ("", "u", "U", "u8", "U8")
@@ -160,35 +149,25 @@ def runs(line: str, *, is_text: bool = False) -> list[Run]:
     """
     found: list[Run] = []
     last = 0
-    for value in values(line, is_text=is_text):
+    for value in _values(line, is_text=is_text):
         gap = line[last : value.start]
-        previous = found[-1] if found else None
-        if previous is not None and _joins(previous.values[-1], value, gap):
-            if previous.is_text and value.style is not Style.STRING:
-                previous.values = [_as_marked(one) for one in previous.values]
-            elif value.style is Style.STRING and not previous.is_text:
-                value = _as_marked(value)
-            previous.values.append(value)
-            previous.gaps.append(_gap_class(gap))
+        run = found[-1] if found else None
+        if run is not None and _joins(run.values[-1], value, gap):
+            if run.is_text is not (value.style is Style.STRING):
+                # A string literal beside numbers, as in `b"..." + bytes([1, 2])`, is a value of the same bytes.
+                run.values, value = [_as_marked(one) for one in run.values], _as_marked(value)
+            run.values.append(value)
+            run.gaps.append(_gap_class(gap))
         else:
-            is_head = previous is None and not gap.strip(_AROUND + "*=")
             opened = sum(map(gap[len(gap.rstrip("[{( \t\"'b")) :].count, "[{("))
-            found.append(Run([value], [""], is_head=is_head, opened=opened))
+            found.append(Run([value], [""], is_head=run is None and not gap.strip(_AROUND + "*="), opened=opened))
         last = value.end
-    ends = [run.start for run in found[1:]] + [len(line)]
-    for run, following in zip(found, ends, strict=False):
+    for run, following in zip(found, [*(run.start for run in found[1:]), len(line)], strict=False):
         rest = line[run.end : following]
         run.is_tail = run is found[-1] and rest.strip(_AROUND + ".!?$") in _ENDS
         run.has_comma = rest.lstrip("'\" )").startswith(",")
-        run.depth = run.opened + sum(_balance(gap) for gap in run.gaps if len(gap) > 1 or gap in "[](){}")
-        if run.is_tail:
-            run.depth += _balance(rest)
+        run.depth = run.opened + sum(map(_balance, run.gaps)) + (_balance(rest) if run.is_tail else 0)
     return found
-
-
-def all_values(found: list[Run]) -> list[Value]:
-    """Returns the values of all runs of a line."""
-    return [value for run in found for value in run.values]
 
 
 def listed(values: list[Value]) -> Run:
@@ -209,7 +188,7 @@ def without_indexes(values: list[Value], first: int, least: int) -> list[Value] 
     """
     for start, of_value in ((0, 1), (1, 1), (1, -1), (2, -1)):
         count = 0
-        while (at := start + 2 * count) < len(values) and 0 <= at + of_value < len(values):
+        while (at := start + 2 * count) < len(values) and at + of_value < len(values):
             if values[at].style is not Style.BARE or values[at].text != str(first + count):
                 break
             count += 1
@@ -219,55 +198,47 @@ def without_indexes(values: list[Value], first: int, least: int) -> list[Value] 
 
 
 def _as_marked(value: Value) -> Value:
-    """Returns a string literal beside numbers, as in `b"..." + bytes([1, 2])`, as a value of the same bytes."""
-    if value.style is not Style.STRING:
-        return value
-    return value._replace(style=Style.MARKED, data=literal(value.text, is_decimal=False) or b"")
+    return value._replace(style=Style.MARKED, data=literal(value.text)) if value.style is Style.STRING else value
 
 
 def _balance(text: str) -> int:
-    return sum(map(text.count, "[{(")) - sum(map(text.count, "]})"))
+    return sum(map(text.count, "[{(")) - sum(map(text.count, "]})")) if text else 0
 
 
 def _gap_class(gap: str) -> str:
     """Returns the characters of a gap, but for blanks beside others."""
-    if len(gap) < 2:
-        return gap if gap not in "\t|\u00a0" else ":" if gap == "|" else " " if gap else ""
+    if gap in ("", " "):
+        return gap
     marks = gap.replace("0x|", "|").replace("0X|", "|").split()
-    return "".join(marks).replace("|", ":") if marks else " "
+    return "".join(marks).replace("|", ":") or " "
 
 
 def _joins(left: Value, right: Value, gap: str) -> bool:
     """Whether two values may belong to one run."""
-    if left.style is Style.BASE64 or right.style is Style.BASE64:
-        return left.style is right.style and not gap.strip()
+    styles = {left.style, right.style}
+    if Style.BASE64 in styles:
+        return len(styles) == 1 and not gap.strip()
     if len(gap) > _MOST_GAP:
         return False
-    if left.style is Style.STRING or right.style is Style.STRING:
-        if left.style is not right.style:
-            is_number = {left.style, right.style} <= {Style.STRING, Style.BARE, Style.MARKED}
-            return is_number and _IS_ADDED.fullmatch(gap) is not None
+    if Style.STRING in styles:
+        if len(styles) == 2:
+            return styles <= {Style.STRING, Style.BARE, Style.MARKED} and _IS_ADDED.fullmatch(gap) is not None
         return _JOINER.fullmatch(gap) is not None or (len(left.text) <= 6 and _GAP.fullmatch(gap) is not None)
     return gap in (" ", ".", ", ") or _GAP.fullmatch(gap.replace("0x|", "|").replace("0X|", "|")) is not None
 
 
-def values(line: str, *, is_text: bool = False) -> Iterator[Value]:
-    """Yields the values in a line that was cleaned.
-
-    Args:
-        line: The line.
-        is_text: Whether what is in quotes is a string in any case, without an escape or a prefix.
-    """
+def _values(line: str, *, is_text: bool) -> Iterator[Value]:
     position, string_end = 0, -1
     closers: set[int] = set()
-    search = _TOKEN.search
-    while token := search(line, position):
+    while token := _TOKEN.search(line, position):
         start, position = token.span()
         kind = token.lastgroup or ""
         if kind == "bare":
             yield Value(start, position, Style.BARE, token[0])
-        elif kind in _BY_ITSELF:
-            yield from _BY_ITSELF[kind](token)
+        elif kind in _BYTES:
+            text, data = _BYTES[kind](token)
+            if data is not None:
+                yield Value(start, position, Style.UNKNOWN if kind == "unknown" else Style.MARKED, text, data)
         elif kind == "lesson":
             position = start + 2
         elif kind == "escapes":
@@ -275,10 +246,8 @@ def values(line: str, *, is_text: bool = False) -> Iterator[Value]:
             yield Value(start, position, Style.STRING, line[start:position])
             string_end = position
         elif kind == "quote":
-            if token.start("mark") in closers:
-                continue
-            body = _BODY[token["mark"]].match(line, position)
-            if body is None or body.end() >= len(line) or line[body.end()] != token["mark"]:
+            body = None if token.start("mark") in closers else _BODY[token["mark"]].match(line, position)
+            if body is None or not line.startswith(token["mark"], body.end()):
                 continue
             is_joined = string_end >= 0 and _JOINER.fullmatch(line, string_end, start) is not None
             if OTHER not in body[0] and (is_text or is_joined or _is_string(token["prefix"], body[0])):
@@ -287,79 +256,40 @@ def values(line: str, *, is_text: bool = False) -> Iterator[Value]:
             else:
                 closers.add(body.end())
         else:
-            named = _named(line, token) if _AFTER_WORD.match(line, position) is not None else None
-            if named is not None:
-                position = named.end
-                yield named
+            name = _NAME.match(line, start)
+            is_listed = name is not None and _BEFORE_NAME.search(line, max(0, start - 40), start) is not None
+            data = _constant(name[0]) if name is not None and is_listed else None
+            if name is not None and data is not None:
+                position = name.end()
+                yield Value(start, position, Style.NAME, name[0], data)
             elif kind == "base64":
                 yield Value(start, position, Style.BASE64, token[0])
 
 
-def _is_string(prefix: str | None, body: str) -> bool:
+def _is_string(prefix: str, body: str) -> bool:
     """Whether what is in quotes says by itself that it is a string: by an escape, or as bytes of Python."""
-    if _NESTED.fullmatch(body):
-        return False
-    return "\\" in body or (prefix in ("b", "B") and _HEX_ONLY.fullmatch(body) is None)
+    is_nested = body[-1:] in ("'", '"') and body.removeprefix("b")[:1] == body[-1]
+    return not is_nested and ("\\" in body or (prefix in ("b", "B") and _HEX_ONLY.fullmatch(body) is None))
 
 
-def _byte(token: re.Match[str], text: str, number: int) -> Iterator[Value]:
-    """Yields all of a token as one byte; nothing where the number is not one."""
-    if 0 <= number <= 255:
-        yield Value(*token.span(), Style.MARKED, text, bytes((number,)))
+def _byte(text: str, number: int) -> tuple[str, bytes | None]:
+    return text, bytes((number,)) if 0 <= number <= 255 else None
 
 
-def _every(token: re.Match[str], width: int, skip: int) -> Iterator[Value]:
-    """Yields bytes with marks, each of them that many characters wide; the last has what is after it, too."""
-    start, stop = token.span()
-    for at in range(start, stop - 1, width):
-        end = at + width if at + 2 * width <= stop else stop
-        digits = token.string[at + skip : at + skip + 2]
-        yield Value(at, end, Style.MARKED, digits, bytes.fromhex(digits))
+def _negative(text: str) -> tuple[str, bytes | None]:
+    return _byte(text, 256 + int(text) if -128 <= int(text) < 0 else -1)
 
 
-def _unknown(token: re.Match[str]) -> Iterator[Value]:
-    yield Value(*token.span(), Style.UNKNOWN, token[0], bytes(len(token[0]) // 2))
-
-
-def _templated(token: re.Match[str]) -> Iterator[Value]:
-    """Yields the parts of a frame without blanks in which `xxxx` replaces the counter."""
-    start, end = token.span()
-    yield Value(start, start + 4, Style.BARE, token[0][:4])
-    yield Value(start + 4, start + 8, Style.UNKNOWN, "xxxx", bytes(2))
-    yield Value(start + 8, end, Style.BARE, token[0][8:])
-
-
-def _groups(token: re.Match[str], digits: int) -> Iterator[Value]:
-    """Yields groups of as many digits, with one character between them."""
-    for at in range(token.start(), token.end(), digits + 1):
-        end = min(at + digits, token.end())
-        yield Value(at, end, Style.BARE, token.string[at:end])
-
-
-def _negative(token: re.Match[str]) -> Iterator[Value]:
-    """Yields a byte that is a signed number, -128 to -1."""
-    number = int(token["number"])
-    return _byte(token, token[0], -number & 0xFF if number <= 128 else -1)
-
-
-_BY_ITSELF: Mapping[str, Callable[[re.Match[str]], Iterator[Value]]] = {
-    "binary": lambda token: _byte(token, token["bits"], int(token["bits"].replace("_", ""), 2) & 0xFF),
-    "long": lambda token: iter((Value(*token.span(), Style.MARKED, token["glued"], bytes.fromhex(token["glued"])),)),
-    "marked": lambda token: _byte(token, token["hex"], int(token["hex"], 16) & 0xFF),
-    "sized": lambda token: _byte(token, token["digit"], int(token["digit"], 16)),
-    "glued_marks": lambda token: _every(token, 4, 2),
-    "numbered": lambda token: iter((Value(*token.span(), Style.BARE, token["sharp"]),)),
-    "suffixed": lambda token: _byte(token, token["digits"], int(token["digits"], 16)),
-    "percent": lambda token: _byte(token, token["code"], int(token["code"], 16)),
-    "unknown": _unknown,
-    "templated": _templated,
-    "joined": lambda token: _groups(token, 2),
-    "fours": lambda token: _groups(token, 4),
-    "printable": lambda token: _every(token, 3, 1),
-    "negative": _negative,
-    "typed": lambda token: _byte(token, token[0], int(token["decimal"])),
+_BYTES: Mapping[str, Callable[[re.Match[str]], tuple[str, bytes | None]]] = {
+    "binary": lambda token: _byte(token["bits"], int(token["bits"].replace("_", ""), 2)),
+    "long": lambda token: (token["glued"], bytes.fromhex(token["glued"])),
+    "marked": lambda token: _byte(token["hex"], int(token["hex"], 16) & 0xFF),
+    "suffixed": lambda token: _byte(token["digits"], int(token["digits"], 16)),
+    "unknown": lambda token: (token[0], bytes(len(token[0]) // 2)),
+    "negative": lambda token: _negative(token[0]),
+    "typed": lambda token: _byte(token[0], int(token["decimal"])),
 }
-"""The values in the kinds of tokens that do not depend on their surroundings."""
+"""The text and the bytes of the kinds of tokens that do not depend on their surroundings."""
 
 
 def _escapes(line: str, start: int, least: int) -> tuple[int, int]:
@@ -368,45 +298,59 @@ def _escapes(line: str, start: int, least: int) -> tuple[int, int]:
     text = line[start : body.end()] if body is not None else ""
     # A full stop or a bracket after the last escape is not a byte of it.
     trimmed = text if text.endswith("...") else text.rstrip(".,;)]}>") or text
-    end = start + max(len(trimmed), 1)
-    is_free = start > least and start > 0 and line[start - 1] in "!#%&()*+-./:;<>?@^_{}~"
-    return start - (is_free and (start == 1 or line[start - 2].isspace())), end
+    is_free = start > max(least, 0) and line[start - 1] in "!#%&()*+-./:;<>?@^_{}~"
+    return start - (is_free and (start == 1 or line[start - 2].isspace())), start + max(len(trimmed), 1)
 
 
-def _named(line: str, token: re.Match[str]) -> Value | None:
-    """Returns the name at that column, if it is in an array and the tables have it."""
-    start, end = token.span()
-    if _BEFORE_NAME.search(line, max(0, start - 40), start) is None:
-        return None
-    call = _CALL.match(line, start)
-    end = end if call is None else call.end()
-    data = constant_bytes(line[start:end]) if _AFTER_NAME.match(line, end) is not None else None
-    return None if data is None else Value(start, end, Style.NAME, line[start:end], data)
-
-
-_CELLS = re.compile(r"\s*[0-7]{7}(?P<cells>(?: (?: {2}[ \S]| \\[0abtnvfr]|[0-7]{3}))+)\s*")
-
-
-def character_cells(line: str, *, continues: bool = False) -> Run | None:
-    """Returns the row of `od -c`, whose cells are characters, escapes and octal numbers; None for any other line.
+def literal(body: str, *, is_decimal: bool = False) -> bytes | None:
+    r"""Returns the bytes of what is between two quotes; None where a character is not a byte.
 
     Args:
-        line: A line.
-        continues: The line before is such a row; otherwise it must have an escape.
+        body: The characters between the quotes.
+        is_decimal: `\128` is one byte, as in Lua; otherwise digits are octal.
     """
-    row = _CELLS.fullmatch(line)
-    if row is None or not (continues or "\\" in line):
+
+    def character(found: re.Match[str]) -> str:
+        braced, digits, number, letter = found.groups()
+        if letter is not None:
+            # A letter without a meaning is itself after its backslash, as in Python.
+            return _CHARACTERS.get(letter, found[0] if letter.isalpha() else letter)
+        return chr(int(braced or digits, 16) if number is None else int(number, 10 if is_decimal else 8))
+
+    try:
+        return (_DECIMAL_ESCAPE if is_decimal else _ESCAPE).sub(character, body).encode("latin-1")
+    except UnicodeEncodeError:
         return None
-    found = []
-    for column in range(row.start("cells"), row.end("cells"), 4):
-        text = line[column : column + 4].strip() or " "
-        data = (
-            text.encode("latin-1")
-            if len(text) == 1
-            else literal(text if text[0] == "\\" else f"\\{text}", is_decimal=False)
-        )
-        found.append(Value(column + 1, column + 4, Style.MARKED, text, data))
-    # hexdump fills its last row with blanks, which are not cells.
-    end = len(line.rstrip())
-    gaps = [" " if value.start < end else "" for value in found[1:]]
-    return Run(found, ["", *gaps], is_head=True, is_tail=True)
+
+
+def _constant(text: str) -> bytes | None:
+    """Returns the bytes of a name or of one of LEGO's macros; None where the tables do not have it."""
+    call = _MACRO.fullmatch(text)
+    if call is None:
+        return _constants().get(text)
+    macro, inner = call.groups()
+    try:
+        if macro == "LCS":
+            return names.LCS(inner[1:-1]) if len(inner) > 1 and inner[0] == inner[-1] in "\"'" else None
+        if _NUMBER.fullmatch(inner):
+            value = int(inner, 0)
+        else:
+            # A name is encoded already: the macro gets the number that it has.
+            data = _constants()[inner]
+            value = int.from_bytes(data[1:] or bytes((data[0] << 2 & 0xFF,)), "little", signed=True)
+            value >>= 2 * (len(data) == 1)
+        encode: Callable[[int], bytes] | None = getattr(names, macro, None)
+        return encode_as(macro, value) if encode is None else encode(value)
+    except (BuildError, KeyError):
+        return None
+
+
+@cache
+def _constants() -> dict[str, bytes]:
+    """Returns the bytes of each name that stands for some: opcodes, types of messages, encoded constants."""
+    found: dict[str, bytes] = {f"op{opcode.name}": bytes((opcode.number,)) for opcode in OPCODES}
+    for name in names.constant_names():
+        value = names.constant(name)
+        if isinstance(value, bytes) or (isinstance(value, int) and 0 <= value <= 255):
+            found[name] = value if isinstance(value, bytes) else bytes((value,))
+    return found | {name: bytes((member,)) for name, member in MessageType.__members__.items()}

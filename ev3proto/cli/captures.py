@@ -80,6 +80,10 @@ class CaptureSource:
                 f" waits may take {self.options.memory} MiB (--memory)"
             )
 
+    def records(self) -> Iterator[Record]:
+        """Reads the capture in the same way. Yields its frames."""
+        return (event for event in self.events() if isinstance(event, Record))
+
     def dialogues(self) -> Iterator[RequestReply]:
         """Reads the capture in the same way.
 

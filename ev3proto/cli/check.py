@@ -133,21 +133,17 @@ class Checking(SourceReader):
 
     def capture(self, capture: CaptureSource) -> int:
         """The commands in a capture, each as what carried it takes it."""
-        from ev3proto.capture.record import Record  # loaded already, with the capture
-
         before = self.frames
-        for event in capture.events():
-            if not isinstance(event, Record):
-                continue
-            if _is_reply(event):
+        for record in capture.records():
+            if _is_reply(record):
                 self.replies += 1
                 continue
             place = Place(
-                f"{capture.label}, {capture.unit} {event.number}",
-                {"source": capture.label, capture.unit: event.number},
+                f"{capture.label}, {capture.unit} {record.number}",
+                {"source": capture.label, capture.unit: record.number},
                 is_among=True,
             )
-            self._frame(event.frame, place, self._options.carrier or capture.carrier(event))
+            self._frame(record.frame, place, self._options.carrier or capture.carrier(record))
         return self.frames - before
 
     def read(self, source: Source) -> None:
@@ -165,7 +161,7 @@ class Checking(SourceReader):
     def _image(self, source: Source, image: bytes, warnings: list[dict[str, Any]]) -> None:
         """A program image, and what its source was warned of."""
         from ev3proto.program import check_program  # takes 30 ms, which frames have no use for
-        from ev3proto.program.report import program_findings
+        from ev3proto.program.report import program_findings  # the same
 
         if self._options.fixes:
             raise click.UsageError(f"--fix is for frames, and {source.label[:60]} is a program")
@@ -438,7 +434,7 @@ def _explain(name: str, *, as_json: bool, dialect: str) -> None:
                 [[(f"{code.code}  ", Role.OPERATION), (f"{code.severity!s:8} ", Role.ASIDE), (code.title, Role.PLAIN)]]
             )
         elif code.code in PROGRAM_CODES:
-            from ev3proto.cli.programs import program_explanation  # takes 30 ms
+            from ev3proto.cli.programs import program_explanation  # takes 30 ms, which codes of frames have no use for
 
             printer.lines(program_explanation(code, dialect))
         else:

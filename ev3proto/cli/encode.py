@@ -15,7 +15,6 @@ from typing import Any, BinaryIO, Protocol, Self
 
 import click
 
-from ev3proto.capture import Record
 from ev3proto.cli.captures import CaptureSource
 from ev3proto.cli.output import binary_output, complain, is_terminal, say
 from ev3proto.cli.reading import CaptureOptions, reading_options
@@ -178,9 +177,8 @@ class Encoding(SourceReader):
     def capture(self, capture: CaptureSource) -> int:
         """The frames of a capture."""
         before = self._output.count
-        for event in capture.events():
-            if isinstance(event, Record):
-                self._output.write(event.message)
+        for frame in capture.records():
+            self._output.write(frame.message)
         return self._output.count - before
 
     def piece(self, piece: Piece, pasted: Pasted, source: Source) -> None:

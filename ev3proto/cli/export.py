@@ -9,7 +9,6 @@ from typing import TypeVar
 
 import click
 
-from ev3proto.capture import Record
 from ev3proto.capture.text_log import Clock
 from ev3proto.cli.captures import CaptureSource
 from ev3proto.cli.commands import FiniteRange, Group
@@ -202,9 +201,8 @@ class _Carrying(SourceReader):
     def capture(self, capture: CaptureSource) -> int:
         """The frames of a capture, at their times."""
         before = self._writer.count
-        for event in capture.events():
-            if isinstance(event, Record):
-                self._add(TimedFrame(event.frame, event.time_ns), f"{capture.label}, {capture.unit} {event.number}")
+        for record in capture.records():
+            self._add(TimedFrame(record.frame, record.time_ns), f"{capture.label}, {capture.unit} {record.number}")
         return self._writer.count - before
 
     def _add(self, frame: bytes | TimedFrame, place: str) -> None:

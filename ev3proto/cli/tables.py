@@ -49,7 +49,7 @@ class Tables:
 
     def _on_screen(self, titles: list[str], *rows: list[str]) -> list[str]:
         """The lines of a table in colours, folded where the terminal is not as wide."""
-        from rich.console import ConsoleDimensions
+        from rich.console import ConsoleDimensions  # as above
         from rich.table import Table
         from rich.text import Text
 
@@ -70,7 +70,7 @@ class Tables:
 
 def _widths(rows: list[list[str]]) -> list[int]:
     """How wide the columns are where nothing is folded, in cells of a terminal."""
-    from rich.cells import cell_len
+    from rich.cells import cell_len  # as above
 
     return [max(map(cell_len, column)) for column in zip(*rows, strict=True)]
 
@@ -85,7 +85,7 @@ def _least_width(rows: list[list[str]]) -> int:
 
 def _plain(rows: list[list[str]]) -> list[str]:
     """The same lines without colours, as wide as they are. Rich would take a kilobyte and more for each cell."""
-    from rich.cells import cell_len
+    from rich.cells import cell_len  # as above
 
     widths = _widths(rows)
     lines = []

@@ -4497,7 +4497,11 @@ end
 local SYSTEM = {
     {
         0x92, "BEGIN_DOWNLOAD", "Opens a file on the brick for writing and says how long it will be",
-        request = { { "size", U32, "file_len", "Size" }, { "path", TEXT, "file_name", "Path" } },
+        request = {
+            { "size", U32, "file_len", "Size" },
+            { "path", TEXT, "file_name", "Path" },
+            { "data", BYTES, "data", "Data", optional = true },
+        },
         reply = { { "handle", U8, "handle", "Handle" } },
         transfer = "begin",
         statuses = {

@@ -186,6 +186,7 @@ class Transfers:
             self._add(transfer, message.counter)
             if len(self._begun) > MOST_BEGUN:
                 self._remove(self._begun.pop(next(iter(self._begun))))
+            transfer.transferred = _moved_by(message)
             return transfer
         number = _number(message.fields.get("handle"))
         return self._moved(self._open.get(number), number, message)
@@ -229,8 +230,7 @@ class Transfers:
         One that is complete takes no more, as the brick has closed it. Then the handle stands for another one, whose
         beginning was not seen, and nothing is known of that.
         """
-        pieces = [message.fields.get(name, b"") for name in ("data", "list")]
-        size = sum(len(piece) for piece in pieces if isinstance(piece, bytes | str))
+        size = _moved_by(message)
         if transfer is None or not size:
             return transfer
         if transfer.is_complete:
@@ -248,6 +248,12 @@ class Transfers:
     def _remove(self, transfer: Transfer | None) -> None:
         if self._budget is not None and transfer is not None:
             self._budget.remove(transfer)
+
+
+def _moved_by(message: SystemCommand | SystemReply) -> int:
+    """Bytes of a file or listing that a message carries."""
+    pieces = [message.fields.get(name, b"") for name in ("data", "list")]
+    return sum(len(piece) for piece in pieces if isinstance(piece, bytes | str))
 
 
 def _number(value: FieldValue | None) -> int:

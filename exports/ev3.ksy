@@ -108,6 +108,7 @@ types:
     seq:
       - {id: size, type: u4, doc: bytes of the whole file}
       - {id: path, type: strz, doc: "where the file or folder is, absolute or relative to /home/root/lms2012/sys"}
+      - {id: data, size-eos: true, if: not _io.eof, doc: "the first bytes of the file, usually none"}
   reply_begin_download:
     doc: Opens a file on the brick for writing and says how long it will be
     seq:

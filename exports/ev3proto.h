@@ -4361,7 +4361,7 @@ enum {
 enum {
     /*
      * Opens a file on the brick for writing and says how long it will be
-     *   asks with: size (u32), path (text)
+     *   asks with: size (u32), path (text), data (optional data)
      *   gets: handle (u8)
      */
     BEGIN_DOWNLOAD = 0x92,

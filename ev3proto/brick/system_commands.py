@@ -197,7 +197,7 @@ class SystemCommands:
             return _refused(SystemStatus.UNKNOWN_HANDLE)
         handle = self._add(Transfer(request.channel, "BEGIN_DOWNLOAD", files.locate(path), file, size))
         assert handle is not None
-        return self._download(handle, request.rest if "path" in request.fields else b"")
+        return self._download(handle, bytes(request.fields.get("data", b"")))
 
     @_answers("CONTINUE_DOWNLOAD")
     def continue_download(self, request: Request) -> Answer:

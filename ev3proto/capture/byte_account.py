@@ -18,7 +18,7 @@ class Account:
     packed    packets that the built-in engine does not take apart, by what they are packed into, such as "VXLAN"
     frames    bytes of frames
     texts     bytes of beacons, unlock texts and the answers to them
-    padding   bytes after the frame in USB reports
+    padding   bytes after the frame in USB reports, and polls between the frames of a stream
     headers   bytes of what carries frames: Ethernet, IP, TCP, USB and Bluetooth headers
     repeated  bytes that were sent again
     other     bytes of packets that have nothing to do with a brick

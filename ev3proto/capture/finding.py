@@ -14,13 +14,13 @@ from enum import Enum, auto
 from ev3proto.errors import DecodeError
 from ev3proto.messages import Argument, DaisyCommand, DaisyReply, DirectCommand, Message, SystemCommand
 from ev3proto.schema.frame import FrameSchema
-from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, frame_size
+from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, frame_size, may_have_length
 from ev3proto.tables import OPCODES, system
 from ev3proto.tables.claims import FIRST_TELLING, NEVER_SENT, NOT_TELLING, SYSTEM_TELLS
 from ev3proto.tables.daisy import MOST_LAYERS
 from ev3proto.tables.declaration import Type
 from ev3proto.tables.encoding import TEXT
-from ev3proto.tables.frame import LENGTH_FIELD, MAX_LENGTH, MIN_LENGTH, MessageType
+from ev3proto.tables.frame import LENGTH_FIELD, MAX_LENGTH, MIN_LENGTH, SYSTEM_COMMAND_TYPES, MessageType
 
 MOST_TRIALS = 64
 """Places in one piece of a stream where a whole frame is tried, before the piece is given up."""
@@ -31,8 +31,15 @@ MOST_FOLLOWING = 2
 _TYPES = {int(member): member for member in MessageType}
 # Where a header may stand: most places that are none are passed over at ten times the speed.
 _STARTS = re.compile(
-    b"(?=(?:[%b-\\xff]\\0|.[\\1-%b])..[%b])"
-    % (re.escape(bytes((MIN_LENGTH,))), re.escape(bytes((MAX_LENGTH >> 8,))), re.escape(bytes(sorted(_TYPES)))),
+    b"(?=(?:[%b-\\xff]\\0|.[\\1-%b])..[%b]|.[%b-\\xff]..[%b][%b])"
+    % (
+        re.escape(bytes((MIN_LENGTH,))),
+        re.escape(bytes((MAX_LENGTH >> 8,))),
+        re.escape(bytes(sorted(_TYPES))),
+        re.escape(bytes((MAX_LENGTH >> 8,))),
+        re.escape(bytes(SYSTEM_COMMAND_TYPES.values())),
+        re.escape(bytes(sorted(system.LONG_COMMANDS))),
+    ),
     re.DOTALL,
 )
 _FIRST_TELLING = next(opcode.number for opcode in OPCODES if opcode.name == FIRST_TELLING)
@@ -87,6 +94,16 @@ def _is_misplaced(argument: Argument) -> bool:
     return parameter.is_output or (argument.form.kind == TEXT) != is_text
 
 
+_POLLS = re.compile(b"(?:%b)*" % re.escape(bytes(LENGTH_FIELD)))
+
+
+def polls_end(buffer: bytes, at: int) -> int:
+    """Returns the offset after the polls at an offset: length fields of 0, which the brick passes over."""
+    found = _POLLS.match(buffer, at)
+    assert found is not None
+    return found.end()
+
+
 class Found(Enum):
     """What stands at the place where a stream may go on.
 
@@ -118,8 +135,7 @@ class Finder:
         left = len(buffer) - at
         if left < LENGTH_FIELD:
             return True
-        length = buffer[at] | buffer[at + 1] << 8
-        return MIN_LENGTH <= length <= MAX_LENGTH and (left < HEADER_SIZE or buffer[at + HEADER_SIZE - 1] in _TYPES)
+        return may_have_length(buffer, at) and (left < HEADER_SIZE or buffer[at + HEADER_SIZE - 1] in _TYPES)
 
     def stands(self, buffer: bytes, at: int, end: int) -> bool:
         """Whether a frame without a fault stands here, which somebody would send."""
@@ -161,6 +177,7 @@ class Finder:
         """
         size, count = len(buffer), 0
         while at < size and count < MOST_FOLLOWING:
+            at = polls_end(buffer, at)
             if not self.may_start(buffer, at):
                 return None
             if size - at < HEADER_SIZE:
@@ -199,10 +216,9 @@ class Finder:
         opened = single = begun = None
         for hit in _STARTS.finditer(buffer, at):
             place = hit.start()
-            length = buffer[place] | buffer[place + 1] << 8
-            if length > MAX_LENGTH:
+            if not may_have_length(buffer, place):
                 continue
-            end = place + LENGTH_FIELD + length
+            end = place + frame_size(buffer, place)
             trials -= 1
             if trials <= 0:
                 break

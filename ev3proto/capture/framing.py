@@ -11,11 +11,11 @@ from collections.abc import Iterator
 from enum import Enum, auto
 from typing import NamedTuple
 
-from ev3proto.capture.finding import Finder, Found
+from ev3proto.capture.finding import Finder, Found, polls_end
 from ev3proto.errors import DecodeError, counted
 from ev3proto.schema.discovery import UNLOCK
 from ev3proto.schema.frame import FrameSchema
-from ev3proto.schema.header import HEADER_SIZE, frame_size, impossible_length, is_frame_size
+from ev3proto.schema.header import HEADER_SIZE, frame_size, impossible_length, may_have_length
 from ev3proto.tables.discovery import ACCEPT, MOST_UNLOCK, UNLOCK_REQUEST
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME
 
@@ -35,6 +35,7 @@ class PartKind(Enum):
     UNLOCK = auto()
     ACCEPT = auto()
     TEXT_END = auto()
+    POLL = auto()
     LOST = auto()
     OTHER = auto()
 
@@ -45,7 +46,8 @@ _TEXTS = (PartKind.UNLOCK, PartKind.ACCEPT)
 class StreamPart(NamedTuple):
     """A piece of a stream.
 
-    kind     what it is; TEXT_END is the rest of a text that came before, OTHER is none of ours
+    kind     what it is; TEXT_END is the rest of a text that came before, POLL are lengths of 0 between frames, which
+             the brick passes over, OTHER is none of ours
     data     the bytes
     numbers  the packets they came in
     reason   for LOST: why it cannot be read
@@ -301,7 +303,7 @@ class Cutter:
         self._in_step = False
         self._reason = _BETWEEN
         size = frame_size(buffer, at)
-        return _BETWEEN if is_frame_size(size) else impossible_length(size - LENGTH_FIELD)
+        return _BETWEEN if may_have_length(buffer, at) else impossible_length(size - LENGTH_FIELD)
 
     def _next(self, buffer: bytes, at: int, is_last: bool) -> tuple[PartKind, int]:
         """What stands at an offset and where it ends, which is after the buffer's end where more is needed."""
@@ -319,10 +321,11 @@ class Cutter:
             return PartKind.LOST, more
         if len(buffer) - at < LENGTH_FIELD:
             return PartKind.FRAME, more
-        size = frame_size(buffer, at)
-        if not is_frame_size(size):
+        if (end := polls_end(buffer, at)) > at:
+            return PartKind.POLL, end
+        if not may_have_length(buffer, at):
             return PartKind.LOST, more
-        end = at + size
+        end = at + frame_size(buffer, at)
         may_gap = self._may_gap and any(at <= start < end for start, _ in self._marks)
         if (may_gap or self._trials) and len(buffer) - at >= HEADER_SIZE:
             return self._judge(buffer, at, end, is_last)

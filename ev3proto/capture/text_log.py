@@ -12,7 +12,7 @@ from ev3proto.capture.conversation import Conversation
 from ev3proto.capture.reading import Capture
 from ev3proto.capture.record import HOST, NANOSECONDS, Direction, Event, Route
 from ev3proto.schema.frame import frame_schema
-from ev3proto.schema.header import HEADER_SIZE, frame_size, is_frame_size, unpack_header
+from ev3proto.schema.header import HEADER_SIZE, frame_size, may_have_length, unpack_header
 from ev3proto.tables.carriers import DEFAULT_CARRIER
 from ev3proto.tables.frame import MessageType
 from ev3proto.text.paste.pieces import Pasted
@@ -136,7 +136,7 @@ def _frames(data: bytes) -> Iterator[bytes]:
     at = 0
     while at + HEADER_SIZE <= len(data):
         end = at + frame_size(data, at)
-        if not is_frame_size(end - at) or end > len(data):
+        if not may_have_length(data, at) or end > len(data):
             break
         yield data[at:end]
         at = end

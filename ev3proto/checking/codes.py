@@ -119,6 +119,9 @@ TOO_LONG = _code(
     """
     A frame has 1024 bytes at most, its length field included. That is the size of the firmware's buffers and of
     one USB report. A long job must be cut into several commands.
+
+    BEGIN_DOWNLOAD and CONTINUE_DOWNLOAD may be longer on Bluetooth and WiFi: the firmware takes their data in
+    pieces. `--carrier usb` says that they are to go by USB.
     """,
     _sized("2A:00|80|00:00|" + "01:" * 1017 + "01"),
     _sized("2A:00|80|00:00|" + "01:" * 1016 + "01"),

@@ -10,12 +10,12 @@ from ev3proto.checking.report import Finding
 from ev3proto.checking.verdict import Verdict
 from ev3proto.errors import Fault
 from ev3proto.messages import Argument, Message, Operation, OperationReader
-from ev3proto.schema.header import HEADER_SIZE, frame_size
+from ev3proto.schema.header import HEADER_SIZE, frame_size, may_be_long
 from ev3proto.semantics.domain import Domain, domain_of
 from ev3proto.semantics.footprint import MemoryFacts, memory_facts
 from ev3proto.tables.declaration import Declaration, Direction, Effect, Parameter, Type
 from ev3proto.tables.encoding import RANGES, Range
-from ev3proto.tables.frame import MAX_FRAME, REPORT_SIZES
+from ev3proto.tables.frame import MAX_FRAME, MAX_LONG_FRAME, REPORT_SIZES
 
 
 @dataclass(frozen=True, slots=True)
@@ -207,9 +207,14 @@ class CheckContext:
 
         None also for one that is too long, or where an OBJECT_END comes before it: that alone is reported then.
         """
-        if self.end > MAX_FRAME or (self.operations and self.operations[-1].facts.ends_code):
+        if self.end > self.most or (self.operations and self.operations[-1].facts.ends_code):
             return None
         return self.message.flaw.fault
+
+    @property
+    def most(self) -> int:
+        """Most bytes that a frame like this one may have: but on USB, downloads may be longer than others."""
+        return MAX_LONG_FRAME if self.carrier != "usb" and may_be_long(self.frame) else MAX_FRAME
 
     @property
     def is_whole(self) -> bool:

@@ -22,10 +22,10 @@ from ev3proto.errors import as_bytes, counted
 from ev3proto.messages import Argument, DirectCommand, Message, Operation, Variable
 from ev3proto.schema.argument import SHORT, encode_variable
 from ev3proto.schema.frame import read_last
-from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, frame_size, with_length, write_memory
+from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, frame_size, may_be_long, with_length, write_memory
 from ev3proto.semantics.footprint import Footprint, Taken, footprints
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, INDEX_RANGES, JUMP, LOCAL
-from ev3proto.tables.frame import GRANTED_GLOBALS, LENGTH_FIELD, MAX_FRAME, MAX_LOCALS, MessageType
+from ev3proto.tables.frame import GRANTED_GLOBALS, LENGTH_FIELD, MAX_FRAME, MAX_LOCALS, MAX_LONG_FRAME, MessageType
 
 _MOST_NAMED = 3
 """Changes that are named where they are not made."""
@@ -168,7 +168,8 @@ class _Fixing:
 
     def _length_field(self) -> None:
         size = len(self.frame) - LENGTH_FIELD
-        if not HEADER_SIZE <= len(self.frame) <= MAX_FRAME or frame_size(self.frame) == len(self.frame):
+        most = MAX_LONG_FRAME if may_be_long(self.frame) else MAX_FRAME
+        if not HEADER_SIZE <= len(self.frame) <= most or frame_size(self.frame) == len(self.frame):
             return
         stated = frame_size(self.frame) - LENGTH_FIELD
         fixed = with_length(self.frame[LENGTH_FIELD:])

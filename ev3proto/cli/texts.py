@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 from ev3proto.messages import Message
 from ev3proto.schema.frame import parse
-from ev3proto.schema.header import HEADER_SIZE, frame_size, is_frame_size
+from ev3proto.schema.header import HEADER_SIZE, frame_size, may_have_length
 from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.frame import LENGTH_FIELD, REPORT_SIZES, MessageType
 from ev3proto.tables.program import SIGN
@@ -44,9 +44,9 @@ def _ends(data: bytes) -> Iterator[int]:
     """Where the frames end when each starts where the one before ended."""
     at = 0
     while at + LENGTH_FIELD <= len(data):
-        size = frame_size(data, at)
-        at += size
-        if not is_frame_size(size) or at > len(data):
+        is_frame = may_have_length(data, at)
+        at += frame_size(data, at)
+        if not is_frame or at > len(data):
             return
         yield at
 
@@ -193,7 +193,7 @@ def raw_frames(stream: io.BufferedReader[Any], dialect: str) -> Iterator[Piece] 
         The frames, one by one; None where there is none.
     """
     start = stream.peek(HEADER_SIZE)[:HEADER_SIZE]
-    if len(start) < HEADER_SIZE or not is_frame_size(frame_size(start)) or start[-1] not in frozenset(MessageType):
+    if len(start) < HEADER_SIZE or not may_have_length(start) or start[-1] not in frozenset(MessageType):
         return None
     found = split(stream.read(MOST_RAW + 1), dialect=dialect)
     begin = list(islice(found, 2))

@@ -23,7 +23,7 @@ from ev3proto.scapy.operations import EV3Operation, OperationsField, in_a_row, m
 from ev3proto.scapy.system import SYSTEM_BODIES, EV3SystemCommand, EV3SystemReply
 from ev3proto.schema.discovery import UNLOCK
 from ev3proto.schema.frame import SENSOR_REPORT
-from ev3proto.schema.header import HEADER_SIZE, MEMORY_SIZE, Header, build_frame, frame_size, is_frame_size
+from ev3proto.schema.header import HEADER_SIZE, MEMORY_SIZE, Header, build_frame, frame_size, may_have_length
 from ev3proto.tables.daisy import DaisyCommand
 from ev3proto.tables.discovery import ACCEPT, BEACON_PORT, MOST_UNLOCK, TCP_PORT, UNLOCK_REQUEST
 from ev3proto.tables.frame import (
@@ -68,10 +68,9 @@ class EV3(Packet):
             return _text(data)
         if len(data) < LENGTH_FIELD:
             return None
-        size = frame_size(data)
-        if not is_frame_size(size):
+        if not may_have_length(data):
             return Raw(data)  # nobody can say where the next frame starts
-        return cls(data) if len(data) >= size else None
+        return cls(data) if len(data) >= frame_size(data) else None
 
     def extract_padding(self, s: bytes) -> tuple[bytes, bytes]:
         """The body, and what follows the frame."""

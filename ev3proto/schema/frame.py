@@ -33,6 +33,7 @@ from ev3proto.schema.header import (
     build_frame,
     frame_size,
     may_be_long,
+    may_have_length,
     read_memory,
     unpack_header,
     write_memory,
@@ -370,7 +371,7 @@ def _fields(schemas: Mapping[int, Fields], message: SystemCommand | SystemReply)
 def _envelope_error(frame: bytes, length: int, code: int) -> DecodeError:
     """What is wrong around the body; the body itself is not looked at."""
     size = len(frame)
-    if not MIN_LENGTH <= length <= MAX_LENGTH:
+    if not may_have_length(frame):
         return DecodeError(
             0, f"the length field says {length}; a frame can have {MIN_LENGTH} to {MAX_LENGTH} bytes after it"
         )

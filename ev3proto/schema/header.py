@@ -104,9 +104,9 @@ def impossible_length(length: int) -> str:
 
 def out_of_step(data: bytes | bytearray, at: int = 0) -> str | None:
     """Returns why no frame starts at an offset, as a sentence; None where one may, or too little has come to tell."""
-    size = frame_size(data, at)
-    if is_frame_size(size) or (size > MAX_FRAME and may_be_long(data, at) is not False):
+    if may_have_length(data, at):
         return None
+    size = frame_size(data, at)
     if _TEXT.fullmatch(data, at, at + _SHOWN):
         return f"length {size - LENGTH_FIELD}: text where a frame should be"
     return impossible_length(size - LENGTH_FIELD)
@@ -118,8 +118,14 @@ _TEXT = re.compile(rb"[\x20-\x7E\t\r\n]+")
 
 
 def is_frame_size(size: int) -> bool:
-    """Says whether a frame can have so many bytes, its length field included."""
+    """Says whether any frame can have this number of bytes, its length field included. `may_be_long` has exceptions."""
     return MIN_LENGTH <= size - LENGTH_FIELD <= MAX_LENGTH
+
+
+def may_have_length(data: bytes | bytearray, at: int = 0) -> bool:
+    """Returns whether the length field at an offset can be a frame's; True where too little has come to tell."""
+    size = frame_size(data, at)
+    return is_frame_size(size) or (size > MAX_FRAME and may_be_long(data, at) is not False)
 
 
 def may_be_long(data: bytes | bytearray, at: int = 0) -> bool | None:

@@ -37,16 +37,24 @@ __all__ = [
 ]
 
 
-def begin_download(path: str, size: int, *, counter: int = 0, reply: bool = True) -> SystemCommand:
+def begin_download(
+    path: str,
+    size: int,
+    data: bytes | None = None,
+    *,
+    counter: int = 0,
+    reply: bool = True,
+) -> SystemCommand:
     """Opens a file on the brick for writing and says how long it will be.
 
     Args:
         path: Where the file or folder is, absolute or relative to /home/root/lms2012/sys.
         size: Bytes of the whole file; 0 to 4294967295.
+        data: The first bytes of the file, usually none.
         counter: Of the message, 0 to 65535.
         reply: Whether the brick is to answer.
     """
-    return request(0x92, counter, reply, path=path, size=size)
+    return request(0x92, counter, reply, path=path, size=size, data=data)
 
 
 def continue_download(handle: int, data: bytes, *, counter: int = 0, reply: bool = True) -> SystemCommand:

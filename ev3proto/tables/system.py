@@ -112,7 +112,7 @@ SYSTEM = (
         0x92,
         "BEGIN_DOWNLOAD",
         "Opens a file on the brick for writing and says how long it will be",
-        (_SIZE, _PATH),
+        (_SIZE, _PATH, Field("data", Kind.DATA, "the first bytes of the file, usually none", optional=True)),
         (_REPLY_HANDLE,),
         transfer="begin",
         effects=(Effect.WRITES_FILES,),

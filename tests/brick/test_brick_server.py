@@ -212,6 +212,26 @@ def test_a_recording_has_what_was_on_the_wire_and_nothing_else(tmp_path: Path) -
     assert (command_.route.source, command_.route.target) == (f"127.0.0.1:{port}", f"127.0.0.1:{brick.port}")
 
 
+def test_downloads_longer_than_a_frame_are_taken_recorded_and_put_together(tmp_path: Path) -> None:
+    root, path, contents = tmp_path / "root", tmp_path / "talk.pcapng", bytes(range(256)) * 5
+    with served(root, replace(PLAIN, record=path, report=True)) as brick:
+        with Client(brick.port) as client:
+            begin = client.ask(system(0x92, len(contents).to_bytes(4, "little") + b"../prjs/a/a.rbf\0" + contents[:3]))
+            assert begin[4:] == bytes((0x03, 0x92, 0x00, 0x00))
+            client.send(bytes(4))
+            assert client.ask(system(0x93, b"\0" + contents[3:]))[4:] == bytes((0x03, 0x93, 0x08, 0x00))
+            whole = client.ask(bytes.fromhex("1d0001000192050000002e2e2f70726a732f712f612e7478740068656c6c6f"))
+            assert whole[4:] == bytes((0x03, 0x92, 0x08, 0x00))
+        until(lambda: not brick.now.host.connections)
+    assert (root / "prjs/a/a.rbf").read_bytes() == contents
+    assert (root / "prjs/q/a.txt").read_bytes() == b"hello"
+    found = run_ev3proto_text("files", str(path), "-o", str(tmp_path / "out"))
+    assert found.returncode == 0
+    assert (tmp_path / "out/prjs/a/a.rbf").read_bytes() == contents
+    assert (tmp_path / "out/prjs/q/a.txt").read_bytes() == b"hello"
+    assert run_ev3proto_text("check", str(path)).returncode == 0
+
+
 def test_garbage_and_frames_without_meaning(tmp_path: Path) -> None:
     with served(tmp_path) as brick:
         with Client(brick.port) as client:

@@ -108,6 +108,53 @@ def test_a_long_frame_in_many_segments() -> None:
     assert frames(events) == [(frame, tuple(range(2, 1026)))]
 
 
+def download(size: int) -> bytes:
+    """CONTINUE_DOWNLOAD with so many bytes of a file."""
+    contents = struct.pack("<HBBB", 7, 0x01, 0x93, 0) + bytes(range(256)) * (size // 256) + bytes(range(size % 256))
+    return struct.pack("<H", len(contents)) + contents
+
+
+@pytest.mark.parametrize("size", [1018, 1100, 65530])
+def test_downloads_are_longer_than_all_other_frames(size: int) -> None:
+    stream = voltage(1) + download(size) + voltage(2)
+    for cut in (1460, 1000, min(len(stream), 60_000)):
+        pieces = [stream[at : at + cut] for at in range(0, len(stream), cut)]
+        events, _ = of(connected(UNLOCK, *pieces))
+        assert [frame for frame, _ in frames(events)] == [voltage(1), download(size), voltage(2)]
+        assert not complaints(events)
+    # One byte at a time the header of the long frame is read in parts.
+    events, _ = of(connected(UNLOCK, voltage(1), *(bytes((byte,)) for byte in download(1100)), voltage(2)))
+    assert [frame for frame, _ in frames(events)] == [voltage(1), download(1100), voltage(2)]
+
+
+def test_a_long_frame_that_is_no_download_is_none() -> None:
+    long = struct.pack("<HHB", 1100, 7, 0x80) + bytes(1097)
+    events, _ = of(connected(UNLOCK, voltage(1), long, voltage(2)))
+    assert [frame for frame, _ in frames(events)] == [voltage(1), voltage(2)]
+    ((_, _, _, reason),) = complaints(events)
+    assert reason.startswith("no frame can start here: its length field would say 1100")
+
+
+def test_the_rest_of_a_long_download_that_was_not_captured_is_no_frame() -> None:
+    whole = download(3000)
+    stream = (UNLOCK, voltage(1), whole[:1460], whole[1460:2920], whole[2920:], voltage(2))
+    packets = list(connected(*stream))
+    del packets[4]
+    packets.append(segment(False, 5000, volts(2), acknowledged=1000 + sum(map(len, stream))))
+    events, _ = of(packets)
+    assert {frame for frame, _ in frames(events)} == {voltage(1), voltage(2), volts(2)}
+
+
+def test_polls_between_frames_are_passed_over() -> None:
+    stream = bytes(2) + voltage(1) + bytes(2) + voltage(2) + bytes(6) + download(1100) + bytes(2)
+    for size in (1, 2, 3, 11, 100, len(stream)):
+        pieces = [stream[at : at + size] for at in range(0, len(stream), size)]
+        events, capture = of(connected(UNLOCK, *pieces))
+        assert [frame for frame, _ in frames(events)] == [voltage(1), voltage(2), download(1100)]
+        assert not complaints(events)
+        assert capture.account.padding == 12
+
+
 def test_requests_latencies_and_values() -> None:
     packets = [
         segment(True, 999, flags=SYN),
@@ -233,7 +280,7 @@ def test_every_order_of_five_segments() -> None:
 
 
 def test_of_segments_that_differ_the_first_is_believed() -> None:
-    other = bytes(10)
+    other = b"\xff" * 10
     packets = [
         segment(True, 999, flags=SYN),
         segment(True, 1010, voltage(2)),
@@ -469,19 +516,19 @@ def test_segments_cut_by_the_capture() -> None:
         Timed(BEGIN_NS, segment(True, 1000, voltage(1) + voltage(2))[:48], 60),
         Timed(BEGIN_NS, segment(True, 1020, voltage(3)[:8]), 48),
         Timed(BEGIN_NS, segment(False, 5000, acknowledged=1028)),
-        Timed(BEGIN_NS, segment(True, 1028, voltage(3)[8:] + bytes(3))[:48], 45),
-        Timed(BEGIN_NS, segment(True, 1033, bytes(30))[:48], 70),
+        Timed(BEGIN_NS, segment(True, 1028, voltage(3)[8:] + b"\2\0\2")[:48], 45),
+        Timed(BEGIN_NS, segment(True, 1033, b"\0\2" * 15)[:48], 70),
     ]
     events, capture = opened(pcap(RAW_IP, packets))
     assert frames(events) == [(voltage(3), (3, 5))]
     assert [(len(data), missing) for data, missing, _, _ in complaints(events)] == [
         (8, 0),
         (0, 12),
-        (3, 0),
-        (8, 0),
+        (1, 0),
+        (10, 0),
         (0, 22),
     ]
-    assert capture.account.skipped == 8 + 3 + 8
+    assert capture.account.skipped == 8 + 1 + 10
 
 
 def test_segments_on_two_interfaces() -> None:

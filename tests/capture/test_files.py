@@ -96,6 +96,23 @@ def told(found: Iterator[RecoveredFile] | list[RecoveredFile]) -> list[tuple[str
 # Contents
 
 
+def test_data_in_the_first_command_are_the_first_of_the_file(tmp_path: Path) -> None:
+    brick = Brick()
+    brick.exchange("BEGIN_DOWNLOAD", 8, {"handle": 0}, size=5, path="../prjs/q/a.txt", data=b"hello")
+    brick.exchange("BEGIN_DOWNLOAD", 0, {"handle": 0}, size=5, path="../prjs/q/b.txt", data=b"he")
+    brick.exchange("CONTINUE_DOWNLOAD", 8, {"handle": 0}, handle=0, data=b"llo")
+    found = list(recover(brick.events, tmp_path))
+    assert told(found) == [("../prjs/q/a.txt", 5, "complete"), ("../prjs/q/b.txt", 5, "complete")]
+    assert written(tmp_path) == {"prjs/q/a.txt": b"hello", "prjs/q/b.txt": b"hello"}
+
+
+def test_a_file_in_one_long_command(tmp_path: Path) -> None:
+    brick, contents = Brick(), bytes(range(256)) * 5
+    brick.download("../prjs/q/program.rbf", contents)
+    assert told(recover(brick.events, tmp_path)) == [("../prjs/q/program.rbf", 1280, "complete")]
+    assert written(tmp_path) == {"prjs/q/program.rbf": contents}
+
+
 def test_files_both_ways(tmp_path: Path) -> None:
     brick = Brick()
     brick.download("../prjs/hello/hello.rbf", b"LEGO", b"", b"\x00\x01")

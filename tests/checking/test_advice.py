@@ -37,6 +37,7 @@ WITHOUT_A_NUMBER_TO_TRY = {
     "E207": "it is a count only where the operation can be read",
     "E210": "the names of encodings have numbers in them",
     "E802": "the names of types have numbers in them",
+    "W804": "the length in front of the message changes, too",
 }
 """Codes whose helps may have digits in them and no number that could be put in, with the reason."""
 

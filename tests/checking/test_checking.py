@@ -658,3 +658,23 @@ def test_messages_to_mailboxes() -> None:
 
 
 NO_ZERO = "the message looks like a text, and has no zero at its end"
+
+
+def test_downloads_may_be_longer_than_other_frames_but_not_on_usb() -> None:
+    long = system.continue_download(0, bytes(1100)).build()
+    for carrier in (None, "wifi", "bluetooth"):
+        report = check(long, carrier=carrier)
+        assert report.accepted
+        assert report.findings == ()
+    finding = only(long, carrier="usb")
+    assert (finding.code, finding.offset, finding.length) == ("E104", 1024, 83)
+    assert finding.message == "a frame has at most 1024 bytes on USB, this one has 1107"
+    cut = only(long[:900])
+    assert (cut.code, cut.offset) == ("E102", 0)
+    assert "1105 bytes follow it, and there are 898" in cut.message
+
+
+def test_a_download_may_begin_with_data() -> None:
+    report = check(bytes.fromhex("1d0001000192050000002e2e2f70726a732f712f612e7478740068656c6c6f"))
+    assert report.accepted
+    assert report.findings == ()

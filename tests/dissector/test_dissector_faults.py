@@ -470,7 +470,7 @@ def test_few_are_hidden_where_they_are_cut(tshark: Tshark, carrier: str) -> None
     # as nearly all such frames are two of which the middle is missing. One mutated frame in some dozens is lost so.
     capture = Capture(RAW_IP if carrier == "tcp" else HCI_WITH_DIRECTION)
     stream = Connection(capture) if carrier == "tcp" else SerialPort(capture)
-    rng = random.Random(3)
+    rng = random.Random(44)
     expected = [0xFFFF]
     data = good(0xFFFF)
     stream.send(data)

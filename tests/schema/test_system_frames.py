@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from support.effort import effort
 
 import ev3proto
-from ev3proto import BuildError, Dialogue, SystemCommand, system, system_reply
+from ev3proto import BuildError, DecodeError, Dialogue, SystemCommand, parse, system, system_reply
 from ev3proto.tables.system import SYSTEM
 
 
@@ -187,3 +187,18 @@ def test_files_that_cannot_be_cut(named: dict[str, Any], sentence: str) -> None:
     with pytest.raises(BuildError) as raised:
         system.download(**{"path": "a", "data": b"abc", **named})
     assert sentence in str(raised.value)
+
+
+def test_a_download_that_is_cut_is_cut_however_long() -> None:
+    frame = system.continue_download(0, bytes(1100)).build()
+    with pytest.raises(DecodeError, match=r"the frame is cut off: its length field says 1105 bytes follow, 898 do"):
+        parse(frame[:900])
+
+
+def test_the_first_bytes_of_a_file_may_come_with_its_name() -> None:
+    frame = "1d0001000192050000002e2e2f70726a732f712f612e7478740068656c6c6f"
+    message = parse(bytes.fromhex(frame))
+    assert isinstance(message, SystemCommand)
+    assert message.fields == {"size": 5, "path": "../prjs/q/a.txt", "data": b"hello"}
+    assert message.build().hex() == frame
+    assert system.begin_download("../prjs/q/a.txt", 5, b"hello", counter=1) == message

@@ -137,6 +137,8 @@ class Stream:
                 events.append(self._conversation.record(data, numbers, time_ns, route))
             elif kind is PartKind.OTHER:
                 account.other += size
+            elif kind is PartKind.POLL:
+                account.padding += size
             elif kind is PartKind.LOST:
                 account.skipped += size
                 events.append(Skipped(data, 0, reason, self.packet.number, self.packet.time_ns, route))

@@ -14,7 +14,7 @@ from ev3proto.capture.wireshark.segments import Origin
 from ev3proto.errors import DecodeError, counted
 from ev3proto.schema.discovery import Unlock
 from ev3proto.schema.frame import frame_schema
-from ev3proto.schema.header import HEADER_SIZE, frame_size, impossible_length, is_frame_size
+from ev3proto.schema.header import HEADER_SIZE, frame_size, impossible_length, may_have_length
 from ev3proto.tables.carriers import Carrier
 from ev3proto.tables.discovery import ACCEPT, UNLOCK_REQUEST
 from ev3proto.tables.frame import LENGTH_FIELD
@@ -100,7 +100,7 @@ class Common:
 
 def has_length(data: bytes) -> bool:
     """Whether a frame starts here, by its length field."""
-    return len(data) >= HEADER_SIZE and is_frame_size(frame_size(data))
+    return len(data) >= HEADER_SIZE and may_have_length(data)
 
 
 def parsed(parse: Callable[[bytes], V], data: bytes) -> V | None:

@@ -12,10 +12,10 @@ from ev3proto.errors import counted
 from ev3proto.messages import DaisyCommand, DirectCommand, SystemCommand
 from ev3proto.schema.fields import NUMBERS
 from ev3proto.schema.frame import frame_schema
-from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, MEMORY_SIZE, frame_size, with_length
+from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, MEMORY_SIZE, frame_size, may_be_long, with_length
 from ev3proto.tables import daisy, mailboxes, paths
 from ev3proto.tables.encoding import STRING_CODING
-from ev3proto.tables.frame import GRANTED_GLOBALS, LENGTH_FIELD, MAX_FRAME, MAX_LENGTH, REPORT_SIZES, MessageType
+from ev3proto.tables.frame import GRANTED_GLOBALS, LENGTH_FIELD, MAX_FRAME, REPORT_SIZES, MessageType
 from ev3proto.tables.system import SYSTEM_BY_NUMBER, Field, Kind
 from ev3proto.tables.system import SystemCommand as Entry
 
@@ -61,11 +61,12 @@ def check_envelope(context: CheckContext) -> Iterator[Finding]:
 def _length(frame: bytes, size: int, context: CheckContext) -> Iterator[Finding]:
     stated = frame_size(frame) - LENGTH_FIELD
     follow = size - LENGTH_FIELD
-    if size > MAX_FRAME and (stated == follow or stated > MAX_LENGTH):
+    most = context.most
+    if size > most and (stated == follow or stated + LENGTH_FIELD > most):
         yield codes.TOO_LONG.finding(
-            MAX_FRAME,
-            size - MAX_FRAME,
-            f"a frame has at most {MAX_FRAME} bytes, this one has {size}",
+            most,
+            size - most,
+            f"a frame has at most {most} bytes{' on USB' if may_be_long(frame) else ''}, this one has {size}",
             "send it in several frames",
         )
     elif (slip := _slip(frame, stated, follow, context)) is not None:
@@ -120,7 +121,7 @@ def _left_over(frame: bytes, stated: int, follow: int, context: CheckContext) ->
 def _ways_out(frame: bytes, stated: int, follow: int, context: CheckContext) -> Iterator[str]:
     """What can be done about bytes after the end of a frame: what makes a frame of it, or what else is possible."""
     is_start = stated + LENGTH_FIELD >= HEADER_SIZE
-    fits = len(frame) <= MAX_FRAME
+    fits = len(frame) <= context.most
     if fits and (not is_start or _reads_to_its_end(with_length(frame[LENGTH_FIELD:]), context)):
         yield f"give {follow} as the length" + "," * is_start
     elif not is_start:
@@ -348,7 +349,7 @@ def _mailbox(at: int, payload: bytes, name: str, entry: Entry, field: str) -> It
             _NAME_OFFSET,
             len(name),
             f"the name has {len(name)} characters, and that of a mailbox has {mailboxes.MOST_NAME} at most",
-            f"shorten it by {len(name) - mailboxes.MOST_NAME}",
+            f"give a name of at most {mailboxes.MOST_NAME} characters",
             entry.name,
             _NAME,
         )
@@ -357,7 +358,7 @@ def _mailbox(at: int, payload: bytes, name: str, entry: Entry, field: str) -> It
             at,
             len(payload),
             f"the message has {len(payload)} bytes, and a mailbox has room for {mailboxes.MOST_CONTENT}",
-            f"shorten it by {len(payload) - mailboxes.MOST_CONTENT}",
+            f"send at most {mailboxes.MOST_CONTENT} bytes",
             entry.name,
             field,
         )

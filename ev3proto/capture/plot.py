@@ -5,22 +5,34 @@ from __future__ import annotations
 from typing import Any
 
 from ev3proto.capture.series import Series
-from ev3proto.capture.timeline.chart import VERSION
-from ev3proto.capture.timeline.chart_files import MOST_TITLE, PNG_SCALE, require_library
-from ev3proto.capture.timeline.wording import clean
+from ev3proto.capture.timeline.chart_files import MOST_TITLE, Form, picture
+from ev3proto.capture.timeline.collecting import clean
 
-WIDTH, HEIGHT = 760, 160
-SUFFIXES = (".svg", ".png")
-_TIME, _ORDER = "time (s)", "order"
+# Okabe and Ito's, the yellow darker, and three more.
+_COLOURS = [
+    "#0072B2",
+    "#D55E00",
+    "#009E73",
+    "#CC79A7",
+    "#56B4E9",
+    "#A58A00",
+    "#7B4FB5",
+    "#8C564B",
+    "#4D4D4D",
+    "#E69F00",
+]
+_DASHES = ([1, 0], [6, 3], [2, 2], [8, 3, 2, 3], [12, 4])
+"""Ten colours, and then the same ones dashed."""
 
 
-def draw(found: Series, suffix: str, title: str) -> bytes:
+def draw(found: Series, suffix: str, title: str, start_ns: int) -> bytes:
     """Draws the numbers among values.
 
     Args:
         found: The values.
         suffix: `.svg` or `.png`.
-        title: What stands above the picture.
+        title: Text above the picture.
+        start_ns: When the capture began, in nanoseconds since 1970-01-01 UTC: 0 on the axis of time.
 
     Returns:
         The contents of a file.
@@ -29,43 +41,40 @@ def draw(found: Series, suffix: str, title: str) -> bytes:
         ValueError: The suffix is another, or there is no number to draw.
         MissingLibraryError: The library that draws is not installed.
     """
-    if suffix not in SUFFIXES:
+    if suffix not in (".svg", ".png"):
         raise ValueError(f"a plot is written to a file that ends in .svg or .png, not in {suffix or 'nothing'}")
-    require_library()
-    import vl_convert  # an extra
-
-    chart = specification(found, clean(title, MOST_TITLE))
-    if suffix == ".svg":
-        text: str = vl_convert.vegalite_to_svg(chart, vl_version=VERSION, allowed_base_urls=[])
-        return text.encode()
-    data: bytes = vl_convert.vegalite_to_png(chart, vl_version=VERSION, scale=PNG_SCALE, allowed_base_urls=[])
-    return data
+    return picture(specification(found, clean(title, MOST_TITLE), start_ns), Form(suffix))
 
 
-def specification(found: Series, title: str) -> dict[str, Any]:
+def specification(found: Series, title: str, start_ns: int) -> dict[str, Any]:
     """The picture in Vega-Lite: one panel for each unit, with the time in seconds below all of them.
 
-    Where a reply has no time, there is the order instead: the first reply is 1.
+    If a reply has no time, it is the order instead: the first reply is 1.
     """
     is_timed = all(row.is_timed for row in found.rows)
-    start = min(row.time_ns for row in found.rows)
+    along = "seconds since the first message" if is_timed else "order"
     panels: dict[str | None, list[dict[str, Any]]] = {}
     for number, row in enumerate(found.rows, 1):
-        at = (row.time_ns - start) / 1e9 if is_timed else number
+        at = (row.time_ns - start_ns) / 1e9 if is_timed else number
         for name, cell in row.cells.items():
             if not isinstance(cell, str):
-                point = {"time": at, "value": float(cell), "name": name}
+                point = {"time": at, "value": float(cell), "name": clean(name)}
                 panels.setdefault(found.units[name], []).append(point)
     if not panels:
         raise ValueError("there is no number to draw")
     return {
-        "title": title,
-        "resolve": {"scale": {"color": "independent", "x": "shared"}},
-        "vconcat": [_panel(unit, points, _TIME if is_timed else _ORDER) for unit, points in panels.items()],
+        "title": {"text": title, "fontSize": 15, "offset": 14},
+        "padding": 12,
+        "resolve": {"scale": {"color": "independent", "strokeDash": "independent", "x": "shared"}},
+        "vconcat": [_panel(unit, points, along) for unit, points in panels.items()],
+        "config": {
+            "legend": {"labelLimit": 0, "symbolLimit": 0, "title": None, "symbolType": "stroke", "symbolSize": 400}
+        },
     }
 
 
 def _panel(unit: str | None, points: list[dict[str, Any]], along: str) -> dict[str, Any]:
+    names = list(dict.fromkeys(point["name"] for point in points))
     values = [point["value"] for point in points]
     low, high = min(values), max(values)
     scale: dict[str, Any] = {"zero": False}
@@ -73,14 +82,18 @@ def _panel(unit: str | None, points: list[dict[str, Any]], along: str) -> dict[s
         # An axis without a length would have a single number, rounded to none of its digits.
         around = abs(low) / 10 or 1
         scale["domain"] = [low - around, high + around]
+    colours = [_COLOURS[number % len(_COLOURS)] for number in range(len(names))]
+    dashes = [_DASHES[number // len(_COLOURS) % len(_DASHES)] for number in range(len(names))]
+    series = {"field": "name", "type": "nominal"}
     return {
-        "width": WIDTH,
-        "height": HEIGHT,
+        "width": 760,
+        "height": max(160, 17 * len(names)),  # as high as its legend
         "data": {"values": points},
         "mark": {"type": "line", "point": True, "interpolate": "step-after"},
         "encoding": {
             "x": {"field": "time", "type": "quantitative", "title": along},
             "y": {"field": "value", "type": "quantitative", "title": unit or "number", "scale": scale},
-            "color": {"field": "name", "type": "nominal", "title": None},
+            "color": series | {"scale": {"domain": names, "range": colours}},
+            "strokeDash": series | {"scale": {"domain": names, "range": dashes}},
         },
     }

@@ -79,6 +79,7 @@ def values(files: tuple[str, ...], reading: CaptureOptions, as_csv: bool, as_jso
             reasons = "".join(source.passed_over for source in sources)
             complain(f"{names}: no reply with its command was found{reasons}")
         sys.exit(1)
+    start = min((begun for source in sources if (begun := source.account.first_ns) is not None), default=0)
     most = MOST_COLUMNS[form] if plot is None else MOST_SHOWN
     if most is not None and len(found.units) > most:
         complain(
@@ -87,9 +88,11 @@ def values(files: tuple[str, ...], reading: CaptureOptions, as_csv: bool, as_jso
         )
         found = found.narrowed(most)
     if plot is not None:
-        _draw(found, plot, ", ".join(Path(source.label).name for source in sources))
+        _draw(found, plot, ", ".join(Path(source.label).name for source in sources), start)
+    elif form is None:
+        _print_table(found, "line" if {source.unit for source in sources} == {"line"} else "packet", start)
     else:
-        _PRINTERS[form](found, "line" if {source.unit for source in sources} == {"line"} else "packet")
+        _PRINTERS[form](found)
     sys.exit(status)
 
 
@@ -103,15 +106,14 @@ def _text(cell: Cell | None) -> str:
     return "" if cell is None else visible(str(cell))
 
 
-def _print_table(found: Series, unit: str) -> None:
-    start = min((row.time_ns for row in found.rows if row.is_timed), default=0)
+def _print_table(found: Series, unit: str, start_ns: int) -> None:
     leading = ["file"] if _is_of_several(found) else []
     rows: list[list[str]] = []
     left = MOST_PRINTED
     for row in found.rows:
         cells = [
             *([row.file or ""] if leading else []),
-            _seconds(row, start),
+            _seconds(row, start_ns),
             str(row.packet),
             *(_text(row.cells.get(name)) for name in found.units),
         ]
@@ -132,7 +134,7 @@ def _seconds(row: Row, start_ns: int) -> str:
     return f"{(row.time_ns - start_ns) / 1e9:.6f}" if row.is_timed else ""
 
 
-def _print_csv(found: Series, _unit: str) -> None:
+def _print_csv(found: Series) -> None:
     for number, record in enumerate(_records(found)):
         cells = record.pop("values")
         if number == 0:
@@ -146,7 +148,7 @@ def _csv_line(cells: list[Any]) -> str:
     return text.getvalue()
 
 
-def _print_json(found: Series, _unit: str) -> None:
+def _print_json(found: Series) -> None:
     for record in _records(found):
         say(json.dumps(record, ensure_ascii=False))
 
@@ -159,12 +161,12 @@ def _records(found: Series) -> Iterator[dict[str, Any]]:
         yield file | {"time": row.time, "packet": row.packet, "peer": row.peer, "values": row.cells}
 
 
-_PRINTERS = {None: _print_table, "csv": _print_csv, "json": _print_json}
+_PRINTERS = {"csv": _print_csv, "json": _print_json}
 
 
-def _draw(found: Series, path: Path, title: str) -> None:
+def _draw(found: Series, path: Path, title: str, start_ns: int) -> None:
     try:
-        write_whole(path, draw(found, path.suffix, Path(title).name))
+        write_whole(path, draw(found, path.suffix, Path(title).name, start_ns))
     except (ValueError, MissingLibraryError) as error:
         raise click.UsageError(str(error)) from None
     except OSError as error:

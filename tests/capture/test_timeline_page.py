@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 
 import pytest
 from selenium.webdriver import Chrome
+from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.support.ui import WebDriverWait
 from support.browser import chromium, complaints
 from support.cli import run_ev3proto_text as run
@@ -108,6 +109,16 @@ def test_a_tap_shows_what_a_mark_says(browser: Chrome, page: str) -> None:
     said: Any = WebDriverWait(browser, 60, 0.05).until(lambda _: browser.execute_script(tip))
     assert "UI_READ.GET_VBATT" in said
     assert "answered with an error" in said
+
+
+def test_words_in_the_legend_choose_marks(browser: Chrome, page: str) -> None:
+    look = opened(browser, page, 1280)
+    x, y = min(look.red, key=lambda place: place[1])
+    blue = (0, 114, 178)
+    assert browser.execute_script(DRAWN, blue)["red"]
+    ActionChains(browser).move_by_offset(int(x) + 30, int(y) + 3).click().perform()
+    WebDriverWait(browser, 60, 0.05).until(lambda _: not browser.execute_script(DRAWN, blue)["red"])
+    assert len(looked(browser).red) > 20
 
 
 def test_a_finger_moves_time_sideways_and_the_page_up(browser: Chrome, page: str) -> None:

@@ -13,6 +13,8 @@ from support.cli import run_ev3proto_text as run
 
 import ev3proto.capture.series
 import ev3proto.cli.values
+from ev3proto.capture.plot import draw
+from ev3proto.capture.series import Row, Series
 
 CAPTURES = Path(__file__).parents[2] / "captures"
 PLUGGED = str(CAPTURES / "usb-plugged.pcap")
@@ -24,8 +26,8 @@ def test_a_table() -> None:
     assert done.returncode == 0
     assert [line.split("  ") for line in re.sub(r" {3,}", "  ", done.stdout).splitlines()] == [
         ["time [s]", "packet", "latency [s]", "UI_READ.GET_VBATT.VALUE [V]"],
-        ["0.000000", "3", "0.004", "7.92"],
-        ["0.072790", "34", "0.004", "7.88"],
+        ["0.004000", "3", "0.004", "7.92"],
+        ["0.076790", "34", "0.004", "7.88"],
     ]
 
 
@@ -66,7 +68,7 @@ def test_a_picture_has_units_and_names(tmp_path: Path) -> None:
     done = run("values", PLUGGED, *BATTERY, "--plot", str(path))
     assert (done.returncode, done.stdout) == (0, f"{path}: written\n")
     svg = path.read_text()
-    for text in ("time (s)", ">V<", ">s<", "UI_READ.GET_VBATT.VALUE", "usb-plugged.pcap"):
+    for text in ("seconds since the first message", ">V<", ">s<", "UI_READ.GET_VBATT.VALUE", "usb-plugged.pcap"):
         assert text in svg, text
 
 
@@ -76,6 +78,18 @@ def test_values_that_never_change_have_an_axis(tmp_path: Path) -> None:
     svg = path.read_text()
     # Both replies came after 4 ms.
     assert {"0.0036", "0.0040", "0.0044"} <= set(re.findall(r">(0\.00\d+)<", svg))
+
+
+def test_a_picture_of_many_values_names_all_of_them() -> None:
+    names = [f"INPUT_READ(0,{number},0,0).A_NAME_THAT_IS_LONGER_THAN_LEGENDS_USUALLY_SHOW" for number in range(40)]
+    rows = [Row(second * 10**9, second, "1.7", dict.fromkeys(names, second)) for second in (5, 6)]
+    found = Series(dict.fromkeys(names), rows)
+    svg = draw(found, ".svg", "x", start_ns=10**9).decode()
+    assert all(name in svg for name in names)
+    assert len(set(re.findall(r'stroke="(#\w+)" stroke-width="2"', svg))) == 10
+    assert len(set(re.findall(r'stroke-dasharray="([\d,]+)"', svg))) >= 4
+    # Seconds since the first message, which was not a reply.
+    assert {"4.00", "5.00"} <= set(re.findall(r">(\d\.\d\d)<", svg))
 
 
 def test_a_picture_of_another_kind(tmp_path: Path) -> None:
@@ -130,7 +144,7 @@ def test_a_picture_without_times_is_in_their_order(tmp_path: Path) -> None:
     assert run("values", str(log), "--plot", str(path)).returncode == 0
     svg = path.read_text()
     assert ">order<" in svg
-    assert "time (s)" not in svg
+    assert "seconds" not in svg
 
 
 def log_of_columns(count: int) -> str:

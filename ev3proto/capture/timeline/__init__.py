@@ -5,8 +5,8 @@
     if timeline is not None:
         write(timeline, Path("robot.html"), "robot.pcapng")
 
-`marks`, `bins` and `collecting` say what is drawn, `layout` where it stands, `chart`, `page` and `writing` how. The
-library that draws is imported when something is drawn.
+`marks` and `collecting` say what is drawn, `chart`, `page` and `chart_files` how. What draws is imported when
+something is drawn.
 """
 
 from ev3proto.capture.timeline.chart_files import Form, MissingLibraryError, render, require_library, write

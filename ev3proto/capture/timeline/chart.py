@@ -1,383 +1,490 @@
-"""The chart: one Vega-Lite specification, from which page, SVG and PNG are made.
-
-It is written as the JSON that it is. Libraries that write it name and share views in ways of their own, which is in the
-way of one time axis for all of them.
-"""
+"""The chart: one Vega-Lite specification with its data, from which page, SVG and PNG are made."""
 
 from __future__ import annotations
 
+from collections import Counter
+from collections.abc import Iterable
 from typing import Any
 
-from ev3proto.capture.timeline.layout import KINDS_WIDTH, LATENCY_MARGIN, SHADES, WIDTH, Drawing
-from ev3proto.capture.timeline.marks import MarkState
+from ev3proto.capture.record import NANOSECONDS
+from ev3proto.capture.timeline.collecting import clock
+from ev3proto.capture.timeline.marks import OTHERS, TROUBLES, Cell, Lane, LaneKind, Mark, MarkState, Tally, Timeline
 
 VERSION = "6.1"
 """The version of Vega-Lite that it is written in."""
 
-# Colours of Okabe and Ito, which everybody can distinguish, darker where they are thin lines on white. The
-# symbols differ, too.
-COLOURS = {
-    MarkState.ANSWERED: "#0072B2",
-    MarkState.SILENT: "#3A9BD9",
-    MarkState.ERROR: "#D00000",
-    MarkState.UNANSWERED: "#C77700",
-    MarkState.ORPHAN: "#B0578D",
-    MarkState.MOVED: "#009E73",
-    MarkState.CUT_SHORT: "#C77700",
-    MarkState.ANNOUNCED: "#777777",
-    MarkState.FAULTY: "#000000",
-    MarkState.SKIPPED: "#000000",
+WIDTH = 960
+"""Pixels from the begin of the capture to its end, where nothing else is set."""
+
+KINDS_WIDTH = 124
+"""Pixels for the names of kinds, at the left edge."""
+
+MOST_ROWS = 10
+"""Rows of one kind of one brick; the rarest subjects beyond that share a row."""
+
+MOST_FILE_ROWS = 5
+"""Rows for files that are moved at the same time, or whose paths would overlap."""
+
+FIRST_MS = 0.001
+"""The shortest latency that is drawn, in milliseconds: a logarithmic axis has no 0."""
+
+_LETTER, _CAPITAL, _SYMBOL = 6.0, 7.8, 12
+"""Pixels of a letter, of a capital, of a symbol with the space after it."""
+
+_LOGARITHMIC = 20
+"""How many times the shortest latency the longest must be for a logarithmic axis."""
+
+# Colours of Okabe and Ito, which everybody can distinguish, darker where they are thin lines on white; and symbols.
+_LOOKS = {
+    MarkState.ANSWERED: ("#0072B2", "circle"),
+    MarkState.SILENT: ("#3A9BD9", "M-.22,-1L.22,-1L.22,1L-.22,1Z"),
+    MarkState.ERROR: (
+        "#D00000",
+        "M-.9,-.55L-.55,-.9L0,-.35L.55,-.9L.9,-.55L.35,0L.9,.55L.55,.9L0,.35L-.55,.9L-.9,.55L-.35,0Z",
+    ),
+    MarkState.UNANSWERED: ("#C77700", "M0,-1L1,0L0,1L-1,0ZM0,-.5L-.5,0L0,.5L.5,0Z"),
+    MarkState.ORPHAN: ("#B0578D", "triangle-left"),
+    MarkState.MOVED: ("#009E73", "square"),
+    MarkState.CUT_SHORT: ("#C77700", "M-1,-.7L1,-.7L1,.7L-1,.7ZM-.7,-.4L-.7,.4L.7,.4L.7,-.4Z"),
+    MarkState.ANNOUNCED: ("#777777", "diamond"),
+    MarkState.FAULTY: ("#000000", "triangle-up"),
+    MarkState.SKIPPED: ("#000000", "cross"),
 }
-
-_RING = "M0,-1L1,0L0,1L-1,0ZM0,-.5L-.5,0L0,.5L.5,0Z"
-_CROSS = "M-.9,-.55L-.55,-.9L0,-.35L.55,-.9L.9,-.55L.35,0L.9,.55L.55,.9L0,.35L-.55,.9L-.9,.55L-.35,0Z"
-_TICK = "M-.22,-1L.22,-1L.22,1L-.22,1Z"
-_FRAME = "M-1,-.7L1,-.7L1,.7L-1,.7ZM-.7,-.4L-.7,.4L.7,.4L.7,-.4Z"
-
-SYMBOLS = {
-    MarkState.ANSWERED: "circle",
-    MarkState.SILENT: _TICK,
-    MarkState.ERROR: _CROSS,
-    MarkState.UNANSWERED: _RING,
-    MarkState.ORPHAN: "triangle-left",
-    MarkState.MOVED: "square",
-    MarkState.CUT_SHORT: _FRAME,
-    MarkState.ANNOUNCED: "diamond",
-    MarkState.FAULTY: "triangle-up",
-    MarkState.SKIPPED: "cross",
-}
-
-SHADE_COLOURS = ("#C6DBEF", "#9ECAE1", "#6BAED6", "#3182BD", "#08519C")
-
-ROW_HEIGHT = 21
-LATENCY_HEIGHT = 170
-TROUBLE_SIZE = 140
 
 Json = dict[str, Any]
 
-_FONT = "Helvetica, Arial, 'Liberation Sans', sans-serif"
-_TIP = {"expr": "datum.tip"}
-_MARGIN = {"expr": "margin"}
 
+def specification(timeline: Timeline, title: str = "") -> Json:
+    """The specification of a picture with all of its data.
 
-def specification(picture: Drawing) -> Json:
-    """The specification of a picture, with all of its data."""
-    panels = [_Panel(picture, number) for number in range(len(picture.panels))]
-    views = [_legend(picture), *(panel.view() for panel in panels)]
-    timed = [panel.name for panel in panels]
-    if picture.latency_ms is not None:
-        views.append(_latency(picture))
-        timed.append("latency")
-    return {
+    Its parameters `room`, `margin` and `kinds` are pixels that a page sets to what its window has: for what is drawn
+    over time, for all that is left of it, and of that for the names of kinds.
+
+    Args:
+        timeline: What to draw.
+        title: Text above the picture; without it the lines of `summary` are not there either.
+    """
+    chart = _Chart(timeline)
+    heading = {"title": _heading(title, summary(timeline), 17)} if title else {}
+    return heading | {
         "$schema": f"https://vega.github.io/schema/vega-lite/v{VERSION}.json",
-        "title": {
-            "text": picture.title,
-            "subtitle": picture.lines,
-            "anchor": "start",
-            "frame": "bounds",
-            "offset": 14,
-            "subtitlePadding": 5,
-        },
         "params": [
             # One time for all views, whichever is dragged.
-            {"name": "time", "select": {"type": "interval", "encodings": ["x"]}, "bind": "scales", "views": timed},
+            {
+                "name": "time",
+                "select": {"type": "interval", "encodings": ["x"]},
+                "bind": "scales",
+                "views": chart.timed,
+            },
             {
                 "name": "picked",
-                "select": {"type": "point", "fields": ["o"], "toggle": "true"},
-                "views": ["legend"],
+                "select": {"type": "point", "fields": ["o"]},
+                "bind": "legend",
+                "views": chart.timed[:1],
             },
-            # Pixels, which the page sets to what the window has room for: left of the rows, of that for the names of
-            # kinds, and for what is drawn over time.
-            {"name": "margin", "value": picture.margin},
+            {"name": "margin", "value": round(chart.margin)},
             {"name": "kinds", "value": KINDS_WIDTH},
             {"name": "room", "value": WIDTH},
         ],
-        "vconcat": views,
+        "vconcat": chart.views,
+        "resolve": {"scale": {"color": "shared", "shape": "shared"}},
         "spacing": 20,
         "padding": 16,
         "background": "white",
         "config": {
-            "font": _FONT,
+            "font": "Helvetica, Arial, 'Liberation Sans', sans-serif",
             "aria": False,
             "view": {"stroke": "#BBBBBB"},
-            "title": {"fontSize": 17, "subtitleFontSize": 12, "subtitleColor": "#444444", "subtitleLineHeight": 17},
             "axis": {"labelFontSize": 11, "titleFontSize": 11, "titleFontWeight": "normal", "gridColor": "#E3E3E3"},
+            "axisY": {"minExtent": {"expr": "margin"}, "maxExtent": {"expr": "margin"}},
         },
-        "datasets": _datasets(picture),
+        "datasets": chart.datasets,
     }
 
 
-def _datasets(picture: Drawing) -> Json:
-    found: Json = {
-        "marks": picture.marks,
-        "cells": picture.cells,
-        "latencies": picture.latencies,
-        "legend": picture.legend,
-    }
-    for number, panel in enumerate(picture.panels):
-        found |= {f"bands{number}": panel.bands, f"kinds{number}": panel.kinds}
-    return found
+def summary(timeline: Timeline) -> list[str]:
+    """The lines under the title: when, how long, how much, how it went; what is not shown one by one."""
+    begin, length = timeline.origin_ns + round(timeline.begin * NANOSECONDS), timeline.end - timeline.begin
+    when = f"from {clock(begin)}, {duration(length)}" if timeline.is_timed else "in their order, without times"
+    troubles = (
+        (MarkState.ERROR, "answered with an error", "answered with an error"),
+        (MarkState.UNANSWERED, "never answered", "never answered"),
+        (MarkState.FAULTY, "faulty frame", "faulty frames"),
+        (MarkState.SKIPPED, "gap with bytes skipped", "gaps with bytes skipped"),
+        (MarkState.CUT_SHORT, "file not moved whole", "files not moved whole"),
+    )
+    how = [_count(n, one, many) for outcome, one, many in troubles if (n := timeline.outcomes[outcome])]
+    lines = [f"{when}: {', '.join((_count(timeline.messages, 'message'), *how))}"]
+    if timeline.bin_width:
+        lines.append(
+            f"Too much to mark one by one: the darker, the more in {_extent(timeline, timeline.bin_width)}; what went"
+            f" wrong has marks{', and below is the slowest answer in that time' if timeline.is_timed else ''}."
+        )
+    else:
+        lines.append("A mark shows when a command was sent, and its bar reaches to the reply.")
+    if timeline.unshown:
+        lines.append(f"{_count(timeline.unshown, 'mark')} of errors and files omitted: there are too many.")
+    return lines
 
 
-def _layer(data: str, mark: Json, encoding: Json, where: str | None = None, name: str | None = None) -> Json:
-    layer: Json = {"data": {"name": data}, "mark": mark, "encoding": encoding}
-    if where is not None:
-        layer["transform"] = [{"filter": where}]
-    return layer | ({} if name is None else {"name": name})
+def duration(seconds: float) -> str:
+    """`0.35 ms`, `41 ms`, `1.23 s`: three digits."""
+    number, unit = (seconds * 1000, "ms") if seconds < 1 else (seconds, "s")
+    return f"{number:,.0f} {unit}" if number >= 100 else f"{number:.3g} {unit}"
 
 
-def _heading(text: str, aside: str) -> Json:
-    style = {"anchor": "start", "frame": "bounds", "fontSize": 14, "subtitleFontSize": 12}
-    return {"text": text, "subtitle": aside, **style}
+def _extent(timeline: Timeline, seconds: float) -> str:
+    return duration(seconds) if timeline.is_timed else _count(-int(-seconds // 1), "line")
 
 
-def _by_outcome(values: dict[MarkState, str]) -> Json:
-    scale = {"domain": [outcome.value for outcome in MarkState], "range": [values[outcome] for outcome in MarkState]}
+def _count(number: int, one: str, many: str | None = None) -> str:
+    return f"{number:,} {one if number == 1 else many or f'{one}s'}"
+
+
+class _Chart:
+    """The views and their data: `p` panel, `row`, `t` and `e` begin and end, `o` outcome, `l` label and its place."""
+
+    def __init__(self, timeline: Timeline) -> None:
+        self._timeline = timeline
+        # A beacon long before the first message would leave the picture empty.
+        said = [mark.begin for mark in timeline.marks if mark.outcome is not MarkState.ANNOUNCED]
+        begin = max(timeline.begin, min(said, default=timeline.begin))
+        around = 0.015 * (timeline.end - begin) or 0.5
+        self.domain = round(begin - around, 9), round(timeline.end + around, 9)
+        self._second = WIDTH / (self.domain[1] - self.domain[0])  # in pixels
+        self.datasets: dict[str, list[Json]] = {"marks": [], "cells": []}
+        self.views: list[Json] = []
+        self.timed: list[str] = []
+        self.margin: float = KINDS_WIDTH
+        homes = _homes(timeline.bricks)
+        for brick, tally in timeline.bricks.items():
+            if homes[brick] == brick:
+                self._panel(brick, tally, {name for name, home in homes.items() if home == brick})
+        # What went wrong is drawn over the rest.
+        self.datasets["marks"].sort(key=lambda datum: "bad" in datum)
+        lowest = self._latency()
+        if lowest is not None:
+            self.views.append(lowest)
+        title = (
+            "seconds since the first message"
+            if timeline.is_timed
+            else "order: the lines of the text, which has no times"
+        )
+        for layer in self.views[-1]["layer"]:
+            if "x" in layer["encoding"] and "axis" in layer["encoding"]["x"]:
+                layer["encoding"]["x"]["axis"]["title"] = title
+
+    # Rows
+
+    def _panel(self, brick: str, tally: Tally, bricks: set[str]) -> None:
+        """The view of one brick, and its data."""
+        number, timeline = len(self.views), self._timeline
+        lanes: Counter[Lane] = Counter()
+        marks = [mark for mark in timeline.marks if mark.lane.brick in bricks]
+        for (lane, _), cell in timeline.cells.items():
+            lanes[lane] += cell.count if lane.brick in bricks else 0
+        if not timeline.cells:
+            lanes.update(mark.lane for mark in marks if mark.lane.kind is not LaneKind.FILES)
+        rows: list[str] = []
+        bands: list[Json] = []
+        data: dict[str, list[Json]] = {}
+        row_of: dict[Lane, str] = {}
+        for kind in LaneKind:
+            start = len(rows)
+            if kind is LaneKind.FILES:
+                data |= self._files((mark for mark in marks if mark.lane.kind is kind), number, rows)
+            else:
+                self._rows(Counter({lane: n for lane, n in lanes.items() if lane.kind is kind and n}), rows, row_of)
+            shaded = len({band["kind"] for band in bands}) % 2 == 0
+            bands += [
+                {"row": row, "kind": kind.value, "first": row == rows[start], "shaded": shaded} for row in rows[start:]
+            ]
+        for mark in marks:
+            if mark.lane.kind is not LaneKind.FILES:
+                data.setdefault(row_of[mark.lane], []).append(self._datum(mark, number, row_of[mark.lane]))
+        for row in data.values():
+            self._place_labels(row)
+            self.datasets["marks"] += row
+        self._cells(number, row_of)
+        self.datasets[f"bands{number}"] = bands
+        longest = max((len(row.partition("/")[2]) for row in rows), default=0)
+        self.margin = max(self.margin, KINDS_WIDTH + min(_CAPITAL * longest, 300))
+        aside = [_count(tally.messages, "message")]
+        latency = tally.latencies.percentiles()
+        if latency is not None:
+            aside += [f"median answer {duration(latency.median)}", f"slowest {duration(latency.max)}"]
+        self.views.append(self._view(number, rows) | {"title": _heading(brick, [", ".join(aside)])})
+
+    def _rows(self, lanes: Counter[Lane], rows: list[str], row_of: dict[Lane, str]) -> None:
+        """A row for each subject; the rarest share one if there are many."""
+        subjects: Counter[str] = Counter()
+        for lane, number in lanes.items():
+            subjects[lane.subject] += number
+        most = MOST_ROWS if len(subjects) <= MOST_ROWS else MOST_ROWS - 1
+        own = {subject for subject, _ in subjects.most_common(most)} - {OTHERS}
+        rest = len(subjects) - len(own)
+        names = [subject for subject in subjects if subject in own]
+        if rest:
+            names.append(f"{rest} others" if rest > 1 or OTHERS not in subjects else OTHERS)
+        found = {name: f"{number}/{name}" for number, name in enumerate(names, len(rows))}
+        rows += found.values()
+        row_of |= {lane: found[lane.subject if lane.subject in own else names[-1]] for lane in lanes}
+
+    def _files(self, marks: Iterable[Mark], panel: int, rows: list[str]) -> dict[str, list[Json]]:
+        """Files in rows in which neither they nor their paths overlap, as far as there are rows."""
+        found: dict[str, list[Json]] = {}
+        ends: dict[str, float] = {}
+        for mark in marks:
+            width = self._width(mark.label)
+            begin, end = mark.begin, mark.end or mark.begin
+            if end + width > self.domain[1]:
+                begin -= width
+            elif begin + width > end:
+                end += width
+            row = next((row for row in ends if ends[row] <= begin), None)
+            if row is None and len(ends) < MOST_FILE_ROWS:
+                row = f"{len(rows)}/"
+                rows.append(row)
+            row = row or min(ends, key=ends.__getitem__)
+            ends[row] = max(ends.get(row, end), end)
+            found.setdefault(row, []).append(self._datum(mark, panel, row) | {"f": True})
+        return found
+
+    def _datum(self, mark: Mark, panel: int, row: str) -> Json:
+        datum: Json = {"p": panel, "row": row, "t": round(mark.begin, 9), "o": mark.outcome.value, "tip": mark.tip}
+        if mark.outcome in TROUBLES:
+            datum["bad"] = True
+        if mark.end is not None:
+            datum["e"] = round(mark.end, 9)
+        if mark.latency is not None:
+            datum["ms"] = _milliseconds(mark.latency)
+        # Words on shades cannot be read.
+        return datum | ({"l": mark.label} if mark.label and not self._timeline.cells else {})
+
+    def _width(self, words: str) -> float:
+        """Seconds that a label needs, with the space around it, in a picture of WIDTH pixels."""
+        return (1.5 * _SYMBOL + _LETTER * len(words)) / self._second
+
+    def _place_labels(self, row: list[Json]) -> None:
+        """Places labels in the bar or after it or, at the right edge, before it; those without room go.
+
+        `x` is the place, `back` says that the text ends there, `w` is the least width in which it has room: a narrow
+        window has no room for some of them.
+        """
+        low, high = self.domain
+        before = taken = low
+        beside = 0.0
+        for datum, after in zip(row, [*(each["t"] for each in row[1:]), high], strict=True):
+            begin = float(datum["t"])
+            end = float(datum.get("e", begin))
+            words = datum.pop("l", "")
+            width = self._width(words)
+            x = begin if begin + width <= end else end
+            is_back = x + width > high
+            place, room, needed = (begin, begin - before, width + beside) if is_back else (x, after - x, width)
+            is_placed = bool(words) and room >= width and (not is_back or begin - width >= taken)
+            before = max(before, end)
+            beside = width if is_placed and not is_back else 0.0
+            taken = max(taken, end + _SYMBOL / 2 / self._second, x + beside)
+            if is_placed:
+                least = min(round(WIDTH * needed / room), WIDTH)
+                datum |= {"l": words, "x": place, "back": is_back, "w": least}
+
+    def _cells(self, panel: int, row_of: dict[Lane, str]) -> None:
+        timeline = self._timeline
+        merged: dict[tuple[str, float], Cell] = {}
+        for (lane, begin), cell in timeline.cells.items():
+            if lane in row_of:
+                merged.setdefault((row_of[lane], begin), Cell()).merge(cell)
+        for (row, begin), cell in merged.items():
+            end = round(begin + timeline.bin_width, 9)
+            tip = {"title": _count(cell.count, "mark")}
+            tip["from"] = f"{begin:.3f} s" if timeline.is_timed else f"line {begin:.0f}"
+            tip["during"] = _extent(timeline, timeline.bin_width)
+            tip |= {outcome.value: str(number) for outcome, number in cell.troubles.items()}
+            datum: Json = {"p": panel, "row": row, "t": begin, "e": end, "n": cell.count, "tip": tip}
+            if cell.latencies is not None:
+                low, high = cell.latencies
+                tip["fastest answer"] = f"{low * 1000:,.3f} ms"
+                tip["slowest answer"] = f"{high * 1000:,.3f} ms, to the command in packet {cell.slowest}"
+                datum |= {"low": _milliseconds(low), "ms": _milliseconds(high)}
+            self.datasets["cells"].append(datum)
+
+    # Views
+
+    def _view(self, number: int, rows: list[str]) -> Json:
+        self.timed.append(f"rows{number}")
+        label = "slice(datum.value, indexof(datum.value, '/') + 1)"
+        axis: Json = {"title": None, "ticks": False, "domain": False, "labelExpr": label, "labelPadding": 8}
+        axis["labelLimit"] = {"expr": "margin - kinds"}
+        y = {"field": "row", "type": "nominal", "scale": {"domain": rows, "padding": 0}, "axis": axis}
+        x, bands, ours = self._x("t"), f"bands{number}", f"datum.p === {number}"
+        band = {"type": "rect", "color": "black"}  # see-through, because the grid is behind it
+        shaded = {"condition": {"test": "datum.shaded", "value": 0.04}, "value": 0}
+        # Left of the view, where it would be clipped off with everything that can be dragged.
+        kind = {
+            "type": "text",
+            "align": "left",
+            "fontSize": 12,
+            "fontWeight": "bold",
+            "color": "#444444",
+            "clip": False,
+        }
+        kinds = {
+            "x": {"value": {"expr": "-margin"}},
+            "text": {"field": "kind"},
+            "opacity": {"value": {"expr": "kinds ? 1 : 0"}},
+        }
+        # The outline keeps a bar visible where it is less than a pixel wide.
+        bar = {"type": "bar", "height": {"band": 0.7}, "strokeWidth": 1, "fillOpacity": 0.25}
+        bar["stroke"] = {"expr": "scale('color', datum.o)"}
+        symbol = self._symbol()
+        bars = {"x": x, "x2": {"field": "e"}, "y": y, "color": symbol["color"]}
+        words = {
+            "type": "text",
+            "align": {"expr": "datum.back ? 'right' : 'left'"},
+            "dx": {"expr": f"datum.back ? {-_SYMBOL + 3} : {_SYMBOL - 3}"},
+            "fontSize": 11,
+            "color": "#222222",
+        }
+        layers = [
+            _layer(bands, band, {"y": y, "opacity": shaded}),
+            _layer(bands, kind, {"y": y, **kinds}, "datum.first"),
+            *([self._heat(x, y, ours)] if self._timeline.cells else []),
+            # Named is the first layer with times and colours: what can be dragged, and whose legend can be clicked.
+            _timed("marks", bar, bars, f"{ours} && isValid(datum.e)") | {"name": f"rows{number}"},
+            _timed("marks", words, {"x": self._x("x"), "y": y, "text": {"field": "l"}}, f"{ours} && datum.w <= room"),
+            _timed("marks", _POINT, {"x": x, "y": y, **symbol}, f"{ours} && !datum.f"),
+        ]
+        return {"layer": layers, "width": WIDTH, "height": 21 * len(rows)}
+
+    def _heat(self, x: Json, y: Json, where: str) -> Json:
+        most = max(cell["n"] for cell in self.datasets["cells"])
+        scale = {"type": "log", "scheme": "blues", "domain": [1, max(most, 2)]}
+        title = f"marks in {_extent(self._timeline, self._timeline.bin_width)}"
+        fill = {"field": "n", "type": "quantitative", "scale": scale, "legend": {"orient": "top", "title": title}}
+        rect = {"type": "rect", "height": {"band": 0.84}}
+        return _timed("cells", rect, {"x": x, "x2": {"field": "e"}, "y": y, "fill": fill}, where)
+
+    def _latency(self) -> Json | None:
+        """The view of the latencies, None where there are none."""
+        data = (datum for data in self.datasets.values() for datum in data)
+        found = [datum[name] for datum in data for name in ("low", "ms") if name in datum]
+        if not found:
+            return None
+        self.timed.append("latency")
+        is_logarithmic = max(found) >= _LOGARITHMIC * min(found)
+        scale = (
+            {"type": "log", "domain": [min(found) / 1.5, max(found) * 1.5]}
+            if is_logarithmic
+            else {"domainMax": max(found) * 1.1}
+        )
+        axis = {"title": None, "tickCount": 6, "labelExpr": "datum.label ? datum.label + ' ms' : ''", "format": "~g"}
+        y = {"field": "ms", "type": "quantitative", "scale": scale, "axis": axis}
+        x = self._x("t")
+        rule = {"type": "rule", "color": "#9ECAE1", "strokeWidth": 1.5}
+        slowest = _POINT | {"size": 22, "color": "#08519C"}
+        layers = [
+            _timed("cells", rule, {"x": x, "y": y, "y2": {"field": "low"}}, "isValid(datum.ms)"),
+            _timed("cells", slowest, {"x": x, "y": y}, "isValid(datum.ms)"),
+            _timed("marks", _POINT, {"x": x, "y": y, **self._symbol()}, "isValid(datum.ms)") | {"name": "latency"},
+        ]
+        aside = f"milliseconds from command to reply, {'logarithmic' if is_logarithmic else 'linear'} scale"
+        return {
+            "title": _heading("How long a brick took to answer", [aside]),
+            "layer": layers,
+            "width": WIDTH,
+            "height": 170,
+        }
+
+    def _x(self, field: str) -> Json:
+        axis: Json = {"title": None, "tickCount": 10, "labelOverlap": True}
+        if self._timeline.is_timed:
+            axis["labelExpr"] = "datum.label + ' s'"
+        scale = {"domain": list(self.domain), "nice": False, "zero": False}
+        return {"field": field, "type": "quantitative", "scale": scale, "axis": axis}
+
+    def _symbol(self) -> Json:
+        """How symbols look: smaller where there are many, trouble never, with a white rim that lifts it."""
+        many = len(self.datasets["marks"])
+        outcomes = self._timeline.outcomes
+        words = {outcome.value: f"{outcome.value}: {outcomes[outcome]:,}" for outcome in MarkState}
+        return {
+            "color": _COLOUR
+            | {
+                "legend": {
+                    "values": [outcome.value for outcome in MarkState if outcomes[outcome]],
+                    "labelExpr": f"({words})[datum.label]",
+                    **_LEGEND,
+                }
+            },
+            "shape": _by_outcome(1),
+            "size": {
+                "condition": {"test": "datum.bad", "value": 140},
+                "value": 75 if many <= 300 else 40 if many <= 3000 else 20,
+            },
+            "stroke": {"condition": {"test": "datum.bad", "value": "white"}, "value": None},
+            "strokeWidth": {"condition": {"test": "datum.bad", "value": 1.2}, "value": 0},
+        }
+
+
+def _by_outcome(look: int) -> Json:
+    scale = {"domain": [outcome.value for outcome in _LOOKS], "range": [looks[look] for looks in _LOOKS.values()]}
     return {"field": "o", "type": "nominal", "scale": scale, "legend": None}
 
 
-_COLOUR = _by_outcome(COLOURS)
-_SHAPE = _by_outcome(SYMBOLS)
-_SHADE = {
-    "field": "s",
-    "type": "ordinal",
-    "scale": {"domain": list(range(1, SHADES + 1)), "range": list(SHADE_COLOURS)},
-    "legend": None,
+_COLOUR = _by_outcome(0)
+_POINT = {"type": "point", "filled": True}
+_LEGEND = {
+    "orient": "top",
+    "title": None,
+    "symbolSize": 75,
+    "labelFontSize": 12,
+    "labelLimit": 0,
+    "columns": {"expr": "max(1, floor(room / 190))"},
 }
-_INDEPENDENT = {"scale": {"color": "independent"}}
 
 
-def _faded(full: float = 1.0) -> Json:
-    """Opaque, unless words in the legend were clicked that are not about it."""
-    return {"condition": {"param": "picked", "value": full}, "value": 0.1}
+def _layer(data: str, mark: Json, encoding: Json, where: str | None = None) -> Json:
+    layer: Json = {"data": {"name": data}, "mark": mark, "encoding": encoding}
+    return layer | ({"transform": [{"filter": where}]} if where else {})
 
 
-_SYMBOL = {"type": "point", "filled": True, "clip": True, "tooltip": _TIP}
+def _timed(data: str, mark: Json, encoding: Json, where: str) -> Json:
+    """What moves with the time, says what it knows, and is faint unless its words in the legend were clicked."""
+    opacity = {"opacity": {"condition": {"param": "picked", "value": 1.0}, "value": 0.1}}
+    return _layer(data, mark | {"clip": True, "tooltip": {"expr": "datum.tip"}}, encoding | opacity, where)
 
 
-def _symbol(picture: Drawing) -> Json:
-    """How symbols look. Trouble is never small, and has a white rim that lifts it from what is around it."""
+def _heading(text: str, lines: list[str], size: int = 14) -> Json:
     return {
-        "color": _COLOUR,
-        "shape": _SHAPE,
-        "opacity": _faded(0.9),
-        "size": {"condition": {"test": "datum.bad", "value": TROUBLE_SIZE}, "value": picture.symbol_size},
-        "stroke": {"condition": {"test": "datum.bad", "value": "white"}, "value": None},
-        "strokeWidth": {"condition": {"test": "datum.bad", "value": 1.2}, "value": 0},
+        "text": text,
+        "subtitle": lines,
+        "anchor": "start",
+        "frame": "bounds",
+        "fontSize": size,
+        "subtitleFontSize": 12,
+        "subtitleColor": "#444444",
+        "subtitleLineHeight": 17,
+        "limit": {"expr": "room + margin"},
+        "offset": 14 if size > 14 else 4,
     }
 
 
-def _time(picture: Drawing, field: str, *, is_titled: bool) -> Json:
-    title, label = (_SECONDS, "datum.label + ' s'") if picture.is_timed else (_LINES, "datum.label")
-    return {
-        "field": field,
-        "type": "quantitative",
-        "scale": {"domain": list(picture.domain), "nice": False, "zero": False},
-        "axis": {
-            "title": title if is_titled else None,
-            "tickCount": 10,
-            "labelExpr": label,
-            "labelOverlap": True,
-        },
-    }
+def _homes(bricks: dict[str, Tally]) -> dict[str, str]:
+    """In whose panel a brick is drawn: a beacon comes from another port than the dialogue, but from the same brick."""
+    homes = {brick: brick for brick in bricks}
+    for brick, tally in bricks.items():
+        same = [other for other in bricks if bricks[other].messages and _host(other) == _host(brick)]
+        if not tally.messages and len(same) == 1:
+            homes[brick] = same[0]
+    return homes
 
 
-_SECONDS = "seconds since the first message"
-_LINES = "order: the lines of the text, which has no times"
+def _host(brick: str) -> str:
+    host, colon, port = brick.rpartition(":")
+    return host if colon and port.isdecimal() and brick.startswith("WiFi") else brick
 
 
-def _legend(picture: Drawing) -> Json:
-    x, y = ({"field": name, "type": "quantitative", "scale": None, "axis": None} for name in ("x", "y"))
-    layers = [
-        _layer(
-            "legend",
-            {"type": "point", "filled": True, "size": 75, "opacity": 1},
-            {"x": x, "y": y, "color": _COLOUR, "shape": _SHAPE},
-            "isValid(datum.o)",
-        ),
-        _layer(
-            "legend",
-            {"type": "text", "align": "left", "dx": 10, "fontSize": 12},
-            {"x": x, "y": y, "text": {"field": "text"}, "opacity": _faded()},
-        ),
-        # What is clicked: symbol and words together.
-        _layer(
-            "legend",
-            {"type": "rect", "opacity": 0, "height": 20, "cursor": "pointer"},
-            {"x": x, "x2": {"field": "x2"}, "y": y},
-            "isValid(datum.o)",
-            "legend",
-        ),
-    ]
-    if picture.cells:
-        square = {"type": "point", "shape": "square", "filled": True, "size": 130, "opacity": 1}
-        layers.append(_layer("legend", square, {"x": x, "y": y, "color": _SHADE}, "isValid(datum.s)"))
-    return {
-        "layer": layers,
-        "width": WIDTH,
-        "height": picture.legend_height,
-        "view": {"stroke": None},
-        "resolve": _INDEPENDENT,
-    }
-
-
-class _Panel:
-    """The rows of one brick."""
-
-    def __init__(self, picture: Drawing, number: int) -> None:
-        self.name = f"rows{number}"
-        self._picture = picture
-        self._number = number
-        self._panel = picture.panels[number]
-        is_last = picture.latency_ms is None and number == len(picture.panels) - 1
-        self._x, self._x_of_words = (_time(picture, field, is_titled=is_last) for field in ("t", "x"))
-        self._y = {
-            "field": "row",
-            "type": "nominal",
-            "scale": {"domain": self._panel.rows, "padding": 0},
-            "axis": {
-                "title": None,
-                "ticks": False,
-                "domain": False,
-                "labelExpr": "slice(datum.value, indexof(datum.value, '/') + 1)",
-                "labelLimit": {"expr": "margin - kinds"},
-                "labelPadding": 8,
-                "minExtent": _MARGIN,
-                "maxExtent": _MARGIN,
-            },
-        }
-
-    def view(self) -> Json:
-        """The view, the time of which can be dragged."""
-        layers = [*self._background(), *self._cells(), self._bars(), *self._words(), self._symbols()]
-        return {
-            "title": _heading(self._panel.title, self._panel.aside),
-            "layer": layers,
-            "width": WIDTH,
-            "height": ROW_HEIGHT * len(self._panel.rows),
-            "resolve": _INDEPENDENT,
-        }
-
-    def _background(self) -> list[Json]:
-        # See-through, because the grid is behind it.
-        yes_or_no = {"condition": {"test": "datum.shaded", "value": 0.04}, "value": 0}
-        return [
-            _layer(
-                f"bands{self._number}",
-                {"type": "rect", "color": "black"},
-                {"y": self._y, "opacity": yes_or_no},
-            ),
-            _layer(
-                f"kinds{self._number}",
-                # Left of the view, where it would be clipped off with everything that can be dragged.
-                {
-                    "type": "text",
-                    "align": "left",
-                    "fontSize": 12,
-                    "fontWeight": "bold",
-                    "color": "#444444",
-                    "clip": False,
-                },
-                {
-                    "x": {"value": {"expr": "-margin"}},
-                    "y": self._y,
-                    "text": {"field": "kind"},
-                    "opacity": {"value": {"expr": "kinds ? 1 : 0"}},
-                },
-            ),
-        ]
-
-    def _cells(self) -> list[Json]:
-        if not self._picture.cells:
-            return []
-        mark = {"type": "rect", "clip": True, "height": {"band": 0.84}, "tooltip": _TIP}
-        encoding = {"x": self._x, "x2": {"field": "e"}, "y": self._y, "color": _SHADE, "opacity": _faded()}
-        return [_layer("cells", mark, encoding, self._ours())]
-
-    def _bars(self) -> Json:
-        # The outline keeps a bar visible where it is less than a pixel wide.
-        mark = {
-            "type": "bar",
-            "clip": True,
-            "height": {"band": 0.7},
-            "strokeWidth": 1,
-            "fillOpacity": 0.25,
-            "tooltip": _TIP,
-        }
-        encoding = {
-            "x": self._x,
-            "x2": {"field": "e"},
-            "y": self._y,
-            "fill": _COLOUR,
-            "stroke": _COLOUR,
-            "opacity": _faded(),
-        }
-        # The name is of a layer that has times, or time cannot be dragged.
-        return _layer("marks", mark, encoding, self._ours("isValid(datum.e)"), self.name)
-
-    def _words(self) -> list[Json]:
-        style = {"type": "text", "fontSize": 11, "color": "#222222", "clip": True, "tooltip": _TIP}
-        encoding = {"x": self._x_of_words, "y": self._y, "text": {"field": "l"}, "opacity": _faded()}
-        return [
-            _layer("marks", style | place, encoding, self._ours("isValid(datum.l)", "datum.w <= room", where))
-            for place, where in (
-                ({"align": "left", "dx": 8}, "!datum.back"),
-                ({"align": "right", "dx": -8}, "datum.back"),
-            )
-        ]
-
-    def _symbols(self) -> Json:
-        encoding = {"x": self._x, "y": self._y, **_symbol(self._picture)}
-        return _layer("marks", _SYMBOL, encoding, self._ours("!datum.f"))
-
-    def _ours(self, *conditions: str) -> str:
-        return " && ".join((f"datum.p === {self._number}", *conditions))
-
-
-def _milliseconds(picture: Drawing) -> Json:
-    """The axis of the latencies, which are there."""
-    assert picture.latency_ms is not None
-    low, high = picture.latency_ms
-    scale: Json = {"domain": [0, high * 1.1]}
-    axis: Json = {
-        "title": None,
-        "labelOverlap": False,
-        "tickCount": 6,
-        "format": "~g",
-        "labelExpr": "datum.label ? datum.label + ' ms' : ''",
-        "minExtent": _MARGIN,
-        "maxExtent": _MARGIN,
-    }
-    if picture.is_logarithmic:
-        scale = {"type": "log", "domain": [low / LATENCY_MARGIN, high * LATENCY_MARGIN], "nice": False}
-        axis["values"] = picture.latency_ticks
-    return {"field": "ms", "type": "quantitative", "scale": scale, "axis": axis}
-
-
-def _latency(picture: Drawing) -> Json:
-    y = _milliseconds(picture)
-    x = _time(picture, "t", is_titled=True)
-    layers = [
-        _layer(
-            "marks",
-            _SYMBOL,
-            {"x": x, "y": y, **_symbol(picture)},
-            "isValid(datum.ms)",
-            "latency",
-        )
-    ]
-    if picture.latencies:
-        span = {"type": "rule", "clip": True, "color": SHADE_COLOURS[1], "strokeWidth": 1.5}
-        slowest = _SYMBOL | {"size": 22, "color": SHADE_COLOURS[-1], "opacity": 1}
-        layers[:0] = [
-            _layer("latencies", span, {"x": x, "y": y, "y2": {"field": "low"}}),
-            _layer("latencies", slowest, {"x": x, "y": y}),
-        ]
-    scaled = "logarithmic scale" if picture.is_logarithmic else "linear scale"
-    return {
-        "title": _heading("How long a brick took to answer", f"milliseconds from command to reply, {scaled}"),
-        "layer": layers,
-        "width": WIDTH,
-        "height": LATENCY_HEIGHT,
-        "resolve": _INDEPENDENT,
-    }
+def _milliseconds(seconds: float) -> float:
+    return max(round(seconds * 1000, 6), FIRST_MS)

@@ -1,4 +1,4 @@
-"""The picture in a file: a page, an SVG or a PNG, by the file's suffix; written whole, or not at all."""
+"""Pictures as files: a page, an SVG or a PNG, by the file's suffix; written whole, or not at all."""
 
 from __future__ import annotations
 
@@ -7,27 +7,23 @@ from enum import Enum
 from functools import cache
 from importlib.util import find_spec
 from pathlib import Path
+from typing import Any
 
-from ev3proto.capture.timeline.chart import VERSION, specification
-from ev3proto.capture.timeline.layout import lay_out
+from ev3proto.capture.timeline.chart import VERSION, specification, summary
+from ev3proto.capture.timeline.collecting import clean
 from ev3proto.capture.timeline.marks import Timeline
 from ev3proto.capture.timeline.page import page
-from ev3proto.capture.timeline.wording import clean
 from ev3proto.extras import install_command
 from ev3proto.whole_files import write_whole
 
 LIBRARY = "vl_convert"
-"""What draws, and is not installed with everything else."""
+"""The library that draws; an extra."""
 
 MOST_TITLE = 100
 """Letters of the title: a long one would make the picture wider."""
 
 PNG_SCALE = 2.0
 """Pixels of the PNG for one of the chart: letters stay sharp when it is printed or projected."""
-
-
-_SNIPPET = "window.vegaEmbed = vegaEmbed;"
-"""What the page needs of the libraries."""
 
 
 class Form(Enum):
@@ -56,7 +52,7 @@ class MissingLibraryError(ImportError):
 
 
 def require_library() -> None:
-    """Looks for the library that draws, and does not import it.
+    """Looks for the library that draws, without importing it.
 
     Raises:
         MissingLibraryError: It is not installed.
@@ -72,8 +68,8 @@ def render(timeline: Timeline, form: Form, title: str) -> bytes:
 
     Args:
         timeline: What to draw.
-        form: What to draw it as.
-        title: What stands above the picture: the name of the capture.
+        form: The form of the file.
+        title: Text above the picture: the name of the capture.
 
     Returns:
         The contents of a file: the same bytes for the same timeline and title.
@@ -81,18 +77,33 @@ def render(timeline: Timeline, form: Form, title: str) -> bytes:
     Raises:
         MissingLibraryError: The library that draws is not installed.
     """
+    title = clean(title, MOST_TITLE)
+    if form is not Form.HTML:
+        return picture(specification(timeline, title), form)
+    require_library()
+    return page(specification(timeline), title, summary(timeline), _javascript()).encode()
+
+
+def picture(chart: dict[str, Any], form: Form) -> bytes:
+    """Draws a chart of Vega-Lite as SVG or PNG, from nothing but what is in it.
+
+    Raises:
+        MissingLibraryError: The library that draws is not installed.
+    """
     require_library()
     import vl_convert  # an extra
 
-    title = clean(title, MOST_TITLE)
-    picture = lay_out(timeline, title)
-    chart = specification(picture)
-    if form is Form.HTML:
-        return page(chart, title, picture.margin, _javascript()).encode()
-    # No address is allowed: a picture is made of nothing but the capture.
-    if form is Form.SVG:
-        return _renumbered(vl_convert.vegalite_to_svg(chart, vl_version=VERSION, allowed_base_urls=[])).encode()
-    return vl_convert.vegalite_to_png(chart, vl_version=VERSION, scale=PNG_SCALE, allowed_base_urls=[])
+    if form is Form.PNG:
+        png: bytes = vl_convert.vegalite_to_png(chart, vl_version=VERSION, scale=PNG_SCALE, allowed_base_urls=[])
+        return png
+    svg: str = vl_convert.vegalite_to_svg(chart, vl_version=VERSION, allowed_base_urls=[])
+    # The library counts clipping paths and gradients on from picture to picture.
+    numbers: dict[str, str] = {}
+    return re.sub(
+        r'((?:id="|url\(#)(?:clip|gradient_))(\d+)',
+        lambda it: it[1] + numbers.setdefault(it[0], str(len(numbers))),
+        svg,
+    ).encode()
 
 
 @cache
@@ -100,17 +111,8 @@ def _javascript() -> str:
     """The libraries that the page needs, made into one script, which takes seconds."""
     import vl_convert  # an extra
 
-    return vl_convert.javascript_bundle(_SNIPPET, vl_version=VERSION)
-
-
-def _renumbered(svg: str) -> str:
-    """An SVG whose clipping paths are numbered from 0 on: the library counts them on from picture to picture."""
-    numbers: dict[str, int] = {}
-
-    def numbered(found: re.Match[str]) -> str:
-        return f"{found[1]}clip{numbers.setdefault(found[2], len(numbers))}{found[3]}"
-
-    return re.sub(r'(<clipPath id="|clip-path="url\(#)clip(\d+)("|\)")', numbered, svg)
+    script: str = vl_convert.javascript_bundle("window.vegaEmbed = vegaEmbed;", vl_version=VERSION)
+    return script
 
 
 def write(timeline: Timeline, path: Path, title: str) -> None:
@@ -119,7 +121,7 @@ def write(timeline: Timeline, path: Path, title: str) -> None:
     Args:
         timeline: What to draw.
         path: The file, whose suffix is that of a Form.
-        title: What stands above the picture: the name of the capture.
+        title: Text above the picture: the name of the capture.
 
     Raises:
         ValueError: The suffix is that of no form.

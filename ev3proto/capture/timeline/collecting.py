@@ -14,23 +14,13 @@ from typing import NamedTuple
 from ev3proto.bounded import Bounded
 from ev3proto.capture.conversation import MOST_PENDING
 from ev3proto.capture.dialogues import is_error
-from ev3proto.capture.filter import Filter
 from ev3proto.capture.moving import begins
-from ev3proto.capture.record import NANOSECONDS, Announcement, Event, Record, Route, Skipped
-from ev3proto.capture.timeline.bins import Bins
-from ev3proto.capture.timeline.marks import OTHERS, TROUBLES, Lane, LaneKind, Mark, MarkState, Tally, Timeline
-from ev3proto.capture.timeline.wording import (
-    announcement_text,
-    clean,
-    clean_path,
-    command_text,
-    exchange_label,
-    packets,
-    reply_text,
-    subject,
-    transfer_progress,
-)
+from ev3proto.capture.record import NANOSECONDS, Announcement, Event, Record, Route, Skipped, utc
+from ev3proto.capture.timeline.marks import OTHERS, TROUBLES, Bins, Lane, LaneKind, Mark, MarkState, Tally, Timeline
 from ev3proto.dialogue import Transfer
+from ev3proto.messages import DaisyCommand, DirectCommand, Message, SystemCommand, SystemReply
+from ev3proto.text.phrases import argument_meaning, argument_value, command_spans, reply_spans, value_text
+from ev3proto.text.spans import plain_text, visible
 
 MOST_MARKS = 20_000
 """Marks that are drawn one by one."""
@@ -50,7 +40,23 @@ MOST_WAITING = MOST_PENDING * MOST_BRICKS
 MOST_LANES = 300
 """Lanes of all bricks together; what comes beyond that goes into the lane OTHERS of its kind."""
 
+MOST_LETTERS = 240
+"""Letters of one detail."""
+
+MOST_LABEL = 28
+"""Letters of what is written beside a mark."""
+
+MOST_TOLD = 8
+"""Values of one message that are written beside a mark."""
+
 _KINDS = {"direct": LaneKind.DIRECT, "system": LaneKind.SYSTEM, "daisy": LaneKind.DAISY}
+
+
+class Window(NamedTuple):
+    """The part of a capture that is drawn, in seconds since the first event; None where it is not limited."""
+
+    first: float | None = None
+    last: float | None = None
 
 
 def collect(
@@ -65,13 +71,13 @@ def collect(
         events: The events of the capture.
         chosen: Which records to draw, by default all, with everything else. Of a command and its reply, one is enough
             for both.
-        window: Which part of the capture to draw, by default all of it.
+        window: Which part of the capture to draw, by default all of it: what begins there.
         most_marks: How many marks may be drawn one by one.
 
     Returns:
         The timeline; None where there is nothing to draw.
     """
-    collector = Collector(chosen, window or Window(), most_marks)
+    collector = _Collector(chosen, window or Window(), most_marks)
     for event in events:
         collector.feed(event)
     return collector.finish()
@@ -83,241 +89,191 @@ class _Move:
 
     transfer: Transfer
     brick: str
-    begin_ns: int
-    end_ns: int
-    first: int
-    last: int
+    begin: tuple[float, int]
+    end: tuple[float, int]
     failure: str = ""
 
 
-class Window(NamedTuple):
-    """The part of a capture that is drawn: what begins in it.
-
-    first  seconds since the first event, None from the capture's begin on
-    last   the same, None up to its end
-    """
-
-    first: float | None = None
-    last: float | None = None
-
-
-class Collector:
-    """Takes events, one by one, and makes marks of them."""
-
+class _Collector:
     def __init__(self, chosen: Callable[[Record], bool] | None, window: Window, most_marks: int) -> None:
         self._chosen = chosen
-        # Whether a command is chosen may only show with its reply.
-        self._is_patient = isinstance(chosen, Filter) and chosen.looks_ahead
         self._window = window
-        # When the capture's first event was captured, and between which times something is drawn.
+        self._first = -math.inf if window.first is None else window.first
+        self._last = math.inf if window.last is None else window.last
         self._origin: int | None = None
-        # Whether that has a time, as all captures and most logs have; else all is drawn in its order.
+        # Without times, as some logs are, all is drawn in its order.
         self._is_timed = True
-        self._first: float = -math.inf
-        self._last: float = math.inf
         self._most_marks = most_marks
         self._marks: list[Mark] = []
         self._bins: Bins | None = None
-        # The commands that wait, each with whether it is chosen: None where that is not known yet.
-        self._waiting: Bounded[Record, tuple[Record, bool | None]] = Bounded(MOST_WAITING)
+        self._waiting: Bounded[Record, Record] = Bounded(MOST_WAITING)
         self._moves: dict[int, _Move] = {}
         self._lanes: set[Lane] = set()
         self._bricks: dict[str, Tally] = {}
-        self._span: tuple[int, int] | None = None
+        self._begin, self._end = math.inf, -math.inf
         self._unshown = 0
 
     def feed(self, event: Event) -> None:
-        """Takes the next event."""
         if self._origin is None:
-            self._begin(event)
+            self._is_timed = event.route.is_timed
+            self._origin = event.time_ns if self._is_timed else 0
         match event:
             case Record():
                 self._record(event)
             case Announcement() if self._chosen is None:
-                self._announcement(event)
+                said = event.said.value
+                facts = ", ".join(f"{name} {value}" for name, value in event.facts.items())
+                details = {"says": clean(facts or f"{len(event.data)} bytes"), **_ends(event.route)}
+                self._point(event, LaneKind.ANNOUNCEMENTS, said, MarkState.ANNOUNCED, said, details)
             case Skipped() if self._chosen is None:
-                self._skipped(event)
-
-    def _begin(self, event: Event) -> None:
-        self._is_timed = event.route.is_timed
-        origin = self._origin = event.time_ns if self._is_timed else 0
-        if self._window.first is not None:
-            self._first = origin + self._window.first * NANOSECONDS
-        if self._window.last is not None:
-            self._last = origin + self._window.last * NANOSECONDS
-
-    def _at(self, event: Event) -> int:
-        """Where on the axis something stands: without times, each line of the text is as long as a second."""
-        if self._is_timed:
-            return event.time_ns
-        return NANOSECONDS * (max(event.numbers) if isinstance(event, Announcement) else event.number)
+                heading = f"{len(event.data)} bytes skipped" if event.data else "bytes are missing"
+                details = {"reason": clean(event.reason), **_ends(event.route)}
+                if event.missing:
+                    details["not captured"] = f"{event.missing} bytes"
+                self._point(event, LaneKind.TROUBLE, "skipped bytes", MarkState.SKIPPED, heading, details)
 
     def finish(self) -> Timeline | None:
-        """All that was collected; commands that still wait were never answered. None where nothing was."""
         while self._waiting:
-            self._give_up(*self._waiting.pop_oldest())
+            self._give_up(self._waiting.pop_oldest())
         files = [
             self._file(move)
             for move in self._moves.values()
-            if self._is_inside(move.begin_ns) or move.begin_ns < self._first <= move.end_ns
+            if self._is_inside(move.begin[0]) or move.begin[0] < self._first <= move.end[0]
         ]
-        if self._span is None or self._origin is None:
+        if math.isinf(self._begin) or self._origin is None:
             return None
-        begin, end = self._span
         return Timeline(
             origin_ns=self._origin,
-            begin_ns=begin if self._window.first is None else round(self._first),
-            end_ns=end if self._window.last is None else round(self._last),
-            marks=sorted(self._marks, key=lambda mark: mark.begin_ns),
-            files=sorted(files, key=lambda mark: mark.begin_ns),
+            begin=self._begin if self._window.first is None else self._first,
+            end=self._end if self._window.last is None else self._last,
+            marks=sorted([*self._marks, *files], key=lambda mark: mark.begin),
             cells=self._bins.cells if self._bins else {},
-            bin_ns=self._bins.width_ns if self._bins else 0,
+            bin_width=self._bins.width_ns / NANOSECONDS if self._bins else 0,
             bricks={name: tally for name, tally in self._bricks.items() if tally.messages or tally.outcomes},
             unshown=self._unshown,
             is_timed=self._is_timed,
         )
 
+    def _at(self, event: Event) -> float:
+        """Where on the axis something is; without times, each line of the text is as long as a second."""
+        assert self._origin is not None
+        return (event.time_ns - self._origin) / NANOSECONDS if self._is_timed else _number(event)
+
+    def _is_inside(self, seconds: float) -> bool:
+        return self._first <= seconds <= self._last
+
+    # Records
+
     def _record(self, record: Record) -> None:
         message = record.message
-        if self._is_patient and message.wants_reply:
-            oldest = self._waiting.add(record, (record, None))
+        if message.wants_reply:
+            # Whether a command is chosen may only show with its reply.
+            oldest = self._waiting.add(record, record)
             if oldest is not None:
-                self._give_up(*oldest)
+                self._give_up(oldest)
             return
-        is_chosen = self._is_chosen(record)
-        if is_chosen:
-            self._chosen_record(record)
+        is_chosen = self._is_counted(record)
         if message.type is None:
             return
-        if not message.type.is_command:
-            waited = None if record.request is None else self._waiting.pop(record.request, None)
-            was_chosen = waited is not None and self._settled(*waited)
-            if is_chosen or was_chosen:
-                self._exchange(record.request, record)
-        elif message.wants_reply:
-            oldest = self._waiting.add(record, (record, is_chosen))
-            if oldest is not None:
-                self._give_up(*oldest)
-        elif is_chosen:
-            self._exchange(record, None)
+        if message.type.is_command:
+            if is_chosen:
+                self._exchange(record, None)
+            return
+        waited = None if record.request is None else self._waiting.pop(record.request, None)
+        if (waited is not None and self._is_counted(waited)) or is_chosen:
+            self._exchange(record.request, record)
 
-    def _is_chosen(self, record: Record) -> bool:
-        return self._chosen is None or self._chosen(record)
+    def _give_up(self, command: Record) -> None:
+        """A command was never answered."""
+        if self._is_counted(command):
+            self._exchange(command, None)
 
-    def _settled(self, command: Record, is_chosen: bool | None) -> bool:
-        """Whether a command is chosen, now that its reply was seen or can no longer come."""
-        if is_chosen is not None:
-            return is_chosen
-        is_chosen = self._is_chosen(command)
-        if is_chosen:
-            self._chosen_record(command)
-        return is_chosen
-
-    def _chosen_record(self, record: Record) -> None:
+    def _is_counted(self, record: Record) -> bool:
+        """Whether a record is chosen; if so it counts, for its brick, for its file, as a faulty frame."""
+        if self._chosen is not None and not self._chosen(record):
+            return False
+        message = record.message
         brick = self._brick(record.route)
         if self._is_inside(self._at(record)):
             self._bricks[brick].messages += 1
-        if record.message.fault is not None or record.message.type is None:
-            self._faulty(record, brick)
+        if message.fault is not None or message.type is None:
+            heading = "faulty frame" if message.type is None else f"faulty {message.type.name}"
+            fault = "unknown message type" if message.fault is None else clean(f"at {message.fault}")
+            details = {"fault": fault, "bytes": str(len(record.frame))}
+            self._point(record, LaneKind.TROUBLE, "faulty frames", MarkState.FAULTY, heading, details)
         if record.transfer is not None:
             self._move(record, record.transfer, brick)
-
-    def _give_up(self, command: Record, is_chosen: bool | None) -> None:
-        """A command was never answered."""
-        if self._settled(command, is_chosen):
-            self._exchange(command, None)
+        return True
 
     def _exchange(self, command: Record | None, reply: Record | None) -> None:
         """A command and its reply, or one of them alone."""
         seen = command or reply
         assert seen is not None
         assert seen.message.type is not None
-        begin, end = self._at(seen), self._at(reply) if command and reply else None
-        outcome = _outcome(command, reply)
-        about = subject(seen.message)
-        lane = self._lane(self._brick(seen.route), _KINDS[seen.message.type.carries], about)
-        mark = Mark(lane, outcome, begin, end, about, "", {}, seen.number)
-        mark.is_timed = self._is_timed and seen.route.is_timed and (reply is None or reply.route.is_timed)
-        if self._is_told(outcome):
-            mark.label = exchange_label(command, reply)
-            mark.details = _exchange_details(command, reply)
+        subject = _subject(seen.message)
+        lane = self._lane(self._brick(seen.route), _KINDS[seen.message.type.carries], subject)
+        end = self._at(reply) if command and reply else None
+        mark = Mark(lane, _outcome(command, reply), self._at(seen), end, "", {}, seen.number)
+        if command and reply and self._is_timed and reply.latency is not None:
+            mark.latency = max(reply.latency, 0.0)
+        if self._bins is None or (mark.outcome in TROUBLES and len(self._marks) < MOST_TROUBLES):
+            details = _exchange_details(command, reply)
+            if mark.latency is not None:
+                details = {"answer after": f"{mark.latency * 1000:,.3f} ms", **details}
+            mark.label = _exchange_label(command, reply)
+            mark.tip = self._tip(subject, mark, seen, details)
         self._keep(mark)
 
-    def _faulty(self, record: Record, brick: str) -> None:
-        fault = record.message.fault
-        mark = Mark(
-            self._lane(brick, LaneKind.TROUBLE, "faulty frames"),
-            MarkState.FAULTY,
-            self._at(record),
-            None,
-            "faulty frame" if record.message.type is None else f"faulty {record.message.type.name}",
-            "",
-            {
-                "fault": clean(f"at {fault}") if fault is not None else "no message type that there is",
-                "packet": packets(record.numbers),
-                "bytes": str(len(record.frame)),
-            },
-            record.number,
-        )
+    def _point(
+        self, event: Event, kind: LaneKind, subject: str, outcome: MarkState, heading: str, details: dict[str, str]
+    ) -> None:
+        """A mark that has no end and no label."""
+        mark = Mark(self._lane(self._brick(event.route), kind, subject), outcome, self._at(event), None, "", {}, 0)
+        mark.number = _number(event)
+        mark.tip = self._tip(heading, mark, event, {"packet": _packets(event), **details})
         self._keep(mark)
 
-    def _announcement(self, announcement: Announcement) -> None:
-        brick = self._brick(announcement.route)
-        details = {
-            "says": announcement_text(announcement),
-            "from": clean(announcement.route.source),
-            "to": clean(announcement.route.target),
-            "packet": packets(announcement.numbers),
-        }
-        said = announcement.said.value
-        lane = self._lane(brick, LaneKind.ANNOUNCEMENTS, said)
-        number = max(announcement.numbers)
-        self._keep(Mark(lane, MarkState.ANNOUNCED, self._at(announcement), None, said, "", details, number))
-
-    def _skipped(self, skipped: Skipped) -> None:
-        lane = self._lane(self._brick(skipped.route), LaneKind.TROUBLE, "skipped bytes")
-        details = {
-            "reason": clean(skipped.reason),
-            "from": clean(skipped.route.source),
-            "to": clean(skipped.route.target),
-            "packet": str(skipped.number),
-        }
-        if skipped.missing:
-            details["not captured"] = f"{skipped.missing} bytes"
-        heading = f"{len(skipped.data)} bytes skipped" if skipped.data else "bytes are missing"
-        self._keep(Mark(lane, MarkState.SKIPPED, self._at(skipped), None, heading, "", details, skipped.number))
+    def _tip(self, heading: str, mark: Mark, event: Event, details: dict[str, str]) -> dict[str, str]:
+        tip = {"title": heading, "outcome": mark.outcome.value}
+        if self._is_timed and event.route.is_timed:
+            tip |= {"at": f"{mark.begin:.6f} s", "clock": clock(event.time_ns)}
+        return tip | {"brick": mark.lane.brick} | details
 
     def _move(self, record: Record, transfer: Transfer, brick: str) -> None:
+        at = self._at(record), record.number
         move = self._moves.get(id(transfer))
         if move is None:
             if len(self._moves) >= MOST_FILES:
                 self._unshown += begins(record.message)
                 return
-            move = _Move(transfer, brick, self._at(record), self._at(record), record.number, record.number)
-            self._moves[id(transfer)] = move
-        move.begin_ns, move.first = min((move.begin_ns, move.first), (self._at(record), record.number))
-        move.end_ns, move.last = max((move.end_ns, move.last), (self._at(record), record.number))
+            move = self._moves[id(transfer)] = _Move(transfer, brick, at, at)
+        move.begin, move.end = min(move.begin, at), max(move.end, at)
         if is_error(record.message):
-            move.failure = reply_text(record)
+            move.failure = _reply_text(record)
 
     def _file(self, move: _Move) -> Mark:
-        transfer = move.transfer
+        transfer, (begin, first), (end, last) = move.transfer, move.begin, move.end
+        # A command that failed is counted already, as its answer.
         outcome = MarkState.MOVED if transfer.is_complete else MarkState.CUT_SHORT
-        details = {
-            "path": clean(transfer.path),
-            "command": transfer.command,
-            "moved": transfer_progress(transfer),
-            "packets": f"{move.first} to {move.last}",
-        }
         if move.failure:
-            # It is counted already, as the answer of the command that failed.
             outcome = MarkState.ERROR
-            details["error"] = move.failure
         else:
             self._bricks[move.brick].outcomes[outcome] += 1
-        lane = Lane(move.brick, LaneKind.FILES, "")
-        heading = f"{transfer.command} {clean_path(transfer.path)}"
-        return Mark(lane, outcome, move.begin_ns, move.end_ns, heading, clean_path(transfer.path), details, move.first)
+        path = visible(transfer.path[-MOST_LABEL - 1 :])
+        label = path if len(path) <= MOST_LABEL else f"…{path[1 - MOST_LABEL :]}"
+        tip = {"title": f"{transfer.command} {label}", "outcome": outcome.value}
+        if self._is_timed:
+            tip |= {"at": f"{begin:.6f} s", "took": f"{(end - begin) * 1000:,.3f} ms"}
+        tip |= {
+            "path": clean(transfer.path),
+            "moved": f"{transfer.transferred} of {'?' if transfer.size is None else transfer.size} bytes",
+            "packets": f"{first} to {last}",
+        }
+        if move.failure:
+            tip["error"] = move.failure
+        return Mark(Lane(move.brick, LaneKind.FILES, ""), outcome, begin, end, label, tip, first)
+
+    # Limits
 
     def _brick(self, route: Route) -> str:
         name = clean(f"{route.carrier.facts.label} {route.peer}", 60)
@@ -327,45 +283,66 @@ class Collector:
             self._bricks.setdefault(name, Tally())
         return name
 
-    def _lane(self, brick: str, kind: LaneKind, about: str) -> Lane:
-        lane = Lane(brick, kind, about)
-        if lane in self._lanes or len(self._lanes) < MOST_LANES:
-            self._lanes.add(lane)
-            return lane
-        return Lane(brick, kind, OTHERS)
-
-    def _is_told(self, outcome: MarkState) -> bool:
-        """Whether the mark will be drawn by itself, so that its words are worth finding."""
-        return self._bins is None or (outcome in TROUBLES and len(self._marks) < MOST_TROUBLES)
-
-    def _is_inside(self, time_ns: int) -> bool:
-        return self._first <= time_ns <= self._last
+    def _lane(self, brick: str, kind: LaneKind, subject: str) -> Lane:
+        lane = Lane(brick, kind, subject)
+        if lane not in self._lanes and len(self._lanes) >= MOST_LANES:
+            return Lane(brick, kind, OTHERS)
+        self._lanes.add(lane)
+        return lane
 
     def _keep(self, mark: Mark) -> None:
-        if not self._is_inside(mark.begin_ns):
+        if not self._is_inside(mark.begin):
             return
-        last = mark.begin_ns if mark.end_ns is None else mark.end_ns
-        first, latest = self._span or (mark.begin_ns, last)
-        self._span = min(first, mark.begin_ns), max(latest, last)
+        self._begin = min(self._begin, mark.begin)
+        self._end = max(self._end, mark.begin if mark.end is None else mark.end)
         self._bricks[mark.lane.brick].add(mark)
         if self._bins is not None:
-            self._bins.add(mark)
-            self._keep_trouble(mark)
+            self._count(self._bins, mark)
             return
         self._marks.append(mark)
         if len(self._marks) > self._most_marks:
             marks, self._marks, self._bins = self._marks, [], Bins()
             for each in marks:
-                self._bins.add(each)
-                self._keep_trouble(each)
+                self._count(self._bins, each)
 
-    def _keep_trouble(self, mark: Mark) -> None:
+    def _count(self, bins: Bins, mark: Mark) -> None:
+        bins.add(mark)
         if mark.outcome not in TROUBLES:
             return
         if len(self._marks) < MOST_TROUBLES:
             self._marks.append(mark)
         else:
             self._unshown += 1
+
+
+# Words. What comes from the network may be long, and may have characters that turn the text around them: `clean`.
+
+
+def clean(text: str, most: int = MOST_LETTERS) -> str:
+    """A text with what is not printable escaped, and not longer than `most` letters: the end is omitted."""
+    shown = visible(text[: most + 1])
+    return shown if len(shown) <= most else f"{shown[: most - 1]}…"
+
+
+def clock(time_ns: int) -> str:
+    """`2024-01-31 09:12:31.011558 UTC`."""
+    return f"{utc(time_ns).removesuffix('Z').replace('T', ' ')} UTC"
+
+
+def _ends(route: Route) -> dict[str, str]:
+    return {"from": clean(route.source), "to": clean(route.target)}
+
+
+def _number(event: Event) -> int:
+    return event.number if isinstance(event, Skipped) else max(event.numbers)
+
+
+def _packets(event: Event) -> str:
+    """`7`, `7, 8`, `7 to 31 (9 packets)`."""
+    numbers = (event.number,) if isinstance(event, Skipped) else event.numbers
+    if len(numbers) <= 3:
+        return ", ".join(map(str, numbers))
+    return f"{numbers[0]} to {numbers[-1]} ({len(numbers)} packets)"
 
 
 def _outcome(command: Record | None, reply: Record | None) -> MarkState:
@@ -377,19 +354,46 @@ def _outcome(command: Record | None, reply: Record | None) -> MarkState:
     return MarkState.ANSWERED if command is not None else MarkState.ORPHAN
 
 
+def _subject(message: Message) -> str:
+    """What a message is about: its operations, its system command, its daisy command."""
+    match message:
+        case DirectCommand():
+            names = list(dict.fromkeys(operation.full_name for operation in message.operations)) or ["no operation"]
+            return ", ".join(names) if len(names) <= 2 else f"{names[0]} + {len(names) - 1} more"
+        case SystemCommand() | SystemReply() | DaisyCommand():
+            return message.command or f"0x{message.number:02X}"
+    return "command not seen"
+
+
 def _exchange_details(command: Record | None, reply: Record | None) -> dict[str, str]:
     details = {}
     if command is not None:
-        details["command"] = command_text(command)
+        details["command"] = clean(plain_text(command_spans(command.message)))
     if reply is not None:
-        details["reply"] = reply_text(reply)
+        details["reply"] = _reply_text(reply)
     for name, record in (("command", command), ("reply", reply)):
-        if record is None:
-            continue
-        details[f"{name}'s packet"] = packets(record.numbers)
-        if record.note is not None:
-            details[f"{name}'s note"] = clean(record.note)
-    seen = command or reply
-    assert seen is not None
-    details["counter"] = str(seen.message.counter)
+        if record is not None:
+            details[f"{name}'s packet"] = _packets(record)
+            if record.note is not None:
+                details[f"{name}'s note"] = clean(record.note)
+            details["counter"] = str(record.message.counter)
     return details
+
+
+def _reply_text(reply: Record) -> str:
+    return clean(plain_text(reply_spans(reply.exchange)))
+
+
+def _exchange_label(command: Record | None, reply: Record | None) -> str:
+    """Values that came back; without a reply, what the one operation is to do."""
+    if reply is not None:
+        if is_error(reply.message):
+            return _reply_text(reply).split(" ", 1)[0] if isinstance(reply.message, SystemReply) else "error"
+        values = [] if isinstance(reply.message, SystemReply) else reply.values[:MOST_TOLD]
+        return clean(", ".join(map(value_text, values)), MOST_LABEL)
+    message = command.message if command is not None else Message()
+    if not isinstance(message, DirectCommand) or message.wants_reply or len(message.operations) != 1:
+        return ""
+    arguments = message.operations[0].arguments[:MOST_TOLD]
+    shown = (each.symbol or f"{argument_value(each)} {argument_meaning(each)}".rstrip() for each in arguments)
+    return clean(", ".join(shown), MOST_LABEL)

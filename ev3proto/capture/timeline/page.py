@@ -4,17 +4,15 @@ from __future__ import annotations
 
 import html
 import json
-import re
 from typing import Any
 
-from ev3proto.capture.timeline.layout import KINDS_WIDTH, LEGEND_HEIGHT
-
-# Nothing may be fetched, whatever stands in the capture. Vega makes functions of its expressions: 'unsafe-eval'.
+# Nothing may be fetched, whatever is in the capture. Vega makes functions of its expressions: 'unsafe-eval'.
 _POLICY = "default-src 'none'; script-src 'unsafe-inline' 'unsafe-eval'; style-src 'unsafe-inline'; img-src data: blob:"
 
 _STYLE = """
 body { margin: 0; background: white; font-family: Helvetica, Arial, "Liberation Sans", sans-serif; color: #222; }
-#hint { margin: 14px 20px 0; font-size: 13px; color: #555; }
+h1, p { margin: 6px 20px 0; font-size: 13px; color: #444; overflow-wrap: anywhere; }
+h1 { margin-top: 14px; font-size: 18px; color: #222; }
 html { scrollbar-gutter: stable; }
 #timeline { max-width: 100%; overflow-x: auto; }
 #timeline canvas { touch-action: pan-y pinch-zoom; }
@@ -33,65 +31,29 @@ _TOUCH_HINT = (
     "Drag sideways to move along. Tap a mark to see what it says. Tap words in the legend to see only those marks."
 )
 
-LEAST = 120
-"""Pixels that the chart has at least for what it draws over time."""
-
-_EDGES = 40
-"""Pixels left and right of the chart."""
-
-_LEAST_MARGIN = 110
-"""Pixels for what stands beside the rows, in the narrowest window."""
-
-_MARGIN_SHARE = 0.36
-"""How much of the window may stand beside the rows."""
-
-_KINDS_FROM = 700
-"""Pixels that a window must have for the names of kinds."""
-
-# As wide as the window. In a narrow one less stands beside the rows, texts have more lines, and words that would stand
-# on each other are omitted: a tap on their mark shows them.
+# As wide as the window. In a narrow one less is beside the rows, and labels without room are omitted: a tap on their
+# mark shows them.
 _SCRIPT = """
 {
-  const given = document.getElementById("chart").textContent;
+  const chart = JSON.parse(document.getElementById("chart").textContent);
+  const parameter = (name) => chart.params.find((each) => each.name === name);
   const place = document.getElementById("timeline");
   const actions = { export: true, source: false, compiled: false, editor: false };
+  const [widest, kinds] = [parameter("margin").value, parameter("kinds").value];
   let width = 0;
-
-  const lines = (texts, most) => [texts].flat().flatMap((text) =>
-    text.match(new RegExp(`.{1,${most}}(?:\\\\s+|$)|.{${most}}`, "gu")) ?? [text]);
-
-  function fit(chart, whole) {
-    const margin = Math.round(Math.min(@MARGIN@, Math.max(@LEAST_MARGIN@, @MARGIN_SHARE@ * whole)));
-    const sizes = { margin, kinds: whole < @KINDS_FROM@ ? 0 : @KINDS@, room: Math.max(@LEAST@, whole - margin) };
-    for (const parameter of chart.params) if (parameter.name in sizes) parameter.value = sizes[parameter.name];
-    for (const { title } of [chart, ...chart.vconcat]) {
-      if (!title) continue;
-      title.text = lines(title.text, Math.floor(whole / 9));
-      title.subtitle = lines(title.subtitle, Math.floor(whole / 6.2));
-    }
-    for (const view of chart.vconcat) view.width = sizes.room;
-    let x = 0;
-    let y = @LEGEND_HEIGHT@ / 2;
-    for (const entry of chart.datasets.legend) {
-      const length = entry.x2 - entry.x;
-      if (x && (entry.breaks || x + length > whole)) {
-        x = 0;
-        y += @LEGEND_HEIGHT@;
-      }
-      Object.assign(entry, { x: x + 6 - margin, x2: x + 6 - margin + length, y });
-      x += length + 30;
-    }
-    chart.vconcat[0].height = y + @LEGEND_HEIGHT@ / 2;
-  }
 
   async function draw(less) {
     width = document.documentElement.clientWidth;
-    const chart = JSON.parse(given);
-    fit(chart, width - @EDGES@ - less);
+    const whole = width - 40 - less;
+    const margin = Math.round(Math.min(widest, Math.max(110, 0.36 * whole)));
+    const room = Math.max(120, whole - margin);
+    const sizes = { margin, room, kinds: whole < 700 ? 0 : kinds };
+    for (const name in sizes) parameter(name).value = sizes[name];
+    for (const view of chart.vconcat) view.width = room;
     await vegaEmbed(place, chart, { mode: "vega-lite", renderer: "canvas", actions, downloadFileName: "timeline" });
     const over = place.scrollWidth - place.clientWidth;
     // Letters of this device are wider than elsewhere: again, with less room for the rest.
-    if (over > 0 && less < @MOST_LESS@) await draw(less + over + 4);
+    if (over > 0 && less < 100) await draw(less + over + 4);
   }
 
   const start = () => draw(0).catch((error) => {
@@ -115,32 +77,15 @@ _SCRIPT = """
 """
 
 
-_MOST_LESS = 100
-"""Pixels that a chart gives up for wide letters; with all that is in it, no chart is narrower."""
-
-_FACTS = {
-    "MOST_LESS": _MOST_LESS,
-    "EDGES": _EDGES,
-    "KINDS": KINDS_WIDTH,
-    "KINDS_FROM": _KINDS_FROM,
-    "LEAST": LEAST,
-    "LEAST_MARGIN": _LEAST_MARGIN,
-    "LEGEND_HEIGHT": LEGEND_HEIGHT,
-    "MARGIN_SHARE": _MARGIN_SHARE,
-    "TOUCH_HINT": _TOUCH_HINT,
-}
-
-
-def page(specification: dict[str, Any], title: str, margin: float, javascript: str) -> str:
+def page(specification: dict[str, Any], title: str, lines: list[str], javascript: str) -> str:
     """The HTML.
 
     Args:
         specification: The chart, with its data.
-        title: What the browser shows as the page's name.
-        margin: Pixels of the chart beside what it draws over time.
+        title: The page's name and heading.
+        lines: Paragraphs under the title.
         javascript: The libraries vega, vega-lite and vega-embed.
     """
-    script = re.sub(r"@(\w+)@", lambda found: str(_FACTS[found[1]]), _SCRIPT.replace("@MARGIN@", str(round(margin))))
     return "\n".join(
         (
             "<!DOCTYPE html>",
@@ -153,12 +98,14 @@ def page(specification: dict[str, Any], title: str, margin: float, javascript: s
             f"<style>{_STYLE}</style>",
             "</head>",
             "<body>",
+            f"<h1>{html.escape(title)}</h1>",
+            *(f"<p>{html.escape(line)}</p>" for line in lines),
             f'<p id="hint">{html.escape(_HINT)}</p>',
             '<div id="timeline"></div>',
             "<noscript>This page draws its chart with JavaScript, all of which is in it.</noscript>",
             f'<script type="application/json" id="chart">{_inert(specification)}</script>',
             f"<script>{javascript}</script>",
-            f"<script>{script}</script>",
+            f"<script>{_SCRIPT.replace('@TOUCH_HINT@', _TOUCH_HINT)}</script>",
             "</body>",
             "</html>",
             "",

@@ -243,7 +243,8 @@ MISALIGNED = _code(
     "a misaligned variable",
     """
     A variable of 16 bits must start at an even place of its memory, one of 32 bits or a float at a multiple
-    of 4. The firmware checks that before it runs anything, and refuses the whole command.
+    of 4. The firmware checks that before it runs anything, and refuses the whole command. --fix leaves variables where
+    they are, because what reads the reply counts on their places; the help names the nearest place that is aligned.
     """,
     _sized("2A:00|00|05:00|81:01:61"),
     VOLTAGE,

@@ -1,7 +1,7 @@
-"""Frames fixed where only one fix is possible: the length field, memory sizes, the type, alignment, encodings.
+"""Frames fixed where only one fix is possible: the length field, memory sizes, the type, encodings.
 
-What a program computes is left alone: no constant gets another value, no operation another place. A variable may get
-another index, everywhere at once. Whatever cannot be fixed with certainty is said, and stays.
+What a program computes is left alone: no constant gets another value, no variable or operation another place. Whatever
+cannot be fixed with certainty is said, and stays.
 """
 
 from __future__ import annotations
@@ -9,22 +9,20 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from enum import Flag, auto
-from functools import lru_cache
 from itertools import chain
 
 from ev3proto.checking.checking import check, swapped
 from ev3proto.checking.context import operation_facts
-from ev3proto.checking.moving import WIDEST, Layout, is_misaligned, multiple
 from ev3proto.checking.report import Change, Fix, Report, uses
 from ev3proto.checking.rules.arguments import is_longer, shortest
 from ev3proto.checking.rules.header import MOST_IN_REPLY, TYPE_OFFSET
 from ev3proto.errors import as_bytes, counted
 from ev3proto.messages import Argument, DirectCommand, Message, Operation, Variable
-from ev3proto.schema.argument import SHORT, encode_variable
+from ev3proto.schema.argument import SHORT
 from ev3proto.schema.frame import read_last
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, frame_size, may_be_long, with_length, write_memory
 from ev3proto.semantics.footprint import Footprint, Taken, footprints
-from ev3proto.tables.encoding import CONSTANT, GLOBAL, INDEX_RANGES, JUMP, LOCAL
+from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL
 from ev3proto.tables.frame import GRANTED_GLOBALS, LENGTH_FIELD, MAX_FRAME, MAX_LOCALS, MAX_LONG_FRAME, MessageType
 
 _MOST_NAMED = 3
@@ -141,18 +139,16 @@ class _Fixing:
         if message.fault is not None:
             if not self.unfixed:
                 at = message.fault.offset
-                self.unfixed.append(f"nobody can read on at offset {at}, so nothing is certain of what follows")
+                self.unfixed.append(f"cannot parse past offset {at}; the rest is left unchanged")
             return
         for operation in message.operations:
             for place in footprints(operation):
                 self._places[place.argument.form.kind].append(place)
-        used = {scope: _used(places) for scope, places in self._places.items()}
-        if self._begins(_Step.MEMORY, steps):
-            self._move_variables(message)
+        self._tell_misaligned()
         if self._begins(_Step.TYPE, steps):
             message = self._reply_type(message)
         if self._begins(_Step.MEMORY, steps):
-            self._memory(message, used)
+            self._memory(message)
         if self._begins(_Step.ENCODINGS, steps):
             # Only now is it read again, once for all that was done; a check reads the same.
             message = self._parsed(self.frame)
@@ -192,45 +188,17 @@ class _Fixing:
         self.changes.append(Change(what, before, after, why))
         self.made |= self._step
 
-    def _move_variables(self, command: DirectCommand) -> None:
-        misaligned = {scope: list(filter(is_misaligned, found)) for scope, found in self._places.items()}
-        if not any(misaligned.values()):
-            return
-        keeps_size = _spanned(command, len(self.frame))
-        moved: list[tuple[Footprint, int]] = []
-        for scope, size in ((GLOBAL, command.global_size), (LOCAL, command.local_size)):
-            if not misaligned[scope]:
-                continue
-            # No variable moves where a reply would not carry it: it may still turn out that one is wanted.
-            most = MOST_IN_REPLY if scope == GLOBAL else MAX_LOCALS
-            layout = Layout(self._places[scope], misaligned[scope], size, most, keeps_size)
-            for block, shift in layout.moves():
-                moved += [(place, shift) for place in block]
-            self.unfixed += [_left(block, why) for block, why in layout.left]
-        if not moved:
-            return
-        frame = _replaced(self.frame, [(place.argument, _moved(place, shift)) for place, shift in moved])
-        if len(frame) > MAX_FRAME:
-            self.unfixed.append("moving the misaligned variables would make the frame longer than any can be")
-            return
-        self._tell_moves(moved)
-        for place, shift in moved:
-            place.start += shift
-        self.frame = frame
-
-    def _tell_moves(self, moved: list[tuple[Footprint, int]]) -> None:
-        """One line a variable, however often it is used."""
-        moves_by_variable: dict[tuple[str, int], tuple[Footprint, int, int]] = {}
-        for place, shift in moved:
-            variable, many = (place.argument.form.kind, place.start), multiple(place)
-            found = moves_by_variable.get(variable)
-            if found is None or many > found[2]:
-                moves_by_variable[variable] = place, shift, many
-        for (kind, start), (place, shift, many) in moves_by_variable.items():
-            why = f"{place.full_name} needs a multiple of {many}" if start % many else "it lies within one that moves"
-            if kind == GLOBAL and place.argument.parameter.is_output:
-                why += f"; in the reply it is at offset {HEADER_SIZE + start + shift} now"
-            self._changed("variable", str(Variable(kind, start)), str(Variable(kind, start + shift)), why)
+    def _tell_misaligned(self) -> None:
+        """Which variables need another place; where there is a free one, only their author knows."""
+        needed: dict[Variable, tuple[int, str]] = {}
+        for place in chain.from_iterable(self._places.values()):
+            many = max(place.validator_alignment, place.cpu_alignment)
+            if place.start % many and many > needed.get(place.variable, (0, ""))[0]:
+                needed[place.variable] = many, place.full_name
+        self.unfixed += [
+            f"{variable} is not a multiple of {many}, as {name} needs it: give it another place"
+            for variable, (many, name) in needed.items()
+        ]
 
     def _reply_type(self, command: DirectCommand) -> DirectCommand:
         if command.type is not MessageType.DIRECT_COMMAND_NO_REPLY:
@@ -247,19 +215,14 @@ class _Fixing:
             return replace(command, type=member)
         return command
 
-    def _memory(self, command: DirectCommand, used: dict[str, int | None]) -> None:
-        """Asks for the memory that is needed.
-
-        Args:
-            command: The command.
-            used: Bytes of each memory that were used before variables moved; None where that is not known.
-        """
+    def _memory(self, command: DirectCommand) -> None:
+        """Asks for the memory that is needed."""
         sizes = {GLOBAL: command.global_size, LOCAL: command.local_size}
         for scope, stated in sizes.items():
             most = _most(command, scope)
             beyond = [place for place in self._places[scope] if place.start + place.size > stated]
             if not beyond:
-                self._cut(command, scope, sizes, used[scope])
+                self._cut(command, scope, sizes)
                 continue
             certain = {place.start + place.most: place for place in reversed(beyond) if place.most is not None}
             ends = [end for end in certain if end <= most]
@@ -277,14 +240,11 @@ class _Fixing:
             )
         self._set(HEADER_SIZE, write_memory(sizes[GLOBAL], sizes[LOCAL]))
 
-    def _cut(self, command: DirectCommand, scope: str, sizes: dict[str, int], before: int | None) -> None:
-        """Asks for less where more was asked for than there is, or than is used since variables moved."""
+    def _cut(self, command: DirectCommand, scope: str, sizes: dict[str, int]) -> None:
+        """Asks for less where more was asked for than there is."""
         stated, most, needed = sizes[scope], _most(command, scope), _used(self._places[scope])
         if stated > most and all(place.end <= most for place in self._places[scope]):
             sizes[scope] = most if needed is None else min(needed, most)
-        elif before is not None and needed is not None and needed < before <= stated < before + WIDEST:
-            sizes[scope] = needed
-        if sizes[scope] < stated:
             why = "the most that there is" if sizes[scope] == most else "no more of them are used"
             self._changed(f"{scope} memory", f"{stated} bytes", f"{sizes[scope]} bytes", why)
 
@@ -334,26 +294,6 @@ def _used(places: Iterable[Footprint]) -> int | None:
             return None
         needed = max(needed, place.start + place.most)
     return needed
-
-
-def _left(block: Iterable[Footprint], why: str) -> str:
-    place = next(filter(is_misaligned, block))
-    return f"{place.variable} is no multiple of {multiple(place)}, as {place.full_name} needs it, but stays: {why}"
-
-
-def _moved(place: Footprint, shift: int) -> bytes:
-    """The argument with another index, in the encoding that it has where that can hold it."""
-    argument, index = place.argument, place.start + shift
-    form = argument.form
-    if form.width and index in INDEX_RANGES[form.width]:
-        return argument.raw[:1] + index.to_bytes(form.width, "little")
-    return _variable_bytes(form.kind, index, form.handle, form.address)
-
-
-# A frame may name one variable a thousand times.
-@lru_cache(MAX_FRAME)
-def _variable_bytes(kind: str, index: int, handle: bool, address: bool) -> bytes:
-    return encode_variable(Variable(kind, index, handle, address))
 
 
 def _in_long_forms(operation: Operation) -> list[Argument]:

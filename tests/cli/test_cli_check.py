@@ -162,12 +162,23 @@ def test_a_fixed_frame() -> None:
 
 
 def test_a_fixed_frame_as_json() -> None:
-    (entry,) = entries("--fix", MISALIGNED)
+    (entry,) = entries("--fix", WITHOUT_REPLY)
     assert (entry["hex"], entry["accepted"], entry["findings"]) == (VOLTAGE_BYTES, True, [])
-    moved, left = entry["changes"]
-    assert (moved["what"], moved["before"], moved["after"]) == ("variable", "GV(1)", "GV(0)")
-    assert (left["what"], left["before"], left["after"]) == ("global memory", "8 bytes", "4 bytes")
+    (change,) = entry["changes"]
+    assert (change["what"], change["after"]) == ("type", "DIRECT_COMMAND_REPLY")
     assert entry["unmended"] == []
+
+
+def test_a_misaligned_variable_stays() -> None:
+    (entry,) = entries("--fix", MISALIGNED)
+    assert (entry["hex"], entry["changes"], [found["code"] for found in entry["findings"]]) == (
+        "".join(MISALIGNED.replace("0x", "").replace("|", ":").split(":")).lower(),
+        [],
+        ["E205"],
+    )
+    assert entry["unmended"] == [
+        "GV(1) is not a multiple of 4, as VALUE of UI_READ.GET_VBATT needs it: give it another place"
+    ]
 
 
 def test_what_cannot_be_fixed_is_said() -> None:
@@ -180,11 +191,11 @@ def test_what_cannot_be_fixed_is_said() -> None:
 
 
 def test_fixed_frames_can_be_given_on() -> None:
-    first = run("--fix", stdin=f"{WITHOUT_REPLY}\n{MISALIGNED}\n{VOLTAGE}\n")
+    first = run("--fix", stdin=f"{WITHOUT_REPLY}\n{VOLTAGE}\n")
     assert first.returncode == 0
-    assert first.stdout.splitlines()[-1].startswith("3 frames: 0 errors, ")
+    assert first.stdout.splitlines()[-1].startswith("2 frames: 0 errors, ")
     again = entries(stdin=first.stdout)
-    assert [entry["hex"] for entry in again] == [VOLTAGE_BYTES] * 3
+    assert [entry["hex"] for entry in again] == [VOLTAGE_BYTES] * 2
     assert all(entry["accepted"] for entry in again)
 
 

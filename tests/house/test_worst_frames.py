@@ -45,7 +45,7 @@ def _global(index: int) -> bytes:
 
 
 def _one_gap() -> bytes:
-    """All of global memory is full of misaligned numbers. The last one can move, then the one before it, and so on."""
+    """All of global memory is full of misaligned numbers."""
     indexes = (1, *range(1, 1010, 4))
     return bytes.fromhex("306060") + b"".join(
         b"\x3a" + _global(one) + _global(other) for one, other in zip(indexes[::2], indexes[1::2], strict=True)

@@ -10,7 +10,7 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from making import bluetooth, usb, wifi
+from making import bluetooth, conformance, usb, wifi
 from making.files import write_btsnoop, write_pcap, write_pcapng
 
 ETHERNET, BLUETOOTH_H4_WITH_DIRECTION, USBMON, USBMON_MAPPED, USBPCAP = 1, 201, 189, 220, 249
@@ -29,6 +29,7 @@ def main(folder: Path) -> None:
     write_pcapng(
         folder / "bluetooth.pcapng", bluetooth.with_direction(bluetooth.begun_late()), BLUETOOTH_H4_WITH_DIRECTION
     )
+    conformance.write(folder / "conformance.pcapng")
 
 
 if __name__ == "__main__":

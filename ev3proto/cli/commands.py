@@ -73,7 +73,7 @@ SUBCOMMANDS = {
     "send": "Sends frames to a brick and shows what it answers",
     "stats": "Counts what is in captures, or in texts that have frames; of several files together",
     "timeline": "Draws who said what when, how long the brick took to answer, and what went wrong",
-    "values": "Prints the values in replies over time: battery, sensors, motors, latencies",
+    "values": "Prints values over time: battery, sensors, motors, latencies, messages to mailboxes",
 }
 """The subcommands, each with the first sentence of its help. Each is a module of its own, which is imported when its
 command is used: to import all of them takes 300 ms."""

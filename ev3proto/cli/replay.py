@@ -20,7 +20,7 @@ from ev3proto.link.channel import Channel
 from ev3proto.link.errors import ConnectionLostError, NoAnswerError
 from ev3proto.link.harm import Harm
 from ev3proto.link.records import Records
-from ev3proto.link.replay import Handles, Likeness, Step, compare, steps
+from ev3proto.link.replay import Handles, Likeness, Step, compare, firmware_of, steps
 from ev3proto.link.targets import Target
 from ev3proto.tables import operations
 from ev3proto.tables.system import SYSTEM
@@ -60,6 +60,7 @@ def _allowed(_context: click.Context, _parameter: click.Parameter, given: tuple[
     help=f"Send also what does this: {', '.join(Harm)}, {_EVERYTHING}, or an operation such as OUTPUT_START.",
 )
 @click.option("--dry-run", is_flag=True, help="Send nothing; show what would be sent and what omitted.")
+@click.option("--differences", is_flag=True, help="Show only the dialogues that differ from the recorded ones.")
 @click.option("--fast", is_flag=True, help="As fast as answers come, not at the pace of the capture.")
 @timeout_option
 @reading_options
@@ -68,11 +69,16 @@ def replay(
     target: Target,
     allowed: frozenset[str],
     dry_run: bool,
+    differences: bool,
     fast: bool,
     timeout: float,
     reading: CaptureOptions,
 ) -> None:
     """Sends the commands of a capture again, and reports replies that differ from the recorded ones.
+
+    Values that differ from brick to brick or from moment to moment are shown and count as recorded: times, the battery,
+    sensors, names, what is in files. The last lines count the replies and say which firmware answered, if a command
+    asks for it.
 
     What changes or harms a brick is omitted and listed, unless --allow names it: what deletes or writes files, moves
     motors, changes settings, controls programs, presses buttons, writes to devices, restarts the brick, erases
@@ -85,6 +91,7 @@ def replay(
       ev3proto replay robot.pcapng --to virtual
       ev3proto replay robot.pcapng --to usb --dry-run
       ev3proto replay robot.pcapng --to wifi --fast --allow motors,settings
+      ev3proto replay captures/conformance.pcapng --to usb --differences
     """  # noqa: D301 - the mark by which click leaves lines as they are
     capture = CaptureSource(name, reading)
     found = steps(dialogues(capture.events()), allowed, reading.dialect)
@@ -96,7 +103,8 @@ def replay(
         _show_plan(found)
         sys.exit(capture.status)
     with channel_to(target) as channel:
-        is_fine = _Replaying(channel, str(target), timeout, reading.dialect, fast=fast).run(found)
+        replaying = _Replaying(channel, str(target), timeout, reading.dialect, fast=fast, only_different=differences)
+        is_fine = replaying.run(found)
     sys.exit(0 if is_fine and not capture.status else 1)
 
 
@@ -119,13 +127,17 @@ def _why(step: Step) -> str:
 class _Replaying:
     """Sends the steps and shows what comes of them."""
 
-    def __init__(self, channel: Channel, peer: str, timeout: float, dialect: str, *, fast: bool) -> None:
+    def __init__(
+        self, channel: Channel, peer: str, timeout: float, dialect: str, *, fast: bool, only_different: bool
+    ) -> None:
         self._channel = channel
         self._records = Records(channel.carrier, peer, dialect)
         self._handles = Handles()
         self._timeout = timeout
         self._dialect = dialect
         self._fast = fast
+        self._only_different = only_different
+        self._firmware: str | None = None
         self._show = Show(None)
         self._printer = Printer()
         self._counts: Counter[str] = Counter()
@@ -148,6 +160,8 @@ class _Replaying:
             complain(str(error))
             return False
         counts = self._counts
+        if self._firmware is not None:
+            complain(f"the firmware of the brick is {self._firmware}")
         complain(
             f"{counted(len(found) - counts['omitted'], 'command')} sent, {counts['omitted']} omitted; answered"
             f" {', '.join(f'{counts[each.value]} {each.value}' for each in Likeness)}"
@@ -164,11 +178,15 @@ class _Replaying:
         except NoAnswerError as error:
             complain(str(error))
         received = None if reply is None else self._records.received(reply, command)
-        show_dialogue(self._show, RequestReply(command, received), self._records.start_ns)
         if reply is not None:
             self._handles.learn(step.reply, reply)
+        if received is not None:
+            self._firmware = firmware_of(received) or self._firmware
         likeness, difference = compare(step, frame, reply, self._dialect)
         self._counts[likeness.value] += 1
+        if self._only_different and likeness is Likeness.SAME:
+            return
+        show_dialogue(self._show, RequestReply(command, received), self._records.start_ns)
         if difference:
             role = Role.FAULT if likeness is Likeness.KIND else Role.MEANING
             self._printer.lines([[(f"{'':20} {difference}", role)]])

@@ -48,7 +48,7 @@ MOST_COLUMNS = {None: MOST_SHOWN, "csv": 1_000, "json": None}
     help="Draw numbers over time into this file: .svg or .png.",
 )
 def values(files: tuple[str, ...], reading: CaptureOptions, as_csv: bool, as_json: bool, plot: Path | None) -> None:
-    """Prints the values in replies over time: battery, sensors, motors, latencies; and messages to mailboxes.
+    """Prints values over time: battery, sensors, motors, latencies, messages to mailboxes.
 
     Each value is a column, named after its operation, what that was asked with, and the parameter. --filter chooses the
     replies; a value that an operation gives for another port is another column. A message to a mailbox has a column for

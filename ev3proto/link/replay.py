@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import Enum
+from itertools import chain
 
 from ev3proto.capture.dialogues import RequestReply
 from ev3proto.capture.record import Direction, Record
@@ -15,13 +16,17 @@ from ev3proto.link.harm import Harm, harms_of
 from ev3proto.messages import Message, SystemReply
 from ev3proto.schema.frame import parse
 from ev3proto.schema.header import HEADER_SIZE
-from ev3proto.semantics.replies import values_of
-from ev3proto.tables.system import SYSTEM_BY_NUMBER
+from ev3proto.semantics.replies import Value, values_of
+from ev3proto.tables import operations
+from ev3proto.tables.declaration import Effect
+from ev3proto.tables.frame import MessageType
+from ev3proto.tables.system import SYSTEM, SYSTEM_BY_NUMBER, SystemStatus
 from ev3proto.text.phrases import value_text
 
 _HANDLE = "handle"
 _HANDLE_AT = HEADER_SIZE + 1
 _MOST_DIFFERENCES = 4
+_FIRMWARE = "UI_READ.GET_FW_VERS"
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,20 +115,22 @@ def compare(step: Step, frame: bytes, reply: bytes | None, dialect: str) -> tupl
             return Likeness.SAME, ""
         return Likeness.KIND, "recorded: no reply" if step.reply is None else "recorded: a reply"
     before, now = step.reply.message, parse(reply, strict=False, dialect=dialect)
-    if (before.type, _status(before)) != (now.type, _status(now)):
+    if _outcome(before) != _outcome(now):
         return Likeness.KIND, f"recorded: {_kind(before)}"
     if step.reply.frame[HEADER_SIZE:] == reply[HEADER_SIZE:]:
         return Likeness.SAME, ""
     values = values_of(now, parse(frame, strict=False, dialect=dialect))
     changed = [
-        f"{was.name}={value_text(was)}"
+        was
         for was, is_now in zip(step.reply.values, values, strict=False)
         if was.value != is_now.value and was.name != _HANDLE
     ]
-    if not changed and len(values) == len(step.reply.values) and values:
-        return Likeness.SAME, ""  # only handles differ, and memory that nothing was written to
     more = f" and {len(changed) - _MOST_DIFFERENCES} more" if len(changed) > _MOST_DIFFERENCES else ""
-    return Likeness.VALUES, f"recorded: {', '.join(changed[:_MOST_DIFFERENCES]) or 'other bytes'}{more}"
+    shown = ", ".join(f"{was.name}={value_text(was)}" for was in changed[:_MOST_DIFFERENCES])
+    if values and len(values) == len(step.reply.values) and all(map(_varies, changed)):
+        # Besides, there may be other handles, and memory that nothing was written to.
+        return Likeness.SAME, f"recorded: {shown}{more}" if shown else ""
+    return Likeness.VALUES, f"recorded: {shown or 'other bytes'}{more}"
 
 
 def _has_handle(message: Message) -> bool:
@@ -132,8 +139,26 @@ def _has_handle(message: Message) -> bool:
     return is_command and entry is not None and bool(entry.request) and entry.request[0].name == _HANDLE
 
 
-def _status(message: Message) -> int | None:
-    return message.status_code if isinstance(message, SystemReply) else None
+def _outcome(message: Message) -> tuple[MessageType | None, int | None]:
+    """The type and status of a reply. How much of a file or listing one reply carries depends on the brick's files."""
+    if not isinstance(message, SystemReply):
+        return message.type, None
+    entry = SYSTEM_BY_NUMBER.get(message.number)
+    is_part = entry is not None and Effect.VARIES in entry.effects and message.status is SystemStatus.END_OF_FILE
+    return message.type, SystemStatus.SUCCESS if is_part else message.status_code
+
+
+def _varies(value: Value) -> bool:
+    """Whether another brick, or the same one later, answers another value: the time, the battery, names, sensors."""
+    declaration = operations().get(f"{value.op}.{value.command}" if value.command else value.op)
+    effects = [entry.effects for entry in SYSTEM if entry.name == value.op] if declaration is None else []
+    return Effect.VARIES in (declaration.effects if declaration is not None else chain(*effects))
+
+
+def firmware_of(reply: Record) -> str | None:
+    """Returns the version of the firmware that a reply tells; None where it tells none."""
+    found = [value.value for value in reply.values if f"{value.op}.{value.command}" == _FIRMWARE]
+    return str(found[0]) if found else None
 
 
 def _kind(message: Message) -> str:

@@ -112,6 +112,7 @@ class Effect(Enum):
     RESTARTS = "restarts the brick, or ends its firmware"
     WRITES_FIRMWARE = "erases or writes the memory that the firmware is in"
     RUNS_SHELL = "runs a command on the brick's operating system"
+    VARIES = "answers what differs from brick to brick, and from moment to moment"
 
 
 DATA8, DATA16, DATA32, DATAF = Type.DATA8, Type.DATA16, Type.DATA32, Type.DATAF

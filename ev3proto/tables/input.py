@@ -66,6 +66,7 @@ INPUT = (
             In("DATASETS", DATA8, "which of its values to read from each device, from 0", length="SAMPLES"),
             Out("VALUES", DATAF, "one value per device, NaN where there is none", length="SAMPLES"),
         ),
+        effects=(Effect.VARIES,),
     ),
     Opcode(
         0x98,
@@ -76,6 +77,7 @@ INPUT = (
             Out("ARRAY", DATA8, "type of device at each port", enum=TYPE, length="LENGTH"),
             Out("CHANGED", DATA8, "whether devices came or went since the last call", special={0: "no change"}),
         ),
+        effects=(Effect.VARIES,),
     ),
     Opcode(
         0x99,
@@ -112,6 +114,7 @@ INPUT = (
                     Out("MODES", DATA8, "how many modes the device has", range=(1, 8)),
                     Out("VIEWS", DATA8, "how many of the modes are shown to users", range=(1, 8)),
                 ),
+                effects=(Effect.VARIES,),
             ),
             Command(
                 3,
@@ -142,6 +145,7 @@ INPUT = (
                     Out("TYPE", DATA8, "type of the device", enum=TYPE),
                     Out("MODE", DATA8, "mode the device is in", range=(0, 7)),
                 ),
+                effects=(Effect.VARIES,),
             ),
             Command(
                 6,
@@ -153,6 +157,7 @@ INPUT = (
                     TEXT_LENGTH,
                     Out("DESTINATION", STRING, "symbol, filled up with blanks", length="LENGTH"),
                 ),
+                effects=(Effect.VARIES,),
             ),
             Command(
                 7,
@@ -196,12 +201,14 @@ INPUT = (
                 "GET_RAW",
                 "Reads the first raw value of a device",
                 (LAYER, NO, Out("VALUE", DATA32, "raw value, NaN where there is none")),
+                effects=(Effect.VARIES,),
             ),
             Command(
                 12,
                 "GET_CONNECTION",
                 "Tells how the device at a port is connected",
                 (LAYER, NO, Out("CONN", DATA8, "kind of connection", enum=CONN)),
+                effects=(Effect.VARIES,),
             ),
             Command(13, "STOP_ALL", "Stops all devices, motors among them", (LAYERS,), effects=(Effect.STOPS_MOTORS,)),
             Command(
@@ -237,7 +244,7 @@ INPUT = (
                     RDDATA,
                     Out("RESULT", DATA8, "how the transfer ended", enum=RESULT),
                 ),
-                effects=(Effect.WAITS, Effect.WRITES_TO_DEVICES),
+                effects=(Effect.WAITS, Effect.WRITES_TO_DEVICES, Effect.VARIES),
                 newer=True,
             ),
             Command(
@@ -250,6 +257,7 @@ INPUT = (
                     TEXT_LENGTH,
                     Out("DESTINATION", STRING, "name, filled up with blanks", length="LENGTH"),
                 ),
+                effects=(Effect.VARIES,),
             ),
             Command(
                 22,
@@ -262,6 +270,7 @@ INPUT = (
                     TEXT_LENGTH,
                     Out("DESTINATION", STRING, "name, filled up with blanks", length="LENGTH"),
                 ),
+                effects=(Effect.VARIES,),
             ),
             Command(
                 23,
@@ -280,12 +289,14 @@ INPUT = (
                     Out("FIGURES", DATA8, "characters in all, with point and decimals"),
                     Out("DECIMALS", DATA8, "digits after the point"),
                 ),
+                effects=(Effect.VARIES,),
             ),
             Command(
                 25,
                 "GET_CHANGES",
                 "Reads how often a touch sensor changed in positive direction since CLR_CHANGES",
                 (LAYER, NO, Out("VALUE", DATAF, "number of changes, 0 for other sensors")),
+                effects=(Effect.VARIES,),
             ),
             Command(26, "CLR_CHANGES", "Sets the counts of GET_CHANGES and GET_BUMPS to zero", (LAYER, NO)),
             Command(
@@ -299,7 +310,10 @@ INPUT = (
                     MODE_TO_SET,
                     Count("VALUES", "how many values follow, each in percent", DATA8, Direction.OUT),
                 ),
-                effects=(Effect.WAITS,),
+                effects=(
+                    Effect.WAITS,
+                    Effect.VARIES,
+                ),
             ),
             Command(
                 28,
@@ -312,7 +326,10 @@ INPUT = (
                     MODE_TO_SET,
                     Count("VALUES", "how many raw values follow", DATA32, Direction.OUT),
                 ),
-                effects=(Effect.WAITS,),
+                effects=(
+                    Effect.WAITS,
+                    Effect.VARIES,
+                ),
             ),
             Command(
                 29,
@@ -325,7 +342,10 @@ INPUT = (
                     MODE_TO_SET,
                     Count("VALUES", "how many values follow, each in SI units", DATAF, Direction.OUT),
                 ),
-                effects=(Effect.WAITS,),
+                effects=(
+                    Effect.WAITS,
+                    Effect.VARIES,
+                ),
             ),
             Command(
                 30,
@@ -337,12 +357,14 @@ INPUT = (
                     Out("MIN", DATAF, "smallest value in SI units"),
                     Out("MAX", DATAF, "largest value in SI units"),
                 ),
+                effects=(Effect.VARIES,),
             ),
             Command(
                 31,
                 "GET_BUMPS",
                 "Reads how often a touch sensor changed in negative direction since CLR_CHANGES",
                 (LAYER, NO, Out("VALUE", DATAF, "number of changes, 0 for other sensors")),
+                effects=(Effect.VARIES,),
             ),
         ),
     ),
@@ -351,12 +373,14 @@ INPUT = (
         "INPUT_READ",
         "Sets type and mode and reads the first value in percent at once",
         (LAYER, NO, TYPE_TO_SET, MODE_TO_SET, Out("PCT", DATA8, "value, NaN where there is none", unit="%")),
+        effects=(Effect.VARIES,),
     ),
     Opcode(
         0x9B,
         "INPUT_TEST",
         "Tells whether a device is still changing type or mode",
         (LAYER, NO, Out("BUSY", DATA8, "whether to wait", range=(0, 1), special={0: "ready", 1: "busy"})),
+        effects=(Effect.VARIES,),
     ),
     Opcode(0x9C, "INPUT_READY", "Waits until a device has valid values", (LAYER, NO), effects=(Effect.WAITS,)),
     Opcode(
@@ -364,6 +388,7 @@ INPUT = (
         "INPUT_READSI",
         "Sets type and mode and reads the first value in SI units at once",
         (LAYER, NO, TYPE_TO_SET, MODE_TO_SET, Out("SI", DATAF, "value in the mode's unit, NaN where there is none")),
+        effects=(Effect.VARIES,),
     ),
     Opcode(
         0x9E,
@@ -377,6 +402,7 @@ INPUT = (
             In("FORMAT", DATA8, "DATA_PCT, DATA_RAW or DATA_SI, others give NaN", enum=DATA_FORMAT),
             Count("VALUES", "how many values follow, each in FORMAT", "FORMAT", Direction.OUT),
         ),
+        effects=(Effect.VARIES,),
     ),
     Opcode(
         0x9F,

@@ -3,7 +3,7 @@
 The same operation exists once per size of its operands, so the plain ones are built size by size from one line each.
 """
 
-from ev3proto.tables.declaration import DATA8, DATA16, DATA32, DATAF, Command, In, Opcode, Out
+from ev3proto.tables.declaration import DATA8, DATA16, DATA32, DATAF, Command, Effect, In, Opcode, Out
 
 SIZES = (("8", DATA8, "8-bit"), ("16", DATA16, "16-bit"), ("32", DATA32, "32-bit"), ("F", DATAF, "floating-point"))
 
@@ -159,5 +159,6 @@ MATH = (
             In("MAX", DATA16, "largest number to draw"),
             Out("VALUE", DATA16, "the number drawn, MIN to MAX, both included"),
         ),
+        effects=(Effect.VARIES,),
     ),
 )

@@ -107,6 +107,7 @@ MEMORY = (
             MEMORY_SIZE,
             Out("ARRAY", DATA8, "the bytes, zeros beyond the end of the memory", length="SIZE"),
         ),
+        effects=(Effect.VARIES,),
     ),
     Opcode(
         0xC0,
@@ -132,6 +133,7 @@ MEMORY = (
                     NEW_FILE,
                     Out("SIZE", DATA32, "size of the file", unit="bytes", special={0: "not found"}),
                 ),
+                effects=(Effect.VARIES,),
             ),
             Command(
                 2,
@@ -152,6 +154,7 @@ MEMORY = (
                     DELIMITER,
                     Out("VALUE", DATAF, "the number, 0 where the text is none"),
                 ),
+                effects=(Effect.VARIES,),
             ),
             Command(
                 4,
@@ -186,6 +189,7 @@ MEMORY = (
                         length="LENGTH",
                     ),
                 ),
+                effects=(Effect.VARIES,),
             ),
             Command(
                 6,
@@ -214,6 +218,7 @@ MEMORY = (
                     Out("SIZE", DATA32, "size of the program", unit="bytes", special={0: "not loaded"}),
                     IMAGE_ADDRESS,
                 ),
+                effects=(Effect.VARIES,),
             ),
             Command(
                 9,
@@ -244,6 +249,7 @@ MEMORY = (
                     Out("HANDLE", HANDLE, "what names the block from now on"),
                     Out("IP", DATA32, "address of the block"),
                 ),
+                effects=(Effect.VARIES,),
             ),
             Command(
                 12,
@@ -262,6 +268,7 @@ MEMORY = (
                     FOLDER_NAME,
                     Out("ITEMS", DATA8, "how many entries there are"),
                 ),
+                effects=(Effect.VARIES,),
             ),
             Command(
                 14,
@@ -271,6 +278,7 @@ MEMORY = (
                     Out("TIME", DATA32, "the common time"),
                     Out("TICK", DATA32, "the brick's tick at that time"),
                 ),
+                effects=(Effect.VARIES,),
             ),
             Command(
                 15,
@@ -287,6 +295,7 @@ MEMORY = (
                         length="LENGTH",
                     ),
                 ),
+                effects=(Effect.VARIES,),
             ),
             Command(
                 16,
@@ -320,6 +329,7 @@ MEMORY = (
                     ENTRY,
                     Out("IP", DATA32, "where it was loaded"),
                 ),
+                effects=(Effect.VARIES,),
             ),
             Command(
                 19,
@@ -330,12 +340,14 @@ MEMORY = (
                     In("STRING", STRING, "name to look for, without extension"),
                     Out("ITEM", DATA8, "which entry it is, the first is 1", range=(1, 127), special={0: "not found"}),
                 ),
+                effects=(Effect.VARIES,),
             ),
             Command(
                 20,
                 "GET_CACHE_FILES",
                 "Counts the recently run files",
                 (Out("ITEMS", DATA8, "how many there are, 10 at most"),),
+                effects=(Effect.VARIES,),
             ),
             Command(
                 21,
@@ -353,6 +365,7 @@ MEMORY = (
                     ROOM,
                     Out("STRING", STRING, "path of the file, empty where there is none", length="LENGTH"),
                 ),
+                effects=(Effect.VARIES,),
             ),
             Command(
                 23,
@@ -392,6 +405,7 @@ MEMORY = (
                         note="elsewhere an input; the firmware writes the path into it",
                     ),
                 ),
+                effects=(Effect.VARIES,),
             ),
             Command(
                 27,
@@ -423,6 +437,7 @@ MEMORY = (
                     BYTES_16,
                     Out("DESTINATION", DATA8, "the bytes; a zero follows where the file ended early", length="BYTES"),
                 ),
+                effects=(Effect.VARIES,),
             ),
             Command(
                 29,
@@ -604,6 +619,7 @@ MEMORY = (
             Out("TOTAL", DATA32, "all of it", unit="KiB"),
             Out("FREE", DATA32, "what is free", unit="KiB"),
         ),
+        effects=(Effect.VARIES,),
     ),
     Opcode(
         0xC6,
@@ -628,6 +644,7 @@ MEMORY = (
                     Out("FILES", DATA32, "how many entries, with . and .. counted in; 0 for a file"),
                     Out("SIZE", DATA32, "size of all of them, rounded up", unit="KiB"),
                 ),
+                effects=(Effect.VARIES,),
             ),
             Command(
                 18,

@@ -157,13 +157,17 @@ OUTPUT = (
             Out("SPEED", DATA8, "present speed", unit="%", range=(-100, 100)),
             Out("TACHO", DATA32, "angle since OUTPUT_RESET", unit="degrees"),
         ),
+        effects=(Effect.VARIES,),
     ),
     Opcode(
         0xA9,
         "OUTPUT_TEST",
         "Tells whether one of the motors is still in a move that ends by itself",
         (LAYER, NOS, Out("BUSY", DATA8, "whether to wait", range=(0, 1), special={0: "ready", 1: "busy"})),
-        effects=(Effect.WAITS,),
+        effects=(
+            Effect.WAITS,
+            Effect.VARIES,
+        ),
     ),
     Opcode(
         0xAA,
@@ -246,6 +250,7 @@ OUTPUT = (
             ),
             Out("TACHO", DATA32, "angle since OUTPUT_CLR_COUNT", unit="degrees"),
         ),
+        effects=(Effect.VARIES,),
     ),
     Opcode(
         0xB4,

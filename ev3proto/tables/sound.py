@@ -60,7 +60,10 @@ SOUND = (
         "SOUND_TEST",
         "Tells whether a sound is playing",
         (Out("BUSY", DATA8, "whether a sound is playing", range=(0, 1), special={0: "ready", 1: "busy"}),),
-        effects=(Effect.WAITS,),
+        effects=(
+            Effect.WAITS,
+            Effect.VARIES,
+        ),
     ),
     Opcode(
         0x96,

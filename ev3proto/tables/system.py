@@ -158,6 +158,7 @@ SYSTEM = (
         (_MAX_BYTES, _PATH),
         (_SIZE, _REPLY_HANDLE, _DATA),
         transfer="begin",
+        effects=(Effect.VARIES,),
         statuses=(
             (SystemStatus.END_OF_FILE, "all of the file is in this reply"),
             (SystemStatus.UNKNOWN_HANDLE, "there is no such file"),
@@ -171,6 +172,7 @@ SYSTEM = (
         (_HANDLE, _MAX_BYTES),
         (_REPLY_HANDLE, _DATA),
         transfer="continue",
+        effects=(Effect.VARIES,),
         statuses=(
             (SystemStatus.END_OF_FILE, "that was the rest of the file"),
             (SystemStatus.HANDLE_NOT_READY, "the handle is known, but its file is not open"),
@@ -184,6 +186,7 @@ SYSTEM = (
         (_MAX_BYTES, _PATH),
         (_SIZE, _REPLY_HANDLE, _DATA),
         transfer="begin",
+        effects=(Effect.VARIES,),
         statuses=(
             (SystemStatus.END_OF_FILE, "all that the file has so far is in this reply"),
             (SystemStatus.HANDLE_NOT_READY, "there is no such file"),
@@ -197,6 +200,7 @@ SYSTEM = (
         (_HANDLE, _MAX_BYTES),
         (_SIZE, _REPLY_HANDLE, _DATA),
         transfer="continue",
+        effects=(Effect.VARIES,),
         statuses=(
             (SystemStatus.END_OF_FILE, "that was all that the file has so far"),
             (SystemStatus.HANDLE_NOT_READY, "the handle is known, but its file is not open"),
@@ -220,6 +224,7 @@ SYSTEM = (
         (_MAX_BYTES, _PATH),
         (Field("list_size", Kind.U32, "bytes of the whole listing"), _REPLY_HANDLE, _LIST),
         transfer="begin",
+        effects=(Effect.VARIES,),
         statuses=(
             (SystemStatus.END_OF_FILE, "all of the listing is in this reply"),
             (SystemStatus.UNKNOWN_ERROR, "there is no such folder, or no handle is free"),
@@ -232,6 +237,7 @@ SYSTEM = (
         (_HANDLE, _MAX_BYTES),
         (_REPLY_HANDLE, _LIST),
         transfer="continue",
+        effects=(Effect.VARIES,),
         statuses=(
             (SystemStatus.END_OF_FILE, "that was the rest of the listing"),
             (SystemStatus.UNKNOWN_ERROR, "the handle holds no listing"),

@@ -16,6 +16,7 @@ TIMER = (
                 note="the firmware writes it; its documentation lists it among the inputs",
             ),
         ),
+        effects=(Effect.VARIES,),
     ),
     Opcode(
         0x86,
@@ -29,11 +30,13 @@ TIMER = (
         "TIMER_READ",
         "Reads the time since the program or direct command that asks was started",
         (Out("TIME", DATA32, "time since the start", unit="ms"),),
+        effects=(Effect.VARIES,),
     ),
     Opcode(
         0x8F,
         "TIMER_READ_US",
         "Reads the free-running microsecond clock, for differences only",
         (Out("TIME", DATA32, "low 32 bits of the clock, back to 0 every 71.6 minutes", unit="us"),),
+        effects=(Effect.VARIES,),
     ),
 )

@@ -176,18 +176,21 @@ VM = (
                 "GET_STATUS",
                 "Asks whether a program runs",
                 (PRGID, Out("DATA", DATA8, "state of the program", enum=OBJSTAT)),
+                effects=(Effect.VARIES,),
             ),
             Command(
                 23,
                 "GET_SPEED",
                 "Asks how fast a program runs",
                 (PRGID, Out("DATA", DATA32, "speed since the program started", unit="instructions/s")),
+                effects=(Effect.VARIES,),
             ),
             Command(
                 24,
                 "GET_PRGRESULT",
                 "Asks how a program ended",
                 (PRGID, Out("DATA", DATA8, "OK, BUSY (still running) or FAIL", enum=RESULT)),
+                effects=(Effect.VARIES,),
             ),
             Command(
                 25,
@@ -315,6 +318,7 @@ VM = (
                 "GET_ERROR",
                 "Takes the oldest error out of the brick's error log",
                 (Out("NUMBER", DATA8, "number of the error", role=Role.ERROR, special={0: "the log is empty"}),),
+                effects=(Effect.VARIES,),
             ),
             Command(
                 3,
@@ -331,6 +335,7 @@ VM = (
                 "GET_VOLUME",
                 "Reads the volume setting",
                 (Out("VALUE", DATA8, "how loud", range=(0, 100), unit="%"),),
+                effects=(Effect.VARIES,),
             ),
             Command(
                 5,
@@ -344,6 +349,7 @@ VM = (
                 "GET_MINUTES",
                 "Reads after how long without use the brick powers off",
                 (Out("VALUE", DATA8, "time without use", range=(0, 120), unit="min", special={0: "never"}),),
+                effects=(Effect.VARIES,),
             ),
             Command(
                 7,
@@ -504,6 +510,7 @@ VM = (
                     In("LENGTH", DATA8, "how many pins to read, usually 5"),
                     Out("STRING", DATA8, "one character per pin: 0 low, 1 high", length="LENGTH"),
                 ),
+                effects=(Effect.VARIES,),
             ),
             Command(
                 13,
@@ -537,6 +544,7 @@ VM = (
                     ),
                     Out("VALUE", DATA16, "raw reading", range=(0, 4095), unit="counts"),
                 ),
+                effects=(Effect.VARIES,),
             ),
             Command(
                 15,
@@ -558,6 +566,7 @@ VM = (
                     In("LENGTH", DATA8, "how many bytes to read", unit="bytes", range=(0, 63)),
                     Out("STRING", DATA8, "the bytes, filled up with zeros", length="LENGTH"),
                 ),
+                effects=(Effect.VARIES,),
             ),
             Command(
                 17,
@@ -585,6 +594,7 @@ VM = (
                         special={0: "other batteries", 1: "rechargeable battery"},
                     ),
                 ),
+                effects=(Effect.VARIES,),
             ),
             Command(
                 20,
@@ -597,6 +607,7 @@ VM = (
                 "TST_POLL_MODE2",
                 "Asks how far the start of Bluetooth's mode 2 is",
                 (Out("STATUS", DATA8, "OK, BUSY (still starting) or FAIL", range=(0, 2), enum=RESULT),),
+                effects=(Effect.VARIES,),
             ),
             Command(22, "TST_CLOSE_MODE2", "Ends mode 2 of Bluetooth", effects=(Effect.WRITES_TO_DEVICES,)),
             Command(

@@ -42,6 +42,7 @@ from ev3proto.text.phrases import dialogue_line
 from ev3proto.text.spans import plain_text
 
 WIFI_CAPTURE = ROOT / "captures" / "wifi.pcapng"
+CONFORMANCE = ROOT / "captures" / "conformance.pcapng"
 
 
 def without_times(text: str) -> list[str]:
@@ -139,8 +140,42 @@ def test_replay_tells_how_the_replies_differ() -> None:
     battery = next(number for number, line in enumerate(lines) if "UI_READ.GET_VBATT(VALUE=GV(0)) -> VALUE=7.5" in line)
     assert lines[battery + 1] == "recorded: VALUE=7.92 V"
     assert done.stderr.endswith(
-        "16 commands sent, 8 omitted; answered 2 as recorded, 7 with other values, 7 otherwise\n"
+        "16 commands sent, 8 omitted; answered 8 as recorded, 1 with other values, 7 otherwise\n"
     )
+
+
+def test_the_conformance_capture_is_answered_by_the_virtual_brick_as_recorded() -> None:
+    done = run_ev3proto_text("replay", CONFORMANCE, "--to", "virtual", "--fast", "--differences")
+    assert (done.returncode, done.stdout) == (0, "")
+    assert done.stderr == (
+        "the firmware of the brick is V1.04H\n"
+        "300 commands sent, 0 omitted; answered 300 as recorded, 0 with other values, 0 otherwise\n"
+    )
+
+
+def test_a_reply_that_only_another_firmware_gives_is_shown(tmp_path: Path) -> None:
+    """What a brick answers that has other arithmetic: the value is shown, and the battery's is not."""
+    frames = [
+        *(ev3proto.parse(bytes.fromhex(frame)) for frame in ("0800010000040081 0160", "0900020000010010070560")),
+        ev3proto.direct_reply(bytes.fromhex("00000041"), counter=1),
+        ev3proto.direct_reply(b"\x0d", counter=2),
+    ]
+    capture = tmp_path / "other.pcapng"
+    with capture.open("wb") as stream:
+        write_pcapng([frames[0], frames[2], frames[1], frames[3]], stream)
+    done = run_ev3proto_text("replay", capture, "--to", "virtual", "--fast", "--differences")
+    assert done.returncode == 0
+    assert without_times(done.stdout) == [
+        "#3 wifi virtual  ADD8(SOURCE1=7, SOURCE2=5, DESTINATION=GV(0)) -> DESTINATION=12",
+        "recorded: DESTINATION=13",
+    ]
+    assert done.stderr == "2 commands sent, 0 omitted; answered 1 as recorded, 1 with other values, 0 otherwise\n"
+
+
+def test_all_of_the_conformance_capture_is_harmless() -> None:
+    done = run_ev3proto_text("replay", CONFORMANCE, "--to", "usb", "--dry-run")
+    assert done.stderr == "300 commands would be sent, 0 omitted\n"
+    assert not re.search("OUTPUT_(?!GET|TEST|READ)|SOUND_?[.](TONE|PLAY)|UI_DRAW|UI_WRITE|_SET", done.stdout)
 
 
 def test_replay_of_a_transfer_uses_the_handle_that_the_brick_gives(tmp_path: Path) -> None:

@@ -10,7 +10,7 @@ import json
 import re
 from contextlib import redirect_stderr, redirect_stdout
 from pathlib import Path
-from tempfile import mkdtemp
+from tempfile import TemporaryDirectory
 from typing import Any, NamedTuple
 
 from ev3proto.brick import Brick
@@ -38,8 +38,11 @@ MOST_STEP = 0.25
 STRETCH = 0.02
 """Seconds for which a command or program may compute before the page gets its turn."""
 
-_PLACE = Path(mkdtemp())
-_TEXT, _SOURCE, _IMAGE, _FRAMES = (_PLACE / name for name in ("input", "input.lms", "input.rbf", "frames"))
+_FOLDERS = [TemporaryDirectory() for _ in range(2)]
+_PLACE, _ROOT = (Path(folder.name) for folder in _FOLDERS)
+_TEXT, _SOURCE, _IMAGE, _FRAMES, _CHART = (
+    _PLACE / name for name in ("input", "input.lms", "input.rbf", "frames", "chart.json")
+)
 _OFFSET = re.compile(r" +(\d+)  +\S")
 """How lines of the tree begin that are about bytes: with the offset of the first."""
 
@@ -47,6 +50,7 @@ _FINDING = re.compile(r"^(?:error|warning|hint)\[(\w+)\]")
 _OBJECT = re.compile(r"^[ \t]*(?:vmthread|subcall|block)[ \t]+[A-Za-z_]", re.MULTILINE)
 """An object of a program's source."""
 
+_FILE_NAME = re.compile(r"\w[\w .()-]{0,80}", re.ASCII)
 _CALL = re.compile(r"([A-Za-z_]\w*)\s*\(([^()]*)$")
 _WORD = re.compile(r"[A-Za-z_][\w.]*$")
 
@@ -114,14 +118,15 @@ def open_file(name: str, data: Any) -> str:
     """Reads a file, as `look` does a text.
 
     Args:
-        name: Its name, of which only the ending counts.
+        name: Its name, which is shown.
         data: Its bytes, or an array of JavaScript.
     """
     global _now
     contents = data if isinstance(data, bytes) else data.to_bytes()
-    path = _PLACE / f"file{Path(name).suffix.lower() if name.isprintable() else ''}"
+    path = _PLACE / (name if _FILE_NAME.fullmatch(name) else f"file{Path(name).suffix if name.isprintable() else ''}")
     path.write_bytes(contents)
-    _now = _source(path) if path.suffix == ".lms" else Input((str(path),), contents if path.suffix == ".rbf" else None)
+    ending = path.suffix.lower()
+    _now = _source(path) if ending == ".lms" else Input((str(path),), contents if ending == ".rbf" else None)
     return json.dumps(_looked())
 
 
@@ -167,16 +172,16 @@ def _looked() -> dict[str, Any]:
         return {"lines": [], "frames": [], "findings": [], "error": _now.errors, "made": {}, "dialogues": []}
     decoded = command("decode", *names)
     checked = command("check", *(_now.source or names))
-    answer: dict[str, Any] = {
+    said: dict[str, Any] = {
         "error": _now.errors or decoded.errors,
         "findings": _findings(_shortened(checked.out + ("" if checked.errors == decoded.errors else checked.errors))),
     }
     if _now.image is not None:
         lines = [[line, -1, 0, 0] for line in _shortened(decoded.out).splitlines()]
-        return answer | {"lines": lines, "frames": [], "made": {}, "dialogues": []}
+        return said | {"lines": lines, "frames": [], "made": {}, "dialogues": []}
     records = _records(names)
     made = {form: _shortened(command("encode", "--to", form, *names).out) for form in ("hex", "c", "python")}
-    return answer | {
+    return said | {
         "lines": _lines(_shortened(decoded.out), records),
         "frames": [record.get("hex", "") for record in records],
         "made": made,
@@ -236,6 +241,16 @@ def _dialogues(names: tuple[str, ...]) -> list[dict[str, Any]]:
         {"text": text.strip(), "latency": json.loads(record).get("latency")}
         for text, record in list(zip(texts, records, strict=True))[:MOST_DIALOGUES]
     ]
+
+
+def timeline() -> str:
+    """The picture of the input as a Vega-Lite specification with its data: JSON; null where there is none."""
+    command("timeline", *_now.names, "-o", str(_CHART))
+    if not _CHART.exists():
+        return "null"
+    chart = _CHART.read_text(encoding="utf-8")
+    _CHART.unlink()
+    return chart
 
 
 def explain(code: str) -> str:
@@ -323,7 +338,7 @@ class _Page:
 
 
 _page = _Page()
-_brick = Brick(mkdtemp(), stretch=STRETCH)
+_brick = Brick(_ROOT, stretch=STRETCH)
 _watcher = Watcher(lambda: _brick.microseconds / 1_000_000)
 _changes = Changes(_brick, _watcher.open(), tuple)
 

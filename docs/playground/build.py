@@ -1,13 +1,14 @@
 """Puts the playground into the documentation that Sphinx has built: an extension of docs/conf.py.
 
-The folder `playground` of the site has the page, Pyodide (Python for browsers, from npm, by package-lock.json), and in
-packages.zip ev3proto with the packages that it needs, as they are installed here.
+The folder `playground` of the site has the page, Pyodide (Python for browsers) and Vega from npm, by package-lock.json,
+and in packages.zip ev3proto with the packages that it needs, as they are installed here.
 """
 
 from __future__ import annotations
 
 import importlib.metadata
 import json
+import re
 import shutil
 import subprocess
 import zipfile
@@ -29,6 +30,7 @@ WITHOUT = "no_playground"
 PAGE = ("index.html", "playground.css", "playground.js", "worker.js")
 BRICK = ("brick.css", "brick.js", "icon.svg")
 PYODIDE = ("pyodide.mjs", "pyodide.asm.js", "pyodide.asm.wasm", "pyodide-lock.json", "python_stdlib.zip")
+VEGA = ("vega/build/vega.min.js", "vega-lite/build/vega-lite.min.js", "vega-interpreter/build/vega-interpreter.js")
 PACKAGES = ("construct", "click", "dpkt", "lark")
 
 _TIME = (1980, 1, 1, 0, 0, 0)
@@ -63,25 +65,33 @@ def build(site: Path, npm: Path) -> None:
         npm: A folder in which npm may install.
 
     Raises:
-        ExtensionError: npm cannot install Pyodide.
+        ExtensionError: npm cannot install them.
     """
-    pyodide = _pyodide(npm)
-    (site / "pyodide").mkdir(parents=True, exist_ok=True)
+    modules = _installed(npm)
+    for name in ("pyodide", "vega"):
+        (site / name).mkdir(parents=True, exist_ok=True)
     for name in PAGE:
         text = (HERE / name).read_text(encoding="utf-8")
         (site / name).write_text(text.replace("@VERSION@", VERSION), encoding="utf-8")
     for name in BRICK:
         (site / name).write_bytes((files("ev3proto.brick.servers.page") / "static" / name).read_bytes())
     for name in PYODIDE:
-        shutil.copy(pyodide / name, site / "pyodide" / name)
+        shutil.copy(modules / "pyodide" / name, site / "pyodide" / name)
+    for name in VEGA:
+        text = (modules / name).read_text(encoding="utf-8")
+        # Of what this one imports, vega.min.js has the same; the maps of their sources are not in the site.
+        text = re.sub(
+            r"^import \{(.*)\} from 'vega-util';$", r"const {\1} = globalThis.vega;", text, flags=re.MULTILINE
+        )
+        text = re.sub(r"^//# sourceMappingURL=.*$", "", text, flags=re.MULTILINE)
+        (site / "vega" / Path(name).name).write_text(text, encoding="utf-8")
     (site / "lesson.json").write_text(json.dumps(list(_lesson()), indent=1), encoding="utf-8")
     _pack(site / "packages.zip")
-    version = json.loads((pyodide / "package.json").read_text(encoding="utf-8"))
-    (site / "licences.txt").write_text("\n".join(_licences(version)), encoding="utf-8")
+    (site / "licences.txt").write_text("\n".join(_licences(modules)), encoding="utf-8")
 
 
-def _pyodide(npm: Path) -> Path:
-    """The folder of Pyodide, as npm has installed it."""
+def _installed(npm: Path) -> Path:
+    """The folder of what npm has installed."""
     npm.mkdir(parents=True, exist_ok=True)
     for name in ("package.json", "package-lock.json"):
         shutil.copy(HERE / name, npm / name)
@@ -89,8 +99,8 @@ def _pyodide(npm: Path) -> Path:
     done = subprocess.run(command, cwd=npm, capture_output=True, text=True, check=False)
     if done.returncode:
         said = " ".join(done.stderr.split())[:300]
-        raise ExtensionError(f"npm cannot install Pyodide for the playground ({said}): -t {WITHOUT} builds the rest")
-    return npm / "node_modules" / "pyodide"
+        raise ExtensionError(f"npm cannot install what the playground needs ({said}): -t {WITHOUT} builds the rest")
+    return npm / "node_modules"
 
 
 def _pack(path: Path) -> None:
@@ -126,11 +136,13 @@ def _lesson() -> Iterator[dict[str, str]]:
             yield {"title": title if number == 1 else f"{title}: {number}", "frame": frame}
 
 
-def _licences(pyodide: dict[str, Any]) -> Iterator[str]:
+def _licences(modules: Path) -> Iterator[str]:
     """What the site has of others, and on which terms."""
-    yield f"Pyodide {pyodide['version']}, {pyodide['license']}, with Python {pyodide.get('python', '')}".rstrip(" ,")
+    for name in ("pyodide", *(Path(each).parts[0] for each in VEGA)):
+        about = json.loads((modules / name / "package.json").read_text(encoding="utf-8"))
+        yield f"{name} {about['version']}, {about['license']}"
     for package in PACKAGES:
-        about = importlib.metadata.metadata(package)
-        terms = [about[key] for key in ("License-Expression", "License") if key in about]
-        yield f"{about['Name']} {about['Version']}, {(terms or ['see packages.zip'])[0].splitlines()[0]}"
+        metadata = importlib.metadata.metadata(package)
+        terms = [metadata[key] for key in ("License-Expression", "License") if key in metadata]
+        yield f"{metadata['Name']} {metadata['Version']}, {(terms or ['see packages.zip'])[0].splitlines()[0]}"
     yield ""

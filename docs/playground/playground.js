@@ -204,7 +204,8 @@ find("link").onclick = () => copy(location.href, find("link"));
 // Dialogues
 
 const showDialogues = (dialogues) => {
-  find("dialogues").hidden = !dialogues.length;
+  find("dialogues").hidden = find("timeline").hidden = !dialogues.length;
+  showTimeline();
   find("dialogues").querySelector("tbody").replaceChildren(...dialogues.map(({ text, latency }) => {
     const row = make("tr");
     const [, time = "", rest] = text.match(/^(\d+\.\d+)?\s*(.*?)(?:\s+[\d.]+ m?s)?$/);
@@ -214,6 +215,34 @@ const showDialogues = (dialogues) => {
     return row;
   }));
 };
+
+// The timeline, drawn when it is asked for: Vega-Lite by Vega, whose expressions are interpreted, not made into code
+
+const showTimeline = async () => {
+  const place = find("timeline").querySelector("div");
+  place.replaceChildren();
+  if (!find("timeline").open) return;
+  await import("./vega/vega.min.js");
+  await import("./vega/vega-lite.min.js");
+  const { expressionInterpreter } = await import("./vega/vega-interpreter.js");
+  const chart = await ask("timeline");
+  if (!chart) {
+    place.textContent = "There is nothing to draw.";
+    return;
+  }
+  // As wide as the page: of a narrow one less is left of what is drawn over time.
+  const parameter = (name) => chart.params.find((each) => each.name === name);
+  const width = place.clientWidth - 40;
+  parameter("margin").value = Math.min(parameter("margin").value, Math.max(110, 0.36 * width));
+  if (width < 700) parameter("kinds").value = 0;
+  parameter("room").value = Math.max(120, width - parameter("margin").value);
+  for (const view of chart.vconcat) view.width = parameter("room").value;
+  const { spec } = globalThis.vegaLite.compile(chart);
+  const flow = globalThis.vega.parse(spec, null, { ast: true });
+  const view = new globalThis.vega.View(flow, { renderer: "canvas", container: place, hover: true, expr: expressionInterpreter });
+  await view.runAsync();
+};
+find("timeline").ontoggle = showTimeline;
 
 // The input
 

@@ -8,9 +8,10 @@ const say = (message) => postMessage(message);
 
 const start = async () => {
   say({ status: "Loading Python …" });
+  const fetched = fetch(new URL("./packages.zip", import.meta.url));
   const python = await loadPyodide({ indexURL: new URL("./pyodide/", import.meta.url).href });
   say({ status: "Loading ev3proto …" });
-  const packages = await fetch(new URL("./packages.zip", import.meta.url));
+  const packages = await fetched;
   if (!packages.ok) throw new Error(`packages.zip: ${packages.status} ${packages.statusText}`);
   python.unpackArchive(await packages.arrayBuffer(), "zip", { extractDir: "/packages" });
   python.runPython("import sys; sys.path.insert(0, '/packages')");

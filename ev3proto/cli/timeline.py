@@ -34,7 +34,7 @@ def _seconds(_context: click.Context, _parameter: click.Parameter, value: float 
     "--output",
     type=click.Path(path_type=Path, dir_okay=False),
     required=True,
-    help="Write to this file: .html, .svg or .png.",
+    help="Write to this file: .html, .svg, .png or .json.",
 )
 @click.option(
     "--from", "first", type=float, callback=_seconds, metavar="SECONDS", help="Begin so long after the first message."
@@ -47,17 +47,18 @@ def timeline(
 ) -> None:
     """Draws who said what when, how long the brick took to answer, and what went wrong.
 
-    The file's suffix says what is drawn: .html is a page to zoom and point at, which needs no network; .svg and .png
-    are pictures for texts. With --filter, a command is drawn with its reply where either of them is let through. A
-    log without times is drawn in its order, and --from and --to count its lines.
+    The file's suffix says what is drawn: .html is a page to zoom and point at, which needs no network; .svg and
+    .png are pictures for texts; .json is the chart of Vega-Lite with its data, for other tools. With --filter, a
+    command is drawn with its reply where either of them is let through. A log without times is drawn in its order,
+    and --from and --to count its lines.
 
     \b
       ev3proto timeline robot.pcapng -o robot.html
       ev3proto timeline robot.pcapng -o start.png --from 5 --to 5.5
     """  # noqa: D301 - the mark by which click leaves lines as they are
     try:
-        Form.of(output)
-        require_library()
+        if Form.of(output) is not Form.JSON:
+            require_library()
     except (ValueError, MissingLibraryError) as error:
         raise click.UsageError(str(error)) from None
     if first is not None and last is not None and first >= last:

@@ -653,7 +653,7 @@ def test_a_filter_keeps_replies_with_their_commands(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("words", "status", "complaint"),
     [
-        (("-o", "x.pdf"), 2, "x.pdf: a timeline is written as one of .html, .svg, .png"),
+        (("-o", "x.pdf"), 2, "x.pdf: a timeline is written as one of .html, .svg, .png, .json"),
         (("-o", "robot"), 2, ".html, .svg, .png"),
         ((), 2, "Missing option '-o'"),
         (("-o", "no-such-folder/x.svg"), 1, "there is no folder no-such-folder"),
@@ -726,3 +726,12 @@ def test_a_part_of_a_text_without_times_is_told_in_lines(tmp_path: Path) -> None
         1,
         f"{said}{log}: there is nothing to draw from line 7: no frame was found\n",
     )
+
+
+def test_the_chart_for_other_tools(tmp_path: Path) -> None:
+    target = tmp_path / "wifi.json"
+    done = run(CAPTURES / "wifi.pcapng", "-o", target)
+    assert (done.exit_code, done.output) == (0, f"{target}: written\n")
+    chart = json.loads(target.read_text(encoding="utf-8"))
+    assert chart["title"]["text"] == "wifi.pcapng"
+    assert chart["$schema"] == "https://vega.github.io/schema/vega-lite/v6.1.json"

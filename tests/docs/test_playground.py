@@ -213,6 +213,9 @@ def test_files(address: str, tmp_path: Path) -> None:
         assert row[0] == "0.004973"
         assert row[1].endswith("COM_GET.GET_NETWORK(HARDWARE=HW_WIFI, LENGTH=42, NAME=GV(0), MAC=GV(42), IP=GV(84))")
         assert row[2:] == ['NAME="ev3proto", MAC="44:49:94:0F:0C:1E", IP="127.0.0.1"', "0.273 ms"]
+        page.browser.find_element(By.CSS_SELECTOR, "#timeline summary").click()
+        page.wait(lambda: page.browser.find_elements(By.CSS_SELECTOR, "#timeline canvas"))
+        assert int(page.browser.find_element(By.CSS_SELECTOR, "#timeline canvas").size["height"]) > 300
         file.send_keys(str(image))
         page.wait(lambda: "vmthread" in page.text("tree"))
         file.send_keys(str(source))
@@ -244,7 +247,7 @@ def test_nothing_inline_and_nothing_from_elsewhere(built: Path) -> None:
     assert len(own) == 6
     for file in own:
         assert "//" not in re.sub(r"^ *//.*$| // .*$", "", file.read_text(encoding="utf-8"), flags=re.MULTILINE), file
-    assert "Pyodide 0.28.3, MPL-2.0" in (built / "playground" / "licences.txt").read_text(encoding="utf-8")
+    assert "pyodide 0.28.3, MPL-2.0" in (built / "playground" / "licences.txt").read_text(encoding="utf-8")
     lesson: list[Any] = json.loads((built / "playground" / "lesson.json").read_text(encoding="utf-8"))
     assert lesson[0]["title"].startswith("Setting the name of the brick")
 

@@ -1,7 +1,8 @@
-"""Pictures as files: a page, an SVG or a PNG, by the file's suffix; written whole, or not at all."""
+"""Pictures as files: a page, an SVG, a PNG or what Vega-Lite draws, by the file's suffix; whole, or not at all."""
 
 from __future__ import annotations
 
+import json
 import re
 from enum import Enum
 from functools import cache
@@ -32,6 +33,7 @@ class Form(Enum):
     HTML = ".html"
     SVG = ".svg"
     PNG = ".png"
+    JSON = ".json"
 
     @classmethod
     def of(cls, path: Path) -> Form:
@@ -85,11 +87,13 @@ def render(timeline: Timeline, form: Form, title: str) -> bytes:
 
 
 def picture(chart: dict[str, Any], form: Form) -> bytes:
-    """Draws a chart of Vega-Lite as SVG or PNG, from nothing but what is in it.
+    """Draws a chart of Vega-Lite as SVG or PNG, from nothing but what is in it; as JSON it is the chart itself.
 
     Raises:
         MissingLibraryError: The library that draws is not installed.
     """
+    if form is Form.JSON:
+        return json.dumps(chart, ensure_ascii=False, separators=(",", ":")).encode()
     require_library()
     import vl_convert  # an extra
 

@@ -58,7 +58,7 @@ SUBCOMMANDS = {
     "check": "Says whether the brick will take a frame, which byte is wrong if not, and how to fix it",
     "copy": "Copies a file to a brick, or from it",
     "decode": "Shows what frames and programs say",
-    "dissector": "The dissector for Wireshark: one Lua file that lets Wireshark read frames",
+    "dissector": "The dissector for Wireshark: a Lua file that lets Wireshark read frames, and one for statistics",
     "encode": "Makes frames",
     "export": "Writes the protocol, or frames, for other tools",
     "extcap": "Lets Wireshark capture through `ev3proto proxy`: Wireshark calls this, users do not",

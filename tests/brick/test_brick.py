@@ -8,6 +8,8 @@ from support.bricks import FAIL, OK, command, op, run, taken_apart
 from ev3proto.brick import Brick
 from ev3proto.messages import GV, LV
 
+pytestmark = pytest.mark.portable
+
 
 def exchange(brick: Brick, frame: str) -> list[str]:
     """Sends a frame written in hex, with bars between its fields, and returns the replies in hex."""

@@ -9,6 +9,8 @@ from pathlib import Path
 
 import pytest
 
+pytestmark = pytest.mark.portable
+
 CAPTURES = Path(__file__).parents[2] / "captures"
 README = (CAPTURES / "README.md").read_text(encoding="utf-8")
 ROWS = dict(re.findall(r"^\| `([\w.-]+)` \| .+ \| (.+) \|$", README, re.MULTILINE))

@@ -33,6 +33,8 @@ from ev3proto.schema.frame import frame_schema
 from ev3proto.tables.frame import MessageType
 from ev3proto.text.paste import read_text
 
+pytestmark = pytest.mark.portable
+
 CAPTURES = Path(__file__).parents[2] / "captures"
 WIFI = Route(Carrier.WIFI, "192.0.2.1:49152", "192.0.2.10:5555", Direction.SENT, "eth0", "192.0.2.10:5555")
 BLUETOOTH = Route(Carrier.BLUETOOTH, "host", "00:16:53:00:00:0a", None, None, "00:16:53:00:00:0a")

@@ -16,6 +16,8 @@ import ev3proto.cli.values
 from ev3proto.capture.plot import draw
 from ev3proto.capture.series import Row, Series
 
+pytestmark = pytest.mark.portable
+
 CAPTURES = Path(__file__).parents[2] / "captures"
 PLUGGED = str(CAPTURES / "usb-plugged.pcap")
 BATTERY = ("--filter", "op == UI_READ.GET_VBATT")

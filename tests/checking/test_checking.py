@@ -12,6 +12,8 @@ from ev3proto.checking.codes import CODES
 from ev3proto.schema.argument import encode_as
 from ev3proto.text.paste import read_text
 
+pytestmark = pytest.mark.portable
+
 CAPTURES = Path(__file__).parents[2] / "captures"
 
 

@@ -42,6 +42,8 @@ from ev3proto.semantics.drafts.functions import draft, drafts
 from ev3proto.tables import operations as operations_of
 from ev3proto.tables.declaration import DIALECTS, Declaration, Direction, Parameter, Type
 
+pytestmark = pytest.mark.portable
+
 
 def operation_code(message: DirectCommand) -> str:
     """The byte code in hex, an operation each piece."""

@@ -16,6 +16,8 @@ from ev3proto.enums import BUTTON, DEVCMD, LED, LEDPATTERN, WARNING
 from ev3proto.ops import compat, xtended
 from ev3proto.tables import operations as operations_of
 
+pytestmark = pytest.mark.portable
+
 
 def called(path: str, dialect: str = "official") -> Callable[..., Draft]:
     """The function for a path such as `sound.tone`, as programs that work from names find it."""

@@ -15,6 +15,8 @@ from ev3proto import GV, LV, BuildError, DecodeError, DirectCommand, DirectReply
 from ev3proto.brick import Brick
 from ev3proto.capture import read
 
+pytestmark = pytest.mark.portable
+
 ROOT = Path(__file__).parents[2]
 TONE = bytes.fromhex("0e002a0080000094010182b80182e803")
 VOLTAGE = bytes.fromhex("0700e80302a470fd40")

@@ -333,3 +333,96 @@ def test_no_dependency_may_be_of_a_major_version_that_nobody_tried() -> None:
         and Requirement(text).name != project["name"]
     ]
     assert open_ended == []
+
+
+def test_several_extras_at_once(checkout: Checkout) -> None:
+    checkout.run("plot", "scapy")
+    assert checkout.installed[-1].endswith("--editable .[plot,scapy]")
+    checkout.run("scapy", "test")
+    assert "--constraint" in checkout.installed[-1]
+    process = checkout.start("plots")
+    _, said = process.communicate(timeout=30)
+    assert process.returncode == 2
+    assert said.startswith("bin/setup: unknown extra 'plots'; there are: docs page plot sample scapy")
+
+
+def test_help_installs_nothing(checkout: Checkout) -> None:
+    done = subprocess.run([checkout.folder / "bin" / "setup", "--help"], capture_output=True, text=True, check=True)
+    assert "bin/setup [EXTRA...]" in done.stdout
+    assert "scapy" in done.stdout
+    assert checkout.installed == []
+
+
+class Machine:
+    """A machine on which tests/run finds the programs that are named, and those write down how they are called."""
+
+    def __init__(self, folder: Path, *programs: str) -> None:
+        self.folder = folder / "checkout"
+        self.path = folder / "path"
+        for name in ("tests", "bin", ".venv/bin"):
+            (self.folder / name).mkdir(parents=True)
+        shutil.copy2(ROOT / "tests" / "run", self.folder / "tests" / "run")
+        self.path.mkdir()
+        for name in ("bash", "env", "dirname", "mktemp", "rm", "cat"):
+            (self.path / name).symlink_to(str(shutil.which(name)))
+        (self.path / "id").write_text("#!/bin/sh\necho 1000\n")
+        (self.path / "id").chmod(0o755)
+        self.calls = folder / "calls"
+        for place in (
+            *(self.path / name for name in programs),
+            self.folder / "bin" / "setup",
+            *(self.folder / ".venv" / "bin" / name for name in ("ruff", "mypy", "pytest")),
+        ):
+            place.write_text(f'#!/bin/sh\necho {place.name} "$@" >>{self.calls}\n')
+            place.chmod(0o755)
+
+    def run(self, *words: str) -> tuple[int, str, list[str]]:
+        done = subprocess.run(
+            [self.folder / "tests" / "run", *words],
+            env={"PATH": str(self.path)},
+            capture_output=True,
+            text=True,
+            check=False,
+            timeout=30,
+        )
+        return done.returncode, done.stderr, self.calls.read_text().splitlines() if self.calls.exists() else []
+
+
+TOOLS = ("tshark", "text2pcap", "gcc", "g++", "jq", "chromium", "chromedriver", "npm")
+
+
+def test_who_may_not_install_is_told_the_packages(tmp_path: Path) -> None:
+    status, said, calls = Machine(tmp_path, *(set(TOOLS) - {"tshark", "jq"})).run()
+    assert (status, calls) == (2, [])
+    first, *_, last = said.splitlines()
+    assert first.startswith("tests/run: installing what is missing: ")
+    assert "with apt-get tshark jq; the first time that takes some five minutes" in first
+    assert last == (
+        "tests/run: the tests need packages that could not be installed; have an administrator run: apt-get install"
+        " tshark jq"
+    )
+
+
+def test_what_is_missing_is_installed_once(tmp_path: Path) -> None:
+    machine = Machine(tmp_path, "sudo", *(set(TOOLS) - {"gcc"}))
+    status, said, calls = machine.run("-k", "reply")
+    assert (status, len(said.splitlines())) == (0, 1)
+    assert calls[0] == "sudo apt-get update -qq"
+    assert calls[1].endswith("install -y -qq --no-install-recommends gcc libc6-dev")
+    assert calls[2] == "setup test"
+    assert calls[3].startswith("npm install ")
+    assert calls[4:] == ["pytest -n auto --dist worksteal -k reply"]
+
+
+def test_types_are_checked_with_all_tests_or_where_asked_for(tmp_path: Path) -> None:
+    machine = Machine(tmp_path, *TOOLS)
+    for name in ("kaitai-struct-compiler", "kaitai-struct", "js-yaml"):
+        (machine.folder / ".kaitai" / "node_modules" / name).mkdir(parents=True)
+    status, said, calls = machine.run("--types", "tests/test_x.py")
+    assert (status, said) == (0, "")
+    assert {"ruff check", "ruff format --check", "mypy"} < set(calls)
+    assert calls.count("pytest -n auto --dist worksteal tests/test_x.py") == 1
+    machine.calls.unlink()
+    assert machine.run()[2].count("mypy") == 1
+    machine.calls.unlink()
+    assert machine.run("tests/test_x.py")[2] == ["setup test", "pytest -n auto --dist worksteal tests/test_x.py"]

@@ -16,6 +16,8 @@ import ev3proto
 from ev3proto import program as programs
 from ev3proto.program import HEADER, CodeObject, ObjectKind, Program
 
+pytestmark = pytest.mark.portable
+
 
 def test_the_header_of_a_program() -> None:
     program = programs.parse(IMAGE)

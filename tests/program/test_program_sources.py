@@ -11,6 +11,8 @@ from ev3proto import program as programs
 from ev3proto.program import assemble
 from ev3proto.text.assembly import AssemblyError
 
+pytestmark = pytest.mark.portable
+
 BOTH = ("strict", "lego")
 SOURCES = Path(__file__).parents[1].joinpath("support") / "sources"
 """Sources in LEGO's dialect, and the images that they become, in hex."""

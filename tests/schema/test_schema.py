@@ -24,6 +24,8 @@ from ev3proto.schema.header import HEADER, MEMORY
 from ev3proto.schema.instructions import instruction_set
 from ev3proto.tables.system import SYSTEM
 
+pytestmark = pytest.mark.portable
+
 
 def frame_of(text: str) -> bytes:
     """`0E:00|2A:00|...` as people print frames."""

@@ -8,6 +8,8 @@ import pytest
 
 import ev3proto
 
+pytestmark = pytest.mark.portable
+
 NOP = bytes.fromhex("06 00 01 00 80 00 00 01")
 TONE = bytes.fromhex("0E 00 2A 00 80 00 00 94 01 01 82 B8 01 82 E8 03")
 

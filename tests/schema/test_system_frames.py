@@ -14,6 +14,8 @@ import ev3proto
 from ev3proto import BuildError, DecodeError, Dialogue, SystemCommand, parse, system, system_reply
 from ev3proto.tables.system import SYSTEM
 
+pytestmark = pytest.mark.portable
+
 
 def build(message: SystemCommand) -> str:
     """A frame in hex, header apart."""

@@ -11,6 +11,8 @@ import ev3proto
 from ev3proto import GV, LV, Value
 from ev3proto.dialogue import MOST_PENDING
 
+pytestmark = pytest.mark.portable
+
 
 def ask(*operations: ev3proto.Operation, counter: int = 1, size: int = 64) -> ev3proto.DirectCommand:
     return ev3proto.direct_command(*operations, counter=counter, reply=True, global_size=size, local_size=16)

@@ -12,6 +12,8 @@ from ev3proto.tables.declaration import DIALECTS, Declaration, Effect, Enumerati
 from ev3proto.tables.enumerations import ENUMERATIONS
 from ev3proto.tables.system import SYSTEM, Kind, SystemStatus
 
+pytestmark = pytest.mark.portable
+
 EVERYTHING = [entry for entry in declarations(OPCODES) if entry.dialects]
 PARAMETERS = [(entry, parameter) for entry in EVERYTHING for parameter in entry.parameters]
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pytest
+
 import ev3proto
 from ev3proto import Dialogue, operation, parse
 from ev3proto.cli.texts import split
@@ -12,6 +14,8 @@ from ev3proto.text.phrases import Seen, dialogue_line, heading, plain, short_flo
 from ev3proto.text.spans import plain_text
 from ev3proto.text.table import table
 from ev3proto.text.tree import tree
+
+pytestmark = pytest.mark.portable
 
 TONE = bytes.fromhex("0E 00 2A 00 80 00 00 94 01 01 82 B8 01 82 E8 03")
 NAME = bytes.fromhex("0E 00 2A 00 00 00 00 D4 08 84 6D 79 45 56 33 00")

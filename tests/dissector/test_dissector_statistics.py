@@ -158,6 +158,14 @@ def test_a_file_of_another_size_than_was_said(tshark: Tshark) -> None:
     ]
 
 
+def test_a_file_whose_beginning_comes_with_its_name(tshark: Tshark) -> None:
+    """Data after the name are the first bytes of the file."""
+    folder = export_folder(tshark, "beginning")
+    begin = ev3proto.parse(bytes.fromhex("1d0001000192050000002e2e2f70726a732f712f612e7478740068656c6c6f"))
+    assert moved(tshark, [(True, begin)], "-o", f"ev3_statistics.export:{folder}") == [f"{folder}/a.txt: 5 bytes"]
+    assert (folder / "a.txt").read_bytes() == b"hello"
+
+
 def test_a_complete_file_takes_no_more(tshark: Tshark) -> None:
     """Where the reply to the next file's beginning is missing, its pieces have the handle of the file before."""
     folder = export_folder(tshark, "complete")

@@ -156,7 +156,7 @@ do
     local function follow_request(talk, message)
         local command, values = message.command, message.fields
         if command.transfer == "begin" then
-            local transfer = { path = values.path or "", size = values.size, done = 0 }
+            local transfer = { path = values.path or "", size = values.size, done = #(values.data or "") }
             talk.begun[message.counter] = transfer
             return transfer
         end

@@ -4,10 +4,10 @@
 
 local free_unused, place_of, number_of, new_notes
 do
-    -- What a packet leaves behind, items and ranges of a tree above all, Lua frees when all that it holds has doubled,
-    -- in small steps. By then it is in no cache of the processor any more, and that takes up to a quarter of the time.
-    -- So it is freed as soon as there is some of it; how Lua frees otherwise stays as it is. Where other scripts hold
-    -- much, all is left to Lua: going through that would take long.
+    -- Items and ranges of a tree are garbage after their packet. Lua frees it when all that it holds has doubled, long
+    -- after it left the processor's cache. Freed as soon as there is some of it, 30,000 packets take tshark -V 2.75
+    -- times as long as without a dissector, not 3.34, and two passes with a filter 4.6 times, not 5.9. Without a tree
+    -- there is little garbage, and where other scripts hold much, collecting would take long.
     do
         local GROWTH, MOST_KILOBYTES = 1.15, 32 * 1024
         local limit = 0

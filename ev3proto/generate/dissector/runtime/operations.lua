@@ -7,7 +7,6 @@ local add_value, show_operations, read_outputs
 do
     local add, set_len, append_text = TreeItem.add, TreeItem.set_len, TreeItem.append_text
     local new_range = Tvb.range
-    local NO_LENGTHS, NO_OUTPUTS = {}, {}
     local VARIABLE, OPCODE, CMD, ENCODING = field.variable, field.opcode, field.cmd, field.encoding
 
     -- Adds a value by the field of its parameter. A value that has not the type of its parameter is added as text. An
@@ -79,12 +78,11 @@ do
     end
 
     -- Adds an output to those of the command: its parameter, the `index` of its variable, its operation and where that
-    -- is, and the lengths that the operation's arguments state. Most commands have few: there is room for four at once.
+    -- is, and the lengths that the operation's arguments state.
     local function note_output(parameter, encoding, index)
-        if outputs == NO_OUTPUTS then outputs = { nil, nil, nil, nil } end
         outputs[#outputs + 1] = {
             parameter = parameter, index = index, is_handle = encoding.handle, operation = operation, at = start,
-            lengths = lengths, value = false, size = 0,
+            lengths = lengths,
         }
     end
 
@@ -132,7 +130,7 @@ do
     function show_operations(text, at, view, asked_globals, asked_locals)
         local item, first, phrase, count, fault = view.item, nil, "", 0, nil
         root, heading, buffer, base = view.root, nil, view.tvb, view.base
-        globals, locals, is_beyond, outputs = asked_globals, asked_locals, false, NO_OUTPUTS
+        globals, locals, is_beyond, outputs = asked_globals, asked_locals, false, {}
         while at < #text and not fault do
             if item then heading = add(item, OPCODE, new_range(buffer, base + at, 1)) end
             local selected, after, reason, kind = select_operation(text, at)
@@ -141,7 +139,7 @@ do
                 break
             end
             if item and selected.cmd_name then add_cmd(heading, selected, text, at + 1, after) end
-            operation, start, lengths = selected, at, selected.has_lengths and {} or NO_LENGTHS
+            operation, start, lengths = selected, at, {}
             -- A line has the arguments of the first operation only.
             local is_said = item ~= nil or not first
             said, said_count = is_said and "", 0
@@ -167,9 +165,9 @@ do
     -- The values in a direct reply to a command, as far as they are there.
     function read_outputs(command, reply)
         local outputs = command.outputs or select(4, show_operations(command.text, COMMAND_HEADER_SIZE, {}))
-        local memory, found = sub(reply.text, HEADER_SIZE + 1), { nil, nil, nil, nil }
-        for index = 1, #outputs do
-            if read_output(outputs[index], outputs, memory) then found[#found + 1] = outputs[index] end
+        local memory, found = sub(reply.text, HEADER_SIZE + 1), {}
+        for _, output in ipairs(outputs) do
+            if read_output(output, outputs, memory) then found[#found + 1] = output end
         end
         return found
     end

@@ -14,79 +14,56 @@ end
 
 local ENCODINGS, READ_TYPE, unsigned16, utf8_text, select_operation, read_arguments, read_operation, read_fields
 do
-    function unsigned16(text, at)
-        local low, high = byte(text, at + 1, at + 2)
-        return high and low + high * 0x100
-    end
-
-    local function unsigned32(text, at)
-        local first, second, third, fourth = byte(text, at + 1, at + 4)
-        return fourth and first + second * 0x100 + third * 0x10000 + fourth * 0x1000000
-    end
-
-    local function unsigned8(text, at)
-        return byte(text, at + 1)
-    end
-
-    local function signed8(text, at)
-        local value = byte(text, at + 1)
-        return value and (value < 0x80 and value or value - 0x100)
-    end
-
-    local function signed16(text, at)
-        local low, high = byte(text, at + 1, at + 2)
-        if not high then return nil end
-        return high < 0x80 and low + high * 0x100 or low + high * 0x100 - 0x10000
-    end
-
-    local function signed32(text, at)
-        local value = unsigned32(text, at)
-        return value and (value < 0x80000000 and value or value - 0x100000000)
-    end
-
-    -- An IEEE single.
     local unpack = Struct.unpack
+
+    -- A function that reads a number at an offset, nil where it is not all there; `form` is what Struct calls it.
+    local function reader(form, size)
+        return function(text, at)
+            if at + size > #text then return nil end
+            return (unpack(form, text, at + 1))
+        end
+    end
+
+    local unsigned8, unsigned32, signed32 = reader("B", 1), reader("<I4", 4), reader("<i4", 4)
+    unsigned16 = reader("<I2", 2)
+    local read_single = reader("<f", 4)
+
     local function single(text, at)
-        if at + 4 > #text then return nil end
-        local value = unpack("<f", text, at + 1)
+        local value = read_single(text, at)
         -- All that are not a number are alike.
-        return value == value and value or 0 / 0
+        if value ~= value then value = 0 / 0 end
+        return value
     end
 
     local READ_UNSIGNED = { [1] = unsigned8, [2] = unsigned16, [4] = unsigned32 }
-    local READ_SIGNED = { [1] = signed8, [2] = signed16, [4] = signed32 }
-    READ_TYPE = { [DATA8] = signed8, [DATA16] = signed16, [DATA32] = signed32, [DATAF] = single, [HANDLE] = signed16 }
+    READ_TYPE = {
+        [DATA8] = reader("b", 1), [DATA16] = reader("<i2", 2), [DATA32] = signed32, [DATAF] = single,
+        [HANDLE] = reader("<i2", 2),
+    }
 
-    -- What reads the argument with an identification byte at an offset, by encoding: its value and the offset after it;
+    -- A function that reads the argument with an identification byte at an offset: its value and the offset after it;
     -- nil where it is not all there. The value of a variable is its index.
+    local function argument_reader(read, size)
+        return function(text, at)
+            return read(text, at + 1), at + 1 + size
+        end
+    end
+
+    local function read_text(text, at)
+        local zero = find(text, "\0", at + 2, true)
+        if zero then return sub(text, at + 2, zero - 1), zero end
+    end
+
+    local signed_byte, index_byte = argument_reader(READ_TYPE[DATA8], 1), argument_reader(unsigned8, 1)
+    local index_word, index_long = argument_reader(unsigned16, 2), argument_reader(unsigned32, 4)
     local READERS = {
-        LC1 = function(text, at)
-            local value = byte(text, at + 2)
-            if value then return value < 0x80 and value or value - 0x100, at + 2 end
-        end,
-        LC2 = function(text, at)
-            local low, high = byte(text, at + 2, at + 3)
-            if high then return low + (high < 0x80 and high or high - 0x100) * 0x100, at + 3 end
-        end,
+        LC1 = signed_byte, LAB1 = signed_byte, LC2 = argument_reader(READ_TYPE[DATA16], 2),
         LC4 = function(text, at, is_float)
             return (is_float and single or signed32)(text, at + 1), at + 5
         end,
-        LCS = function(text, at)
-            local zero = find(text, "\0", at + 2, true)
-            if zero then return sub(text, at + 2, zero - 1), zero end
-        end,
-        LV1 = function(text, at)
-            return byte(text, at + 2), at + 2
-        end,
-        LV2 = function(text, at)
-            return unsigned16(text, at + 1), at + 3
-        end,
-        LV4 = function(text, at)
-            return unsigned32(text, at + 1), at + 5
-        end,
+        LCS = read_text, LCS_OLD = read_text,
+        LV1 = index_byte, LV2 = index_word, LV4 = index_long, GV1 = index_byte, GV2 = index_word, GV4 = index_long,
     }
-    READERS.GV1, READERS.GV2, READERS.GV4 = READERS.LV1, READERS.LV2, READERS.LV4
-    READERS.LCS_OLD, READERS.LAB1 = READERS.LCS, READERS.LC1
 
     -- By identification byte: all that it says. Of short forms it is the value, too.
     local SHORT_VALUES = {}
@@ -186,15 +163,10 @@ do
     function read_arguments(operation, text, at, visit, is_brief)
         local parameters, list = operation.parameters, operation.list
         local element_type = list and list.element_type
-        local encodings, short_values, byte_at = ENCODINGS, SHORT_VALUES, byte
         local encoding, value, after, start
-        for index = 1, #parameters do
-            local parameter, first = parameters[index], byte_at(text, at + 1)
-            encoding, value, after = encodings[first], short_values[first], at + 1
-            if not value then
-                if encoding then value, after = encoding.read(text, at, parameter.is_float) end
-                if not value then return at, argument_fault(text, at, parameter.name) end
-            end
+        for _, parameter in ipairs(parameters) do
+            encoding, value, after = read_argument(text, at, parameter.is_float)
+            if not encoding then return at, argument_fault(text, at, parameter.name) end
             if not is_brief or encoding.scope or parameter.tells_length then
                 visit(parameter, encoding, value, at, after)
             end

@@ -15,7 +15,7 @@ do
     function ev3.dissector(tvb, pinfo, tree)
         local dissect = carrier_dissectors[pinfo.port_type]
         local taken = dissect and dissect(tvb, pinfo, tree) or 0
-        free_unused()
+        if has_tree(tree) then free_unused() end
         return taken
     end
 

@@ -24,8 +24,7 @@ NO_LIMIT = -1
 """The length of a text that stands for as much as there is."""
 
 
-@dataclass(frozen=True, slots=True)
-class MemoryFacts:
+class MemoryFacts(NamedTuple):
     """What the tables tell of a variable that stands for a parameter.
 
     size                 bytes of one value, 1 where the type does not tell

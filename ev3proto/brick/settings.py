@@ -40,9 +40,10 @@ class Settings:
         """Adds an error by its name; where the log is full it is dropped."""
         self.log_error_number(NUMBERS[name])
 
-    def has_error(self, name: str) -> bool:
-        """Whether an error stands in the log."""
-        return NUMBERS[name] in self.errors
+    def log_once(self, name: str) -> None:
+        """Adds an error by its name unless it is in the log."""
+        if NUMBERS[name] not in self.errors:
+            self.log_error(name)
 
     def log_error_number(self, number: int) -> None:
         """Adds an error by its number; 0 is ignored, and where the log is full the error is dropped."""

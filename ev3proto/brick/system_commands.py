@@ -180,6 +180,13 @@ class SystemCommands:
         transfer = self._transfers.get(request.number("handle"))
         return transfer if transfer is not None and transfer.command in commands else None
 
+    def _is_name(self, path: bytes) -> bool:
+        """Whether a file may have this name. One that it may not have is an error in the log."""
+        is_name = is_allowed(path)
+        if not is_name:
+            self._brick.settings.log_once("FILE_NAME_ERROR")
+        return is_name
+
     # To the brick
 
     @_answers("BEGIN_DOWNLOAD")
@@ -187,7 +194,7 @@ class SystemCommands:
         """Makes the file and the folders that it needs."""
         path, size = request.text("path"), request.number("size")
         files = self._brick.files
-        if not is_allowed(path) or len(self._transfers) >= HANDLES:
+        if not self._is_name(path) or len(self._transfers) >= HANDLES:
             return _refused(SystemStatus.NO_HANDLES_AVAILABLE)
         if size > files.free - RESERVE:
             return _refused(SystemStatus.SIZE_ERROR)
@@ -238,7 +245,7 @@ class SystemCommands:
     def _begin_reading(self, request: Request, command: str, bad_name: SystemStatus, missing: SystemStatus) -> Answer:
         path = request.text("path")
         nothing = {"size": 0, "handle": NO_HANDLE, "data": b""}
-        if not is_allowed(path) or len(self._transfers) >= HANDLES:
+        if not self._is_name(path) or len(self._transfers) >= HANDLES:
             return Answer(bad_name, nothing)
         file = self._brick.files.open_to_read(path)
         if file is None:

@@ -272,6 +272,13 @@ def test_forbidden_characters_become_underscores_and_opening_goes_on(brick: Bric
     assert run(brick, op("INFO.GET_ERROR", GV(0)), globals=1) == (OK, bytes((31,)))
 
 
+def test_a_system_command_with_a_forbidden_name_leaves_an_error(brick: Brick) -> None:
+    for command_ in (system.begin_upload("../prjs/a*b.rtf"), system.begin_download("../prjs/a*b.rtf", 1)):
+        brick.receive(command_.build())
+        assert run(brick, op("INFO.GET_ERROR", GV(0)), globals=1) == (OK, bytes((31,)))
+        assert run(brick, op("INFO.GET_ERROR", GV(0)), globals=1) == (OK, bytes(1))
+
+
 @pytest.mark.parametrize("name", ["../prjs/a.abcd", "../prjs/" + "n" * 32, "../" + "f" * 90 + "/a"])
 def test_a_name_that_is_too_long_is_tried_for_ever(brick: Brick, name: str) -> None:
     assert brick.receive(command(op("FILE.OPEN_WRITE", name, LV(0)), locals=2)) == []

@@ -2,8 +2,10 @@
 
 import pytest
 from support.brick import RefusedError, answer, ask
+from support.bricks import OK, op, run
 
 from ev3proto.brick import Brick
+from ev3proto.messages import GV
 from ev3proto.tables.devices import DEVICE_TYPES
 
 
@@ -87,6 +89,11 @@ class TestValues:
     def test_the_types_on_all_ports(self, brick: Brick) -> None:
         assert ask(brick, "DATA8 changed ARRAY8 list 6 INPUT_DEVICE_LIST(5, list, changed)") == "05 10 1d 21 1e 7e 00"
         assert ask(brick, "DATA8 changed ARRAY8 list 6 INPUT_DEVICE_LIST(5, list, changed)")[:2] == "00"
+
+    def test_the_list_is_written_after_the_count_where_they_overlap(self, brick: Brick) -> None:
+        for length, place, memory in ((4, 2, "10 1d 21 1e 00 00"), (5, 5, "10 1d 21 1e 7e 00")):
+            done = run(brick, op("INPUT_DEVICE_LIST", length, GV(0), GV(place)), globals=6)
+            assert done == (OK, bytes.fromhex(memory))
 
     def test_edges_of_a_touch_sensor(self, brick: Brick) -> None:
         read = "DATAF c DATAF b INPUT_DEVICE(GET_CHANGES, 0, 0, c) INPUT_DEVICE(GET_BUMPS, 0, 0, b)"

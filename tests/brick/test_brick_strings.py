@@ -381,6 +381,16 @@ def test_the_text_of_an_error_is_empty_where_there_is_no_room(brick: Brick) -> N
     assert run(brick, *code, globals=2) == (OK, bytes((0, 9)))
 
 
+def test_an_array_for_no_error_gets_26_elements(brick: Brick) -> None:
+    code = (
+        op("ARRAY.CREATE8", 1, LV(0)),
+        op("INFO.ERRORTEXT", 0, -1, LV(0, handle=True)),
+        op("ARRAY.SIZE", LV(0), GV(0)),
+        op("STRINGS.DUPLICATE", LV(0, handle=True), GV(4)),
+    )
+    assert run(brick, *code, globals=5, locals=2) == (OK, bytes((26, 0, 0, 0, 0)))
+
+
 def test_the_number_of_an_error_has_ten_elements_of_an_array(brick: Brick) -> None:
     code = (
         op("ARRAY.CREATE8", 1, LV(0)),

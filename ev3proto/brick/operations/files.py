@@ -30,16 +30,9 @@ def checked_name(vm: Machine, place: Place) -> bytes | None:
     The error is logged unless it stands in the log already. Forbidden characters are replaced in memory.
     """
     if not path_names.check(place):
-        log_once(vm, "FILE_NAME_ERROR")
+        vm.brick.settings.log_once("FILE_NAME_ERROR")
         return None
     return in_own_folder(vm, place.read_text())
-
-
-def log_once(vm: Machine, name: str) -> None:
-    """Logs an error unless it stands in the log already."""
-    settings = vm.brick.settings
-    if not settings.has_error(name):
-        settings.log_error(name)
 
 
 def in_own_folder(vm: Machine, name: bytes) -> bytes:
@@ -307,7 +300,7 @@ def put_recent(vm: Machine, place: Place) -> None:
     if path_names.check(place):
         vm.brick.recent.put(place.read_text())
     else:
-        log_once(vm, "FILE_NAME_ERROR")
+        vm.brick.settings.log_once("FILE_NAME_ERROR")
 
 
 @handles("FILE.GET_CACHE_FILE")

@@ -11,6 +11,9 @@ from ev3proto.tables.errors import ERRORS
 NUMBER_ROOM = 10
 """Elements of an array for the text of an error that has no name."""
 
+NO_ERROR_ROOM = 26
+"""Elements of an array for the empty text of no error, where no length is given."""
+
 
 @handles("INFO.SET_ERROR")
 def set_error(vm: Machine, number: int) -> None:
@@ -29,8 +32,12 @@ def get_error(vm: Machine, number: Place) -> None:
 def error_text(vm: Machine, number: int, length: int, destination: Place) -> None:
     """The name of an error; of one without a name, its number, for which an array gets ten elements at most.
 
-    The text is empty where the length is 0.
+    The text is empty where the length is 0. No error and a length of -1 give an array 26 elements.
     """
+    if number == 0 and length == -1 and destination.handle >= 0:
+        if vm.resize(destination, NO_ERROR_ROOM):
+            destination.write8(0)
+        return
     if destination.handle < 0:
         destination.write8(0)
     elif number >= len(ERRORS):

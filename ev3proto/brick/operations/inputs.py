@@ -110,12 +110,12 @@ def write(vm: Machine) -> None:
 
 @handles("INPUT_DEVICE_LIST")
 def device_list(vm: Machine, length: int, types: Place, changed: Place) -> None:
-    """The types on all ports, a zero after them, and how many have changed."""
+    """How many have changed; then, as places may overlap, the types on all ports and a zero where there is room."""
+    changed.write8(vm.brick.inputs.changed(vm.program.slot))
     listed = vm.brick.inputs.types()[:_MOST_LISTED][: max(length, 0)]
     if len(listed) < length:
         listed.append(0)
     types.write_bytes(bytes(listed))
-    changed.write8(vm.brick.inputs.changed(vm.program.slot))
 
 
 @handles("INPUT_SAMPLE")

@@ -127,7 +127,7 @@ class Proxy:
         self._lock = threading.Lock()
         self._pairing: Pairing[Record] = Pairing(_MOST_WAITING)
         self._client: socket.socket | None = None
-        self._strangers: set[socket.socket] = set()
+        self._strangers: dict[socket.socket, None] = {}  # oldest first
         self._unlocked: queue.SimpleQueue[tuple[socket.socket, bytes] | None] = queue.SimpleQueue()
         self._is_over = threading.Event()
         self._delayed: queue.Queue[tuple[float, socket.socket, bytes] | None] = queue.Queue(_MOST_WAITING)
@@ -160,7 +160,7 @@ class Proxy:
         """Ends everything; may be called from another thread, or when a signal comes."""
         self._is_over.set()
         self._unlocked.put(None)
-        for each in (self._listening, self._client, *self._strangers):
+        for each in (self._listening, self._client, *list(self._strangers)):
             if each is not None:
                 with contextlib.suppress(OSError):
                     each.shutdown(socket.SHUT_RDWR)
@@ -170,7 +170,7 @@ class Proxy:
     # The client
 
     def _accept(self) -> None:
-        """Takes clients; one that says nothing keeps no other waiting."""
+        """Takes clients; one that says nothing keeps no other waiting, and of too many the oldest gives way."""
         while not self._is_over.is_set():
             try:
                 client, peer = self._listening.accept()
@@ -180,16 +180,17 @@ class Proxy:
             if wanted is not None and peer[0] != wanted:
                 self._say(f"{peer[0]} was sent away: only {wanted} is served (--from)")
                 client.close()
-            elif len(self._strangers) >= _MOST_STRANGERS:
-                client.close()
-            else:
-                self._strangers.add(client)
-                threading.Thread(target=self._unlock, args=(client, peer[0]), daemon=True).start()
+                continue
+            self._strangers[client] = None
+            for each in list(self._strangers)[:-_MOST_STRANGERS]:
+                with contextlib.suppress(OSError):
+                    each.shutdown(socket.SHUT_RDWR)
+            threading.Thread(target=self._unlock, args=(client, peer[0]), daemon=True).start()
 
     def _unlock(self, client: socket.socket, address: str) -> None:
         """Waits for the unlock text of a client, which is served in its turn then."""
         text = _unlock_text(client)
-        self._strangers.discard(client)
+        self._strangers.pop(client, None)
         if text is not None:
             self._unlocked.put((client, text))
             return

@@ -20,7 +20,7 @@ from typing import Any
 
 import pytest
 from support.cli import ROOT, run_ev3proto_text
-from support.server import Client, command, free_port, served, system
+from support.server import ACCEPT, UNLOCK, Client, command, free_port, served, system
 
 import ev3proto
 from ev3proto import EV3
@@ -440,6 +440,17 @@ def test_a_client_that_says_nothing_keeps_nobody_waiting() -> None:
     ):
         assert client.ask(command("NOP()", 7)) == bytes.fromhex("0300070002")
         assert found.said == []
+
+
+def test_of_many_clients_that_say_nothing_the_oldest_gives_way() -> None:
+    with standing("virtual") as found, contextlib.ExitStack() as stack:
+        silent = [stack.enter_context(Client(found.proxy.port, unlocks=False)) for _ in range(70)]
+        with Client(found.proxy.port, timeout=5) as client:
+            assert client.ask(command("NOP()", 7)) == bytes.fromhex("0300070002")
+        with pytest.raises(ConnectionError):
+            silent[0].read(1)
+        silent[-1].send(UNLOCK)
+        assert silent[-1].read(16) == ACCEPT
 
 
 def test_the_brick_goes_away(tmp_path: Path) -> None:

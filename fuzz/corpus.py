@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from random import Random
 
-TARGETS = ("codec", "captures", "text", "filter", "assembly", "programs", "harm", "files")
+TARGETS = ("codec", "captures", "text", "lines", "filter", "assembly", "programs", "harm", "files")
 
 HERE = Path(__file__).parent
 REGRESSIONS = HERE / "regressions"
@@ -20,7 +20,7 @@ def inputs(target: str) -> list[bytes]:
     """The seeds of a target and its regressions."""
     found = [path.read_bytes() for path in sorted((HERE / "seeds" / target).glob("*"))]
     found += [path.read_bytes() for path in sorted((REGRESSIONS / target).glob("[!.]*"))]
-    if target in ("codec", "text", "harm", "files"):
+    if target in ("codec", "text", "lines", "harm", "files"):
         # Each line of a file of seeds is one, so that they can be read.
         found = [line for data in found for line in _lines(target, data)]
     if target == "captures":
@@ -31,6 +31,8 @@ def inputs(target: str) -> list[bytes]:
 def _lines(target: str, data: bytes) -> list[bytes]:
     if target == "text":
         return [data]
+    if target == "lines":
+        return data.split(b"\n")
     try:
         return [bytes.fromhex(line) for line in data.decode().split("\n") if line]
     except ValueError:  # a regression, which is the frame itself

@@ -219,7 +219,11 @@ def _events_in(
             account.captured += captured
             if captured < size:
                 account.cut += 1
-            yield from readers[interface.link](packet)
+            feed = readers[interface.link]
+            if not captured:
+                # A file of a megabyte has ten million of these once it is unpacked.
+                continue
+            yield from feed(packet)
             if late:
                 yield from late
                 late.clear()

@@ -9,7 +9,6 @@ r"""The annotated table: the frame's bytes in groups, above them what each group
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import zip_longest
 
 from ev3proto.dialogue import Exchange
 from ev3proto.messages import DaisyCommand, DirectCommand, DirectReply, Message, Operation, SystemCommand, SystemReply
@@ -32,7 +31,10 @@ _SHORT_TYPES = {
 }
 
 MOST_COLUMNS = 110
-"""Width at which a table goes on in a new band."""
+"""Width at which a table continues in a new band, and letters after which a meaning is cut."""
+
+_MOST_ROWS = 64
+"""The same for meanings from top to bottom."""
 
 _MOST_BYTES = 12
 """Bytes shown in one cell; longer ones are cut in the middle of the text, not of the meaning."""
@@ -54,6 +56,9 @@ class Cell:
         self.hex = data[:_MOST_BYTES].hex(":").upper()
         if len(data) > _MOST_BYTES:
             self.hex += ":..."
+        most = _MOST_ROWS if upright else MOST_COLUMNS
+        if len(meaning) > most:
+            meaning = meaning[:most] + "..."
         self.rows = list(meaning) if upright else [meaning]
         self.width = max(len(self.hex), len(label), 0 if upright else len(meaning))
 
@@ -96,10 +101,14 @@ def _draw(cells: list[Cell], first: bool) -> Iterator[Line]:
     yield [(rule, Role.ASIDE)]
     yield [(f"{prefix}|" + "".join(f"{cell.hex.ljust(cell.width)}|" for cell in cells), Role.HEADING)]
     yield [(rule, Role.ASIDE)]
-    widths = [cell.width for cell in cells]
-    for pieces in zip_longest(*(cell.rows for cell in cells), fillvalue=""):
-        line = "".join([f"{piece.ljust(width)}\\" for piece, width in zip(pieces, widths, strict=True)])
-        yield [("  \\" + line, Role.VALUE)]
+    height = max(len(cell.rows) for cell in cells)
+    columns: list[list[str]] = []
+    for cell in cells:
+        # A frame may have 100,000 letters from top to bottom: each is padded with one addition.
+        blank = " " * cell.width + "\\"
+        columns.append([row + blank[len(row) :] for row in cell.rows] + [blank] * (height - len(cell.rows)))
+    for pieces in zip(*columns, strict=True):
+        yield [("  \\" + "".join(pieces), Role.VALUE)]
     yield [(rule, Role.ASIDE)]
 
 
@@ -146,7 +155,7 @@ def _fields(message: SystemCommand | SystemReply, frame: bytes) -> Iterator[Cell
     start = 7 if isinstance(message, SystemReply) else 6
     if frame[start:]:
         meaning = ", ".join(f"{name}={plain(value)}" for name, value in message.fields.items())
-        yield Cell("fields", frame[start:], meaning if len(meaning) <= MOST_COLUMNS else meaning[:MOST_COLUMNS] + "...")
+        yield Cell("fields", frame[start:], meaning)
 
 
 def _operation(operation: Operation) -> Iterator[Cell]:

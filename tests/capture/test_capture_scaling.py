@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 from support.cli import run_ev3proto
-from support.cpu_time import Work, assert_linear, seconds
+from support.cpu_time import Work, assert_linear, milliseconds, seconds
 from support.effort import effort
 from support.files import RAW_IP, pcap, timed
 from support.packets import SYN, segment
@@ -155,3 +155,11 @@ def test_connections_that_never_go_on_take_no_time() -> None:
     """In absolute terms, with a wide margin: 20,000 of them take a second or two where nothing else runs."""
     data = pcap(RAW_IP, timed(list(connections(effort(5_000, 20_000)))))
     assert seconds(lambda: messages(data)) < effort(6, 24)
+
+
+def test_packets_without_a_byte_are_only_counted() -> None:
+    data = pcap(RAW_IP, timed([b""] * 20_000))
+    capture = read(io.BytesIO(data))
+    assert list(capture) == []
+    assert capture.account.packets == 20_000
+    assert milliseconds(lambda: list(read(io.BytesIO(data))), 30) <= 30

@@ -73,6 +73,9 @@ LIMITS = {
         "10 ms of CPU time; the slowest frame that a search has found takes 9 ms to fix and 7 ms to check"
     ),
     "A frame": f"{MAX_FRAME:,} bytes; a longer one is refused and not looked into",
+    "Packets without a byte, of which 300 kB of gzip have ten million": (
+        "a million in 0.7 s from pcap, in 2.3 s from pcapng"
+    ),
     "Places in one piece of a stream where a frame is tried": (
         f"{MOST_TRIALS}, as many as in the dissector; then the piece is given up, and reported"
     ),

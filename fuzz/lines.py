@@ -9,7 +9,7 @@ from ev3proto.text.paste import read_text
 _SHORT = 1 << 11
 _FACTOR = 8
 _MOST_GROWTH = 16
-"""Linear work takes 8 times as long, quadratic work 64 times; another unit at the end may make another reading likelier."""
+"""Linear work takes 8 times as long, quadratic work 64 times; with another end another reading may be likelier."""
 _SEPARATORS = (" ", " x ", "\n")
 _LEAST = 0.003
 """Seconds below which a measurement says nothing."""

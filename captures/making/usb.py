@@ -8,20 +8,23 @@ from functools import reduce
 from operator import xor
 
 from ev3proto import DaisyCommand, DaisyReply, MessageType, Operation, system_command
-from ev3proto.generate.captures.descriptors import (
+from ev3proto.generate.captures.usb import (
     CONFIGURATION,
     CONFIGURATION_SIZE,
     DEVICE_DESCRIPTOR,
     ENGLISH,
+    GET_DESCRIPTOR,
     HID_REPORT,
     LANGUAGES,
+    NAMES,
     REPORT,
+    SET_CONFIGURATION,
+    SET_IDLE,
     STRING,
     configuration,
     device,
     string,
 )
-from ev3proto.generate.captures.usb import GET_DESCRIPTOR, NAMES, SET_CONFIGURATION, SET_IDLE
 from ev3proto.tables import daisy
 from ev3proto.tables.carriers import USB_BOOTLOADER, USB_PRODUCT
 from ev3proto.tables.carriers import USB_ENDPOINT_IN as IN

@@ -13,8 +13,19 @@ from ev3proto.capture.dialogues import RequestReply, dialogues
 from ev3proto.capture.formats import CaptureFile
 from ev3proto.capture.text_log import read_log
 from ev3proto.cli.output import EVERY, advancing, complain, progress_bar
-from ev3proto.cli.reading import BUILTIN, MIB, CaptureOptions, given_up
-from ev3proto.cli.texts import START, hex_lines, is_binary, is_image, pieces, raw_frames, text_lines
+from ev3proto.cli.reading import (
+    BUILTIN,
+    MIB,
+    START,
+    CaptureOptions,
+    given_up,
+    hex_lines,
+    is_binary,
+    is_image,
+    pieces,
+    raw_frames,
+    text_lines,
+)
 from ev3proto.errors import counted
 from ev3proto.text.paste import Pasted
 from ev3proto.text.spans import visible

@@ -17,9 +17,8 @@ from ev3proto.checking.fixing import fix
 from ev3proto.checking.program_codes import PROGRAM_CODES
 from ev3proto.checking.report import Finding, Fix, Report
 from ev3proto.cli.output import Printer, complain
-from ev3proto.cli.reading import CaptureOptions, reading_options
+from ev3proto.cli.reading import SOURCE_SUFFIX, CaptureOptions, Piece, reading_options
 from ev3proto.cli.sources import Source, SourceReader, sources
-from ev3proto.cli.texts import SOURCE_SUFFIX, Piece
 from ev3proto.errors import counted, near_misses
 from ev3proto.tables.carriers import CARRIERS
 from ev3proto.text.diagnostics import diagnostics, explanation, fixed

@@ -17,9 +17,8 @@ import click
 
 from ev3proto.cli.captures import CaptureSource
 from ev3proto.cli.output import binary_output, complain, is_terminal, say
-from ev3proto.cli.reading import CaptureOptions, reading_options
+from ev3proto.cli.reading import CaptureOptions, Piece, Unread, introduction, reading_options
 from ev3proto.cli.sources import Source, SourceReader, sources
-from ev3proto.cli.texts import Piece, Unread, introduction
 from ev3proto.dialogue import Dialogue
 from ev3proto.messages import Message
 from ev3proto.schema.frame import parse

@@ -13,9 +13,8 @@ from ev3proto.capture.text_log import Clock
 from ev3proto.cli.captures import CaptureSource
 from ev3proto.cli.commands import FiniteRange, Group
 from ev3proto.cli.output import binary_output, complain, is_terminal
-from ev3proto.cli.reading import CaptureOptions, reading_options
+from ev3proto.cli.reading import CaptureOptions, Piece, reading_options
 from ev3proto.cli.sources import Source, SourceReader, sources
-from ev3proto.cli.texts import Piece
 from ev3proto.errors import BuildError
 from ev3proto.generate import output_schemas
 from ev3proto.generate.captures import CaptureWriter, TimedFrame

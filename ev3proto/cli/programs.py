@@ -12,8 +12,8 @@ import click
 
 from ev3proto.checking.codes import Code
 from ev3proto.cli.output import Printer, binary_output, complain, is_terminal
+from ev3proto.cli.reading import is_image
 from ev3proto.cli.sources import Source
-from ev3proto.cli.texts import is_image
 from ev3proto.errors import DecodeError, counted
 from ev3proto.program import Program, assemble, check_program, parse, source_of
 from ev3proto.program.json_format import program_record

@@ -21,7 +21,7 @@ from ev3proto.cli.brick import folder, interrupted, read_script_file
 from ev3proto.cli.commands import FiniteRange
 from ev3proto.cli.output import complain, flush, is_terminal, say
 from ev3proto.cli.programs import complain_of
-from ev3proto.cli.texts import is_image
+from ev3proto.cli.reading import is_image
 from ev3proto.program import assemble, check_program
 from ev3proto.program.image import MAX_IMAGE
 from ev3proto.tables.enumerations import LEDPATTERN

@@ -9,12 +9,11 @@ import click
 from ev3proto.capture.dialogues import RequestReply, is_error
 from ev3proto.cli.encode import Encoding, Wants
 from ev3proto.cli.output import complain
-from ev3proto.cli.reading import CaptureOptions
+from ev3proto.cli.reading import CaptureOptions, Piece
 from ev3proto.cli.recorded import show_dialogue
 from ev3proto.cli.show import Show
 from ev3proto.cli.sources import Source, sources
 from ev3proto.cli.targets import TargetType, channel_to, is_refused, timeout_option
-from ev3proto.cli.texts import Piece
 from ev3proto.errors import counted
 from ev3proto.link.channel import Channel
 from ev3proto.link.errors import LinkError

@@ -12,10 +12,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from ev3proto.cli.output import Awaited, advancing, complain, progress_bar
-from ev3proto.cli.reading import BUILTIN, CaptureOptions
-from ev3proto.cli.texts import (
+from ev3proto.cli.reading import (
+    BUILTIN,
     SOURCE_SUFFIX,
     START,
+    CaptureOptions,
     Piece,
     hex_lines,
     introduction,

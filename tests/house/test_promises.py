@@ -20,7 +20,7 @@ from ev3proto.capture.filter import grammar
 from ev3proto.capture.finding import MOST_TRIALS
 from ev3proto.capture.formats import pcapng
 from ev3proto.capture.timeline import collecting
-from ev3proto.cli import live, texts, values
+from ev3proto.cli import live, reading, values
 from ev3proto.cli.annotations import MOST_COMPLAINTS
 from ev3proto.generate.dissector.build import build, build_statistics
 from ev3proto.link import file_moves
@@ -53,7 +53,7 @@ LIMITS = {
     ),
     "A line of text": f"{MAX_LINE // MIB} MiB",
     "An array or a dump over several lines": f"{MAX_COLLECTED // KIB} KiB",
-    "A file of nothing but frames": f"{texts.MOST_RAW // MIB} MiB",
+    "A file of nothing but frames": f"{reading.MOST_RAW // MIB} MiB",
     "A program image": f"{MAX_IMAGE // MIB} MiB",
     "A file that `copy` moves, a listing of a folder": f"{file_moves.MOST_FILE // MIB} MiB",
     "Files in a capture": f"{files.MOST_FILES:,}, of which {files.MOST_OPEN} are open at a time",

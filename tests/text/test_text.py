@@ -6,7 +6,7 @@ import pytest
 
 import ev3proto
 from ev3proto import Dialogue, operation, parse
-from ev3proto.cli.texts import split
+from ev3proto.cli.reading import split
 from ev3proto.text.assembly import assembly, operation_line
 from ev3proto.text.forms import as_c
 from ev3proto.text.json_format.from_messages import record

@@ -353,7 +353,7 @@ def test_a_stream_in_pieces() -> None:
     assert accepted is not None
     assert accepted[EV3Text].text == ACCEPT + b"\0"
     # Whoever speaks first on a stream may speak another protocol.
-    assert isinstance(EV3.tcp_reassemble(b"\xff\xff\xff\xff", {}, {}), Raw)
+    assert isinstance(EV3.tcp_reassemble(b"\xff\xff\xff\xff\xff", {}, {}), Raw)
     assert isinstance(EV3.tcp_reassemble(b"GET /target?sn=" + bytes(200), {}, {}), Raw)
 
 

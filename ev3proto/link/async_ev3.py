@@ -7,29 +7,29 @@ that reads and are handed to the event loop: any number of them can be waited fo
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Callable, Coroutine, Iterable
+from collections.abc import Callable, Coroutine
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from types import TracebackType
-from typing import Any, TypeVar, overload
+from typing import Any, TypeVar
 
-from ev3proto.compose import Draft, Label
 from ev3proto.link import file_moves, questions
-from ev3proto.link.channel import Ticket, known_timeout
-from ev3proto.link.commands import Operations, Prepared, Result, counter_bytes, counter_of, direct, system
+from ev3proto.link.channel import Ticket
+from ev3proto.link.commands import Prepared, Result, counter_bytes, counter_of, system
 from ev3proto.link.ev3 import EV3, system_reply
 from ev3proto.link.file_moves import File, Listing, Progress, Task, nothing_moved
 from ev3proto.link.modes import SyncMode
 from ev3proto.link.printing import RECEIVED, SENT
 from ev3proto.link.questions import Battery, Memory, Network, Question, Sensors, System
 from ev3proto.link.source_file import read_source
-from ev3proto.messages import DirectCommand, Message, Operation, SystemCommand, SystemReply
+from ev3proto.link.verbs import Verbs
+from ev3proto.messages import Message, SystemReply
 from ev3proto.whole_files import write_whole
 
 T = TypeVar("T")
 
 
-class AsyncEV3:
+class AsyncEV3(Verbs[Coroutine[Any, Any, bytes], Coroutine[Any, Any, Any]]):
     """A connection to a brick, for one event loop.
 
     `async with AsyncEV3(protocol=...) as my_ev3` connects and closes. Methods are those of `EV3`, to be awaited; so are
@@ -79,91 +79,19 @@ class AsyncEV3:
             raise RuntimeError("there is no connection yet: `await connect()`, or `async with AsyncEV3(...)`")
         return self._ev3
 
-    @overload
-    async def send_direct_cmd(
-        self,
-        ops: bytes | bytearray,
-        *,
-        local_mem: int = 0,
-        global_mem: int = 0,
-        sync_mode: str | None = None,
-        verbosity: int | None = None,
-        timeout: float | None = None,
-    ) -> bytes: ...
+    def _settings(self, sync_mode: str | None) -> tuple[SyncMode, str]:
+        return self.connected._settings(sync_mode)
 
-    @overload
-    async def send_direct_cmd(
-        self,
-        ops: Draft | Operation | DirectCommand | Iterable[Draft | Operation | Label],
-        *,
-        local_mem: int = 0,
-        global_mem: int = 0,
-        sync_mode: str | None = None,
-        verbosity: int | None = None,
-        timeout: float | None = None,
-    ) -> Any: ...
-
-    async def send_direct_cmd(
-        self,
-        ops: Operations,
-        *,
-        local_mem: int = 0,
-        global_mem: int = 0,
-        sync_mode: str | None = None,
-        verbosity: int | None = None,
-        timeout: float | None = None,
-    ) -> Result:
-        """Sends a direct command; arguments, result and errors are those of `EV3.send_direct_cmd`."""
-        ev3 = self.connected
-        mode = SyncMode.of(ev3.sync_mode if sync_mode is None else sync_mode)
-        return await self._send(direct(ops, local_mem, global_mem, mode, ev3.dialect), verbosity, timeout)
-
-    @overload
-    async def send_system_cmd(
-        self,
-        cmd: bytes | bytearray,
-        *,
-        reply: bool = True,
-        verbosity: int | None = None,
-        timeout: float | None = None,
-    ) -> bytes: ...
-
-    @overload
-    async def send_system_cmd(
-        self,
-        cmd: SystemCommand,
-        *,
-        reply: bool = True,
-        verbosity: int | None = None,
-        timeout: float | None = None,
-    ) -> Any: ...
-
-    async def send_system_cmd(
-        self,
-        cmd: bytes | bytearray | SystemCommand,
-        *,
-        reply: bool = True,
-        verbosity: int | None = None,
-        timeout: float | None = None,
-    ) -> Result:
-        """Sends a system command; arguments, result and errors are those of `EV3.send_system_cmd`."""
-        return await self._send(system(cmd, reply), verbosity, timeout)
-
-    async def wait_for_reply(
-        self, msg_cnt: bytes | int, *, verbosity: int | None = None, timeout: float | None = None
-    ) -> Any:
-        """Waits for the reply to a command sent with ASYNC; see `EV3.wait_for_reply`."""
+    async def _fetch(self, msg_cnt: bytes | int, verbosity: int | None, timeout: float | None) -> Result:
         ticket = self.connected.channel.ticket(counter_of(msg_cnt))
-        frame = await self._reply(ticket, verbosity, self._patience(timeout), keep=True)
-        return ticket.result(frame)
+        return ticket.result(await self._reply(ticket, verbosity, self._patience(timeout), keep=True))
 
-    async def _send(self, prepared: Prepared, verbosity: int | None, timeout: float | None) -> Result:
-        patience = self._patience(timeout)
+    async def _send(self, prepare: Callable[[], Prepared], verbosity: int | None, timeout: float | None) -> Result:
+        prepared, patience = prepare(), self._patience(timeout)
         ticket = await self._sent(prepared, verbosity)
-        if not prepared.waits:
-            return counter_bytes(ticket.request.frame)
-        frame = await self._reply(ticket, verbosity, patience, keep=False)
-        return ticket.result(frame)
+        if prepared.waits:
+            return ticket.result(await self._reply(ticket, verbosity, patience, keep=False))
+        return counter_bytes(ticket.request.frame)
 
     async def _sent(self, prepared: Prepared, verbosity: int | None) -> Ticket:
         ev3 = self.connected
@@ -171,7 +99,7 @@ class AsyncEV3:
         return await self._in_thread(lambda: ev3.channel.send(prepared, printer))
 
     def _patience(self, timeout: float | None) -> float | None:
-        return known_timeout(self.connected.timeout if timeout is None else timeout)
+        return self.connected._patience(timeout)
 
     async def _reply(self, ticket: Ticket, verbosity: int | None, patience: float | None, *, keep: bool) -> bytes:
         ev3 = self.connected

@@ -4,24 +4,24 @@ from __future__ import annotations
 
 import threading
 import weakref
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from pathlib import Path
 from types import TracebackType
-from typing import Any, TypeVar, overload
+from typing import Any, TypeVar
 
-from ev3proto.compose import Draft, Label
 from ev3proto.link import file_moves, questions
 from ev3proto.link.carriers import open_wire
 from ev3proto.link.carriers.opening import CONNECT_TIMEOUT
 from ev3proto.link.channel import Channel, Ticket, known_timeout
-from ev3proto.link.commands import Operations, Prepared, Result, counter_bytes, counter_of, direct, system
+from ev3proto.link.commands import Prepared, Result, counter_bytes, counter_of, system
 from ev3proto.link.file_moves import File, Listing, Progress, Task, nothing_moved
 from ev3proto.link.modes import SyncMode
-from ev3proto.link.printing import RECEIVED, SENT, frame_line, meaning_line
+from ev3proto.link.printing import RECEIVED, SENT, frame_printer, known_verbosity
 from ev3proto.link.questions import Battery, Memory, Network, Question, Sensors, System
 from ev3proto.link.source_file import read_source
 from ev3proto.link.targets import Target, chosen_target
-from ev3proto.messages import DirectCommand, Message, Operation, SystemCommand, SystemReply
+from ev3proto.link.verbs import Verbs
+from ev3proto.messages import Message, SystemReply
 from ev3proto.schema.frame import parse
 from ev3proto.whole_files import write_whole
 
@@ -29,9 +29,6 @@ T = TypeVar("T")
 
 REPLY_TIMEOUT = 30.0
 """Seconds to wait for a reply unless something else is asked for."""
-
-VERBOSITIES = (0, 1, 2)
-"""Nothing is printed; frames are; frames are, and what they say."""
 
 
 class Shared:
@@ -62,7 +59,7 @@ class Shared:
         self.channel.close()
 
 
-class EV3:
+class EV3(Verbs[bytes, Any]):
     """A connection to a brick. Any number of threads may use it at once.
 
     It is a context manager: leaving it closes the connection.
@@ -101,7 +98,7 @@ class EV3:
         """
         self.timeout = known_timeout(timeout)
         self.dialect = dialect
-        self._verbosity = _known_verbosity(verbosity)
+        self._verbosity = known_verbosity(verbosity)
         if ev3_obj is None:
             self._sync_mode = SyncMode.of(sync_mode or SyncMode.STD)
             self._target = chosen_target(protocol, host, address, target)
@@ -179,166 +176,47 @@ class EV3:
 
     @verbosity.setter
     def verbosity(self, value: int) -> None:
-        self._verbosity = _known_verbosity(value)
+        self._verbosity = known_verbosity(value)
 
     # Commands
 
-    @overload
-    def send_direct_cmd(
-        self,
-        ops: bytes | bytearray,
-        *,
-        local_mem: int = 0,
-        global_mem: int = 0,
-        sync_mode: str | None = None,
-        verbosity: int | None = None,
-        timeout: float | None = None,
-    ) -> bytes: ...
+    def _settings(self, sync_mode: str | None) -> tuple[SyncMode, str]:
+        return self._sync_mode if sync_mode is None else SyncMode.of(sync_mode), self.dialect
 
-    @overload
-    def send_direct_cmd(
-        self,
-        ops: Draft | Operation | DirectCommand | Iterable[Draft | Operation | Label],
-        *,
-        local_mem: int = 0,
-        global_mem: int = 0,
-        sync_mode: str | None = None,
-        verbosity: int | None = None,
-        timeout: float | None = None,
-    ) -> Any: ...
-
-    def send_direct_cmd(
-        self,
-        ops: Operations,
-        *,
-        local_mem: int = 0,
-        global_mem: int = 0,
-        sync_mode: str | None = None,
-        verbosity: int | None = None,
-        timeout: float | None = None,
-    ) -> Result:
-        """Sends a direct command.
-
-        Args:
-            ops: Joined byte code; or operations of `ev3proto.ops`, for which memory and reply are worked out.
-            local_mem: Bytes of local memory, 0 to 63.
-            global_mem: Bytes of global memory, which the reply brings, 0 to 1019.
-            sync_mode: STD, ASYNC or SYNC for this command.
-            verbosity: 0, 1 or 2 for this command.
-            timeout: Seconds to wait for the reply to this command; when omitted, those of this object.
-
-        Returns:
-            Where a reply was waited for: the memory in it for joined bytes, its named values for operations. Else the
-            message counter, as two bytes.
-
-        Raises:
-            BuildError: No frame can carry the command.
-            DirectCommandError: The brick refused or failed it; the sentence has what `check` says.
-            NoAnswerError: The reply did not come in time.
-            ConnectionLostError: The connection is gone.
-        """
-        mode = self._sync_mode if sync_mode is None else SyncMode.of(sync_mode)
-        return self._send(direct(ops, local_mem, global_mem, mode, self.dialect), verbosity, timeout)
-
-    @overload
-    def send_system_cmd(
-        self,
-        cmd: bytes | bytearray,
-        *,
-        reply: bool = True,
-        verbosity: int | None = None,
-        timeout: float | None = None,
-    ) -> bytes: ...
-
-    @overload
-    def send_system_cmd(
-        self,
-        cmd: SystemCommand,
-        *,
-        reply: bool = True,
-        verbosity: int | None = None,
-        timeout: float | None = None,
-    ) -> Any: ...
-
-    def send_system_cmd(
-        self,
-        cmd: bytes | bytearray | SystemCommand,
-        *,
-        reply: bool = True,
-        verbosity: int | None = None,
-        timeout: float | None = None,
-    ) -> Result:
-        """Sends a system command.
-
-        Args:
-            cmd: Its number and its fields as joined bytes; or a message of `ev3proto.system`.
-            reply: Whether the brick is to answer.
-            verbosity: 0, 1 or 2 for this command.
-            timeout: Seconds to wait for the reply to this command; when omitted, those of this object.
-
-        Returns:
-            The reply: status and fields for joined bytes, named values for a message. The message counter, as two
-            bytes, where there is no reply.
-
-        Raises:
-            BuildError: No frame can carry the command.
-            SystemCommandError: The brick says that it failed.
-            NoAnswerError: The reply did not come in time.
-            ConnectionLostError: The connection is gone.
-        """
-        return self._send(system(cmd, reply), verbosity, timeout)
-
-    def wait_for_reply(
-        self, msg_cnt: bytes | int, *, verbosity: int | None = None, timeout: float | None = None
-    ) -> Any:
-        """Waits for the reply to a command that was sent with ASYNC. One that did not come can be waited for again.
-
-        Args:
-            msg_cnt: What sending it gave.
-            verbosity: 0, 1 or 2 for this reply.
-            timeout: Seconds to wait; when omitted, those of this object.
-
-        Returns:
-            What sending it with STD would have given.
-
-        Raises:
-            LinkError: As for `send_direct_cmd`; also where no such command waits for its reply.
-        """
+    def _fetch(self, msg_cnt: bytes | int, verbosity: int | None, timeout: float | None) -> Result:
         ticket = self.channel.ticket(counter_of(msg_cnt))
-        return self._wait(ticket, verbosity, self._patience(timeout), keep=True)
+        return ticket.result(self._reply(ticket, verbosity, self._patience(timeout), keep=True))
 
-    def _send(self, prepared: Prepared, verbosity: int | None, timeout: float | None) -> Result:
-        patience = self._patience(timeout)
+    def _send(self, prepare: Callable[[], Prepared], verbosity: int | None, timeout: float | None) -> Result:
+        prepared, patience = prepare(), self._patience(timeout)
         ticket = self.channel.send(prepared, self.printer(SENT, verbosity))
         if prepared.waits:
-            return self._wait(ticket, verbosity, patience, keep=False)
+            return ticket.result(self._reply(ticket, verbosity, patience, keep=False))
         return counter_bytes(ticket.request.frame)
 
     def _patience(self, timeout: float | None) -> float | None:
         """Seconds to wait for a reply: those of one call, or those of the object. Asked before anything is sent."""
         return known_timeout(self.timeout if timeout is None else timeout)
 
-    def _wait(self, ticket: Ticket, verbosity: int | None, patience: float | None, *, keep: bool) -> Result:
+    def _reply(self, ticket: Ticket, verbosity: int | None, patience: float | None, *, keep: bool) -> bytes:
         frame = self.channel.wait(ticket, patience, keep=keep)
         printer = self.printer(RECEIVED, verbosity, ticket.request.frame)
         if printer is not None:
             printer(frame)
-        return ticket.result(frame)
+        return frame
 
     def printer(
         self, direction: str, verbosity: int | None, request: bytes | None = None
     ) -> Callable[[bytes], None] | None:
-        """What prints a frame as `verbosity` asks for; None where nothing is printed.
+        """What logs a frame, and prints it as `verbosity` asks for; None where nothing is logged or printed.
 
         Args:
             direction: SENT or RECEIVED.
             verbosity: 0, 1 or 2; that of this object where None.
             request: For a reply: the frame of its command.
         """
-        level = self._verbosity if verbosity is None else _known_verbosity(verbosity)
-        if not level:
-            return None
-        return lambda frame: print_frame(direction, frame, level, request, self.dialect)
+        level = self._verbosity if verbosity is None else known_verbosity(verbosity)
+        return frame_printer(direction, level, request, self.dialect)
 
     def take_messages(self) -> list[Message]:
         """What the brick has sent by itself since the last call: what its programs write to mailboxes.
@@ -480,16 +358,8 @@ class EV3:
                 except StopIteration as end:
                     result: T = end.value
                     return result
-                reply = self._exchange(command)
-
-    def _exchange(self, command: SystemCommand) -> SystemReply:
-        patience = self._patience(None)
-        ticket = self.channel.send(system(command, True), self.printer(SENT, None))
-        frame = self.channel.wait(ticket, patience)
-        printer = self.printer(RECEIVED, None, ticket.request.frame)
-        if printer is not None:
-            printer(frame)
-        return system_reply(frame)
+                ticket = self.channel.send(system(command, True), self.printer(SENT, None))
+                reply = system_reply(self._reply(ticket, None, self._patience(None), keep=False))
 
 
 def system_reply(frame: bytes) -> SystemReply:
@@ -497,24 +367,3 @@ def system_reply(frame: bytes) -> SystemReply:
     message = parse(frame, strict=False)
     assert isinstance(message, SystemReply)
     return message
-
-
-def print_frame(direction: str, frame: bytes, level: int, request: bytes | None, dialect: str) -> None:
-    """Prints a frame, and at level 2 what it says.
-
-    Args:
-        direction: SENT or RECEIVED.
-        frame: The frame.
-        level: 1 or 2.
-        request: For a reply: the frame of its command.
-        dialect: The firmware whose instruction set to read by.
-    """
-    print(frame_line(direction, frame))
-    if level > 1:
-        print(meaning_line(frame, request, dialect))
-
-
-def _known_verbosity(value: int) -> int:
-    if value not in VERBOSITIES:
-        raise ValueError(f"verbosity must be 0, 1 or 2, not {value!r}")
-    return value

@@ -1,7 +1,9 @@
-"""What a program with `verbosity` prints of each frame, byte for byte as the lessons show it."""
+"""What is logged of each frame, and what a program with `verbosity` prints, byte for byte as the lessons show it."""
 
 from __future__ import annotations
 
+import logging
+from collections.abc import Callable
 from datetime import datetime
 
 from ev3proto.dialogue import Exchange
@@ -15,17 +17,54 @@ from ev3proto.text.spans import plain_text, visible
 
 SENT, RECEIVED = "Sent", "Recv"
 
+LOGGER = logging.getLogger("ev3proto.link")
+"""Has each frame at the level DEBUG."""
+
+VERBOSITIES = (0, 1, 2)
+"""Nothing is printed; frames are; frames are, and what they say."""
+
 _HEADER_GROUPS = 4
 """`0x`, length, counter, type."""
 
 
-def frame_line(direction: str, frame: bytes, now: datetime | None = None) -> str:
-    """`09:12:31.011558 Sent 0x|0E:00|2A:00|80|00:00|D4:08:84:6D:79:45:56:33:00|`.
+def known_verbosity(value: int) -> int:
+    """The same value. Raises ValueError where it is none of VERBOSITIES."""
+    if value not in VERBOSITIES:
+        raise ValueError(f"verbosity must be 0, 1 or 2, not {value!r}")
+    return value
+
+
+def frame_printer(direction: str, level: int, request: bytes | None, dialect: str) -> Callable[[bytes], None] | None:
+    """What logs a frame and prints it, and at level 2 what it says; None where nothing is logged or printed.
+
+    Args:
+        direction: SENT or RECEIVED.
+        level: 0, 1 or 2.
+        request: For a reply: the frame of its command.
+        dialect: The firmware whose instruction set to read by.
+    """
+    is_logged = LOGGER.isEnabledFor(logging.DEBUG)
+    if not (level or is_logged):
+        return None
+
+    def show(frame: bytes) -> None:
+        line = frame_line(direction, frame)
+        if is_logged:
+            LOGGER.debug("%s", line)
+        if level:
+            print(f"{datetime.now():%H:%M:%S.%f} {line}")
+        if level > 1:
+            print(meaning_line(frame, request, dialect))
+
+    return show
+
+
+def frame_line(direction: str, frame: bytes) -> str:
+    """`Sent 0x|0E:00|2A:00|80|00:00|D4:08:84:6D:79:45:56:33:00|`.
 
     Args:
         direction: SENT or RECEIVED.
         frame: The frame.
-        now: When; None for the present time.
     """
     message = parse(frame, strict=False)
     text = as_hex(message)
@@ -33,7 +72,7 @@ def frame_line(direction: str, frame: bytes, now: datetime | None = None) -> str
         # The command answered and its status stand by themselves.
         command, status, rest = (part.hex(":").upper() for part in _parts(frame))
         text = "|".join([*text.split("|")[:_HEADER_GROUPS], command, status, *filter(None, (rest,)), ""])
-    return f"{now or datetime.now():%H:%M:%S.%f} {direction} {text}"
+    return f"{direction} {text}"
 
 
 def meaning_line(frame: bytes, request: bytes | None, dialect: str) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import hashlib
+import logging
 import re
 import socket
 import struct
@@ -120,6 +121,17 @@ def test_frames_are_printed_as_the_lessons_show_them(my_ev3: EV3, capsys: pytest
         "Recv 0x|04:00|2D:00|02|64|",
         "    VALUE=100 %",
     ]
+
+
+def test_frames_are_logged(my_ev3: EV3, caplog: pytest.LogCaptureFixture, capsys: pytest.CaptureFixture[str]) -> None:
+    with caplog.at_level(logging.DEBUG, "ev3proto.link"):
+        my_ev3.send_direct_cmd(b"\x81\x01\x60", global_mem=4)
+    sent, received = caplog.messages
+    assert re.fullmatch(r"Sent 0x\|08:00\|..:..\|00\|04:00\|81:01:60\|", sent)
+    assert received.startswith("Recv 0x|07:00|")
+    assert capsys.readouterr().out == ""
+    my_ev3.send_direct_cmd(b"\x81\x01\x60", global_mem=4)
+    assert len(caplog.messages) == 2
 
 
 def test_what_is_printed_steers_no_terminal() -> None:

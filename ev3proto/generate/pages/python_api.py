@@ -76,7 +76,7 @@ def _class(name: str, value: type) -> Iterator[str]:
     yield from _docstring(value)
     if "__init__" in vars(value) and not dataclasses.is_dataclass(value):
         yield from _docstring(value.__init__)
-    for member, found in vars(value).items():
+    for member, found in _members(value).items():
         if member.startswith("_"):
             continue
         if isinstance(found, property | cached_property):
@@ -86,6 +86,15 @@ def _class(name: str, value: type) -> Iterator[str]:
             function = getattr(found, "__func__", found)
             yield from block("python", _signature(f".{member}", function))
             yield from _docstring(function)
+
+
+def _members(value: type) -> dict[str, Any]:
+    """What a class defines, and after it what it has from bases that no module offers."""
+    offered = {id(found) for name in MODULES for found in vars(import_module(name)).values()}
+    ours = [each for each in value.__mro__ if each.__module__.startswith("ev3proto.")]
+    told = [each for each in ours if each is value or id(each) not in offered]
+    names = dict.fromkeys(name for each in told for name in vars(each))
+    return {name: next(vars(each)[name] for each in told if name in vars(each)) for name in names}
 
 
 def _signature(head: str, function: Any) -> Iterator[str]:

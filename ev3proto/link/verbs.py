@@ -1,0 +1,158 @@
+"""The commands of `EV3` and `AsyncEV3`: their types and texts, which differ only in what is given for a reply."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Iterable
+from typing import Any, Generic, TypeVar, overload
+
+from ev3proto.compose import Draft, Label
+from ev3proto.link.commands import Operations, Prepared, direct, system
+from ev3proto.link.modes import SyncMode
+from ev3proto.messages import DirectCommand, Operation, SystemCommand
+
+Bytes = TypeVar("Bytes")
+Values = TypeVar("Values")
+
+
+class Verbs(ABC, Generic[Bytes, Values]):
+    """How commands are sent: what joined bytes give, and what operations and messages give, are type parameters."""
+
+    @overload
+    def send_direct_cmd(
+        self,
+        ops: bytes | bytearray,
+        *,
+        local_mem: int = 0,
+        global_mem: int = 0,
+        sync_mode: str | None = None,
+        verbosity: int | None = None,
+        timeout: float | None = None,
+    ) -> Bytes: ...
+
+    @overload
+    def send_direct_cmd(
+        self,
+        ops: Draft | Operation | DirectCommand | Iterable[Draft | Operation | Label],
+        *,
+        local_mem: int = 0,
+        global_mem: int = 0,
+        sync_mode: str | None = None,
+        verbosity: int | None = None,
+        timeout: float | None = None,
+    ) -> Values: ...
+
+    def send_direct_cmd(
+        self,
+        ops: Operations,
+        *,
+        local_mem: int = 0,
+        global_mem: int = 0,
+        sync_mode: str | None = None,
+        verbosity: int | None = None,
+        timeout: float | None = None,
+    ) -> Bytes | Values:
+        """Sends a direct command.
+
+        Args:
+            ops: Joined byte code; or operations of `ev3proto.ops`, for which memory and reply are worked out.
+            local_mem: Bytes of local memory, 0 to 63.
+            global_mem: Bytes of global memory, which the reply brings, 0 to 1019.
+            sync_mode: STD, ASYNC or SYNC for this command.
+            verbosity: 0, 1 or 2 for this command.
+            timeout: Seconds to wait for the reply to this command; when omitted, those of this object.
+
+        Returns:
+            Where a reply was waited for: the memory in it for joined bytes, its named values for operations. Else the
+            message counter, as two bytes.
+
+        Raises:
+            BuildError: No frame can carry the command.
+            DirectCommandError: The brick refused or failed it; the sentence has what `check` says.
+            NoAnswerError: The reply did not come in time.
+            ConnectionLostError: The connection is gone.
+        """
+        given: Bytes | Values = self._send(
+            lambda: direct(ops, local_mem, global_mem, *self._settings(sync_mode)), verbosity, timeout
+        )
+        return given
+
+    @overload
+    def send_system_cmd(
+        self,
+        cmd: bytes | bytearray,
+        *,
+        reply: bool = True,
+        verbosity: int | None = None,
+        timeout: float | None = None,
+    ) -> Bytes: ...
+
+    @overload
+    def send_system_cmd(
+        self,
+        cmd: SystemCommand,
+        *,
+        reply: bool = True,
+        verbosity: int | None = None,
+        timeout: float | None = None,
+    ) -> Values: ...
+
+    def send_system_cmd(
+        self,
+        cmd: bytes | bytearray | SystemCommand,
+        *,
+        reply: bool = True,
+        verbosity: int | None = None,
+        timeout: float | None = None,
+    ) -> Bytes | Values:
+        """Sends a system command.
+
+        Args:
+            cmd: Its number and its fields as joined bytes; or a message of `ev3proto.system`.
+            reply: Whether the brick is to answer.
+            verbosity: 0, 1 or 2 for this command.
+            timeout: Seconds to wait for the reply to this command; when omitted, those of this object.
+
+        Returns:
+            The reply: status and fields for joined bytes, named values for a message. The message counter, as two
+            bytes, where there is no reply.
+
+        Raises:
+            BuildError: No frame can carry the command.
+            SystemCommandError: The brick says that it failed.
+            NoAnswerError: The reply did not come in time.
+            ConnectionLostError: The connection is gone.
+        """
+        given: Bytes | Values = self._send(lambda: system(cmd, reply), verbosity, timeout)
+        return given
+
+    def wait_for_reply(
+        self, msg_cnt: bytes | int, *, verbosity: int | None = None, timeout: float | None = None
+    ) -> Values:
+        """Waits for the reply to a command that was sent with ASYNC. One that did not come can be waited for again.
+
+        Args:
+            msg_cnt: What sending it gave.
+            verbosity: 0, 1 or 2 for this reply.
+            timeout: Seconds to wait; when omitted, those of this object.
+
+        Returns:
+            What sending it with STD would have given.
+
+        Raises:
+            LinkError: As for `send_direct_cmd`; also where no such command waits for its reply.
+        """
+        given: Values = self._fetch(msg_cnt, verbosity, timeout)
+        return given
+
+    @abstractmethod
+    def _settings(self, sync_mode: str | None) -> tuple[SyncMode, str]:
+        """The mode of one command, and the dialect."""
+
+    @abstractmethod
+    def _send(self, prepare: Callable[[], Prepared], verbosity: int | None, timeout: float | None) -> Any:
+        """Sends a command, and waits for its reply if its mode says so."""
+
+    @abstractmethod
+    def _fetch(self, msg_cnt: bytes | int, verbosity: int | None, timeout: float | None) -> Any:
+        """Waits for a reply."""

@@ -257,7 +257,11 @@ local OPERATIONS = {
             { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT },
             { "SIZE", IN, DATA32, "size of the image; read and ignored", unit = "bytes" },
             { "IP", IN, DATA32, "address of the image, as FILE.LOAD_IMAGE returned it" },
-            { "DEBUG", IN, DATA8, "how to run it", special = { [0] = "run", [1] = "debug", [2] = "load, do not run" } },
+            {
+                "DEBUG", IN, DATA8, "how to run it",
+                special = { [0] = "run", [1] = "debug", [2] = "load, do not run" },
+                range = { 0, 2 },
+            },
         ]],
     },
     {
@@ -344,7 +348,7 @@ local OPERATIONS = {
     },
     {
         0x0D, "LABEL", "Marks a place that jumps can name; does nothing itself",
-        [[ { "NO", IN, LABEL, "number of the label" } ]],
+        [[ { "NO", IN, LABEL, "number of the label", range = { 0, 31 } } ]],
     },
     {
         0x0E, "PROBE", "Prints a program's memory on the brick's debug terminal",
@@ -352,7 +356,11 @@ local OPERATIONS = {
             { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT },
             { "OBJID", IN, DATA16, "object whose local memory to print", special = { [0] = "the global memory" } },
             { "OFFSET", IN, DATA32, "where to begin", unit = "bytes" },
-            { "SIZE", IN, DATA32, "how much to print", unit = "bytes", special = { [0] = "all, 1024 at most" } },
+            {
+                "SIZE", IN, DATA32, "how much to print", unit = "bytes",
+                special = { [0] = "all, 1024 at most" },
+                range = { 0, 1024 },
+            },
         ]],
     },
     {
@@ -377,11 +385,12 @@ local OPERATIONS = {
         0x61, "PORT_CNV_OUTPUT", "Splits a motor port number as LEGO's editor writes it",
         [[
             { "PortIn", IN, DATA32, "three decimal digits, each 1-4: layer, first port, second port (123: B and C)" },
-            { "Layer", OUT, DATA8, "position in the daisy chain", special = { [0] = "this brick" } },
-            { "Bitfield", OUT, DATA8, "motor ports as bits: A=1 B=2 C=4 D=8" },
+            { "Layer", OUT, DATA8, "position in the daisy chain", special = { [0] = "this brick" }, range = { 0, 3 } },
+            { "Bitfield", OUT, DATA8, "motor ports as bits: A=1 B=2 C=4 D=8", range = { 0, 15 } },
             {
                 "Inverted", OUT, DATA8, "whether the first port comes after the second, as in C and A",
                 special = { [0] = "no", [1] = "yes" },
+                range = { 0, 1 },
             },
         ]],
     },
@@ -389,15 +398,15 @@ local OPERATIONS = {
         0x62, "PORT_CNV_INPUT", "Splits a sensor port number as LEGO's editor writes it",
         [[
             { "PortIn", IN, DATA32, "three decimal digits: layer 1-4, any, port 1-4 (103: port 3)" },
-            { "Layer", OUT, DATA8, "position in the daisy chain", special = { [0] = "this brick" } },
-            { "PortOut", OUT, DATA8, "sensor port less one, as INPUT_* takes it" },
+            { "Layer", OUT, DATA8, "position in the daisy chain", special = { [0] = "this brick" }, range = { 0, 3 } },
+            { "PortOut", OUT, DATA8, "sensor port less one, as INPUT_* takes it", range = { 0, 3 } },
         ]],
     },
     {
         0x63, "NOTE_TO_FREQ", "Converts the name of a note to its frequency",
         [[
             { "NOTE", IN, STRING, "C4 to B6, sharps as C#4" },
-            { "FREQ", OUT, DATA16, "frequency; 440 for a note it does not know", unit = "Hz" },
+            { "FREQ", OUT, DATA16, "frequency; 440 for a note it does not know", unit = "Hz", range = { 262, 1976 } },
         ]],
     },
     {
@@ -422,15 +431,33 @@ local OPERATIONS = {
                     { "DESTINATION", OUT, STRING, "name of the error, less than 32 characters", length = "LENGTH" },
                 ]],
             },
-            { 4, "GET_VOLUME", "Reads the volume setting", [[ { "VALUE", OUT, DATA8, "how loud", unit = "%" } ]] },
-            { 5, "SET_VOLUME", "Changes the volume setting", [[ { "VALUE", IN, DATA8, "how loud", unit = "%" } ]] },
+            {
+                4, "GET_VOLUME", "Reads the volume setting",
+                [[ { "VALUE", OUT, DATA8, "how loud", unit = "%", range = { 0, 100 } } ]],
+            },
+            {
+                5, "SET_VOLUME", "Changes the volume setting",
+                [[ { "VALUE", IN, DATA8, "how loud", unit = "%", range = { 0, 100 } } ]],
+            },
             {
                 6, "GET_MINUTES", "Reads after how long without use the brick powers off",
-                [[ { "VALUE", OUT, DATA8, "time without use", unit = "min", special = { [0] = "never" } } ]],
+                [[
+                    {
+                        "VALUE", OUT, DATA8, "time without use", unit = "min",
+                        special = { [0] = "never" },
+                        range = { 0, 120 },
+                    },
+                ]],
             },
             {
                 7, "SET_MINUTES", "Changes after how long without use the brick powers off",
-                [[ { "VALUE", IN, DATA8, "time without use", unit = "min", special = { [0] = "never" } } ]],
+                [[
+                    {
+                        "VALUE", IN, DATA8, "time without use", unit = "min",
+                        special = { [0] = "never" },
+                        range = { 0, 120 },
+                    },
+                ]],
             },
         },
     },
@@ -457,7 +484,11 @@ local OPERATIONS = {
                 [[
                     { "SOURCE1", IN, STRING, "one text" },
                     { "SOURCE2", IN, STRING, "the other text" },
-                    { "RESULT", OUT, DATA8, "whether they match", special = { [0] = "different", [1] = "the same" } },
+                    {
+                        "RESULT", OUT, DATA8, "whether they match",
+                        special = { [0] = "different", [1] = "the same" },
+                        range = { 0, 1 },
+                    },
                 ]],
             },
             {
@@ -534,7 +565,11 @@ local OPERATIONS = {
         0x8C, "BP_SET", "Sets or removes a breakpoint in a running program",
         [[
             { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT },
-            { "NO", IN, DATA8, "number of the breakpoint", special = { [3] = "pulse on test pin TP4, no stop" } },
+            {
+                "NO", IN, DATA8, "number of the breakpoint",
+                special = { [3] = "pulse on test pin TP4, no stop" },
+                range = { 0, 2 },
+            },
             {
                 "ADDRESS", IN, DATA32, "where in the image", unit = "bytes",
                 special = { [0] = "remove the breakpoint" },
@@ -544,7 +579,7 @@ local OPERATIONS = {
     {
         0xF0, "DYNLOAD_VMLOAD", "Loads an additional virtual machine; fails while another one is loaded",
         [[
-            { "VMINDEX", IN, DATA8, "which one", special = { [0] = "RobotC", [1] = "LabVIEW" } },
+            { "VMINDEX", IN, DATA8, "which one", special = { [0] = "RobotC", [1] = "LabVIEW" }, range = { 0, 1 } },
             { "RESULT", OUT, DATA8, "OK or FAIL", enum = ENUMERATIONS.RESULT },
         ]],
         dialects = { "xtended", "compat" },
@@ -652,7 +687,13 @@ local OPERATIONS = {
     },
     {
         0xFC, "DYNLOAD_GET_VM", "Asks which additional virtual machine is loaded",
-        [[ { "RESULT", OUT, DATA8, "which one", special = { [-1] = "none", [0] = "RobotC", [1] = "LabVIEW" } } ]],
+        [[
+            {
+                "RESULT", OUT, DATA8, "which one",
+                special = { [-1] = "none", [0] = "RobotC", [1] = "LabVIEW" },
+                range = { 0, 1 },
+            },
+        ]],
         dialects = { "xtended", "compat" },
     },
     {
@@ -663,7 +704,10 @@ local OPERATIONS = {
             {
                 12, "TST_READ_PINS", "Reads the pins of a connector",
                 [[
-                    { "PORT", IN, DATA8, "connector: 0..3 are sensor ports 1-4, 16..19 are motor ports A-D" },
+                    {
+                        "PORT", IN, DATA8, "connector: 0..3 are sensor ports 1-4, 16..19 are motor ports A-D",
+                        range = { 0, 19 },
+                    },
                     { "LENGTH", IN, DATA8, "how many pins to read, usually 5" },
                     { "STRING", OUT, DATA8, "one character per pin: 0 low, 1 high", length = "LENGTH" },
                 ]],
@@ -671,7 +715,10 @@ local OPERATIONS = {
             {
                 13, "TST_WRITE_PINS", "Sets the pins of a connector",
                 [[
-                    { "PORT", IN, DATA8, "connector: 0..3 are sensor ports 1-4, 16..19 are motor ports A-D" },
+                    {
+                        "PORT", IN, DATA8, "connector: 0..3 are sensor ports 1-4, 16..19 are motor ports A-D",
+                        range = { 0, 19 },
+                    },
                     { "LENGTH", IN, DATA8, "how many pins to set, usually 5" },
                     {
                         "STRING", IN, DATA8, "one character per pin: 0 low, 1 high, X floating, - as it is",
@@ -689,29 +736,30 @@ local OPERATIONS = {
                             [12] = "battery temperature", [13] = "motor current", [14] = "battery current",
                             [15] = "battery voltage",
                         },
+                        range = { 0, 15 },
                     },
-                    { "VALUE", OUT, DATA16, "raw reading", unit = "counts" },
+                    { "VALUE", OUT, DATA16, "raw reading", unit = "counts", range = { 0, 4095 } },
                 ]],
             },
             {
                 15, "TST_WRITE_UART", "Sends bytes out of a sensor port's serial line",
                 [[
-                    { "PORT", IN, DATA8, "sensor port less one" },
-                    { "LENGTH", IN, DATA8, "how many bytes to send", unit = "bytes" },
+                    { "PORT", IN, DATA8, "sensor port less one", range = { 0, 3 } },
+                    { "LENGTH", IN, DATA8, "how many bytes to send", unit = "bytes", range = { 0, 63 } },
                     { "STRING", IN, DATA8, "the bytes", length = "LENGTH" },
                 ]],
             },
             {
                 16, "TST_READ_UART", "Reads bytes that arrived on a sensor port's serial line",
                 [[
-                    { "PORT", IN, DATA8, "sensor port less one" },
-                    { "LENGTH", IN, DATA8, "how many bytes to read", unit = "bytes" },
+                    { "PORT", IN, DATA8, "sensor port less one", range = { 0, 3 } },
+                    { "LENGTH", IN, DATA8, "how many bytes to read", unit = "bytes", range = { 0, 63 } },
                     { "STRING", OUT, DATA8, "the bytes, filled up with zeros", length = "LENGTH" },
                 ]],
             },
             {
                 17, "TST_ENABLE_UART", "Switches the serial lines of all sensor ports on",
-                [[ { "BITRATE", IN, DATA32, "speed of the line", unit = "bit/s" } ]],
+                [[ { "BITRATE", IN, DATA32, "speed of the line", unit = "bit/s", range = { 2400, 115200 } } ]],
             },
             { 18, "TST_DISABLE_UART", "Switches the serial lines of all sensor ports off", [[]] },
             {
@@ -720,18 +768,24 @@ local OPERATIONS = {
                     {
                         "ACTIVE", OUT, DATA8, "state of the switch",
                         special = { [0] = "other batteries", [1] = "rechargeable battery" },
+                        range = { 0, 1 },
                     },
                 ]],
             },
             { 20, "TST_BOOT_MODE2", "Starts mode 2 of Bluetooth, the one for Apple's devices", [[]] },
             {
                 21, "TST_POLL_MODE2", "Asks how far the start of Bluetooth's mode 2 is",
-                [[ { "STATUS", OUT, DATA8, "OK, BUSY (still starting) or FAIL", enum = ENUMERATIONS.RESULT } ]],
+                [[
+                    {
+                        "STATUS", OUT, DATA8, "OK, BUSY (still starting) or FAIL", enum = ENUMERATIONS.RESULT,
+                        range = { 0, 2 },
+                    },
+                ]],
             },
             { 22, "TST_CLOSE_MODE2", "Ends mode 2 of Bluetooth", [[]] },
             {
                 23, "TST_RAM_CHECK", "Asks how the memory test at power-on went",
-                [[ { "STATUS", OUT, DATA8, "OK or FAIL", enum = ENUMERATIONS.RESULT } ]],
+                [[ { "STATUS", OUT, DATA8, "OK or FAIL", enum = ENUMERATIONS.RESULT, range = { 0, 2 } } ]],
             },
         },
     },
@@ -1017,11 +1071,11 @@ local OPERATIONS = {
             },
             {
                 14, "ASIN", "Finds the angle that has a sine",
-                [[ { "X", IN, DATAF, "sine" }, { "R", OUT, DATAF, "angle", unit = "degrees" } ]],
+                [[ { "X", IN, DATAF, "sine", range = { -1, 1 } }, { "R", OUT, DATAF, "angle", unit = "degrees" } ]],
             },
             {
                 15, "ACOS", "Finds the angle that has a cosine",
-                [[ { "X", IN, DATAF, "cosine" }, { "R", OUT, DATAF, "angle", unit = "degrees" } ]],
+                [[ { "X", IN, DATAF, "cosine", range = { -1, 1 } }, { "R", OUT, DATAF, "angle", unit = "degrees" } ]],
             },
             {
                 16, "ATAN", "Finds the angle that has a tangent",
@@ -1063,7 +1117,7 @@ local OPERATIONS = {
                 21, "TRUNC", "Cuts off decimals without rounding",
                 [[
                     { "X", IN, DATAF, "number to work on" },
-                    { "P", IN, DATA8, "how many decimals to keep (more than 6 are not there)" },
+                    { "P", IN, DATA8, "how many decimals to keep (more than 6 are not there)", range = { 0, 9 } },
                     { "R", OUT, DATAF, "result" },
                 ]],
             },
@@ -1153,7 +1207,7 @@ local OPERATIONS = {
         0xC8, "READ8", "Takes one element out of an array of 8-bit values",
         [[
             { "SOURCE", IN, DATA8, "first element of the array, as a variable" },
-            { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it" },
+            { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it", range = { 0, 127 } },
             { "DESTINATION", OUT, DATA8, "the element's value" },
         ]],
     },
@@ -1161,7 +1215,7 @@ local OPERATIONS = {
         0xC9, "READ16", "Takes one element out of an array of 16-bit values",
         [[
             { "SOURCE", IN, DATA16, "first element of the array, as a variable" },
-            { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it" },
+            { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it", range = { 0, 127 } },
             { "DESTINATION", OUT, DATA16, "the element's value" },
         ]],
     },
@@ -1169,7 +1223,7 @@ local OPERATIONS = {
         0xCA, "READ32", "Takes one element out of an array of 32-bit values",
         [[
             { "SOURCE", IN, DATA32, "first element of the array, as a variable" },
-            { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it" },
+            { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it", range = { 0, 127 } },
             { "DESTINATION", OUT, DATA32, "the element's value" },
         ]],
     },
@@ -1177,7 +1231,7 @@ local OPERATIONS = {
         0xCB, "READF", "Takes one element out of an array of floating-point values",
         [[
             { "SOURCE", IN, DATAF, "first element of the array, as a variable" },
-            { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it" },
+            { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it", range = { 0, 127 } },
             { "DESTINATION", OUT, DATAF, "the element's value" },
         ]],
     },
@@ -1185,7 +1239,7 @@ local OPERATIONS = {
         0xCC, "WRITE8", "Sets one element of an array of 8-bit values",
         [[
             { "SOURCE", IN, DATA8, "value to set" },
-            { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it" },
+            { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it", range = { 0, 127 } },
             { "DESTINATION", IN, DATA8, "first element of the array, as a variable; element INDEX is written" },
         ]],
     },
@@ -1193,7 +1247,7 @@ local OPERATIONS = {
         0xCD, "WRITE16", "Sets one element of an array of 16-bit values",
         [[
             { "SOURCE", IN, DATA16, "value to set" },
-            { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it" },
+            { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it", range = { 0, 127 } },
             { "DESTINATION", IN, DATA16, "first element of the array, as a variable; element INDEX is written" },
         ]],
     },
@@ -1201,7 +1255,7 @@ local OPERATIONS = {
         0xCE, "WRITE32", "Sets one element of an array of 32-bit values",
         [[
             { "SOURCE", IN, DATA32, "value to set" },
-            { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it" },
+            { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it", range = { 0, 127 } },
             { "DESTINATION", IN, DATA32, "first element of the array, as a variable; element INDEX is written" },
         ]],
     },
@@ -1209,7 +1263,7 @@ local OPERATIONS = {
         0xCF, "WRITEF", "Sets one element of an array of floating-point values",
         [[
             { "SOURCE", IN, DATAF, "value to set" },
-            { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it" },
+            { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it", range = { 0, 127 } },
             { "DESTINATION", IN, DATAF, "first element of the array, as a variable; element INDEX is written" },
         ]],
     },
@@ -1521,7 +1575,7 @@ local OPERATIONS = {
         [[
             { "LEFT", IN, DATA8, "left side of the comparison" },
             { "RIGHT", IN, DATA8, "right side of the comparison" },
-            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } },
         ]],
     },
     {
@@ -1529,7 +1583,7 @@ local OPERATIONS = {
         [[
             { "LEFT", IN, DATA16, "left side of the comparison" },
             { "RIGHT", IN, DATA16, "right side of the comparison" },
-            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } },
         ]],
     },
     {
@@ -1537,7 +1591,7 @@ local OPERATIONS = {
         [[
             { "LEFT", IN, DATA32, "left side of the comparison" },
             { "RIGHT", IN, DATA32, "right side of the comparison" },
-            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } },
         ]],
     },
     {
@@ -1545,7 +1599,7 @@ local OPERATIONS = {
         [[
             { "LEFT", IN, DATAF, "left side of the comparison" },
             { "RIGHT", IN, DATAF, "right side of the comparison" },
-            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } },
         ]],
     },
     {
@@ -1553,7 +1607,7 @@ local OPERATIONS = {
         [[
             { "LEFT", IN, DATA8, "left side of the comparison" },
             { "RIGHT", IN, DATA8, "right side of the comparison" },
-            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } },
         ]],
     },
     {
@@ -1561,7 +1615,7 @@ local OPERATIONS = {
         [[
             { "LEFT", IN, DATA16, "left side of the comparison" },
             { "RIGHT", IN, DATA16, "right side of the comparison" },
-            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } },
         ]],
     },
     {
@@ -1569,7 +1623,7 @@ local OPERATIONS = {
         [[
             { "LEFT", IN, DATA32, "left side of the comparison" },
             { "RIGHT", IN, DATA32, "right side of the comparison" },
-            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } },
         ]],
     },
     {
@@ -1577,7 +1631,7 @@ local OPERATIONS = {
         [[
             { "LEFT", IN, DATAF, "left side of the comparison" },
             { "RIGHT", IN, DATAF, "right side of the comparison" },
-            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } },
         ]],
     },
     {
@@ -1585,7 +1639,7 @@ local OPERATIONS = {
         [[
             { "LEFT", IN, DATA8, "left side of the comparison" },
             { "RIGHT", IN, DATA8, "right side of the comparison" },
-            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } },
         ]],
     },
     {
@@ -1593,7 +1647,7 @@ local OPERATIONS = {
         [[
             { "LEFT", IN, DATA16, "left side of the comparison" },
             { "RIGHT", IN, DATA16, "right side of the comparison" },
-            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } },
         ]],
     },
     {
@@ -1601,7 +1655,7 @@ local OPERATIONS = {
         [[
             { "LEFT", IN, DATA32, "left side of the comparison" },
             { "RIGHT", IN, DATA32, "right side of the comparison" },
-            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } },
         ]],
     },
     {
@@ -1609,7 +1663,7 @@ local OPERATIONS = {
         [[
             { "LEFT", IN, DATAF, "left side of the comparison" },
             { "RIGHT", IN, DATAF, "right side of the comparison" },
-            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } },
         ]],
     },
     {
@@ -1617,7 +1671,7 @@ local OPERATIONS = {
         [[
             { "LEFT", IN, DATA8, "left side of the comparison" },
             { "RIGHT", IN, DATA8, "right side of the comparison" },
-            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } },
         ]],
     },
     {
@@ -1625,7 +1679,7 @@ local OPERATIONS = {
         [[
             { "LEFT", IN, DATA16, "left side of the comparison" },
             { "RIGHT", IN, DATA16, "right side of the comparison" },
-            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } },
         ]],
     },
     {
@@ -1633,7 +1687,7 @@ local OPERATIONS = {
         [[
             { "LEFT", IN, DATA32, "left side of the comparison" },
             { "RIGHT", IN, DATA32, "right side of the comparison" },
-            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } },
         ]],
     },
     {
@@ -1641,7 +1695,7 @@ local OPERATIONS = {
         [[
             { "LEFT", IN, DATAF, "left side of the comparison" },
             { "RIGHT", IN, DATAF, "right side of the comparison" },
-            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } },
         ]],
     },
     {
@@ -1649,7 +1703,7 @@ local OPERATIONS = {
         [[
             { "LEFT", IN, DATA8, "left side of the comparison" },
             { "RIGHT", IN, DATA8, "right side of the comparison" },
-            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } },
         ]],
     },
     {
@@ -1657,7 +1711,7 @@ local OPERATIONS = {
         [[
             { "LEFT", IN, DATA16, "left side of the comparison" },
             { "RIGHT", IN, DATA16, "right side of the comparison" },
-            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } },
         ]],
     },
     {
@@ -1665,7 +1719,7 @@ local OPERATIONS = {
         [[
             { "LEFT", IN, DATA32, "left side of the comparison" },
             { "RIGHT", IN, DATA32, "right side of the comparison" },
-            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } },
         ]],
     },
     {
@@ -1673,7 +1727,7 @@ local OPERATIONS = {
         [[
             { "LEFT", IN, DATAF, "left side of the comparison" },
             { "RIGHT", IN, DATAF, "right side of the comparison" },
-            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } },
         ]],
     },
     {
@@ -1681,7 +1735,7 @@ local OPERATIONS = {
         [[
             { "LEFT", IN, DATA8, "left side of the comparison" },
             { "RIGHT", IN, DATA8, "right side of the comparison" },
-            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } },
         ]],
     },
     {
@@ -1689,7 +1743,7 @@ local OPERATIONS = {
         [[
             { "LEFT", IN, DATA16, "left side of the comparison" },
             { "RIGHT", IN, DATA16, "right side of the comparison" },
-            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } },
         ]],
     },
     {
@@ -1697,7 +1751,7 @@ local OPERATIONS = {
         [[
             { "LEFT", IN, DATA32, "left side of the comparison" },
             { "RIGHT", IN, DATA32, "right side of the comparison" },
-            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } },
         ]],
     },
     {
@@ -1705,7 +1759,7 @@ local OPERATIONS = {
         [[
             { "LEFT", IN, DATAF, "left side of the comparison" },
             { "RIGHT", IN, DATAF, "right side of the comparison" },
-            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } },
         ]],
     },
     {
@@ -1768,6 +1822,7 @@ local OPERATIONS = {
                     {
                         "LENGTH", IN, DATA8, "most bytes to return, the zero included", unit = "bytes",
                         special = { [-1] = "no limit" },
+                        range = { 0, 127 },
                     },
                     {
                         "DESTINATION", OUT, STRING, "system and kernel release, such as Linux 2.6.33-rc4",
@@ -1802,7 +1857,10 @@ local OPERATIONS = {
             {
                 8, "GET_STRING", "Waits for a line typed at the terminal and reads it",
                 [[
-                    { "LENGTH", IN, DATA8, "most bytes to return; the zero comes on top", unit = "bytes" },
+                    {
+                        "LENGTH", IN, DATA8, "most bytes to return; the zero comes on top", unit = "bytes",
+                        range = { 0, 127 },
+                    },
                     { "DESTINATION", OUT, STRING, "the line", length = "LENGTH" },
                 ]],
             },
@@ -1812,6 +1870,7 @@ local OPERATIONS = {
                     {
                         "LENGTH", IN, DATA8, "most bytes to return, the zero included", unit = "bytes",
                         special = { [-1] = "no limit" },
+                        range = { 0, 127 },
                     },
                     { "DESTINATION", OUT, STRING, "hardware version, such as V0.60", length = "LENGTH" },
                 ]],
@@ -1822,6 +1881,7 @@ local OPERATIONS = {
                     {
                         "LENGTH", IN, DATA8, "most bytes to return, the zero included", unit = "bytes",
                         special = { [-1] = "no limit" },
+                        range = { 0, 127 },
                     },
                     { "DESTINATION", OUT, STRING, "firmware version, such as V1.04H", length = "LENGTH" },
                 ]],
@@ -1832,6 +1892,7 @@ local OPERATIONS = {
                     {
                         "LENGTH", IN, DATA8, "most bytes to return, the zero included", unit = "bytes",
                         special = { [-1] = "no limit" },
+                        range = { 0, 127 },
                     },
                     { "DESTINATION", OUT, STRING, "build time as yymmddhhmm", length = "LENGTH" },
                 ]],
@@ -1842,6 +1903,7 @@ local OPERATIONS = {
                     {
                         "LENGTH", IN, DATA8, "most bytes to return, the zero included", unit = "bytes",
                         special = { [-1] = "no limit" },
+                        range = { 0, 127 },
                     },
                     { "DESTINATION", OUT, STRING, "build time as yymmddhhmm", length = "LENGTH" },
                 ]],
@@ -1873,6 +1935,7 @@ local OPERATIONS = {
                     {
                         "FLAG", OUT, DATA8, "whether the brick wants to shut down",
                         special = { [0] = "no", [1] = "yes" },
+                        range = { 0, 1 },
                     },
                 ]],
             },
@@ -1887,7 +1950,7 @@ local OPERATIONS = {
             },
             {
                 18, "GET_LBATT", "Reads how full the battery is, derived from its voltage",
-                [[ { "PCT", OUT, DATA8, "battery level", unit = "%" } ]],
+                [[ { "PCT", OUT, DATA8, "battery level", unit = "%", range = { 0, 100 } } ]],
             },
             {
                 21, "TEXTBOX_READ", "Reads one line of the text of a text box",
@@ -1898,6 +1961,7 @@ local OPERATIONS = {
                     {
                         "LENGTH", IN, DATA8, "most bytes to return, the zero included", unit = "bytes",
                         special = { [-1] = "no limit" },
+                        range = { 0, 127 },
                     },
                     { "LINE", IN, DATA16, "which line, counted from 1" },
                     { "DESTINATION", OUT, STRING, "the line, empty where there is no such line", length = "LENGTH" },
@@ -1909,6 +1973,7 @@ local OPERATIONS = {
                     {
                         "LENGTH", IN, DATA8, "most bytes to return, the zero included", unit = "bytes",
                         special = { [-1] = "no limit" },
+                        range = { 0, 127 },
                     },
                     { "DESTINATION", OUT, STRING, "such as LMS2012 V1.04H(Jul 26 2013 12:00:00)", length = "LENGTH" },
                 ]],
@@ -1919,6 +1984,7 @@ local OPERATIONS = {
                     {
                         "LENGTH", IN, DATA8, "most bytes to return, the zero included", unit = "bytes",
                         special = { [-1] = "no limit" },
+                        range = { 0, 127 },
                     },
                     { "DESTINATION", OUT, STRING, "address in dotted notation", length = "LENGTH" },
                 ]],
@@ -1935,7 +2001,11 @@ local OPERATIONS = {
             {
                 30, "GET_SDCARD", "Reads whether an SD card is in and its space",
                 [[
-                    { "STATE", OUT, DATA8, "whether one is present", special = { [0] = "absent", [1] = "present" } },
+                    {
+                        "STATE", OUT, DATA8, "whether one is present",
+                        special = { [0] = "absent", [1] = "present" },
+                        range = { 0, 1 },
+                    },
                     { "TOTAL", OUT, DATA32, "size", unit = "KiB" },
                     { "FREE", OUT, DATA32, "free space", unit = "KiB" },
                 ]],
@@ -1943,7 +2013,11 @@ local OPERATIONS = {
             {
                 31, "GET_USBSTICK", "Reads whether a USB stick is in and its space",
                 [[
-                    { "STATE", OUT, DATA8, "whether one is present", special = { [0] = "absent", [1] = "present" } },
+                    {
+                        "STATE", OUT, DATA8, "whether one is present",
+                        special = { [0] = "absent", [1] = "present" },
+                        range = { 0, 1 },
+                    },
                     { "TOTAL", OUT, DATA32, "size", unit = "KiB" },
                     { "FREE", OUT, DATA32, "free space", unit = "KiB" },
                 ]],
@@ -1970,7 +2044,7 @@ local OPERATIONS = {
             { 9, "VALUE8", "Writes a whole number to the terminal", [[ { "VALUE", IN, DATA8, "number to write" } ]] },
             {
                 10, "VALUE16", "Writes a whole number to the terminal, without its sign",
-                [[ { "VALUE", IN, DATA16, "number to write" } ]],
+                [[ { "VALUE", IN, DATA16, "number to write", range = { -32768, 65535 } } ]],
             },
             {
                 11, "VALUE32", "Writes a whole number to the terminal",
@@ -1995,6 +2069,7 @@ local OPERATIONS = {
                     {
                         "STATUS", IN, DATA8, "whether drawing is ignored",
                         special = { [0] = "normal", [1] = "blocked" },
+                        range = { 0, 1 },
                     },
                 ]],
             },
@@ -2027,11 +2102,23 @@ local OPERATIONS = {
             },
             {
                 22, "SET_BUSY", "Sets or clears the busy bit among the warnings",
-                [[ { "VALUE", IN, DATA8, "whether the brick counts as busy", special = { [0] = "no", [1] = "yes" } } ]],
+                [[
+                    {
+                        "VALUE", IN, DATA8, "whether the brick counts as busy",
+                        special = { [0] = "no", [1] = "yes" },
+                        range = { 0, 1 },
+                    },
+                ]],
             },
             {
                 24, "SET_TESTPIN", "Sets the test pin on the brick's circuit board",
-                [[ { "STATE", IN, DATA8, "level of the pin", special = { [0] = "low", [1] = "high" } } ]],
+                [[
+                    {
+                        "STATE", IN, DATA8, "level of the pin",
+                        special = { [0] = "low", [1] = "high" },
+                        range = { 0, 1 },
+                    },
+                ]],
             },
             { 25, "INIT_RUN", "Shows the animation of a running program until something draws", [[]] },
             { 26, "UPDATE_RUN", "Does nothing", [[]] },
@@ -2041,12 +2128,18 @@ local OPERATIONS = {
             },
             {
                 29, "POWER", "Sets the power driver's flag for switching off when the firmware ends",
-                [[ { "VALUE", IN, DATA8, "the flag" } ]],
+                [[ { "VALUE", IN, DATA8, "the flag", range = { 0, 1 } } ]],
             },
             { 30, "GRAPH_SAMPLE", "Adds the present values to the graph that GRAPH_SETUP has set up", [[]] },
             {
                 31, "TERMINAL", "Switches the debug terminal on or off",
-                [[ { "STATE", IN, DATA8, "whether the terminal is on", special = { [0] = "off", [1] = "on" } } ]],
+                [[
+                    {
+                        "STATE", IN, DATA8, "whether the terminal is on",
+                        special = { [0] = "off", [1] = "on" },
+                        range = { 0, 1 },
+                    },
+                ]],
             },
         },
     },
@@ -2057,7 +2150,11 @@ local OPERATIONS = {
                 1, "SHORTPRESS", "Tells whether a button was pressed since last asked, and forgets it",
                 [[
                     { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE },
-                    { "STATE", OUT, DATA8, "whether the button was pressed", special = { [0] = "no", [1] = "yes" } },
+                    {
+                        "STATE", OUT, DATA8, "whether the button was pressed",
+                        special = { [0] = "no", [1] = "yes" },
+                        range = { 0, 1 },
+                    },
                 ]],
             },
             {
@@ -2067,6 +2164,7 @@ local OPERATIONS = {
                     {
                         "STATE", OUT, DATA8, "whether the button was held for 3 s",
                         special = { [0] = "no", [1] = "yes" },
+                        range = { 0, 1 },
                     },
                 ]],
             },
@@ -2086,20 +2184,29 @@ local OPERATIONS = {
                     {
                         "VALUE", OUT, DATA16, "direction",
                         special = { [-1] = "left", [1] = "right", [0] = "not pressed" },
+                        range = { -1, 1 },
                     },
                 ]],
             },
             {
                 8, "GET_VERT", "Reads the up and down buttons as one axis, and forgets their presses",
                 [[
-                    { "VALUE", OUT, DATA16, "direction", special = { [-1] = "up", [1] = "down", [0] = "not pressed" } },
+                    {
+                        "VALUE", OUT, DATA16, "direction",
+                        special = { [-1] = "up", [1] = "down", [0] = "not pressed" },
+                        range = { -1, 1 },
+                    },
                 ]],
             },
             {
                 9, "PRESSED", "Tells whether a button is down at the moment",
                 [[
                     { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE },
-                    { "STATE", OUT, DATA8, "whether the button is down", special = { [0] = "no", [1] = "yes" } },
+                    {
+                        "STATE", OUT, DATA8, "whether the button is down",
+                        special = { [0] = "no", [1] = "yes" },
+                        range = { 0, 1 },
+                    },
                 ]],
             },
             {
@@ -2108,6 +2215,7 @@ local OPERATIONS = {
                     {
                         "BLOCKED", IN, DATA8, "whether the back button is blocked",
                         special = { [0] = "not blocked", [1] = "blocked" },
+                        range = { 0, 1 },
                     },
                 ]],
             },
@@ -2117,6 +2225,7 @@ local OPERATIONS = {
                     {
                         "BLOCKED", OUT, DATA8, "whether the back button is blocked",
                         special = { [0] = "not blocked", [1] = "blocked" },
+                        range = { 0, 1 },
                     },
                 ]],
             },
@@ -2124,7 +2233,11 @@ local OPERATIONS = {
                 12, "TESTSHORTPRESS", "Tells like SHORTPRESS whether a button was pressed, without forgetting it",
                 [[
                     { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE },
-                    { "STATE", OUT, DATA8, "whether the button was pressed", special = { [0] = "no", [1] = "yes" } },
+                    {
+                        "STATE", OUT, DATA8, "whether the button was pressed",
+                        special = { [0] = "no", [1] = "yes" },
+                        range = { 0, 1 },
+                    },
                 ]],
             },
             {
@@ -2134,6 +2247,7 @@ local OPERATIONS = {
                     {
                         "STATE", OUT, DATA8, "whether the button was held for 3 s",
                         special = { [0] = "no", [1] = "yes" },
+                        range = { 0, 1 },
                     },
                 ]],
             },
@@ -2144,6 +2258,7 @@ local OPERATIONS = {
                     {
                         "STATE", OUT, DATA8, "whether the button was pressed and released",
                         special = { [0] = "no", [1] = "yes" },
+                        range = { 0, 1 },
                     },
                 ]],
                 dialects = { "official", "xtended" },
@@ -2155,13 +2270,20 @@ local OPERATIONS = {
                     {
                         "STATE", OUT, DATA8, "whether the button was pressed and released",
                         special = { [0] = "no", [1] = "yes" },
+                        range = { 0, 1 },
                     },
                 ]],
                 dialects = { "compat" },
             },
             {
                 15, "GET_CLICK", "Tells whether a key click is due because a press was handled, and forgets it",
-                [[ { "CLICK", OUT, DATA8, "whether a click is due", special = { [0] = "no", [1] = "yes" } } ]],
+                [[
+                    {
+                        "CLICK", OUT, DATA8, "whether a click is due",
+                        special = { [0] = "no", [1] = "yes" },
+                        range = { 0, 1 },
+                    },
+                ]],
             },
         },
     },
@@ -2173,45 +2295,65 @@ local OPERATIONS = {
             {
                 2, "PIXEL", "Draws one pixel",
                 [[
-                    { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
-                    { "X0", IN, DATA16, "column", unit = "px" },
-                    { "Y0", IN, DATA16, "row", unit = "px" },
+                    {
+                        "COLOR", IN, DATA8, "colour to draw in",
+                        special = { [0] = "white", [1] = "black" },
+                        range = { 0, 1 },
+                    },
+                    { "X0", IN, DATA16, "column", unit = "px", range = { 0, 177 } },
+                    { "Y0", IN, DATA16, "row", unit = "px", range = { 0, 127 } },
                 ]],
             },
             {
                 3, "LINE", "Draws a line between two points",
                 [[
-                    { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
-                    { "X0", IN, DATA16, "column of the start", unit = "px" },
-                    { "Y0", IN, DATA16, "row of the start", unit = "px" },
-                    { "X1", IN, DATA16, "column of the end", unit = "px" },
-                    { "Y1", IN, DATA16, "row of the end", unit = "px" },
+                    {
+                        "COLOR", IN, DATA8, "colour to draw in",
+                        special = { [0] = "white", [1] = "black" },
+                        range = { 0, 1 },
+                    },
+                    { "X0", IN, DATA16, "column of the start", unit = "px", range = { 0, 177 } },
+                    { "Y0", IN, DATA16, "row of the start", unit = "px", range = { 0, 127 } },
+                    { "X1", IN, DATA16, "column of the end", unit = "px", range = { 0, 178 } },
+                    { "Y1", IN, DATA16, "row of the end", unit = "px", range = { 0, 128 } },
                 ]],
             },
             {
                 4, "CIRCLE", "Draws a circle",
                 [[
-                    { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
-                    { "X0", IN, DATA16, "column of the centre", unit = "px" },
-                    { "Y0", IN, DATA16, "row of the centre", unit = "px" },
+                    {
+                        "COLOR", IN, DATA8, "colour to draw in",
+                        special = { [0] = "white", [1] = "black" },
+                        range = { 0, 1 },
+                    },
+                    { "X0", IN, DATA16, "column of the centre", unit = "px", range = { 0, 177 } },
+                    { "Y0", IN, DATA16, "row of the centre", unit = "px", range = { 0, 127 } },
                     { "R", IN, DATA16, "radius", unit = "px", special = { [0] = "draws nothing" } },
                 ]],
             },
             {
                 5, "TEXT", "Draws text in the font that SELECT_FONT has chosen",
                 [[
-                    { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
-                    { "X0", IN, DATA16, "left edge", unit = "px" },
-                    { "Y0", IN, DATA16, "top edge", unit = "px" },
+                    {
+                        "COLOR", IN, DATA8, "colour to draw in",
+                        special = { [0] = "white", [1] = "black" },
+                        range = { 0, 1 },
+                    },
+                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 } },
+                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 } },
                     { "STRING", IN, STRING, "text to draw" },
                 ]],
             },
             {
                 6, "ICON", "Draws one of the built-in icons",
                 [[
-                    { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
-                    { "X0", IN, DATA16, "left edge", unit = "px" },
-                    { "Y0", IN, DATA16, "top edge", unit = "px" },
+                    {
+                        "COLOR", IN, DATA8, "colour to draw in",
+                        special = { [0] = "white", [1] = "black" },
+                        range = { 0, 1 },
+                    },
+                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 } },
+                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 } },
                     { "TYPE", IN, DATA8, "set of icons", enum = ENUMERATIONS.ICONTYPE },
                     { "NO", IN, DATA8, "number of the icon in its set" },
                 ]],
@@ -2219,18 +2361,26 @@ local OPERATIONS = {
             {
                 7, "PICTURE", "Draws a picture that is in memory",
                 [[
-                    { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
-                    { "X0", IN, DATA16, "left edge", unit = "px" },
-                    { "Y0", IN, DATA16, "top edge", unit = "px" },
+                    {
+                        "COLOR", IN, DATA8, "colour to draw in",
+                        special = { [0] = "white", [1] = "black" },
+                        range = { 0, 1 },
+                    },
+                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 } },
+                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 } },
                     { "IP", IN, DATA32, "address of the picture", special = { [0] = "draws nothing" } },
                 ]],
             },
             {
                 8, "VALUE", "Draws a number, or dashes where it is not a number",
                 [[
-                    { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
-                    { "X0", IN, DATA16, "left edge", unit = "px" },
-                    { "Y0", IN, DATA16, "top edge", unit = "px" },
+                    {
+                        "COLOR", IN, DATA8, "colour to draw in",
+                        special = { [0] = "white", [1] = "black" },
+                        range = { 0, 1 },
+                    },
+                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 } },
+                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 } },
                     { "VALUE", IN, DATAF, "number to draw" },
                     { "FIGURES", IN, DATA8, "characters in all, decimal point included; negative aligns left" },
                     { "DECIMALS", IN, DATA8, "digits after the decimal point" },
@@ -2239,41 +2389,57 @@ local OPERATIONS = {
             {
                 9, "FILLRECT", "Draws a filled rectangle",
                 [[
-                    { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
-                    { "X0", IN, DATA16, "left edge", unit = "px" },
-                    { "Y0", IN, DATA16, "top edge", unit = "px" },
-                    { "X1", IN, DATA16, "width", unit = "px" },
-                    { "Y1", IN, DATA16, "height", unit = "px" },
+                    {
+                        "COLOR", IN, DATA8, "colour to draw in",
+                        special = { [0] = "white", [1] = "black" },
+                        range = { 0, 1 },
+                    },
+                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 } },
+                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 } },
+                    { "X1", IN, DATA16, "width", unit = "px", range = { 0, 178 } },
+                    { "Y1", IN, DATA16, "height", unit = "px", range = { 0, 128 } },
                 ]],
             },
             {
                 10, "RECT", "Draws the outline of a rectangle",
                 [[
-                    { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
-                    { "X0", IN, DATA16, "left edge", unit = "px" },
-                    { "Y0", IN, DATA16, "top edge", unit = "px" },
-                    { "X1", IN, DATA16, "width", unit = "px" },
-                    { "Y1", IN, DATA16, "height", unit = "px" },
+                    {
+                        "COLOR", IN, DATA8, "colour to draw in",
+                        special = { [0] = "white", [1] = "black" },
+                        range = { 0, 1 },
+                    },
+                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 } },
+                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 } },
+                    { "X1", IN, DATA16, "width", unit = "px", range = { 0, 178 } },
+                    { "Y1", IN, DATA16, "height", unit = "px", range = { 0, 128 } },
                 ]],
                 dialects = { "official" },
             },
             {
                 10, "RECTANGLE", "Draws the outline of a rectangle",
                 [[
-                    { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
-                    { "X0", IN, DATA16, "left edge", unit = "px" },
-                    { "Y0", IN, DATA16, "top edge", unit = "px" },
-                    { "X1", IN, DATA16, "width", unit = "px" },
-                    { "Y1", IN, DATA16, "height", unit = "px" },
+                    {
+                        "COLOR", IN, DATA8, "colour to draw in",
+                        special = { [0] = "white", [1] = "black" },
+                        range = { 0, 1 },
+                    },
+                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 } },
+                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 } },
+                    { "X1", IN, DATA16, "width", unit = "px", range = { 0, 178 } },
+                    { "Y1", IN, DATA16, "height", unit = "px", range = { 0, 128 } },
                 ]],
                 dialects = { "xtended", "compat" },
             },
             {
                 11, "NOTIFICATION", "Shows icons and text in a window and waits for the centre button",
                 [[
-                    { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
-                    { "X0", IN, DATA16, "left edge", unit = "px" },
-                    { "Y0", IN, DATA16, "top edge", unit = "px" },
+                    {
+                        "COLOR", IN, DATA8, "colour to draw in",
+                        special = { [0] = "white", [1] = "black" },
+                        range = { 0, 1 },
+                    },
+                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 } },
+                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 } },
                     {
                         "ICON1", IN, DATA8, "first large icon", enum = ENUMERATIONS.L_ICON_NO,
                         special = { [-1] = "none" },
@@ -2290,15 +2456,20 @@ local OPERATIONS = {
                     {
                         "STATE", INOUT, DATA8, "variable the dialogue keeps its progress in; set to 0 before",
                         special = { [0] = "start, or done", [1] = "being shown" },
+                        range = { 0, 1 },
                     },
                 ]],
             },
             {
                 12, "QUESTION", "Shows icons in a window and waits for yes or no",
                 [[
-                    { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
-                    { "X0", IN, DATA16, "left edge", unit = "px" },
-                    { "Y0", IN, DATA16, "top edge", unit = "px" },
+                    {
+                        "COLOR", IN, DATA8, "colour to draw in",
+                        special = { [0] = "white", [1] = "black" },
+                        range = { 0, 1 },
+                    },
+                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 } },
+                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 } },
                     {
                         "ICON1", IN, DATA8, "first large icon", enum = ENUMERATIONS.L_ICON_NO,
                         special = { [-1] = "none" },
@@ -2311,21 +2482,30 @@ local OPERATIONS = {
                     {
                         "STATE", INOUT, DATA8, "variable the dialogue keeps its progress in; set to 0 before",
                         special = { [0] = "start, or done", [1] = "being shown" },
+                        range = { 0, 1 },
                     },
                     {
                         "OK", OUT, DATA8, "answer; what the variable holds before is selected first",
                         special = { [0] = "no", [1] = "yes", [-1] = "left with the back button" },
+                        range = { -1, 1 },
                     },
                 ]],
             },
             {
                 13, "KEYBOARD", "Shows a keyboard on the display and waits until a text has been entered",
                 [[
-                    { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
-                    { "X0", IN, DATA16, "left edge", unit = "px" },
-                    { "Y0", IN, DATA16, "top edge", unit = "px" },
+                    {
+                        "COLOR", IN, DATA8, "colour to draw in",
+                        special = { [0] = "white", [1] = "black" },
+                        range = { 0, 1 },
+                    },
+                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 } },
+                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 } },
                     { "ICON", IN, DATA8, "normal icon before the caption", enum = ENUMERATIONS.N_ICON_NO },
-                    { "LENGTH", IN, DATA8, "most bytes to return, the zero included", unit = "bytes" },
+                    {
+                        "LENGTH", IN, DATA8, "most bytes to return, the zero included", unit = "bytes",
+                        range = { 0, 127 },
+                    },
                     {
                         "DEFAULT", IN, STRING, "caption above the text, not a preset as its name says",
                         special = { [0] = "none" },
@@ -2349,11 +2529,14 @@ local OPERATIONS = {
                 14, "BROWSE", "Shows files and folders and waits until one is chosen",
                 [[
                     { "TYPE", IN, DATA8, "what is listed", enum = ENUMERATIONS.BROWSERTYPE },
-                    { "X0", IN, DATA16, "left edge", unit = "px" },
-                    { "Y0", IN, DATA16, "top edge", unit = "px" },
-                    { "X1", IN, DATA16, "width", unit = "px" },
-                    { "Y1", IN, DATA16, "height", unit = "px" },
-                    { "LENGTH", IN, DATA8, "most bytes to return, the zero included", unit = "bytes" },
+                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 } },
+                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 } },
+                    { "X1", IN, DATA16, "width", unit = "px", range = { 0, 178 } },
+                    { "Y1", IN, DATA16, "height", unit = "px", range = { 0, 128 } },
+                    {
+                        "LENGTH", IN, DATA8, "most bytes to return, the zero included", unit = "bytes",
+                        range = { 0, 127 },
+                    },
                     {
                         "ITEM_TYPE", OUT, DATA8, "kind of what was chosen; set the variable to 0 before",
                         enum = ENUMERATIONS.FILETYPE,
@@ -2367,11 +2550,15 @@ local OPERATIONS = {
             {
                 15, "VERTBAR", "Draws a vertical scroll bar",
                 [[
-                    { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
-                    { "X0", IN, DATA16, "left edge", unit = "px" },
-                    { "Y0", IN, DATA16, "top edge", unit = "px" },
-                    { "X1", IN, DATA16, "width", unit = "px" },
-                    { "Y1", IN, DATA16, "height", unit = "px" },
+                    {
+                        "COLOR", IN, DATA8, "colour to draw in",
+                        special = { [0] = "white", [1] = "black" },
+                        range = { 0, 1 },
+                    },
+                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 } },
+                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 } },
+                    { "X1", IN, DATA16, "width", unit = "px", range = { 0, 178 } },
+                    { "Y1", IN, DATA16, "height", unit = "px", range = { 0, 128 } },
                     { "MIN", IN, DATA16, "value at one end of the bar" },
                     { "MAX", IN, DATA16, "value at the other end of the bar" },
                     { "ACT", IN, DATA16, "value that the knob shows" },
@@ -2380,15 +2567,15 @@ local OPERATIONS = {
             {
                 16, "INVERSERECT", "Swaps black and white in a rectangle",
                 [[
-                    { "X0", IN, DATA16, "left edge", unit = "px" },
-                    { "Y0", IN, DATA16, "top edge", unit = "px" },
-                    { "X1", IN, DATA16, "width", unit = "px" },
-                    { "Y1", IN, DATA16, "height", unit = "px" },
+                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 } },
+                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 } },
+                    { "X1", IN, DATA16, "width", unit = "px", range = { 0, 178 } },
+                    { "Y1", IN, DATA16, "height", unit = "px", range = { 0, 128 } },
                 ]],
             },
             {
                 17, "SELECT_FONT", "Chooses the font for text until UPDATE, CLEAN or FILLWINDOW",
-                [[ { "TYPE", IN, DATA8, "font", enum = ENUMERATIONS.FONTTYPE } ]],
+                [[ { "TYPE", IN, DATA8, "font", enum = ENUMERATIONS.FONTTYPE, range = { 0, 3 } } ]],
             },
             {
                 18, "TOPLINE", "Switches the status line at the top on or off",
@@ -2396,6 +2583,7 @@ local OPERATIONS = {
                     {
                         "ENABLE", IN, DATA8, "whether the status line is shown",
                         special = { [0] = "disabled", [1] = "enabled" },
+                        range = { 0, 1 },
                     },
                 ]],
             },
@@ -2406,22 +2594,30 @@ local OPERATIONS = {
                         "COLOR", IN, DATA8, "colour to fill with; any other value makes a test pattern",
                         special = { [0] = "white", [1] = "black" },
                     },
-                    { "Y0", IN, DATA16, "top edge", unit = "px" },
+                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 } },
                     {
                         "Y1", IN, DATA16, "height; nothing is filled where Y0 and it make 128 or more", unit = "px",
                         special = { [0] = "down to the bottom" },
+                        range = { 0, 127 },
                     },
                 ]],
             },
-            { 20, "SCROLL", "Moves the canvas up", [[ { "Y", IN, DATA16, "how far", unit = "px" } ]] },
+            {
+                20, "SCROLL", "Moves the canvas up",
+                [[ { "Y", IN, DATA16, "how far", unit = "px", range = { 1, 127 } } ]],
+            },
             {
                 21, "DOTLINE", "Draws a dashed line between two points",
                 [[
-                    { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
-                    { "X0", IN, DATA16, "column of the start", unit = "px" },
-                    { "Y0", IN, DATA16, "row of the start", unit = "px" },
-                    { "X1", IN, DATA16, "column of the end", unit = "px" },
-                    { "Y1", IN, DATA16, "row of the end", unit = "px" },
+                    {
+                        "COLOR", IN, DATA8, "colour to draw in",
+                        special = { [0] = "white", [1] = "black" },
+                        range = { 0, 1 },
+                    },
+                    { "X0", IN, DATA16, "column of the start", unit = "px", range = { 0, 177 } },
+                    { "Y0", IN, DATA16, "row of the start", unit = "px", range = { 0, 127 } },
+                    { "X1", IN, DATA16, "column of the end", unit = "px", range = { 0, 178 } },
+                    { "Y1", IN, DATA16, "row of the end", unit = "px", range = { 0, 128 } },
                     { "ON", IN, DATA16, "length of a dash", unit = "px" },
                     { "OFF", IN, DATA16, "length of a gap", unit = "px" },
                 ]],
@@ -2429,9 +2625,13 @@ local OPERATIONS = {
             {
                 22, "VIEW_VALUE", "Draws a number centred in its place, with > instead of digits where it does not fit",
                 [[
-                    { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
-                    { "X0", IN, DATA16, "left edge", unit = "px" },
-                    { "Y0", IN, DATA16, "top edge", unit = "px" },
+                    {
+                        "COLOR", IN, DATA8, "colour to draw in",
+                        special = { [0] = "white", [1] = "black" },
+                        range = { 0, 1 },
+                    },
+                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 } },
+                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 } },
                     { "VALUE", IN, DATAF, "number to draw" },
                     { "FIGURES", IN, DATA8, "characters in all, decimal point included" },
                     { "DECIMALS", IN, DATA8, "digits after the decimal point" },
@@ -2440,42 +2640,68 @@ local OPERATIONS = {
             {
                 23, "VIEW_UNIT", "Draws a number in large figures and its unit in small letters",
                 [[
-                    { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
-                    { "X0", IN, DATA16, "left edge", unit = "px" },
-                    { "Y0", IN, DATA16, "top edge", unit = "px" },
+                    {
+                        "COLOR", IN, DATA8, "colour to draw in",
+                        special = { [0] = "white", [1] = "black" },
+                        range = { 0, 1 },
+                    },
+                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 } },
+                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 } },
                     { "VALUE", IN, DATAF, "number to draw" },
                     { "FIGURES", IN, DATA8, "characters in all, decimal point included" },
                     { "DECIMALS", IN, DATA8, "digits after the decimal point" },
-                    { "LENGTH", IN, DATA8, "most bytes of the unit, the zero included", unit = "bytes" },
+                    {
+                        "LENGTH", IN, DATA8, "most bytes of the unit, the zero included", unit = "bytes",
+                        range = { 0, 127 },
+                    },
                     { "STRING", IN, STRING, "unit to draw after the number" },
                 ]],
             },
             {
                 24, "FILLCIRCLE", "Draws a filled circle",
                 [[
-                    { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
-                    { "X0", IN, DATA16, "column of the centre", unit = "px" },
-                    { "Y0", IN, DATA16, "row of the centre", unit = "px" },
+                    {
+                        "COLOR", IN, DATA8, "colour to draw in",
+                        special = { [0] = "white", [1] = "black" },
+                        range = { 0, 1 },
+                    },
+                    { "X0", IN, DATA16, "column of the centre", unit = "px", range = { 0, 177 } },
+                    { "Y0", IN, DATA16, "row of the centre", unit = "px", range = { 0, 127 } },
                     { "R", IN, DATA16, "radius", unit = "px", special = { [0] = "draws nothing" } },
                 ]],
             },
             {
                 25, "STORE", "Keeps a copy of the canvas",
-                [[ { "NO", IN, DATA8, "memory for one screen; 0 holds the one from before the program ran" } ]],
+                [[
+                    {
+                        "NO", IN, DATA8, "memory for one screen; 0 holds the one from before the program ran",
+                        range = { 0, 2 },
+                    },
+                ]],
             },
             {
                 26, "RESTORE", "Brings back a canvas kept by STORE",
-                [[ { "NO", IN, DATA8, "memory for one screen; 0 holds the one from before the program ran" } ]],
+                [[
+                    {
+                        "NO", IN, DATA8, "memory for one screen; 0 holds the one from before the program ran",
+                        range = { 0, 2 },
+                    },
+                ]],
             },
             {
                 27, "ICON_QUESTION", "Shows a row of icons and waits until one is chosen",
                 [[
-                    { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
-                    { "X0", IN, DATA16, "left edge", unit = "px" },
-                    { "Y0", IN, DATA16, "top edge", unit = "px" },
+                    {
+                        "COLOR", IN, DATA8, "colour to draw in",
+                        special = { [0] = "white", [1] = "black" },
+                        range = { 0, 1 },
+                    },
+                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 } },
+                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 } },
                     {
                         "STATE", INOUT, DATA8, "variable the dialogue keeps its progress in; set to 0 before",
                         special = { [0] = "start, or done", [1] = "being shown" },
+                        range = { 0, 1 },
                     },
                     {
                         "ICONS", INOUT, DATA32,
@@ -2490,25 +2716,34 @@ local OPERATIONS = {
                     {
                         "COLOR", IN, DATA8, "colour of the set pixels",
                         special = { [0] = "white, picture inverted", [1] = "black" },
+                        range = { 0, 1 },
                     },
-                    { "X0", IN, DATA16, "left edge", unit = "px" },
-                    { "Y0", IN, DATA16, "top edge", unit = "px" },
+                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 } },
+                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 } },
                     { "NAME", IN, STRING, "file with extension .rgf, absolute or relative to /home/root/lms2012/sys" },
                 ]],
             },
             {
                 29, "POPUP", "Opens a window that only its opener draws on, or closes it and brings back the display",
-                [[ { "OPEN", IN, DATA8, "what to do", special = { [0] = "close", [1] = "open" } } ]],
+                [[ { "OPEN", IN, DATA8, "what to do", special = { [0] = "close", [1] = "open" }, range = { 0, 1 } } ]],
             },
             {
                 30, "GRAPH_SETUP",
                 "Sets up a graph of up to 8 curves; their arrays must outlive it, so useless in direct commands",
                 [[
-                    { "X0", IN, DATA16, "left edge", unit = "px" },
-                    { "X1", IN, DATA16, "width", unit = "px" },
-                    { "ITEMS", IN, DATA8, "how many curves", validated = DATA16 },
-                    { "OFFSET", IN, DATA16, "top edge of each curve", unit = "px", length = "ITEMS" },
-                    { "SPAN", IN, DATA16, "height of each curve", unit = "px", length = "ITEMS", validated = DATA8 },
+                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 } },
+                    { "X1", IN, DATA16, "width", unit = "px", range = { 0, 178 } },
+                    { "ITEMS", IN, DATA8, "how many curves", range = { 0, 8 }, validated = DATA16 },
+                    {
+                        "OFFSET", IN, DATA16, "top edge of each curve", unit = "px",
+                        range = { 0, 127 },
+                        length = "ITEMS",
+                    },
+                    {
+                        "SPAN", IN, DATA16, "height of each curve", unit = "px",
+                        range = { 0, 128 },
+                        length = "ITEMS", validated = DATA8,
+                    },
                     { "MIN", IN, DATAF, "value at the bottom of each curve", length = "ITEMS", validated = DATA16 },
                     { "MAX", IN, DATAF, "value at the top of each curve", length = "ITEMS", validated = DATA16 },
                     {
@@ -2533,10 +2768,10 @@ local OPERATIONS = {
             {
                 32, "TEXTBOX", "Shows a text with a scroll bar and waits until a line is chosen",
                 [[
-                    { "X0", IN, DATA16, "left edge", unit = "px" },
-                    { "Y0", IN, DATA16, "top edge", unit = "px" },
-                    { "X1", IN, DATA16, "width", unit = "px" },
-                    { "Y1", IN, DATA16, "height", unit = "px" },
+                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 } },
+                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 } },
+                    { "X1", IN, DATA16, "width", unit = "px", range = { 0, 178 } },
+                    { "Y1", IN, DATA16, "height", unit = "px", range = { 0, 128 } },
                     { "TEXT", IN, STRING, "whole text of the box, its lines separated by DEL" },
                     { "SIZE", IN, DATA32, "bytes that the box has for its text, the zero included", unit = "bytes" },
                     { "DEL", IN, DATA8, "what separates the lines", enum = ENUMERATIONS.DEL },
@@ -2556,7 +2791,7 @@ local OPERATIONS = {
     {
         0x85, "TIMER_WAIT", "Notes when a wait will be over and returns at once; TIMER_READY does the waiting",
         [[
-            { "TIME", IN, DATA32, "how long to wait", unit = "ms" },
+            { "TIME", IN, DATA32, "how long to wait", unit = "ms", range = { 0, 2147483647 } },
             { "TIMER", OUT, DATA32, "variable that gets the end of the wait, on the brick's millisecond clock" },
         ]],
     },
@@ -2579,18 +2814,22 @@ local OPERATIONS = {
             {
                 1, "TONE", "Plays one tone and returns at once",
                 [[
-                    { "VOLUME", IN, DATA8, "how loud", unit = "%", special = { [0] = "silent" } },
-                    { "FREQUENCY", IN, DATA16, "pitch; the driver moves others into the range", unit = "Hz" },
+                    { "VOLUME", IN, DATA8, "how loud", unit = "%", special = { [0] = "silent" }, range = { 0, 100 } },
+                    {
+                        "FREQUENCY", IN, DATA16, "pitch; the driver moves others into the range", unit = "Hz",
+                        range = { 250, 10000 },
+                    },
                     {
                         "DURATION", IN, DATA16, "how long, read without sign (-1 is 65535)", unit = "ms",
                         special = { [0] = "until BREAK or the next sound" },
+                        range = { -32768, 65535 },
                     },
                 ]],
             },
             {
                 2, "PLAY", "Plays a sound file once and returns at once",
                 [[
-                    { "VOLUME", IN, DATA8, "how loud", unit = "%", special = { [0] = "silent" } },
+                    { "VOLUME", IN, DATA8, "how loud", unit = "%", special = { [0] = "silent" }, range = { 0, 100 } },
                     {
                         "NAME", IN, STRING,
                         "sound file without its extension .rsf, absolute or relative to /home/root/lms2012/sys",
@@ -2600,7 +2839,7 @@ local OPERATIONS = {
             {
                 3, "REPEAT", "Plays a sound file over and over until BREAK and returns at once",
                 [[
-                    { "VOLUME", IN, DATA8, "how loud", unit = "%", special = { [0] = "silent" } },
+                    { "VOLUME", IN, DATA8, "how loud", unit = "%", special = { [0] = "silent" }, range = { 0, 100 } },
                     {
                         "NAME", IN, STRING,
                         "sound file without its extension .rsf, absolute or relative to /home/root/lms2012/sys",
@@ -2612,7 +2851,13 @@ local OPERATIONS = {
     },
     {
         0x95, "SOUND_TEST", "Tells whether a sound is playing",
-        [[ { "BUSY", OUT, DATA8, "whether a sound is playing", special = { [0] = "ready", [1] = "busy" } } ]],
+        [[
+            {
+                "BUSY", OUT, DATA8, "whether a sound is playing",
+                special = { [0] = "ready", [1] = "busy" },
+                range = { 0, 1 },
+            },
+        ]],
     },
     { 0x96, "SOUND_READY", "Waits until the sound has ended (for ever after REPEAT or a tone without end)", [[]] },
     {
@@ -2622,7 +2867,11 @@ local OPERATIONS = {
             { "SAMPLES", IN, DATA16, "how many devices the arrays list" },
             { "INIT", IN, DATA16, "place in the sample buffer of each device, -1 starts it anew", length = "SAMPLES" },
             { "DEVICES", IN, DATA8, "ports, 0 to 3 for sensors, 4 to 7 for motors A to D", length = "SAMPLES" },
-            { "TYPES", IN, DATA8, "type each device shall have", enum = ENUMERATIONS.TYPE, length = "SAMPLES" },
+            {
+                "TYPES", IN, DATA8, "type each device shall have", enum = ENUMERATIONS.TYPE,
+                range = { 50, 98 },
+                length = "SAMPLES",
+            },
             { "MODES", IN, DATA8, "mode each device shall have", length = "SAMPLES" },
             { "DATASETS", IN, DATA8, "which of its values to read from each device, from 0", length = "SAMPLES" },
             { "VALUES", OUT, DATAF, "one value per device, NaN where there is none", length = "SAMPLES" },
@@ -2632,7 +2881,11 @@ local OPERATIONS = {
         0x98, "INPUT_DEVICE_LIST", "Lists the types of all devices, sensor ports of each layer first, then motor ports",
         [[
             { "LENGTH", IN, DATA8, "room in the array, 32 takes the whole daisy chain" },
-            { "ARRAY", OUT, DATA8, "type of device at each port", enum = ENUMERATIONS.TYPE, length = "LENGTH" },
+            {
+                "ARRAY", OUT, DATA8, "type of device at each port", enum = ENUMERATIONS.TYPE,
+                range = { 50, 98 },
+                length = "LENGTH",
+            },
             {
                 "CHANGED", OUT, DATA8, "whether devices came or went since the last call",
                 special = { [0] = "no change" },
@@ -2649,32 +2902,47 @@ local OPERATIONS = {
                     {
                         "FORCE", IN, DATA8, "whether to replace a known type",
                         special = { [0] = "refuse a known type", [1] = "replace a known type" },
+                        range = { 0, 1 },
                     },
-                    { "ERROR", OUT, DATA8, "whether it failed", special = { [0] = "done", [1] = "failed or known" } },
+                    {
+                        "ERROR", OUT, DATA8, "whether it failed",
+                        special = { [0] = "done", [1] = "failed or known" },
+                        range = { 0, 1 },
+                    },
                 ]],
             },
             {
                 2, "GET_FORMAT", "Tells the shape of a device's values in its present mode",
                 [[
-                    { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+                    {
+                        "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
+                        range = { 0, 3 },
+                    },
                     {
                         "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
                         special = {
                             [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
                             [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
                         },
+                        range = { 0, 19 },
                     },
                     { "DATASETS", OUT, DATA8, "how many values one reading has" },
-                    { "FORMAT", OUT, DATA8, "type of one raw value", enum = ENUMERATIONS.DATA_FORMAT },
-                    { "MODES", OUT, DATA8, "how many modes the device has" },
-                    { "VIEWS", OUT, DATA8, "how many of the modes are shown to users" },
+                    {
+                        "FORMAT", OUT, DATA8, "type of one raw value", enum = ENUMERATIONS.DATA_FORMAT,
+                        range = { 0, 3 },
+                    },
+                    { "MODES", OUT, DATA8, "how many modes the device has", range = { 1, 8 } },
+                    { "VIEWS", OUT, DATA8, "how many of the modes are shown to users", range = { 1, 8 } },
                 ]],
             },
             {
                 3, "CAL_MINMAX", "Sets the raw values that scale a type and mode to percent and SI",
                 [[
-                    { "TYPE", IN, DATA8, "type of device the calibration is for", enum = ENUMERATIONS.TYPE },
-                    { "MODE", IN, DATA8, "mode the calibration is for" },
+                    {
+                        "TYPE", IN, DATA8, "type of device the calibration is for", enum = ENUMERATIONS.TYPE,
+                        range = { 50, 98 },
+                    },
+                    { "MODE", IN, DATA8, "mode the calibration is for", range = { 0, 7 } },
                     { "CAL_MIN", IN, DATA32, "raw value at the lower end" },
                     { "CAL_MAX", IN, DATA32, "raw value at full scale" },
                 ]],
@@ -2682,35 +2950,46 @@ local OPERATIONS = {
             {
                 4, "CAL_DEFAULT", "Goes back to the built-in scaling of a type and mode",
                 [[
-                    { "TYPE", IN, DATA8, "type of device the calibration is for", enum = ENUMERATIONS.TYPE },
-                    { "MODE", IN, DATA8, "mode the calibration is for" },
+                    {
+                        "TYPE", IN, DATA8, "type of device the calibration is for", enum = ENUMERATIONS.TYPE,
+                        range = { 50, 98 },
+                    },
+                    { "MODE", IN, DATA8, "mode the calibration is for", range = { 0, 7 } },
                 ]],
             },
             {
                 5, "GET_TYPEMODE", "Tells which device is at a port and in which mode",
                 [[
-                    { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+                    {
+                        "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
+                        range = { 0, 3 },
+                    },
                     {
                         "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
                         special = {
                             [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
                             [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
                         },
+                        range = { 0, 19 },
                     },
-                    { "TYPE", OUT, DATA8, "type of the device", enum = ENUMERATIONS.TYPE },
-                    { "MODE", OUT, DATA8, "mode the device is in" },
+                    { "TYPE", OUT, DATA8, "type of the device", enum = ENUMERATIONS.TYPE, range = { 50, 98 } },
+                    { "MODE", OUT, DATA8, "mode the device is in", range = { 0, 7 } },
                 ]],
             },
             {
                 6, "GET_SYMBOL", "Reads the symbol of the unit of the present mode",
                 [[
-                    { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+                    {
+                        "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
+                        range = { 0, 3 },
+                    },
                     {
                         "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
                         special = {
                             [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
                             [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
                         },
+                        range = { 0, 19 },
                     },
                     {
                         "LENGTH", IN, DATA8, "room for the text with its zero", unit = "bytes",
@@ -2722,32 +3001,49 @@ local OPERATIONS = {
             {
                 7, "CAL_MIN", "Sets the lower end of the scaling of a type and mode",
                 [[
-                    { "TYPE", IN, DATA8, "type of device the calibration is for", enum = ENUMERATIONS.TYPE },
-                    { "MODE", IN, DATA8, "mode the calibration is for" },
+                    {
+                        "TYPE", IN, DATA8, "type of device the calibration is for", enum = ENUMERATIONS.TYPE,
+                        range = { 50, 98 },
+                    },
+                    { "MODE", IN, DATA8, "mode the calibration is for", range = { 0, 7 } },
                     { "CAL_MIN", IN, DATA32, "value at the lower end, in SI units once calibrated" },
                 ]],
             },
             {
                 8, "CAL_MAX", "Sets the full scale of a type and mode",
                 [[
-                    { "TYPE", IN, DATA8, "type of device the calibration is for", enum = ENUMERATIONS.TYPE },
-                    { "MODE", IN, DATA8, "mode the calibration is for" },
+                    {
+                        "TYPE", IN, DATA8, "type of device the calibration is for", enum = ENUMERATIONS.TYPE,
+                        range = { 50, 98 },
+                    },
+                    { "MODE", IN, DATA8, "mode the calibration is for", range = { 0, 7 } },
                     { "CAL_MAX", IN, DATA32, "value at full scale, in SI units once calibrated" },
                 ]],
             },
             {
                 9, "SETUP", "Writes to an I2C sensor and reads its answer, again and again if asked to",
                 [[
-                    { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+                    {
+                        "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
+                        range = { 0, 3 },
+                    },
                     {
                         "NO", IN, DATA8, "sensor port, counted from 0", label = "Port",
                         special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" },
+                        range = { 0, 3 },
                     },
                     { "REPEAT", IN, DATA8, "how often to write and read", special = { [0] = "without end" } },
-                    { "TIME", IN, DATA16, "time between repeats", unit = "ms", special = { [0] = "10 ms" } },
-                    { "WRITE_LEN", IN, DATA8, "how many bytes to write", unit = "bytes" },
+                    {
+                        "TIME", IN, DATA16, "time between repeats", unit = "ms",
+                        special = { [0] = "10 ms" },
+                        range = { 10, 1000 },
+                    },
+                    { "WRITE_LEN", IN, DATA8, "how many bytes to write", unit = "bytes", range = { 0, 32 } },
                     { "WRITE_DATA", IN, DATA8, "bytes to write: I2C address, register, data", length = "WRITE_LEN" },
-                    { "READ_LEN", IN, DATA8, "how many bytes to read, negative: in reverse order", unit = "bytes" },
+                    {
+                        "READ_LEN", IN, DATA8, "how many bytes to read, negative: in reverse order", unit = "bytes",
+                        range = { -32, 32 },
+                    },
                     { "READ_DATA", OUT, DATA8, "bytes read", length = "READ_LEN" },
                 ]],
             },
@@ -2757,19 +3053,24 @@ local OPERATIONS = {
                     {
                         "LAYER", IN, DATA8, "brick in the daisy chain", label = "Daisy chain",
                         special = { [-1] = "all layers" },
+                        range = { 0, 3 },
                     },
                 ]],
             },
             {
                 11, "GET_RAW", "Reads the first raw value of a device",
                 [[
-                    { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+                    {
+                        "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
+                        range = { 0, 3 },
+                    },
                     {
                         "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
                         special = {
                             [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
                             [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
                         },
+                        range = { 0, 19 },
                     },
                     { "VALUE", OUT, DATA32, "raw value, NaN where there is none" },
                 ]],
@@ -2777,13 +3078,17 @@ local OPERATIONS = {
             {
                 12, "GET_CONNECTION", "Tells how the device at a port is connected",
                 [[
-                    { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+                    {
+                        "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
+                        range = { 0, 3 },
+                    },
                     {
                         "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
                         special = {
                             [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
                             [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
                         },
+                        range = { 0, 19 },
                     },
                     { "CONN", OUT, DATA8, "kind of connection", enum = ENUMERATIONS.CONN },
                 ]],
@@ -2794,33 +3099,42 @@ local OPERATIONS = {
                     {
                         "LAYER", IN, DATA8, "brick in the daisy chain", label = "Daisy chain",
                         special = { [-1] = "all layers" },
+                        range = { 0, 3 },
                     },
                 ]],
             },
             {
                 14, "SET_TYPEMODE", "Renumbers an entry of the table of device types, third party types only",
                 [[
-                    { "TYPE", IN, DATA8, "type the entry has", enum = ENUMERATIONS.TYPE },
-                    { "MODE", IN, DATA8, "mode the entry has" },
-                    { "NEWTYPE", IN, DATA8, "type the entry shall have", enum = ENUMERATIONS.TYPE },
-                    { "NEWMODE", IN, DATA8, "mode the entry shall have" },
+                    { "TYPE", IN, DATA8, "type the entry has", enum = ENUMERATIONS.TYPE, range = { 50, 98 } },
+                    { "MODE", IN, DATA8, "mode the entry has", range = { 0, 7 } },
+                    { "NEWTYPE", IN, DATA8, "type the entry shall have", enum = ENUMERATIONS.TYPE, range = { 50, 98 } },
+                    { "NEWMODE", IN, DATA8, "mode the entry shall have", range = { 0, 7 } },
                     {
                         "ERROR", OUT, DATA8, "whether it failed",
                         special = { [0] = "done", [1] = "failed or not found" },
+                        range = { 0, 1 },
                     },
                 ]],
             },
             {
                 15, "READY_IIC", "Writes to an I2C sensor once, waits for its answer and tells how it went",
                 [[
-                    { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+                    {
+                        "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
+                        range = { 0, 3 },
+                    },
                     {
                         "NO", IN, DATA8, "sensor port, counted from 0", label = "Port",
                         special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" },
+                        range = { 0, 3 },
                     },
-                    { "WRLNG", IN, DATA8, "how many bytes to write", unit = "bytes" },
+                    { "WRLNG", IN, DATA8, "how many bytes to write", unit = "bytes", range = { 0, 32 } },
                     { "WRDATA", IN, DATA8, "bytes to write: I2C address, register, data", length = "WRLNG" },
-                    { "RDLNG", IN, DATA8, "how many bytes to read, negative: in reverse order", unit = "bytes" },
+                    {
+                        "RDLNG", IN, DATA8, "how many bytes to read, negative: in reverse order", unit = "bytes",
+                        range = { -32, 32 },
+                    },
                     { "RDDATA", OUT, DATA8, "bytes read", length = "RDLNG" },
                     { "RESULT", OUT, DATA8, "how the transfer ended", enum = ENUMERATIONS.RESULT },
                 ]],
@@ -2828,13 +3142,17 @@ local OPERATIONS = {
             {
                 21, "GET_NAME", "Reads the name of a device in its present mode, such as TOUCH or COL-REFLECT",
                 [[
-                    { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+                    {
+                        "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
+                        range = { 0, 3 },
+                    },
                     {
                         "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
                         special = {
                             [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
                             [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
                         },
+                        range = { 0, 19 },
                     },
                     {
                         "LENGTH", IN, DATA8, "room for the text with its zero", unit = "bytes",
@@ -2846,15 +3164,19 @@ local OPERATIONS = {
             {
                 22, "GET_MODENAME", "Reads the name of any mode of a device",
                 [[
-                    { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+                    {
+                        "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
+                        range = { 0, 3 },
+                    },
                     {
                         "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
                         special = {
                             [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
                             [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
                         },
+                        range = { 0, 19 },
                     },
-                    { "MODE", IN, DATA8, "mode to name" },
+                    { "MODE", IN, DATA8, "mode to name", range = { 0, 7 } },
                     {
                         "LENGTH", IN, DATA8, "room for the text with its zero", unit = "bytes",
                         special = { [-1] = "as long as it is (handles only)" },
@@ -2865,17 +3187,22 @@ local OPERATIONS = {
             {
                 23, "SET_RAW", "Pretends that a device has read this raw value",
                 [[
-                    { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+                    {
+                        "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
+                        range = { 0, 3 },
+                    },
                     {
                         "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
                         special = {
                             [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
                             [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
                         },
+                        range = { 0, 19 },
                     },
                     {
                         "TYPE", IN, DATA8, "type the device shall have", enum = ENUMERATIONS.TYPE,
                         special = { [0] = "keep the type" },
+                        range = { 50, 98 },
                     },
                     { "VALUE", IN, DATA32, "raw value to pretend" },
                 ]],
@@ -2883,13 +3210,17 @@ local OPERATIONS = {
             {
                 24, "GET_FIGURES", "Tells how many digits a value of the present mode needs",
                 [[
-                    { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+                    {
+                        "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
+                        range = { 0, 3 },
+                    },
                     {
                         "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
                         special = {
                             [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
                             [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
                         },
+                        range = { 0, 19 },
                     },
                     { "FIGURES", OUT, DATA8, "characters in all, with point and decimals" },
                     { "DECIMALS", OUT, DATA8, "digits after the point" },
@@ -2898,13 +3229,17 @@ local OPERATIONS = {
             {
                 25, "GET_CHANGES", "Reads how often a touch sensor changed in positive direction since CLR_CHANGES",
                 [[
-                    { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+                    {
+                        "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
+                        range = { 0, 3 },
+                    },
                     {
                         "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
                         special = {
                             [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
                             [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
                         },
+                        range = { 0, 19 },
                     },
                     { "VALUE", OUT, DATAF, "number of changes, 0 for other sensors" },
                 ]],
@@ -2912,70 +3247,101 @@ local OPERATIONS = {
             {
                 26, "CLR_CHANGES", "Sets the counts of GET_CHANGES and GET_BUMPS to zero",
                 [[
-                    { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+                    {
+                        "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
+                        range = { 0, 3 },
+                    },
                     {
                         "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
                         special = {
                             [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
                             [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
                         },
+                        range = { 0, 19 },
                     },
                 ]],
             },
             {
                 27, "READY_PCT", "Sets type and mode, waits until the device is ready and reads percent values",
                 [[
-                    { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+                    {
+                        "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
+                        range = { 0, 3 },
+                    },
                     {
                         "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
                         special = {
                             [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
                             [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
                         },
+                        range = { 0, 19 },
                     },
                     {
                         "TYPE", IN, DATA8, "type the device shall have", enum = ENUMERATIONS.TYPE,
                         special = { [0] = "keep the type" },
+                        range = { 50, 98 },
                     },
-                    { "MODE", IN, DATA8, "mode the device shall have", special = { [-1] = "keep the mode" } },
+                    {
+                        "MODE", IN, DATA8, "mode the device shall have",
+                        special = { [-1] = "keep the mode" },
+                        range = { 0, 7 },
+                    },
                     { "VALUES", IN, COUNT, "how many values follow, each in percent", element = DATA8, elements = OUT },
                 ]],
             },
             {
                 28, "READY_RAW", "Sets type and mode, waits until the device is ready and reads raw values",
                 [[
-                    { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+                    {
+                        "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
+                        range = { 0, 3 },
+                    },
                     {
                         "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
                         special = {
                             [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
                             [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
                         },
+                        range = { 0, 19 },
                     },
                     {
                         "TYPE", IN, DATA8, "type the device shall have", enum = ENUMERATIONS.TYPE,
                         special = { [0] = "keep the type" },
+                        range = { 50, 98 },
                     },
-                    { "MODE", IN, DATA8, "mode the device shall have", special = { [-1] = "keep the mode" } },
+                    {
+                        "MODE", IN, DATA8, "mode the device shall have",
+                        special = { [-1] = "keep the mode" },
+                        range = { 0, 7 },
+                    },
                     { "VALUES", IN, COUNT, "how many raw values follow", element = DATA32, elements = OUT },
                 ]],
             },
             {
                 29, "READY_SI", "Sets type and mode, waits until the device is ready and reads SI values",
                 [[
-                    { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+                    {
+                        "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
+                        range = { 0, 3 },
+                    },
                     {
                         "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
                         special = {
                             [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
                             [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
                         },
+                        range = { 0, 19 },
                     },
                     {
                         "TYPE", IN, DATA8, "type the device shall have", enum = ENUMERATIONS.TYPE,
                         special = { [0] = "keep the type" },
+                        range = { 50, 98 },
                     },
-                    { "MODE", IN, DATA8, "mode the device shall have", special = { [-1] = "keep the mode" } },
+                    {
+                        "MODE", IN, DATA8, "mode the device shall have",
+                        special = { [-1] = "keep the mode" },
+                        range = { 0, 7 },
+                    },
                     {
                         "VALUES", IN, COUNT, "how many values follow, each in SI units", element = DATAF,
                         elements = OUT,
@@ -2985,13 +3351,17 @@ local OPERATIONS = {
             {
                 30, "GET_MINMAX", "Tells between which SI values the present mode moves",
                 [[
-                    { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+                    {
+                        "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
+                        range = { 0, 3 },
+                    },
                     {
                         "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
                         special = {
                             [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
                             [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
                         },
+                        range = { 0, 19 },
                     },
                     { "MIN", OUT, DATAF, "smallest value in SI units" },
                     { "MAX", OUT, DATAF, "largest value in SI units" },
@@ -3000,13 +3370,17 @@ local OPERATIONS = {
             {
                 31, "GET_BUMPS", "Reads how often a touch sensor changed in negative direction since CLR_CHANGES",
                 [[
-                    { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+                    {
+                        "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
+                        range = { 0, 3 },
+                    },
                     {
                         "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
                         special = {
                             [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
                             [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
                         },
+                        range = { 0, 19 },
                     },
                     { "VALUE", OUT, DATAF, "number of changes, 0 for other sensors" },
                 ]],
@@ -3016,84 +3390,107 @@ local OPERATIONS = {
     {
         0x9A, "INPUT_READ", "Sets type and mode and reads the first value in percent at once",
         [[
-            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
+                range = { 0, 3 },
+            },
             {
                 "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
                 special = {
                     [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
                     [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
                 },
+                range = { 0, 19 },
             },
             {
                 "TYPE", IN, DATA8, "type the device shall have", enum = ENUMERATIONS.TYPE,
                 special = { [0] = "keep the type" },
+                range = { 50, 98 },
             },
-            { "MODE", IN, DATA8, "mode the device shall have", special = { [-1] = "keep the mode" } },
+            { "MODE", IN, DATA8, "mode the device shall have", special = { [-1] = "keep the mode" }, range = { 0, 7 } },
             { "PCT", OUT, DATA8, "value, NaN where there is none", unit = "%" },
         ]],
     },
     {
         0x9B, "INPUT_TEST", "Tells whether a device is still changing type or mode",
         [[
-            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
+                range = { 0, 3 },
+            },
             {
                 "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
                 special = {
                     [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
                     [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
                 },
+                range = { 0, 19 },
             },
-            { "BUSY", OUT, DATA8, "whether to wait", special = { [0] = "ready", [1] = "busy" } },
+            { "BUSY", OUT, DATA8, "whether to wait", special = { [0] = "ready", [1] = "busy" }, range = { 0, 1 } },
         ]],
     },
     {
         0x9C, "INPUT_READY", "Waits until a device has valid values",
         [[
-            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
+                range = { 0, 3 },
+            },
             {
                 "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
                 special = {
                     [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
                     [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
                 },
+                range = { 0, 19 },
             },
         ]],
     },
     {
         0x9D, "INPUT_READSI", "Sets type and mode and reads the first value in SI units at once",
         [[
-            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
+                range = { 0, 3 },
+            },
             {
                 "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
                 special = {
                     [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
                     [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
                 },
+                range = { 0, 19 },
             },
             {
                 "TYPE", IN, DATA8, "type the device shall have", enum = ENUMERATIONS.TYPE,
                 special = { [0] = "keep the type" },
+                range = { 50, 98 },
             },
-            { "MODE", IN, DATA8, "mode the device shall have", special = { [-1] = "keep the mode" } },
+            { "MODE", IN, DATA8, "mode the device shall have", special = { [-1] = "keep the mode" }, range = { 0, 7 } },
             { "SI", OUT, DATAF, "value in the mode's unit, NaN where there is none" },
         ]],
     },
     {
         0x9E, "INPUT_READEXT", "Sets type and mode and reads several values at once, in the format asked for",
         [[
-            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
+                range = { 0, 3 },
+            },
             {
                 "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
                 special = {
                     [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
                     [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
                 },
+                range = { 0, 19 },
             },
             {
                 "TYPE", IN, DATA8, "type the device shall have", enum = ENUMERATIONS.TYPE,
                 special = { [0] = "keep the type" },
+                range = { 50, 98 },
             },
-            { "MODE", IN, DATA8, "mode the device shall have", special = { [-1] = "keep the mode" } },
+            { "MODE", IN, DATA8, "mode the device shall have", special = { [-1] = "keep the mode" }, range = { 0, 7 } },
             { "FORMAT", IN, DATA8, "DATA_PCT, DATA_RAW or DATA_SI, others give NaN", enum = ENUMERATIONS.DATA_FORMAT },
             { "VALUES", IN, COUNT, "how many values follow, each in FORMAT", element = "FORMAT", elements = OUT },
         ]],
@@ -3101,22 +3498,30 @@ local OPERATIONS = {
     {
         0x9F, "INPUT_WRITE", "Sends bytes to a UART sensor",
         [[
-            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
+                range = { 0, 3 },
+            },
             {
                 "NO", IN, DATA8, "sensor port, counted from 0", label = "Port",
                 special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" },
+                range = { 0, 3 },
             },
-            { "BYTES", IN, DATA8, "how many bytes to send", unit = "bytes" },
+            { "BYTES", IN, DATA8, "how many bytes to send", unit = "bytes", range = { 1, 32 } },
             { "DATA", IN, DATA8, "bytes to send", length = "BYTES" },
         ]],
     },
     {
         0xE0, "INPUT_SET_CONN", "Sets how a port is connected, for ports whose automatic detection is off",
         [[
-            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
+                range = { 0, 3 },
+            },
             {
                 "NO", IN, DATA8, "sensor port, counted from 0", label = "Port",
                 special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" },
+                range = { 0, 3 },
             },
             {
                 "CONN", IN, DATA8, "CONN_NXT_IIC, CONN_NXT_DUMB, CONN_INPUT_DUMB or CONN_NONE",
@@ -3128,12 +3533,16 @@ local OPERATIONS = {
     {
         0xE1, "INPUT_IIC_READ", "Fetches the bytes that an I2C sensor answered to INPUT_IIC_WRITE",
         [[
-            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
+                range = { 0, 3 },
+            },
             {
                 "NO", IN, DATA8, "sensor port, counted from 0", label = "Port",
                 special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" },
+                range = { 0, 3 },
             },
-            { "RDLNG", IN, DATA8, "how many bytes to read", unit = "bytes" },
+            { "RDLNG", IN, DATA8, "how many bytes to read", unit = "bytes", range = { 0, 32 } },
             { "RDDATA", OUT, DATA8, "bytes read", length = "RDLNG" },
             { "RESULT", OUT, DATA8, "OK or FAIL", enum = ENUMERATIONS.RESULT },
         ]],
@@ -3142,10 +3551,14 @@ local OPERATIONS = {
     {
         0xE2, "INPUT_IIC_STATUS", "Tells the state of the I2C bus of a port",
         [[
-            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
+                range = { 0, 3 },
+            },
             {
                 "NO", IN, DATA8, "sensor port, counted from 0", label = "Port",
                 special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" },
+                range = { 0, 3 },
             },
             { "RESULT", OUT, DATA8, "state of the bus", enum = ENUMERATIONS.RESULT },
         ]],
@@ -3154,14 +3567,18 @@ local OPERATIONS = {
     {
         0xE3, "INPUT_IIC_WRITE", "Sends bytes to an I2C sensor once and does not wait for its answer",
         [[
-            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
+                range = { 0, 3 },
+            },
             {
                 "NO", IN, DATA8, "sensor port, counted from 0", label = "Port",
                 special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" },
+                range = { 0, 3 },
             },
-            { "WRLNG", IN, DATA8, "how many bytes to write", unit = "bytes" },
+            { "WRLNG", IN, DATA8, "how many bytes to write", unit = "bytes", range = { 0, 32 } },
             { "WRDATA", IN, DATA8, "bytes to write: I2C address, register, data", length = "WRLNG" },
-            { "RDLNG", IN, DATA8, "how many bytes the sensor will answer", unit = "bytes" },
+            { "RDLNG", IN, DATA8, "how many bytes the sensor will answer", unit = "bytes", range = { 0, 32 } },
             { "RESULT", OUT, DATA8, "state of the bus after the request", enum = ENUMERATIONS.RESULT },
         ]],
         dialects = { "xtended", "compat" },
@@ -3169,42 +3586,57 @@ local OPERATIONS = {
     {
         0xE4, "INPUT_SET_AUTOID", "Switches the automatic detection of sensors at a port on or off",
         [[
-            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
+                range = { 0, 3 },
+            },
             {
                 "NO", IN, DATA8, "sensor port, counted from 0", label = "Port",
                 special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" },
+                range = { 0, 3 },
             },
-            { "ENABLE", IN, DATA8, "whether to detect", special = { [0] = "off", [1] = "on" } },
+            { "ENABLE", IN, DATA8, "whether to detect", special = { [0] = "off", [1] = "on" }, range = { 0, 1 } },
         ]],
         dialects = { "xtended", "compat" },
     },
     {
         0xA0, "OUTPUT_GET_TYPE", "Tells the type of motor at a port: documented, and never implemented by any firmware",
         [[
-            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
+                range = { 0, 3 },
+            },
             {
                 "NO", IN, DATA8, "port, counted from 0", label = "Port",
                 special = { [0] = "A", [1] = "B", [2] = "C", [3] = "D" },
+                range = { 0, 3 },
             },
-            { "TYPE", OUT, DATA8, "type of the motor", enum = ENUMERATIONS.TYPE },
+            { "TYPE", OUT, DATA8, "type of the motor", enum = ENUMERATIONS.TYPE, range = { 50, 98 } },
         ]],
         dialects = {},
     },
     {
         0xA1, "OUTPUT_SET_TYPE", "Declares which type of motor is at a port",
         [[
-            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
+                range = { 0, 3 },
+            },
             {
                 "NO", IN, DATA8, "port, counted from 0", label = "Port",
                 special = { [0] = "A", [1] = "B", [2] = "C", [3] = "D" },
+                range = { 0, 3 },
             },
-            { "TYPE", IN, DATA8, "type of the motor", enum = ENUMERATIONS.TYPE },
+            { "TYPE", IN, DATA8, "type of the motor", enum = ENUMERATIONS.TYPE, range = { 50, 98 } },
         ]],
     },
     {
         0xA2, "OUTPUT_RESET", "Sets the tacho counts that moves and OUTPUT_READ use to zero",
         [[
-            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
+                range = { 0, 3 },
+            },
             {
                 "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
                 special = {
@@ -3212,13 +3644,17 @@ local OPERATIONS = {
                     [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
                     [15] = "A+B+C+D",
                 },
+                range = { 0, 15 },
             },
         ]],
     },
     {
         0xA3, "OUTPUT_STOP", "Stops motors",
         [[
-            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
+                range = { 0, 3 },
+            },
             {
                 "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
                 special = {
@@ -3226,17 +3662,22 @@ local OPERATIONS = {
                     [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
                     [15] = "A+B+C+D",
                 },
+                range = { 0, 15 },
             },
             {
                 "BRAKE", IN, DATA8, "what the motors do at the end",
                 special = { [0] = "coast", [1] = "brake and hold" },
+                range = { 0, 1 },
             },
         ]],
     },
     {
         0xA4, "OUTPUT_POWER", "Sets the power of motors, OUTPUT_START makes them run",
         [[
-            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
+                range = { 0, 3 },
+            },
             {
                 "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
                 special = {
@@ -3244,14 +3685,18 @@ local OPERATIONS = {
                     [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
                     [15] = "A+B+C+D",
                 },
+                range = { 0, 15 },
             },
-            { "POWER", IN, DATA8, "unregulated power, negative: backward", unit = "%" },
+            { "POWER", IN, DATA8, "unregulated power, negative: backward", unit = "%", range = { -100, 100 } },
         ]],
     },
     {
         0xA5, "OUTPUT_SPEED", "Sets the speed of motors, OUTPUT_START makes them run",
         [[
-            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
+                range = { 0, 3 },
+            },
             {
                 "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
                 special = {
@@ -3259,14 +3704,18 @@ local OPERATIONS = {
                     [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
                     [15] = "A+B+C+D",
                 },
+                range = { 0, 15 },
             },
-            { "SPEED", IN, DATA8, "regulated speed, negative: backward", unit = "%" },
+            { "SPEED", IN, DATA8, "regulated speed, negative: backward", unit = "%", range = { -100, 100 } },
         ]],
     },
     {
         0xA6, "OUTPUT_START", "Starts motors with the power or speed set before",
         [[
-            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
+                range = { 0, 3 },
+            },
             {
                 "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
                 special = {
@@ -3274,13 +3723,17 @@ local OPERATIONS = {
                     [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
                     [15] = "A+B+C+D",
                 },
+                range = { 0, 15 },
             },
         ]],
     },
     {
         0xA7, "OUTPUT_POLARITY", "Sets the direction of motors",
         [[
-            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
+                range = { 0, 3 },
+            },
             {
                 "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
                 special = {
@@ -3288,29 +3741,38 @@ local OPERATIONS = {
                     [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
                     [15] = "A+B+C+D",
                 },
+                range = { 0, 15 },
             },
             {
                 "POL", IN, DATA8, "direction",
                 special = { [-1] = "backward", [0] = "opposite of the present one", [1] = "forward" },
+                range = { -1, 1 },
             },
         ]],
     },
     {
         0xA8, "OUTPUT_READ", "Reads speed and tacho count of one motor, 0 on layers other than 0",
         [[
-            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
+                range = { 0, 3 },
+            },
             {
                 "NO", IN, DATA8, "port, counted from 0", label = "Port",
                 special = { [0] = "A", [1] = "B", [2] = "C", [3] = "D" },
+                range = { 0, 3 },
             },
-            { "SPEED", OUT, DATA8, "present speed", unit = "%" },
+            { "SPEED", OUT, DATA8, "present speed", unit = "%", range = { -100, 100 } },
             { "TACHO", OUT, DATA32, "angle since OUTPUT_RESET", unit = "degrees" },
         ]],
     },
     {
         0xA9, "OUTPUT_TEST", "Tells whether one of the motors is still in a move that ends by itself",
         [[
-            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
+                range = { 0, 3 },
+            },
             {
                 "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
                 special = {
@@ -3318,14 +3780,18 @@ local OPERATIONS = {
                     [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
                     [15] = "A+B+C+D",
                 },
+                range = { 0, 15 },
             },
-            { "BUSY", OUT, DATA8, "whether to wait", special = { [0] = "ready", [1] = "busy" } },
+            { "BUSY", OUT, DATA8, "whether to wait", special = { [0] = "ready", [1] = "busy" }, range = { 0, 1 } },
         ]],
     },
     {
         0xAA, "OUTPUT_READY", "Waits until the moves of the motors have ended, OUTPUT_START does not count",
         [[
-            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
+                range = { 0, 3 },
+            },
             {
                 "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
                 special = {
@@ -3333,13 +3799,17 @@ local OPERATIONS = {
                     [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
                     [15] = "A+B+C+D",
                 },
+                range = { 0, 15 },
             },
         ]],
     },
     {
         0xAB, "OUTPUT_POSITION", "Tells the position of motors: documented, and never implemented by any firmware",
         [[
-            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
+                range = { 0, 3 },
+            },
             {
                 "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
                 special = {
@@ -3347,6 +3817,7 @@ local OPERATIONS = {
                     [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
                     [15] = "A+B+C+D",
                 },
+                range = { 0, 15 },
             },
             { "POS", OUT, DATA32, "position", unit = "degrees" },
         ]],
@@ -3355,7 +3826,10 @@ local OPERATIONS = {
     {
         0xAC, "OUTPUT_STEP_POWER", "Turns motors by an angle with unregulated power",
         [[
-            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
+                range = { 0, 3 },
+            },
             {
                 "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
                 special = {
@@ -3363,21 +3837,26 @@ local OPERATIONS = {
                     [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
                     [15] = "A+B+C+D",
                 },
+                range = { 0, 15 },
             },
-            { "POWER", IN, DATA8, "unregulated power, negative: backward", unit = "%" },
-            { "STEP1", IN, DATA32, "angle of the ramp up", unit = "degrees" },
-            { "STEP2", IN, DATA32, "angle at constant drive", unit = "degrees" },
-            { "STEP3", IN, DATA32, "angle of the ramp down", unit = "degrees" },
+            { "POWER", IN, DATA8, "unregulated power, negative: backward", unit = "%", range = { -100, 100 } },
+            { "STEP1", IN, DATA32, "angle of the ramp up", unit = "degrees", range = { 0, 2147483647 } },
+            { "STEP2", IN, DATA32, "angle at constant drive", unit = "degrees", range = { 0, 2147483647 } },
+            { "STEP3", IN, DATA32, "angle of the ramp down", unit = "degrees", range = { 0, 2147483647 } },
             {
                 "BRAKE", IN, DATA8, "what the motors do at the end",
                 special = { [0] = "coast", [1] = "brake and hold" },
+                range = { 0, 1 },
             },
         ]],
     },
     {
         0xAD, "OUTPUT_TIME_POWER", "Runs motors for a time with unregulated power",
         [[
-            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
+                range = { 0, 3 },
+            },
             {
                 "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
                 special = {
@@ -3385,21 +3864,26 @@ local OPERATIONS = {
                     [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
                     [15] = "A+B+C+D",
                 },
+                range = { 0, 15 },
             },
-            { "POWER", IN, DATA8, "unregulated power, negative: backward", unit = "%" },
-            { "TIME1", IN, DATA32, "time of the ramp up", unit = "ms" },
-            { "TIME2", IN, DATA32, "time at constant drive", unit = "ms" },
-            { "TIME3", IN, DATA32, "time of the ramp down", unit = "ms" },
+            { "POWER", IN, DATA8, "unregulated power, negative: backward", unit = "%", range = { -100, 100 } },
+            { "TIME1", IN, DATA32, "time of the ramp up", unit = "ms", range = { 0, 2147483647 } },
+            { "TIME2", IN, DATA32, "time at constant drive", unit = "ms", range = { 0, 2147483647 } },
+            { "TIME3", IN, DATA32, "time of the ramp down", unit = "ms", range = { 0, 2147483647 } },
             {
                 "BRAKE", IN, DATA8, "what the motors do at the end",
                 special = { [0] = "coast", [1] = "brake and hold" },
+                range = { 0, 1 },
             },
         ]],
     },
     {
         0xAE, "OUTPUT_STEP_SPEED", "Turns motors by an angle with regulated speed",
         [[
-            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
+                range = { 0, 3 },
+            },
             {
                 "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
                 special = {
@@ -3407,21 +3891,26 @@ local OPERATIONS = {
                     [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
                     [15] = "A+B+C+D",
                 },
+                range = { 0, 15 },
             },
-            { "SPEED", IN, DATA8, "regulated speed, negative: backward", unit = "%" },
-            { "STEP1", IN, DATA32, "angle of the ramp up", unit = "degrees" },
-            { "STEP2", IN, DATA32, "angle at constant drive", unit = "degrees" },
-            { "STEP3", IN, DATA32, "angle of the ramp down", unit = "degrees" },
+            { "SPEED", IN, DATA8, "regulated speed, negative: backward", unit = "%", range = { -100, 100 } },
+            { "STEP1", IN, DATA32, "angle of the ramp up", unit = "degrees", range = { 0, 2147483647 } },
+            { "STEP2", IN, DATA32, "angle at constant drive", unit = "degrees", range = { 0, 2147483647 } },
+            { "STEP3", IN, DATA32, "angle of the ramp down", unit = "degrees", range = { 0, 2147483647 } },
             {
                 "BRAKE", IN, DATA8, "what the motors do at the end",
                 special = { [0] = "coast", [1] = "brake and hold" },
+                range = { 0, 1 },
             },
         ]],
     },
     {
         0xAF, "OUTPUT_TIME_SPEED", "Runs motors for a time with regulated speed",
         [[
-            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
+                range = { 0, 3 },
+            },
             {
                 "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
                 special = {
@@ -3429,21 +3918,26 @@ local OPERATIONS = {
                     [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
                     [15] = "A+B+C+D",
                 },
+                range = { 0, 15 },
             },
-            { "SPEED", IN, DATA8, "regulated speed, negative: backward", unit = "%" },
-            { "TIME1", IN, DATA32, "time of the ramp up", unit = "ms" },
-            { "TIME2", IN, DATA32, "time at constant drive", unit = "ms" },
-            { "TIME3", IN, DATA32, "time of the ramp down", unit = "ms" },
+            { "SPEED", IN, DATA8, "regulated speed, negative: backward", unit = "%", range = { -100, 100 } },
+            { "TIME1", IN, DATA32, "time of the ramp up", unit = "ms", range = { 0, 2147483647 } },
+            { "TIME2", IN, DATA32, "time at constant drive", unit = "ms", range = { 0, 2147483647 } },
+            { "TIME3", IN, DATA32, "time of the ramp down", unit = "ms", range = { 0, 2147483647 } },
             {
                 "BRAKE", IN, DATA8, "what the motors do at the end",
                 special = { [0] = "coast", [1] = "brake and hold" },
+                range = { 0, 1 },
             },
         ]],
     },
     {
         0xB0, "OUTPUT_STEP_SYNC", "Turns two motors in step by an angle",
         [[
-            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
+                range = { 0, 3 },
+            },
             {
                 "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
                 special = {
@@ -3451,26 +3945,36 @@ local OPERATIONS = {
                     [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
                     [15] = "A+B+C+D",
                 },
+                range = { 0, 15 },
             },
-            { "SPEED", IN, DATA8, "regulated speed, negative: backward", unit = "%" },
+            { "SPEED", IN, DATA8, "regulated speed, negative: backward", unit = "%", range = { -100, 100 } },
             {
                 "TURN", IN, DATA16, "how tight the turn is, positive slows the higher port, negative the lower",
                 special = {
                     [-200] = "spin, lower port runs backward", [-100] = "lower port stands", [0] = "straight",
                     [100] = "higher port stands", [200] = "spin, higher port runs backward",
                 },
+                range = { -200, 200 },
             },
-            { "STEP", IN, DATA32, "angle of the faster motor", unit = "degrees", special = { [0] = "no end" } },
+            {
+                "STEP", IN, DATA32, "angle of the faster motor", unit = "degrees",
+                special = { [0] = "no end" },
+                range = { 0, 2147483647 },
+            },
             {
                 "BRAKE", IN, DATA8, "what the motors do at the end",
                 special = { [0] = "coast", [1] = "brake and hold" },
+                range = { 0, 1 },
             },
         ]],
     },
     {
         0xB1, "OUTPUT_TIME_SYNC", "Runs two motors in step for a time",
         [[
-            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
+                range = { 0, 3 },
+            },
             {
                 "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
                 special = {
@@ -3478,26 +3982,36 @@ local OPERATIONS = {
                     [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
                     [15] = "A+B+C+D",
                 },
+                range = { 0, 15 },
             },
-            { "SPEED", IN, DATA8, "regulated speed, negative: backward", unit = "%" },
+            { "SPEED", IN, DATA8, "regulated speed, negative: backward", unit = "%", range = { -100, 100 } },
             {
                 "TURN", IN, DATA16, "how tight the turn is, positive slows the higher port, negative the lower",
                 special = {
                     [-200] = "spin, lower port runs backward", [-100] = "lower port stands", [0] = "straight",
                     [100] = "higher port stands", [200] = "spin, higher port runs backward",
                 },
+                range = { -200, 200 },
             },
-            { "TIME", IN, DATA32, "how long to run", unit = "ms", special = { [0] = "no end" } },
+            {
+                "TIME", IN, DATA32, "how long to run", unit = "ms",
+                special = { [0] = "no end" },
+                range = { 0, 2147483647 },
+            },
             {
                 "BRAKE", IN, DATA8, "what the motors do at the end",
                 special = { [0] = "coast", [1] = "brake and hold" },
+                range = { 0, 1 },
             },
         ]],
     },
     {
         0xB2, "OUTPUT_CLR_COUNT", "Sets the tacho counts that motors have as sensors to zero",
         [[
-            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
+                range = { 0, 3 },
+            },
             {
                 "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
                 special = {
@@ -3505,16 +4019,21 @@ local OPERATIONS = {
                     [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
                     [15] = "A+B+C+D",
                 },
+                range = { 0, 15 },
             },
         ]],
     },
     {
         0xB3, "OUTPUT_GET_COUNT", "Reads the tacho count that a motor has as a sensor",
         [[
-            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
+                range = { 0, 3 },
+            },
             {
                 "NOS", IN, DATA8, "port, counted from 0", label = "Port",
                 special = { [0] = "A", [1] = "B", [2] = "C", [3] = "D" },
+                range = { 0, 3 },
             },
             { "TACHO", OUT, DATA32, "angle since OUTPUT_CLR_COUNT", unit = "degrees" },
         ]],
@@ -3523,26 +4042,32 @@ local OPERATIONS = {
     {
         0x7E, "MEMORY_WRITE", "Writes bytes into the variables of a running program",
         [[
-            { "PRGID", IN, DATA16, "slot of the program, which must be running", enum = ENUMERATIONS.SLOT },
+            {
+                "PRGID", IN, DATA16, "slot of the program, which must be running", enum = ENUMERATIONS.SLOT,
+                range = { 0, 4 },
+            },
             {
                 "OBJID", IN, DATA16, "object whose local memory is meant",
                 special = { [0] = "the program's global memory" },
             },
-            { "OFFSET", IN, DATA32, "first byte in that memory", unit = "bytes" },
-            { "SIZE", IN, DATA32, "how many bytes", unit = "bytes" },
+            { "OFFSET", IN, DATA32, "first byte in that memory", unit = "bytes", range = { 0, 2147483647 } },
+            { "SIZE", IN, DATA32, "how many bytes", unit = "bytes", range = { 0, 2147483647 } },
             { "ARRAY", IN, DATA8, "the bytes; those beyond the end of the memory are dropped", length = "SIZE" },
         ]],
     },
     {
         0x7F, "MEMORY_READ", "Reads bytes from the variables of a running program",
         [[
-            { "PRGID", IN, DATA16, "slot of the program, which must be running", enum = ENUMERATIONS.SLOT },
+            {
+                "PRGID", IN, DATA16, "slot of the program, which must be running", enum = ENUMERATIONS.SLOT,
+                range = { 0, 4 },
+            },
             {
                 "OBJID", IN, DATA16, "object whose local memory is meant",
                 special = { [0] = "the program's global memory" },
             },
-            { "OFFSET", IN, DATA32, "first byte in that memory", unit = "bytes" },
-            { "SIZE", IN, DATA32, "how many bytes", unit = "bytes" },
+            { "OFFSET", IN, DATA32, "first byte in that memory", unit = "bytes", range = { 0, 2147483647 } },
+            { "SIZE", IN, DATA32, "how many bytes", unit = "bytes", range = { 0, 2147483647 } },
             { "ARRAY", OUT, DATA8, "the bytes, zeros beyond the end of the memory", length = "SIZE" },
         ]],
     },
@@ -3616,7 +4141,7 @@ local OPERATIONS = {
             {
                 8, "LOAD_IMAGE", "Loads a program file into a stopped slot, for PROGRAM_START to run",
                 [[
-                    { "PRGID", IN, DATA16, "slot to load it into", enum = ENUMERATIONS.SLOT },
+                    { "PRGID", IN, DATA16, "slot to load it into", enum = ENUMERATIONS.SLOT, range = { 0, 4 } },
                     {
                         "NAME", IN, STRING,
                         "path of the program, relative to /home/root/lms2012/sys; .rbf may be omitted",
@@ -3649,7 +4174,7 @@ local OPERATIONS = {
             {
                 11, "GET_POOL", "Reserves a block of memory for the program",
                 [[
-                    { "SIZE", IN, DATA32, "how much memory", unit = "bytes" },
+                    { "SIZE", IN, DATA32, "how much memory", unit = "bytes", range = { 0, 2147483647 } },
                     { "HANDLE", OUT, HANDLE, "what names the block from now on" },
                     { "IP", OUT, DATA32, "address of the block" },
                 ]],
@@ -3679,7 +4204,7 @@ local OPERATIONS = {
                 15, "GET_SUBFOLDER_NAME", "Tells the name of one entry of a folder",
                 [[
                     { "NAME", IN, STRING, "path of the folder with its closing slash, such as ../prjs/" },
-                    { "ITEM", IN, DATA8, "which entry of the folder, the first is 1" },
+                    { "ITEM", IN, DATA8, "which entry of the folder, the first is 1", range = { 1, 127 } },
                     { "LENGTH", IN, DATA8, "room for the string, its zero included", unit = "bytes" },
                     {
                         "STRING", OUT, STRING, "its name without extension, empty where there is no such entry",
@@ -3692,7 +4217,7 @@ local OPERATIONS = {
                 [[
                     { "HANDLE", IN, HANDLE, "the open data log" },
                     { "TIME", IN, DATA32, "time of the samples since the log began", unit = "ms" },
-                    { "ITEMS", IN, DATA8, "how many samples; with 0 nothing is written" },
+                    { "ITEMS", IN, DATA8, "how many samples; with 0 nothing is written", range = { 0, 127 } },
                     { "VALUES", IN, DATAF, "the samples, in one array", length = "ITEMS" },
                 ]],
             },
@@ -3708,7 +4233,7 @@ local OPERATIONS = {
                 [[
                     { "NAME", IN, STRING, "path of the folder with its closing slash, such as ../prjs/" },
                     { "PRGID", IN, DATA16, "slot to load it into", enum = ENUMERATIONS.SLOT },
-                    { "ITEM", IN, DATA8, "which entry of the folder, the first is 1" },
+                    { "ITEM", IN, DATA8, "which entry of the folder, the first is 1", range = { 1, 127 } },
                     { "IP", OUT, DATA32, "where it was loaded" },
                 ]],
             },
@@ -3717,7 +4242,11 @@ local OPERATIONS = {
                 [[
                     { "NAME", IN, STRING, "path of the folder with its closing slash, such as ../prjs/" },
                     { "STRING", IN, STRING, "name to look for, without extension" },
-                    { "ITEM", OUT, DATA8, "which entry it is, the first is 1", special = { [0] = "not found" } },
+                    {
+                        "ITEM", OUT, DATA8, "which entry it is, the first is 1",
+                        special = { [0] = "not found" },
+                        range = { 1, 127 },
+                    },
                 ]],
             },
             {
@@ -3731,7 +4260,7 @@ local OPERATIONS = {
             {
                 22, "GET_CACHE_FILE", "Tells the path of one recently run file",
                 [[
-                    { "ITEM", IN, DATA8, "which one, 1 is the latest" },
+                    { "ITEM", IN, DATA8, "which one, 1 is the latest", range = { 1, 10 } },
                     { "LENGTH", IN, DATA8, "room for the string, its zero included", unit = "bytes" },
                     { "STRING", OUT, STRING, "path of the file, empty where there is none", length = "LENGTH" },
                 ]],
@@ -3744,7 +4273,7 @@ local OPERATIONS = {
                 24, "DEL_SUBFOLDER", "Deletes one entry of a folder together with the files in it",
                 [[
                     { "NAME", IN, STRING, "path of the folder with its closing slash, such as ../prjs/" },
-                    { "ITEM", IN, DATA8, "which entry of the folder, the first is 1" },
+                    { "ITEM", IN, DATA8, "which entry of the folder, the first is 1", range = { 1, 127 } },
                 ]],
             },
             {
@@ -3777,7 +4306,7 @@ local OPERATIONS = {
                 28, "READ_BYTES", "Reads bytes from a file as they are",
                 [[
                     { "HANDLE", IN, HANDLE, "the open file" },
-                    { "BYTES", IN, DATA16, "how many bytes", unit = "bytes" },
+                    { "BYTES", IN, DATA16, "how many bytes", unit = "bytes", range = { 0, 32767 } },
                     {
                         "DESTINATION", OUT, DATA8, "the bytes; a zero follows where the file ended early",
                         length = "BYTES",
@@ -3788,7 +4317,7 @@ local OPERATIONS = {
                 29, "WRITE_BYTES", "Writes bytes to a file as they are",
                 [[
                     { "HANDLE", IN, HANDLE, "the open file" },
-                    { "BYTES", IN, DATA16, "how many bytes", unit = "bytes" },
+                    { "BYTES", IN, DATA16, "how many bytes", unit = "bytes", range = { 0, 32767 } },
                     { "SOURCE", IN, DATA8, "the bytes", length = "BYTES" },
                 ]],
             },
@@ -3821,28 +4350,28 @@ local OPERATIONS = {
             {
                 1, "CREATE8", "Creates an array of DATA8 elements",
                 [[
-                    { "ELEMENTS", IN, DATA32, "how many elements it has at first" },
+                    { "ELEMENTS", IN, DATA32, "how many elements it has at first", range = { 0, 2147483647 } },
                     { "HANDLE", OUT, HANDLE, "what names the array from now on" },
                 ]],
             },
             {
                 2, "CREATE16", "Creates an array of DATA16 elements",
                 [[
-                    { "ELEMENTS", IN, DATA32, "how many elements it has at first" },
+                    { "ELEMENTS", IN, DATA32, "how many elements it has at first", range = { 0, 2147483647 } },
                     { "HANDLE", OUT, HANDLE, "what names the array from now on" },
                 ]],
             },
             {
                 3, "CREATE32", "Creates an array of DATA32 elements",
                 [[
-                    { "ELEMENTS", IN, DATA32, "how many elements it has at first" },
+                    { "ELEMENTS", IN, DATA32, "how many elements it has at first", range = { 0, 2147483647 } },
                     { "HANDLE", OUT, HANDLE, "what names the array from now on" },
                 ]],
             },
             {
                 4, "CREATEF", "Creates an array of DATAF elements",
                 [[
-                    { "ELEMENTS", IN, DATA32, "how many elements it has at first" },
+                    { "ELEMENTS", IN, DATA32, "how many elements it has at first", range = { 0, 2147483647 } },
                     { "HANDLE", OUT, HANDLE, "what names the array from now on" },
                 ]],
             },
@@ -3850,7 +4379,7 @@ local OPERATIONS = {
                 5, "RESIZE", "Changes how many elements an array has",
                 [[
                     { "HANDLE", IN, HANDLE, "the array" },
-                    { "ELEMENTS", IN, DATA32, "how many elements it has from now on" },
+                    { "ELEMENTS", IN, DATA32, "how many elements it has from now on", range = { 0, 2147483647 } },
                 ]],
             },
             {
@@ -3871,8 +4400,8 @@ local OPERATIONS = {
                 8, "INIT8", "Writes several elements of a DATA8 array, all within its size",
                 [[
                     { "HANDLE", IN, HANDLE, "the array" },
-                    { "INDEX", IN, DATA32, "first element to write, counted from 0" },
-                    { "ELEMENTS", IN, DATA32, "how many values follow" },
+                    { "INDEX", IN, DATA32, "first element to write, counted from 0", range = { 0, 2147483647 } },
+                    { "ELEMENTS", IN, DATA32, "how many values follow", range = { 0, 2147483647 } },
                     { "VALUES", IN, VALUES, "the values, one parameter each", element = DATA8 },
                 ]],
             },
@@ -3880,8 +4409,8 @@ local OPERATIONS = {
                 9, "INIT16", "Writes several elements of a DATA16 array, all within its size",
                 [[
                     { "HANDLE", IN, HANDLE, "the array" },
-                    { "INDEX", IN, DATA32, "first element to write, counted from 0" },
-                    { "ELEMENTS", IN, DATA32, "how many values follow" },
+                    { "INDEX", IN, DATA32, "first element to write, counted from 0", range = { 0, 2147483647 } },
+                    { "ELEMENTS", IN, DATA32, "how many values follow", range = { 0, 2147483647 } },
                     { "VALUES", IN, VALUES, "the values, one parameter each", element = DATA16 },
                 ]],
             },
@@ -3889,8 +4418,8 @@ local OPERATIONS = {
                 10, "INIT32", "Writes several elements of a DATA32 array, all within its size",
                 [[
                     { "HANDLE", IN, HANDLE, "the array" },
-                    { "INDEX", IN, DATA32, "first element to write, counted from 0" },
-                    { "ELEMENTS", IN, DATA32, "how many values follow" },
+                    { "INDEX", IN, DATA32, "first element to write, counted from 0", range = { 0, 2147483647 } },
+                    { "ELEMENTS", IN, DATA32, "how many values follow", range = { 0, 2147483647 } },
                     { "VALUES", IN, VALUES, "the values, one parameter each", element = DATA32 },
                 ]],
             },
@@ -3898,8 +4427,8 @@ local OPERATIONS = {
                 11, "INITF", "Writes several elements of a DATAF array, all within its size",
                 [[
                     { "HANDLE", IN, HANDLE, "the array" },
-                    { "INDEX", IN, DATA32, "first element to write, counted from 0" },
-                    { "ELEMENTS", IN, DATA32, "how many values follow" },
+                    { "INDEX", IN, DATA32, "first element to write, counted from 0", range = { 0, 2147483647 } },
+                    { "ELEMENTS", IN, DATA32, "how many values follow", range = { 0, 2147483647 } },
                     { "VALUES", IN, VALUES, "the values, one parameter each", element = DATAF },
                 ]],
             },
@@ -3924,8 +4453,11 @@ local OPERATIONS = {
                 [[
                     { "PRGID", IN, DATA16, "slot of the program that owns the array", enum = ENUMERATIONS.SLOT },
                     { "HANDLE", IN, HANDLE, "the array" },
-                    { "INDEX", IN, DATA32, "first byte in the array's content, whatever its elements" },
-                    { "BYTES", IN, DATA32, "how many bytes", unit = "bytes" },
+                    {
+                        "INDEX", IN, DATA32, "first byte in the array's content, whatever its elements",
+                        range = { 0, 2147483647 },
+                    },
+                    { "BYTES", IN, DATA32, "how many bytes", unit = "bytes", range = { 0, 2147483647 } },
                     { "ARRAY", OUT, DATA8, "the bytes, zeros beyond the end of the array", length = "BYTES" },
                 ]],
             },
@@ -3934,8 +4466,11 @@ local OPERATIONS = {
                 [[
                     { "PRGID", IN, DATA16, "slot of the program that owns the array", enum = ENUMERATIONS.SLOT },
                     { "HANDLE", IN, HANDLE, "the array" },
-                    { "INDEX", IN, DATA32, "first byte in the array's content, whatever its elements" },
-                    { "BYTES", IN, DATA32, "how many bytes", unit = "bytes" },
+                    {
+                        "INDEX", IN, DATA32, "first byte in the array's content, whatever its elements",
+                        range = { 0, 2147483647 },
+                    },
+                    { "BYTES", IN, DATA32, "how many bytes", unit = "bytes", range = { 0, 2147483647 } },
                     { "ARRAY", IN, DATA8, "the bytes", length = "BYTES" },
                 ]],
             },
@@ -3953,7 +4488,7 @@ local OPERATIONS = {
         0xC2, "ARRAY_WRITE", "Writes one element of an array, which grows where needed",
         [[
             { "HANDLE", IN, HANDLE, "the array" },
-            { "INDEX", IN, DATA32, "which element, the first is 0" },
+            { "INDEX", IN, DATA32, "which element, the first is 0", range = { 0, 2147483647 } },
             { "VALUE", IN, ARRAY_TYPED, "the value, of the array's type" },
         ]],
     },
@@ -3961,7 +4496,7 @@ local OPERATIONS = {
         0xC3, "ARRAY_READ", "Reads one element of an array",
         [[
             { "HANDLE", IN, HANDLE, "the array" },
-            { "INDEX", IN, DATA32, "which element, the first is 0" },
+            { "INDEX", IN, DATA32, "which element, the first is 0", range = { 0, 2147483647 } },
             { "VALUE", OUT, ARRAY_TYPED, "the value, of the array's type" },
         ]],
     },
@@ -4062,7 +4597,11 @@ local OPERATIONS = {
                     { "LENGTH", IN, DATA32, "most bytes of code, ignored by the firmware", unit = "bytes" },
                     { "IMAGE", OUT, DATA32, "address of the code" },
                     { "GLOBAL", OUT, DATA32, "address of its global memory" },
-                    { "FLAG", OUT, DATA8, "whether a command waits", special = { [0] = "none", [1] = "ready to run" } },
+                    {
+                        "FLAG", OUT, DATA8, "whether a command waits",
+                        special = { [0] = "none", [1] = "ready to run" },
+                        range = { 0, 1 },
+                    },
                 ]],
             },
         },
@@ -4115,14 +4654,22 @@ local OPERATIONS = {
                 1, "GET_ON_OFF", "Tells whether Bluetooth or WiFi is on",
                 [[
                     { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
-                    { "ACTIVE", OUT, DATA8, "whether it is on", special = { [0] = "off", [1] = "on" } },
+                    {
+                        "ACTIVE", OUT, DATA8, "whether it is on",
+                        special = { [0] = "off", [1] = "on" },
+                        range = { 0, 1 },
+                    },
                 ]],
             },
             {
                 2, "GET_VISIBLE", "Tells whether other devices can see the brick by Bluetooth",
                 [[
                     { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
-                    { "VISIBLE", OUT, DATA8, "whether it is visible", special = { [0] = "no", [1] = "yes" } },
+                    {
+                        "VISIBLE", OUT, DATA8, "whether it is visible",
+                        special = { [0] = "no", [1] = "yes" },
+                        range = { 0, 1 },
+                    },
                 ]],
             },
             {
@@ -4170,14 +4717,23 @@ local OPERATIONS = {
                     {
                         "PAIRED", OUT, DATA8, "whether it is paired (Bluetooth) or known (WiFi)",
                         special = { [0] = "no", [1] = "yes" },
+                        range = { 0, 1 },
                     },
-                    { "CONNECTED", OUT, DATA8, "whether it is connected", special = { [0] = "no", [1] = "yes" } },
+                    {
+                        "CONNECTED", OUT, DATA8, "whether it is connected",
+                        special = { [0] = "no", [1] = "yes" },
+                        range = { 0, 1 },
+                    },
                     {
                         "TYPE", OUT, DATA8, "kind of device (Bluetooth) or encryption (WiFi)",
                         enum = ENUMERATIONS.BTTYPE,
                         special = { [0] = "WiFi, not encrypted", [1] = "WiFi, WPA2" },
                     },
-                    { "VISIBLE", OUT, DATA8, "whether it is in sight", special = { [0] = "no", [1] = "yes" } },
+                    {
+                        "VISIBLE", OUT, DATA8, "whether it is in sight",
+                        special = { [0] = "no", [1] = "yes" },
+                        range = { 0, 1 },
+                    },
                 ]],
             },
             {
@@ -4200,8 +4756,13 @@ local OPERATIONS = {
                     {
                         "PAIRED", OUT, DATA8, "whether it is paired (Bluetooth) or known (WiFi)",
                         special = { [0] = "no", [1] = "yes" },
+                        range = { 0, 1 },
                     },
-                    { "CONNECTED", OUT, DATA8, "whether it is connected", special = { [0] = "no", [1] = "yes" } },
+                    {
+                        "CONNECTED", OUT, DATA8, "whether it is connected",
+                        special = { [0] = "no", [1] = "yes" },
+                        range = { 0, 1 },
+                    },
                     {
                         "TYPE", OUT, DATA8, "kind of device (Bluetooth) or encryption (WiFi)",
                         enum = ENUMERATIONS.BTTYPE,
@@ -4247,7 +4808,11 @@ local OPERATIONS = {
                 15, "GET_PRESENT", "Tells whether the hardware is there, for WiFi a known dongle",
                 [[
                     { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
-                    { "OK", OUT, DATA8, "whether it is there", special = { [0] = "no", [1] = "yes" } },
+                    {
+                        "OK", OUT, DATA8, "whether it is there",
+                        special = { [0] = "no", [1] = "yes" },
+                        range = { 0, 1 },
+                    },
                 ]],
             },
             {
@@ -4297,7 +4862,11 @@ local OPERATIONS = {
                 20, "GET_MODE2", "Tells whether Bluetooth is in its mode for Apple devices",
                 [[
                     { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
-                    { "ACTIVE", OUT, DATA8, "whether it is on", special = { [0] = "off", [1] = "on" } },
+                    {
+                        "ACTIVE", OUT, DATA8, "whether it is on",
+                        special = { [0] = "off", [1] = "on" },
+                        range = { 0, 1 },
+                    },
                 ]],
             },
         },
@@ -4309,7 +4878,11 @@ local OPERATIONS = {
                 1, "SET_ON_OFF", "Switches Bluetooth or WiFi on or off",
                 [[
                     { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
-                    { "ACTIVE", IN, DATA8, "whether to switch it on", special = { [0] = "off", [1] = "on" } },
+                    {
+                        "ACTIVE", IN, DATA8, "whether to switch it on",
+                        special = { [0] = "off", [1] = "on" },
+                        range = { 0, 1 },
+                    },
                 ]],
             },
             {
@@ -4319,6 +4892,7 @@ local OPERATIONS = {
                     {
                         "VISIBLE", IN, DATA8, "whether other devices shall see it",
                         special = { [0] = "invisible", [1] = "visible" },
+                        range = { 0, 1 },
                     },
                 ]],
             },
@@ -4329,6 +4903,7 @@ local OPERATIONS = {
                     {
                         "SEARCH", IN, DATA8, "whether to search",
                         special = { [0] = "stop (Bluetooth only)", [1] = "start" },
+                        range = { 0, 1 },
                     },
                 ]],
             },
@@ -4344,7 +4919,11 @@ local OPERATIONS = {
                 6, "SET_PASSKEY", "Answers the request to confirm a passkey, Bluetooth only",
                 [[
                     { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
-                    { "ACCEPT", IN, DATA8, "the answer", special = { [0] = "reject", [1] = "accept" } },
+                    {
+                        "ACCEPT", IN, DATA8, "the answer",
+                        special = { [0] = "reject", [1] = "accept" },
+                        range = { 0, 1 },
+                    },
                 ]],
             },
             {
@@ -4352,7 +4931,11 @@ local OPERATIONS = {
                 [[
                     { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
                     { "NAME", IN, STRING, "name of the other device or network" },
-                    { "CONNECTION", IN, DATA8, "what to do", special = { [0] = "disconnect", [1] = "connect" } },
+                    {
+                        "CONNECTION", IN, DATA8, "what to do",
+                        special = { [0] = "disconnect", [1] = "connect" },
+                        range = { 0, 1 },
+                    },
                 ]],
             },
             {
@@ -4392,7 +4975,11 @@ local OPERATIONS = {
                 13, "SET_MODE2", "Switches the Bluetooth mode for Apple devices on or off",
                 [[
                     { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
-                    { "ACTIVE", IN, DATA8, "whether to switch it on", special = { [0] = "off", [1] = "on" } },
+                    {
+                        "ACTIVE", IN, DATA8, "whether to switch it on",
+                        special = { [0] = "off", [1] = "on" },
+                        range = { 0, 1 },
+                    },
                 ]],
             },
         },
@@ -4402,7 +4989,7 @@ local OPERATIONS = {
         [[
             { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
             { "NAME", IN, STRING, "name of the other device, empty: the brick's own adapter" },
-            { "BUSY", OUT, DATA8, "whether to wait", special = { [0] = "ready", [1] = "busy" } },
+            { "BUSY", OUT, DATA8, "whether to wait", special = { [0] = "ready", [1] = "busy" }, range = { 0, 1 } },
         ]],
     },
     {
@@ -4424,7 +5011,7 @@ local OPERATIONS = {
     {
         0xD8, "MAILBOX_OPEN", "Opens a mailbox on this brick, at most 250 bytes of content",
         [[
-            { "NO", IN, DATA8, "number of the mailbox on this brick" },
+            { "NO", IN, DATA8, "number of the mailbox on this brick", range = { 0, 29 } },
             { "BOXNAME", IN, STRING, "name of the mailbox, at most 49 characters" },
             { "TYPES", IN, DATA8, "type of its values", enum = ENUMERATIONS.DATA_FORMAT },
             { "FIFOSIZE", IN, DATA8, "depth of the queue, ignored by the firmware" },
@@ -4450,7 +5037,7 @@ local OPERATIONS = {
     {
         0xDA, "MAILBOX_READ", "Reads the content of a mailbox and marks it read",
         [[
-            { "NO", IN, DATA8, "number of the mailbox on this brick" },
+            { "NO", IN, DATA8, "number of the mailbox on this brick", range = { 0, 29 } },
             { "LENGTH", IN, DATA8, "most bytes to read, ignored by the firmware", unit = "bytes" },
             {
                 "VALUES", IN, COUNT, "how many values follow, of the type given to MAILBOX_OPEN", element = ARRAY_TYPED,
@@ -4461,25 +5048,26 @@ local OPERATIONS = {
     {
         0xDB, "MAILBOX_TEST", "Tells whether a mailbox has an unread message",
         [[
-            { "NO", IN, DATA8, "number of the mailbox on this brick" },
+            { "NO", IN, DATA8, "number of the mailbox on this brick", range = { 0, 29 } },
             {
                 "BUSY", OUT, DATA8, "whether to wait",
                 special = { [0] = "a new message is there", [1] = "nothing new" },
+                range = { 0, 1 },
             },
         ]],
     },
     {
         0xDC, "MAILBOX_READY", "Waits for an unread message in a mailbox",
-        [[ { "NO", IN, DATA8, "number of the mailbox on this brick" } ]],
+        [[ { "NO", IN, DATA8, "number of the mailbox on this brick", range = { 0, 29 } } ]],
     },
     {
         0xDD, "MAILBOX_CLOSE", "Closes a mailbox on this brick",
-        [[ { "NO", IN, DATA8, "number of the mailbox on this brick" } ]],
+        [[ { "NO", IN, DATA8, "number of the mailbox on this brick", range = { 0, 29 } } ]],
     },
     {
         0xE5, "MAILBOX_SIZE", "Tells how many bytes the content of a mailbox has",
         [[
-            { "NO", IN, DATA8, "number of the mailbox on this brick" },
+            { "NO", IN, DATA8, "number of the mailbox on this brick", range = { 0, 29 } },
             { "SIZE", OUT, DATA8, "size of the content", unit = "bytes" },
         ]],
         dialects = { "xtended", "compat" },
@@ -4737,23 +5325,23 @@ local DAISY = {
 -- When traffic is taken for this protocol, and when it is left to others.
 
 local CLAIMS = {
-    never_sent = { [0] = true },
-    not_telling = { [64] = true },
-    strange_packets = 8, faults_in_a_row = 3, proofs = 8, most_proofs = 4, strange_in_a_row = 2, first_telling = 16,
-    system_tells = 2, odd_reports = 2,
-    nxt = {
-        lengths = { [2] = 23, [3] = 6, [4] = 12 },
-        counted = { [9] = 4, [15] = 5 },
-        answered = {
-            [6] = true, [7] = true, [8] = true, [9] = true, [10] = true, [11] = true, [12] = true, [13] = true,
-            [14] = true, [15] = true, [16] = true, [17] = true, [18] = true, [19] = true, [128] = true, [129] = true,
-            [130] = true, [131] = true, [132] = true, [133] = true, [134] = true, [135] = true, [136] = true,
-            [137] = true, [138] = true, [139] = true, [140] = true, [141] = true, [142] = true, [143] = true,
-            [144] = true, [145] = true, [146] = true, [147] = true, [148] = true, [149] = true, [150] = true,
-            [151] = true, [152] = true, [153] = true, [154] = true, [155] = true,
-        },
-        any_length = 131, direct = 0, system = 1, reply = 2, reply_flag = 128, count_at = 5,
+    strange_packets = 3, replies = 2, never_sent = 0,
+    not_telling = { [2] = true, [3] = true, [12] = true },
+    only_in_programs = {
+        [4] = true, [5] = true, [6] = true, [7] = true, [8] = true, [9] = true, [10] = true, [11] = true, [13] = true,
+        [14] = true, [15] = true, [64] = true,
     },
+    first_of_devices = 128, nxt_write = 33537, nxt_flag = 128,
+}
+-- The numbers of each type.
+local TYPE_RANGES = {
+    DATA8 = { -127, 127 },
+    DATA16 = { -32767, 32767 },
+    DATA32 = { -2147483647, 2147483647 },
+    HANDLE = { -32767, 32767 },
+    ARRAY_TYPED = { -2147483647, 2147483647 },
+    LABEL = { -2147483647, 2147483647 },
+    COUNT = { 0, 127 },
 }
 
 -- USB and Bluetooth --------------------------------------------------------------------------------------------------
@@ -4994,6 +5582,22 @@ do
         return ("ev3." .. name .. "." .. own):lower(), label, kind
     end
 
+    -- Says which single numbers a parameter takes besides its range: those that have names, and sums of flags.
+    local function legal_singles(row)
+        local special, names, flags = row.special or {}, row.enum and row.enum.names or {}, {}
+        for number in pairs(row.enum and row.enum.is_flags and names or {}) do
+            if number > 0 then flags[#flags + 1] = number end
+        end
+        table.sort(flags, function(one, other) return one > other end)
+        return function(value)
+            if special[value] or names[value] then return true end
+            for _, flag in ipairs(flags) do
+                if value >= flag then value = value - flag end
+            end
+            return flags[1] ~= nil and value == 0
+        end
+    end
+
     -- All of a parameter, from its row in the tables; `value_name` is what the line on a reply calls it.
     local function ready_parameter(row, declared, kind, label, value_name)
         local name, direction, type = row[1], row[2], row[3]
@@ -5012,6 +5616,8 @@ do
             flags = is_flags and row.enum.names or nil,
             special = row.special and not is_flags and in_brackets(row.special) or nil,
             length = row.length,
+            range = row.range or not row.enum and not row.any and TYPE_RANGES[type] or nil,
+            is_legal = (row.special or row.enum) and legal_singles(row) or nil,
         }
     end
 
@@ -5033,6 +5639,7 @@ do
                 name = name, numbered = name, type = type, field = declared, kind = kind, label = name,
                 is_float = type == DATAF,
                 size = SIZE_OF[type] or 1, alignment = 1, is_output = direction ~= IN,
+                range = not row.any and TYPE_RANGES[type] or nil,
                 key = direction ~= OUT and format(" %s[%d]=", list.name:lower(), number) or nil,
                 value_key = " " .. name:lower() .. "=",
             }
@@ -5627,7 +6234,7 @@ end
 -- and later passes only look it up.
 
 local read_message
-local forget_dialogues, talk_of, talk_if_any, take_note, request_of, reply_to, transfer_at, answers_command
+local forget_dialogues, talk_of, talk_if_any, take_note, request_of, reply_to, transfer_at
 do
     -- Commands with one counter that are remembered, for senders who never change it.
     local MOST_PER_COUNTER = 4
@@ -5735,7 +6342,8 @@ do
     -- Whether a reply shows that both are messages of ours: only a brick gives just the size that was asked for.
     local function is_proof(message, command)
         local type, size = message.type, message.size
-        if message.fault or type.carries == "daisy" or command.message.stop < COMMAND_HEADER_SIZE then return false end
+        if message.fault or type.carries == "daisy" then return false end
+        if type.carries == "direct" and command.message.stop < COMMAND_HEADER_SIZE then return false end
         if type.is_error and type.carries == "direct" then return size == HEADER_SIZE end
         return fits(message, command)
     end
@@ -5815,12 +6423,6 @@ do
         return add_piece(talk, handle, transfer, values.data or values.list or "")
     end
 
-    -- Whether a command waits for this reply.
-    function answers_command(talk, message)
-        local command = newest(talk, pending_key(message))
-        return command ~= nil and can_answer(message, command)
-    end
-
     -- What becomes known of a message when it is seen for the first time, in the conversation it belongs to.
     function take_note(place, talk, message, pinfo)
         local type = message.type
@@ -5836,7 +6438,7 @@ do
             if request then
                 local text = request.message.text
                 request.delay, message.request = pinfo.rel_ts - request.time, request
-                talk.is_proven = talk.is_proven or is_proof(message, request)
+                talk.is_answered = talk.is_answered or is_proof(message, request)
                 replies.put(request.place, format("%d", number_of(place)))
                 -- Of a system command its number is enough.
                 if message.command then text = sub(text, 1, HEADER_SIZE + 1) end
@@ -6552,11 +7154,17 @@ do
     end
 end
 
+-- What is done for conversations that may be others': further below.
+local claiming = {}
+
 -- A message in a buffer: `talk` is what is known of its conversation, needed the first time only; `said` is said of it
 -- instead of what it says itself. Returns the line for the info column and, if there is a tree, the message's item in
 -- it.
 local function dissect_message(tvb, at, message, talk, place, pinfo, tree, is_shown, said)
-    if talk then take_note(place, talk, message, pinfo) end
+    if talk then
+        take_note(place, talk, message, pinfo)
+        claiming.meet(talk, message)
+    end
     -- Before 4.6 the protocol alone does not count as looked at, yet the protocol hierarchy counts its items.
     if not is_shown and tree.text then tree:add(ev3, tvb(at, message.stop)) end
     return show_message(message, place, tvb, at, tree, is_shown, said, talk)
@@ -6588,11 +7196,7 @@ end
 -- What the beginning of some data tells: OURS, PART where more is needed to tell, nil for what is not ours.
 local OURS, PART = "ours", "part"
 
-local is_flawless, may_become_flawless, is_sensible_command, find_frame, find_step, judge_split
-
--- What is done for connections that may be others': one table, as there is little room for locals. What they tell may
--- also be PERHAPS, where it is ours or a chance.
-local claiming = { PERHAPS = "perhaps" }
+local is_flawless, is_sensible, may_become_flawless, find_frame, find_step, judge_split
 
 do
     -- Places in one piece of a stream where a whole frame is tried, before the piece is given up.
@@ -6601,6 +7205,9 @@ do
     -- Frames after one that are looked at to tell whether it is one.
     local MOST_FOLLOWING = 2
 
+    -- Bytes of a command that the capture must have to tell what it is.
+    local LEAST_CUT = COMMAND_HEADER_SIZE + 2
+
     -- The offset after the frame that starts at another one, as its length says; nil where its length is not here.
     local function stop_of(text, at)
         local low, high = byte(text, at + 1, at + 2)
@@ -6608,7 +7215,7 @@ do
     end
 
     -- Whether the operations of a command can be read: all of them, or with `is_part` those that are there.
-    local function can_be_read_now(text, stop, is_part)
+    local function can_be_read(text, stop, is_part)
         local at = COMMAND_HEADER_SIZE
         while at < stop do
             local operation, after, _, reason, kind = read_operation(text, at)
@@ -6634,92 +7241,13 @@ do
         return said
     end
 
-    -- The same, whichever firmware has them: that the brick has another one than the preference says is not known
-    -- before.
-    local function can_be_read(text, stop)
-        return by_any(can_be_read_now, text, stop)
-    end
-
-    -- Whether a command without a fault says something that somebody would say.
-    function is_sensible_command(message)
-        local type, text, stop = message.type, message.text, message.stop
-        if not type.is_command then return false end
-        if type.carries ~= "direct" then return true end
-        local at = COMMAND_HEADER_SIZE
-        if stop <= at then return false end
-        while at < stop do
-            if CLAIMS.never_sent[byte(text, at + 1)] then return false end
-            local _, after, _, reason = read_operation(text, at)
-            -- Operations of another firmware.
-            if reason then return true end
-            at = after
-        end
-        return true
-    end
-
-    -- The same of any message: replies are what the brick makes of them.
-    local function makes_sense(message)
-        return not message.type.is_command or is_sensible_command(message)
-    end
-
-    -- Whether a frame may be a telegram of LEGO's NXT: its kind and command are where the counter would be.
-    local function may_be_of_nxt(text)
-        local nxt = CLAIMS.nxt
-        local low, high, kind, command = byte(text, 1, 4)
-        local count = byte(text, nxt.count_at + 1)
-        if not count then return false end
-        kind = kind % nxt.reply_flag
-        if kind == nxt.system then return command == nxt.any_length end
-        if kind == nxt.reply then return nxt.answered[command] ~= nil end
-        if kind ~= nxt.direct then return false end
-        local fixed = nxt.counted[command]
-        return low + high * 0x100 == (fixed and fixed + count or nxt.lengths[command])
-    end
-
-    -- Whether a reply that a command failed brings memory all the same: the brick sends none.
-    local function is_odd_error(message)
-        local type = message.type
-        return type.is_error and type.carries == "direct" and message.stop > HEADER_SIZE
-    end
-
-    -- Something that no value is written to, or a number and a text in each other's place.
-    local is_misplaced
-    local function look_for_misplaced(parameter, encoding)
-        if encoding.scope then return end
-        local is_text = encoding.kind == CONSTANT_TEXT
-        if parameter.is_output or is_text ~= (parameter.kind == TEXT_VALUE) then is_misplaced = true end
-    end
-
-    local function count_telling_now(text, stop)
-        local at, count = COMMAND_HEADER_SIZE, 0
-        is_misplaced = false
-        while at < stop do
-            local code = byte(text, at + 1)
-            if CLAIMS.never_sent[code] then return nil end
-            local _, after, _, reason = read_operation(text, at, look_for_misplaced)
-            if reason or is_misplaced then return nil end
-            if code >= CLAIMS.first_telling and not CLAIMS.not_telling[code] then count = count + 1 end
-            at = after
-        end
-        return count
-    end
-
-    -- How much a frame without a fault tells that others' bytes hardly ever do: as much as it has operations that tell.
-    local function count_telling(message)
-        local type = message.type
-        if not type.is_command or type.carries == "daisy" then return 0 end
-        if type.carries == "system" then return CLAIMS.system_tells end
-        return by_any(count_telling_now, message.text, message.stop) or 0
-    end
-
-    -- Whether a frame is without any fault; with `is_any` by the instructions of any firmware.
-    function is_flawless(message, is_any)
+    -- Whether a frame is without any fault.
+    function is_flawless(message)
         local type, text, stop = message.type, message.text, message.stop
         if not type or stop < message.size or message.fault then return false end
         if type.carries == "direct" then
             if not type.is_command then return true end
-            local is_readable = is_any and can_be_read or can_be_read_now
-            return stop >= COMMAND_HEADER_SIZE and is_readable(text, stop)
+            return stop >= COMMAND_HEADER_SIZE and can_be_read(text, stop)
         elseif type.carries == "daisy" then
             local at = HEADER_SIZE
             if type.is_command then
@@ -6730,6 +7258,119 @@ do
             return to ~= nil and from <= DAISY.most_layers and to <= DAISY.most_layers
         end
         return true
+    end
+
+    -- Whether a frame without a fault says something: not a command of nothing, nor to a layer that is not there.
+    function is_sensible(message)
+        if not is_flawless(message) then return false end
+        local type, text, at = message.type, message.text, COMMAND_HEADER_SIZE
+        if type.carries ~= "direct" or not type.is_command then return true end
+        if message.stop <= at then return false end
+        while at < message.stop do
+            if byte(text, at + 1) == CLAIMS.never_sent then return false end
+            local _, after = read_operation(text, at)
+            at = after
+        end
+        return true
+    end
+
+    -- Whether an argument is of a kind and range that its parameter takes; `sizes` is the memory asked for, by scope.
+    local function is_in_place(parameter, encoding, value, sizes)
+        if encoding.scope then return value < sizes[encoding.kind] end
+        if parameter.is_output then return false end
+        local is_text = encoding.kind == CONSTANT_TEXT
+        if is_text or parameter.kind == TEXT_VALUE then return is_text and parameter.kind == TEXT_VALUE end
+        local range = parameter.range
+        if range and value >= range[1] and value <= range[2] then return true end
+        if parameter.is_legal then return parameter.is_legal(value) end
+        return not range
+    end
+
+    -- The same for all of a direct command's operations.
+    local function fits(text, stop, is_cut)
+        local memory, at, is_right = unsigned16(text, HEADER_SIZE), COMMAND_HEADER_SIZE, true
+        local is_telling = false
+        local globals = memory % (GLOBAL_MASK + 1)
+        local sizes = { [GLOBAL] = globals, [LOCAL] = (memory - globals) / (GLOBAL_MASK + 1) }
+        local function visit(parameter, encoding, value)
+            is_right = is_right and is_in_place(parameter, encoding, value, sizes)
+        end
+        while at < stop do
+            local code = byte(text, at + 1)
+            if code == CLAIMS.never_sent or CLAIMS.only_in_programs[code] then return false end
+            if is_cut and code < CLAIMS.first_of_devices then return false end
+            local operation, after, _, reason, kind = read_operation(text, at, visit)
+            if reason and not (is_cut and kind == "cut_off") or not is_right then return false end
+            is_telling = is_telling or operation and not CLAIMS.not_telling[code]
+            if reason then break end
+            at = after
+        end
+        return is_telling
+    end
+
+    -- Whether a message is a command that somebody would send to a brick, by the instructions of some firmware.
+    -- With `is_cut` the capture has only the beginning of it: what is there counts.
+    local function is_plausible(message, is_cut)
+        local type, stop = message.type, message.stop
+        if not type or not type.is_command then return false end
+        if not is_cut and (stop < message.size or message.fault) then return false end
+        if type.carries == "direct" then
+            return stop >= COMMAND_HEADER_SIZE and by_any(fits, message.text, stop, is_cut)
+        end
+        if is_cut then return false end
+        if type.carries == "daisy" then return is_sensible(message) end
+        local counter = message.counter
+        return counter ~= CLAIMS.nxt_write and counter - CLAIMS.nxt_flag ~= CLAIMS.nxt_write
+    end
+    claiming.is_plausible = is_plausible
+
+    -- How many complete replies that bring something a text has and nothing else; 0 where it has anything else.
+    function claiming.count_replies(text)
+        local at, count = 0, 0
+        while #text - at >= HEADER_SIZE do
+            local stop = stop_of(text, at)
+            if stop > #text or stop - at < HEADER_SIZE then return 0 end
+            local message = read_message(sub(text, at + 1, stop))
+            local type = message.type
+            if not type or type.is_command or type.carries == "daisy" or message.fault then return 0 end
+            if type.carries == "direct" and (type.is_error or message.stop == HEADER_SIZE) then return 0 end
+            at, count = stop, count + 1
+        end
+        return at == #text and count or 0
+    end
+
+    -- Takes a conversation for ours from now on; with `is_sure` whatever is said in it.
+    function claiming.begin(talk, is_sure)
+        talk.is_claimed, talk.is_sure, talk.is_answered = true, is_sure, false
+        talk.strange, talk.unread, talk.has_frame, talk.is_good = 0, 0, false, false
+        talk.claims = (talk.claims or 0) + 1
+    end
+
+    -- Looks at a message of a conversation that is claimed, when it is seen for the first time.
+    function claiming.meet(talk, message)
+        if not talk.is_claimed or talk.is_sure then return end
+        talk.has_frame = true
+        if talk.is_good or talk.is_answered or not message.type then return end
+        talk.is_good = message.type.is_command and is_sensible(message)
+    end
+
+    -- Counts a packet of a claimed conversation, of which so many bytes are in no frame: whether it is claimed still.
+    function claiming.count(talk, size, number)
+        local is_good, has_frame = talk.is_good, talk.has_frame
+        talk.is_good, talk.has_frame = false, false
+        if talk.is_sure or not has_frame and size == 0 then return true end
+        if is_good or talk.is_answered and has_frame then
+            talk.strange, talk.unread, talk.counted = 0, 0, number
+            return true
+        end
+        -- A packet counts once, though it be handed over in parts.
+        if talk.counted ~= number then talk.strange = talk.strange + 1 end
+        talk.unread, talk.counted = talk.unread + size, number
+        -- Of a dialogue what is left of a frame may come in many packets.
+        local is_over = talk.strange >= CLAIMS.strange_packets
+            and (not talk.is_answered or talk.unread > LENGTH_FIELD + MAX_LENGTH)
+        if is_over then talk.is_claimed, talk.is_answered, talk.has_ended = false, false, true end
+        return not is_over
     end
 
     -- Whether a frame of which only this is there may become one without a fault.
@@ -6743,161 +7384,7 @@ do
             return SYSTEM_COMMANDS[byte(part, HEADER_SIZE + 1)] ~= nil
         end
         if type.carries ~= "direct" or not type.is_command or #part <= COMMAND_HEADER_SIZE then return true end
-        return can_be_read_now(part, #part, true)
-    end
-
-    -- What a text tells, from an offset on, that should begin with a frame of a type that `accepts` takes, as it goes
-    -- the right way: OURS where one of its frames tells it, PERHAPS where none does. Then all of them must be without a
-    -- fault and make sense. Else the first one must, and the others must look like frames. The second result is how
-    -- much they tell. After a frame that tells there may be fewer other bytes than a header has; with `takes_rest` any.
-    function claiming.weigh_frames(text, at, accepts, takes_rest)
-        local start, is_clean, telling = at, true, 0
-        while at < #text do
-            if not may_start(text, at) then
-                local is_ours = telling > 0 and (takes_rest or #text - at < HEADER_SIZE)
-                return is_ours and OURS or nil, is_ours and telling or 0
-            end
-            local stop = stop_of(text, at)
-            if not stop or stop > #text then
-                local is_part = may_become_flawless(text, at, accepts)
-                if at == start then return is_part and PART or nil, 0 end
-                is_clean = is_clean and is_part
-                break
-            end
-            local message = read_message(sub(text, at + 1, stop))
-            local stands = is_flawless(message, true) and accepts(message.type) and makes_sense(message)
-                and not may_be_of_nxt(message.text) and not is_odd_error(message)
-            if at == start and not stands then return nil, 0 end
-            is_clean = is_clean and stands
-            if is_clean then telling = telling + count_telling(message) end
-            at = stop
-        end
-        return telling > 0 and OURS or is_clean and claiming.PERHAPS or nil, telling
-    end
-
-    -- Whether a frame of which only the beginning was captured is one that somebody would send: of a direct command,
-    -- its first operation must be there.
-    local function may_be_sent(text)
-        local message = read_message(text)
-        if #text == HEADER_SIZE or not makes_sense(message) or may_be_of_nxt(text) then return false end
-        local type = message.type
-        return type.carries ~= "direct" or not type.is_command
-            or by_any(select_operation, text, COMMAND_HEADER_SIZE) ~= nil
-    end
-
-    -- What the beginning of a packet tells of which the capture has no more: PERHAPS where it is that of a frame which
-    -- ends with the packet. In a claimed connection the header of that is enough.
-    function claiming.weigh_cut(talk, text, reported)
-        if #text < HEADER_SIZE or unsigned16(text, 0) + LENGTH_FIELD ~= reported then return nil end
-        return (talk.is_claimed or may_be_sent(text)) and claiming.PERHAPS or nil
-    end
-
-    -- Whether a text is frames of ours from an offset on and nothing else, whatever is wrong with them: OURS; PART
-    -- where the last one has its header and is not whole, nil where there is anything else.
-    local function hold_frames(text, at)
-        while at < #text do
-            if not may_start(text, at) then return nil end
-            local stop = stop_of(text, at)
-            if not stop or stop > #text then return #text - at >= HEADER_SIZE and PART or nil end
-            at = stop
-        end
-        return OURS
-    end
-
-    -- Counts a packet of a claimed connection that frames with faults fill, or misdirected ones. False: it is none, or
-    -- one too many. With `may_be_part` the beginning of such a frame is none too many, while there may be another.
-    -- `side` is what is known of its direction.
-    function claiming.meet_faulty(talk, side, text, at, may_be_part)
-        local held = talk.is_claimed and hold_frames(text, at)
-        local count, most = talk.faulty or 0, talk.has_command and CLAIMS.strange_packets or CLAIMS.strange_in_a_row
-        if held == OURS then
-            talk.faulty = count + 1
-            if talk.is_weak then talk.proofs = 0 end
-        elseif not held or not may_be_part then
-            return false
-        end
-        -- One too many is not what is left of a frame.
-        if count >= most then side.strange = CLAIMS.strange_in_a_row end
-        return count < most
-    end
-
-    -- The claim on a connection is proven.
-    function claiming.prove(talk)
-        talk.is_claimed, talk.is_proven = true, true
-    end
-
-    local function add_proof(talk, verdict, telling)
-        talk.strange, talk.unread, talk.proofs = 0, 0, talk.proofs + math.min(1 + telling, CLAIMS.most_proofs)
-        if telling > 0 then talk.faulty = 0 end
-        talk.is_weak = talk.is_weak and verdict == claiming.PERHAPS
-        if talk.proofs >= CLAIMS.proofs then claiming.prove(talk) end
-    end
-
-    -- The claim on a connection has ended, or too much was strange before there was one: now more must tell that it is
-    -- ours.
-    function claiming.end_claim(talk)
-        talk.has_ended = talk.is_claimed and talk.is_weak and 1 or 2
-        talk.is_claimed, talk.is_proven, talk.telling, talk.strange = false, false, 0, 0
-    end
-
-    local function begin_claim(talk, verdict, telling)
-        talk.is_claimed, talk.is_weak, talk.proofs, talk.has_command = true, true, 0, false
-        add_proof(talk, verdict, telling)
-    end
-
-    local function count_strange(talk, size)
-        if size > HEADER_SIZE then
-            talk.strange = talk.strange + 1
-        else
-            -- A frame may be cut into packets that are as small.
-            talk.unread = (talk.unread or 0) + size
-            if talk.unread > LENGTH_FIELD + MAX_LENGTH then talk.strange = CLAIMS.strange_packets end
-        end
-    end
-
-    -- Whether a strange packet may be what is left of a frame, as it is among the first of its side.
-    local function may_be_rest(side)
-        side.strange = (side.strange or 0) + 1
-        return side.strange <= CLAIMS.strange_in_a_row
-    end
-
-    -- Whether a packet is nothing but replies that nobody asked for as far as is known, after strange packets. They are
-    -- a chance, unless the packet before it was one as well.
-    local function is_chance(side, verdict, is_from_brick)
-        local was_reply = side.is_reply
-        side.is_reply = verdict == claiming.PERHAPS and is_from_brick
-        return side.is_reply and not was_reply and side.is_odd
-    end
-
-    -- Whether so much of a connection was strange that only a text would make it ours.
-    function claiming.is_left_alone(talk)
-        return not talk.is_claimed and not talk.has_ended and (talk.strange or 0) >= CLAIMS.strange_packets
-    end
-
-    -- Takes a packet of a connection that is not proven to be ours, by what it tells: OURS, PERHAPS, or nil. `side` is
-    -- what is known of its direction. Returns whether it is taken.
-    function claiming.weigh_packet(talk, side, verdict, telling, size, is_from_brick)
-        talk.strange = talk.strange or 0
-        if verdict and talk.is_claimed then
-            add_proof(talk, verdict, telling)
-        elseif talk.is_claimed then
-            if talk.is_weak and may_be_rest(side) then return true end
-            count_strange(talk, size)
-            if talk.strange >= (talk.is_weak and 1 or CLAIMS.strange_in_a_row) then claiming.end_claim(talk) end
-        elseif talk.has_ended then
-            talk.telling = verdict and talk.telling + telling or 0
-            if talk.telling >= talk.has_ended then begin_claim(talk, verdict, telling) end
-        elseif not verdict then
-            side.is_odd, side.is_reply = side.is_odd or size > HEADER_SIZE, false
-            count_strange(talk, size)
-        elseif not is_chance(side, verdict, is_from_brick) then
-            begin_claim(talk, verdict, telling)
-        end
-        if verdict then
-            side.strange = CLAIMS.strange_in_a_row
-            talk.has_command = talk.has_command or not is_from_brick
-        end
-        return talk.is_claimed
+        return can_be_read(part, #part, true)
     end
 
     -- The bytes 1 to 4 of a header, as a pattern: no type is a letter that means anything in one.
@@ -6919,21 +7406,56 @@ do
         return count
     end
 
-    -- The first offset, from `at` on, where all of a frame stands without a fault, and where what follows it looks like
-    -- the next one; nil where there is none. With `least` so many frames must follow each other up to the end.
-    function find_frame(text, at, accepts, least)
+    -- The system commands that any bytes may follow.
+    local has_data = {}
+    for number, command in pairs(SYSTEM_COMMANDS) do
+        for _, declared in ipairs(command.request) do
+            if declared.kind == BYTES then has_data[number] = true end
+        end
+    end
+
+    -- The first place where a plausible command stands, and true; else the first that may become one, nil where there
+    -- is none. Packets begin at 0 and at `joint`: there anything may follow the command, elsewhere another frame. A
+    -- command that ends at `reported`, of which the capture has less, is whole.
+    function claiming.find_command(text, joint, accepts, reported)
+        local open
+        for place = math.max(#text - HEADER_SIZE + 1, 0), #text - 1 do
+            if may_start(text, place) then
+                open = place
+                break
+            end
+        end
+        local hit = find(text, STARTS, 2)
+        for _ = 1, MOST_TRIALS do
+            if not hit then break end
+            local place, low, high, _, _, code = hit - 2, byte(text, hit - 1, hit + 3)
+            local stop, type = place + frame_size(low, high), MESSAGE_TYPES[code]
+            local is_cut = reported > #text and stop == reported and #text - place >= LEAST_CUT
+            local is_split = stop > #text and not is_cut or place < joint and joint < stop
+            local is_chance = is_split and type.carries == "system" and has_data[byte(text, place + HEADER_SIZE + 1)]
+            if is_length(low, high) and accepts(type) and type.carries ~= "daisy" and not is_chance then
+                if stop > #text and not is_cut then
+                    if not (open and open < place) and may_become_flawless(text, place, accepts) then open = place end
+                elseif place == 0 or place == joint or stop >= #text or may_start(text, stop) then
+                    if is_plausible(read_message(sub(text, place + 1, stop)), is_cut) then return place, true end
+                end
+            end
+            hit = find(text, STARTS, hit + 1)
+        end
+        return open, false
+    end
+
+    -- The first offset, from `at` on, where all of a frame stands without a fault, and where frames follow each other
+    -- up to the end, at least two; nil where there is none.
+    function find_frame(text, at)
         local hit = find(text, STARTS, at + 2)
         for _ = 1, MOST_TRIALS do
             if not hit then return nil end
             local low, high = byte(text, hit - 1, hit)
             local stop = hit - 2 + frame_size(low, high)
-            if is_length(low, high) and stop <= #text and (stop == #text or may_start(text, stop)) then
-                local message = read_message(sub(text, hit - 1, stop))
-                if is_flawless(message) and (not accepts or accepts(message.type)) then
-                    local is_found = makes_sense(message)
-                    if is_found and least then is_found = (count_chain(text, hit - 2) or 0) >= least end
-                    if is_found then return hit - 2 end
-                end
+            if is_length(low, high) and stop <= #text and (count_chain(text, hit - 2) or 0) >= 2
+                and is_sensible(read_message(sub(text, hit - 1, stop))) then
+                return hit - 2
             end
             hit = find(text, STARTS, hit + 1)
         end
@@ -6976,7 +7498,7 @@ do
                     local is_begin = place == first or place == second
                     if following or is_begin then
                         local message = read_message(sub(text, place + 1, stop))
-                        local stands = is_flawless(message) and makes_sense(message)
+                        local stands = is_sensible(message)
                         if stands and following and following > 0 then return place end
                         if stands and following then
                             single = single or place
@@ -7003,7 +7525,7 @@ do
         end
         local message = read_message(sub(text, at + 1, stop))
         local type, following = message.type, follow(text, stop)
-        local stands = type and (not accepts or accepts(type)) and is_flawless(message) and makes_sense(message)
+        local stands = type and (not accepts or accepts(type)) and is_sensible(message)
         -- Few bytes are operations by chance.
         local tells_itself = stands and type.is_command and type.carries == "direct"
         if stands and following and following > 0 or tells_itself then return OURS end
@@ -7179,7 +7701,7 @@ do
     -- Whether frames follow each other from the middle of what seems to be one: more than one, as data may look like
     -- a frame by chance.
     local function has_frame_inside(text, at, stop)
-        local place = find_frame(text, at + 1, nil, 2)
+        local place = find_frame(text, at + 1)
         return place ~= nil and place < stop
     end
 
@@ -7210,8 +7732,8 @@ do
     end
 
     -- The frames and texts in a piece of a stream: the offset after the last one that is whole; how many bytes the
-    -- next one wants, nil where its length is not known yet; whether there was anything that is ours; and the step
-    -- at the end. `stream` is how it stands:
+    -- next one wants, nil where its length is not known yet; how many bytes are in no frame; and the step at the
+    -- end. `stream` is how it stands:
     --   reported   the size of the piece on the wire, of which a capture may have less
     --   is_last    there is nothing more to wait for
     --   step       "sure" where a frame starts with the piece, "likely" where one does unless there is a gap before
@@ -7221,7 +7743,7 @@ do
     --   may_gap    nothing tells of gaps between the packets
     --   accepts    tells which types go its way, if that is known
     function dissect_stream(tvb, text, stream, talk, number, pinfo, tree, is_shown)
-        local at, captured, is_ours, start = stream.start or 0, #text, false, tvb:offset()
+        local at, captured, lost, start = stream.start or 0, #text, 0, tvb:offset()
         local reported, is_last, accepts = stream.reported, stream.is_last, stream.accepts
         local step, joint = stream.step, stream.joint
         while at < captured do
@@ -7229,9 +7751,9 @@ do
             local said, after
             if UNLOCK.starts[low] then
                 said, after = dissect_text(tvb, text, at, tree, is_shown)
-                if not said and not is_last and is_part_of_text(text, at) then return at, nil, true, step end
-                is_ours = is_ours or said ~= nil
+                if not said and not is_last and is_part_of_text(text, at) then return at, nil, lost, step end
                 if said then step = "sure" end
+                if said and talk and not talk.is_sure then claiming.begin(talk, true) end
             end
             if not said then
                 local size = high and LENGTH_FIELD + low + high * 0x100
@@ -7239,7 +7761,7 @@ do
                 if is_frame and code then
                     if at < joint and stream.may_gap then
                         local verdict = judge_split(text, at, accepts, joint, is_last)
-                        if verdict == PART and at + size <= captured then return at, nil, true, step end
+                        if verdict == PART and at + size <= captured then return at, nil, lost, step end
                         is_frame = verdict ~= nil
                     elseif step == "likely" and at + size ~= captured then
                         is_frame = not is_misleading(text, at, size, accepts)
@@ -7264,19 +7786,20 @@ do
                         if after > at then
                             local length = size and size - LENGTH_FIELD or MIN_LENGTH
                             said = dissect_no_frame(tvb, at, after, length, tree, is_shown)
+                            lost = lost + after - at
                         end
                         if is_open then
                             if said then say(said) end
-                            return after, nil, true, step
+                            return after, nil, lost, step
                         end
                     end
                 elseif not is_last and not code and step == "likely" and at == 0 then
                     -- Its header must be right before it can ask for all of itself.
-                    return at, nil, true, step
+                    return at, nil, lost, step
                 elseif not is_last and (not size or at + size > reported) then
-                    if step ~= "likely" or at > 0 then return at, size and at + size - reported, true, "sure" end
+                    if step ~= "likely" or at > 0 then return at, size and at + size - reported, lost, "sure" end
                     -- A gap may be before it: it is looked at again with each packet.
-                    return at, nil, true, step
+                    return at, nil, lost, step
                 elseif captured - at < HEADER_SIZE then
                     local reason = "the frame is cut off in its header"
                     said, after =
@@ -7284,7 +7807,6 @@ do
                 else
                     after = math.min(at + size, captured)
                     local frame = at == 0 and after == captured and text or sub(text, at + 1, after)
-                    is_ours = is_ours or MESSAGE_TYPES[code] ~= nil
                     local place = place_of(number, start + at)
                     said = dissect_message(tvb, at, read_message(frame), talk, place, pinfo, tree, is_shown)
                 end
@@ -7292,7 +7814,7 @@ do
             if said then say(said) end
             at = after
         end
-        return at, 0, is_ours, step
+        return at, 0, lost, step
     end
 end
 
@@ -7400,67 +7922,26 @@ do
         return 0
     end
 
-    local function meet_odd(talk)
-        talk.odd = (talk.odd or 0) + 1
-    end
-
-    -- Whether a command is a claim by itself. Of a device whose reports are not like a brick's it is none, until a
-    -- reply answers one: so it is remembered.
-    local function stands_alone(talk, message)
-        if talk.is_claimed or (talk.odd or 0) <= CLAIMS.odd_reports then return true end
-        if message.type.wants_reply then talk.asked = message.type.carries .. message.counter end
-        return false
-    end
-
-    local function answers(talk, message)
-        return answers_command(talk, message) or talk.asked == message.type.carries .. message.counter
-    end
-
-    -- The frame that a report may hold, and whether the report begins with a frame's length and holds none: it has
-    -- another type, another size, or goes the wrong way.
-    local function frame_in(tvb, sort, pinfo)
-        local captured = captured_len(tvb)
-        if not sort or captured < HEADER_SIZE then return nil, false end
-        local low, high, _, _, code = byte(bytes_of(tvb, 0, HEADER_SIZE), 1, HEADER_SIZE)
-        if not is_length(low, high) then return nil, false end
-        local size, type = frame_size(low, high), MESSAGE_TYPES[code]
-        local is_odd = not type or sort == "daisy" and type.carries ~= "daisy"
-        if is_odd then return nil, size <= captured end
-        local message = read_message(bytes_of(tvb, 0, math.min(size, captured)))
-        return message, type.carries == "direct" and (type.is_command == true) ~= is_from_host(pinfo)
-    end
-
     -- The message of ours that a report holds, if it does, although nobody knows its device as a brick. Other devices
-    -- have reports, too: a claim begins with a flawless command, or a reply to one; once both were seen, whatever looks
-    -- like a frame is taken, until there are faults in a row.
+    -- have reports, too: it must have the size of its type's.
     local function claimed_message(tvb, key, pinfo)
-        local sort = REPORT_SIZES[tvb:reported_len()]
-        local message, is_odd = frame_in(tvb, sort, pinfo)
-        local talk = (message or is_odd) and talk_of(key) or talk_if_any(key)
-        if not talk then return nil end
-        if is_odd then meet_odd(talk) end
-        local is_chain, is_daisy, is_taken = sort == "daisy", message and message.type.carries == "daisy", false
-        if message and talk.is_claimed and not is_daisy then
-            is_taken = true
-        elseif message and is_flawless(message) then
-            local type = message.type
+        local sort, captured, message = REPORT_SIZES[tvb:reported_len()], captured_len(tvb), nil
+        local low, high, _, _, code = byte(bytes_of(tvb, 0, math.min(captured, HEADER_SIZE)), 1, HEADER_SIZE)
+        local type = MESSAGE_TYPES[code]
+        if sort and type and (sort == "computer" or type.carries == "daisy") and is_length(low, high)
+            and frame_size(low, high) <= captured then
+            message = read_report(tvb)
             -- Bricks in a chain send commands both ways. They are no computers, whose reports are larger.
-            if is_chain or is_overwritten(message, pinfo) then
-                is_taken = true
-            elseif type.is_command then
-                is_taken = is_from_host(pinfo) and is_sensible_command(message) and stands_alone(talk, message)
-            else
-                is_taken = not is_from_host(pinfo) and answers(talk, message)
-                talk.is_claimed = talk.is_claimed or is_taken
-            end
+            if sort == "daisy" or is_overwritten(message, pinfo) then return is_sensible(message) and message or nil end
         end
-        if is_daisy and not is_taken then
-            if not is_chain then meet_odd(talk) end
-            is_taken = talk.is_claimed
+        if not message or (type.is_command == true) ~= is_from_host(pinfo) then
+            local talk = talk_if_any(key)
+            if talk and talk.is_claimed then claiming.count(talk, captured, pinfo.number) end
+            return nil
         end
-        talk.faults = is_taken and 0 or (talk.faults or 0) + 1
-        if talk.faults >= CLAIMS.faults_in_a_row then talk.is_claimed, talk.faults = false, 0 end
-        return is_taken and message or nil
+        local talk = talk_of(key)
+        if not talk.is_claimed and claiming.is_plausible(message) then claiming.begin(talk) end
+        return talk.is_claimed and message or nil
     end
 
     -- Reports of a known brick, or of a device whose product is not in the capture, as in most captures that began
@@ -7476,6 +7957,7 @@ do
         end
         if not message then return false end
         dissect_report(tvb, message, device, pinfo, tree)
+        if not pinfo.visited and talk_of(device).is_claimed then claiming.count(talk_of(device), 0, number) end
         free_unused()
         return true
     end
@@ -7501,8 +7983,9 @@ do
     -- with the last piece as `complete_in`. By packet, of those that are ours: `continued` is the list of the frame
     -- that goes on in it, of which `earlier` packets came before, `waiting` the bytes of those where the frame becomes
     -- whole, and `begun` the list of the frame that begins in it and is not whole. `is_ours` tells of a packet that is
-    -- ours which types go its way, `steps` is "lost" where the stream was out of step before it.
-    local streams, is_ours, continued, earlier, waiting, begun, steps
+    -- ours which types go its way, `steps` is "lost" where the stream was out of step before it, and "sure" where the
+    -- claim begins with it: after `starts` bytes that are others'.
+    local streams, is_ours, continued, earlier, waiting, begun, steps, starts
 
     -- Methods that each packet needs: looking them up takes longer than what they do.
     local bytes_of, offset_of = Tvb.raw, Tvb.offset
@@ -7512,7 +7995,7 @@ do
     local met
 
     local function forget_streams()
-        streams, is_ours, continued, earlier, waiting, begun, steps, met = {}, {}, {}, {}, {}, {}, {}, {}
+        streams, is_ours, continued, earlier, waiting, begun, steps, starts, met = {}, {}, {}, {}, {}, {}, {}, {}, {}
     end
     forget_streams()
 
@@ -7555,7 +8038,7 @@ do
     end
 
     local function clear(stream)
-        stream.left, stream.list, stream.look_at = "", nil, 0
+        stream.left, stream.list, stream.starts, stream.look_at = "", nil, nil, 0
     end
 
     -- Nothing is known of what a channel's sides said so far.
@@ -7572,82 +8055,49 @@ do
         return not high or is_length(low, high) and frame_size(low, high) > #text
     end
 
-    -- What a text tells that should begin with a command: nobody answers what was not asked. With `is_joined` it came
-    -- in several packets: then a system command does not tell, as any bytes may follow its header.
-    local function weigh_commands(text, is_joined)
-        local verdict, telling = claiming.weigh_frames(text, 0, is_command)
-        if not verdict or verdict == PART then return verdict, 0 end
-        if is_joined and MESSAGE_TYPES[byte(text, HEADER_SIZE)].carries == "system" then return claiming.PERHAPS, 0 end
-        return verdict, telling
+    -- Keeps the bytes of a stream from an offset on, of those that wait and the packet that came last; `list` are the
+    -- packets of those that wait, `starts` where in them each begins.
+    local function keep(stream, text, place, number)
+        local list, starts = {}, {}
+        local before = stream.list or {}
+        for index, start in ipairs(stream.starts or {}) do
+            local stop = stream.starts[index + 1] or #stream.left
+            if stop > place then
+                list[#list + 1], starts[#starts + 1] = before[index], math.max(start - place, 0)
+            end
+        end
+        list[#list + 1], starts[#starts + 1] = number, math.max(#stream.left - place, 0)
+        stream.left, stream.list, stream.starts = sub(text, place + 1), list, starts
     end
 
-    -- The packets of a claimed stream that came before it was claimed.
-    local function take_waiting(stream)
-        for index, before in ipairs(stream.list) do
+    -- A packet of a channel that is not known to be ours: all of the command that makes it ours, nil where none does.
+    -- What may still become a command is kept: whoever types a text sends it letter by letter.
+    local function claim(talk, stream, piece, missing, number)
+        local left = stream.left
+        local text = left .. piece
+        local place, is_whole = claiming.find_command(text, #left, is_command, #text + missing)
+        if not place then
+            clear(stream)
+            return nil
+        end
+        keep(stream, text, place, number)
+        if not is_whole then return nil end
+        claiming.begin(talk)
+        local list, joint = stream.list, #left
+        clear_sides(talk)
+        if place >= joint then
+            starts[number] = place - joint
+            return piece
+        end
+        list[#list] = nil
+        for index, before in ipairs(list) do
             is_ours[before] = is_command
-            if index == 1 then begun[before] = stream.list end
-            if index > 1 then continued[before], earlier[before] = stream.list, index - 1 end
+            if index == 1 then begun[before] = list end
+            if index > 1 then continued[before], earlier[before] = list, index - 1 end
         end
-    end
-
-    -- A packet of a channel that is not known to be ours: whether it is. Other programs use the same channels. What may
-    -- still become a command is kept: whoever types a text sends it letter by letter.
-    local function claim(talk, stream, piece, number)
-        -- Nobody answers in the middle of a command.
-        if talk.waiting and talk.waiting ~= stream then clear(talk.waiting) end
-        talk.waiting = stream
-        local verdict, telling = nil, 0
-        if stream.left ~= "" then verdict, telling = weigh_commands(stream.left .. piece, true) end
-        if not verdict then
-            clear(stream)
-            verdict, telling = weigh_commands(piece)
-        end
-        if verdict == PART then
-            stream.left = stream.left .. piece
-            stream.list = stream.list or {}
-            table.insert(stream.list, number)
-            return false
-        end
-        if not verdict and claiming.weigh_frames(piece, 0, is_from_brick) then
-            clear(stream)
-            return false
-        end
-        if (talk.strange or 0) >= CLAIMS.strange_packets then claiming.end_claim(talk) end
-        local is_claimed = claiming.weigh_packet(talk, stream, verdict, telling, #piece)
-        if not is_claimed then clear(stream) elseif stream.list then take_waiting(stream) end
-        return is_claimed
-    end
-
-    -- What a packet of a claimed channel tells that is not proven to be ours, with all that waited for it; the packet
-    -- itself begins at `joint`.
-    local function weigh(text, joint, accepts)
-        local verdict, telling = claiming.weigh_frames(text, 0, accepts)
-        if not verdict and joint > 0 then verdict, telling = claiming.weigh_frames(text, joint, accepts) end
-        local at = not verdict and find_frame(text, 1, accepts)
-        if at then verdict, telling = claiming.weigh_frames(text, at, accepts) end
-        return (not at or verdict == OURS) and verdict or nil, telling
-    end
-
-    -- The size with which a packet of a claimed channel counts: small ones that are strange count together.
-    local function size_together(talk, verdict, size)
-        local together = verdict and 0 or (talk.small or 0) + size
-        local is_enough = together > CLAIMS.strange_packets * HEADER_SIZE
-        talk.small = is_enough and 0 or together
-        return is_enough and together or size
-    end
-
-    -- Whether a packet belongs to the claim on its channel, which may end with it. In a stream that is out of step no
-    -- packet is the part of a frame: anything may look like that.
-    local function belongs(talk, stream, text, size)
-        if talk.is_proven then return true end
-        local is_in_step = stream.step ~= "lost"
-        if is_in_step and is_part(text) and may_become_flawless(text, 0, stream.accepts) then return true end
-        local verdict, telling = weigh(text, #text - size, stream.accepts)
-        if verdict == PART then verdict = nil end
-        if not verdict and claiming.meet_faulty(talk, stream, text, 0) then return true end
-        local is_claimed = claiming.weigh_packet(talk, stream, verdict, telling, size_together(talk, verdict, size))
-        if not is_claimed then clear_sides(talk) end
-        return is_claimed
+        list.complete_in = number
+        continued[number], earlier[number], waiting[number] = list, #list, sub(left, place + 1)
+        return waiting[number] .. piece
     end
 
     -- Whether all of a text waits for more; the newest packet starts at `joint`.
@@ -7668,7 +8118,7 @@ do
     -- it may be whole.
     local function join(stream, piece, number)
         local left = stream.left
-        if left ~= "" and is_part(left .. piece) and find_frame(piece, 0, nil, 2) == 0 then
+        if left ~= "" and is_part(left .. piece) and find_frame(piece, 0) == 0 then
             -- Where whole frames begin with the packet, what waits is none.
             clear(stream)
             left = ""
@@ -7685,26 +8135,6 @@ do
         stream.list.complete_in = number
         clear(stream)
         return text, true
-    end
-
-    -- Counts the packets in a row without anything of ours, after which a proven channel is not known to be ours any
-    -- more. What is left of a frame of which something is missing may come in many.
-    local function count_faults(talk, has_ours, size)
-        if not talk.is_proven or has_ours then
-            talk.faults, talk.unread = 0, 0
-            return
-        end
-        talk.faults, talk.unread = (talk.faults or 0) + 1, talk.unread + size
-        if talk.faults >= CLAIMS.faults_in_a_row and talk.unread > CLAIMS.faults_in_a_row * MAX_LENGTH then
-            claiming.end_claim(talk)
-            clear_sides(talk)
-        end
-    end
-
-    -- A packet that ended the claim on its channel is not ours.
-    local function forget_packet(number)
-        if continued[number] then continued[number].complete_in = nil end
-        continued[number], earlier[number], waiting[number] = nil, nil, nil
     end
 
     local function add_joined(tree, tvb, before, number)
@@ -7741,16 +8171,14 @@ do
             talk, stream = channel_of(pinfo)
             local is_begun = not talk.is_claimed
             if is_begun then
-                if not claim(talk, stream, piece, number) then return 0 end
+                text, may_be_whole = claim(talk, stream, piece, tvb:reported_len() - #piece, number), true
+                if not text then return 0 end
                 -- It is claimed by a command, so this packet goes to the brick.
                 talk.name, talk.to_brick = tostring(pinfo.dl_dst), stream
+                steps[number] = "sure"
             end
             stream.accepts = stream == talk.to_brick and is_command or is_from_brick
-            text, may_be_whole = join(stream, piece, number)
-            if not is_begun and not belongs(talk, stream, text, #piece) then
-                forget_packet(number)
-                return 0
-            end
+            if not is_begun then text, may_be_whole = join(stream, piece, number) end
             is_ours[number] = stream.accepts
             if stream.step == "lost" then steps[number] = "lost" end
         elseif is_ours[number] then
@@ -7762,13 +8190,11 @@ do
         local is_shown, whole, size, offset = has_tree(tree), tvb, #piece, offset_of(tvb)
         brick = is_shown and tostring(is_ours[number] == is_command and pinfo.dl_dst or pinfo.dl_src)
         if may_be_whole and text == piece and not steps[number] and is_frame(text) then
-            if is_first then
-                stream.step = "likely"
-                count_faults(talk, true, size)
-            end
+            if is_first then stream.step = "likely" end
             local place = place_of(number, offset)
             local said = dissect_message(tvb, 0, read_message(text), talk, place, pinfo, tree, is_shown)
             show_line(pinfo, number, offset, said)
+            if is_first and not claiming.count(talk, 0, number) then clear_sides(talk) end
             return size
         end
         start_line(number, offset)
@@ -7782,12 +8208,13 @@ do
                 reported = #text,
                 is_last = #piece < tvb:reported_len(),
                 step = steps[number] or "likely",
+                start = starts[number],
                 joint = before and #before or 0,
                 first = not before and 0,
                 may_gap = true,
                 accepts = is_ours[number],
             }
-            local after, _, has_ours, step = dissect_stream(whole, text, state, talk, number, pinfo, tree, is_shown)
+            local after, _, lost, step = dissect_stream(whole, text, state, talk, number, pinfo, tree, is_shown)
             size = #text - after
             if is_first and size > 0 then
                 stream.left, stream.list = sub(text, after + 1), { number }
@@ -7795,7 +8222,7 @@ do
             end
             if is_first then
                 stream.step = step
-                count_faults(talk, has_ours, after)
+                if not claiming.count(talk, lost, number) then clear_sides(talk) end
             end
         end
         if size > 0 then
@@ -7833,8 +8260,12 @@ do
     -- found to be ours.
     local bricks, answers, announced, declined, has_found
 
-    -- By buffer: how the stream stands with it, where that is not what one sees; where in it is what was not done yet.
-    local steps, starts
+    -- The ports that the preference names.
+    local listened = tostring(CARRIERS.tcp_port)
+
+    -- By buffer: how the stream stands with it, where that is not what one sees; where in it is what was not done yet;
+    -- from where on more was asked for, before it was ours.
+    local steps, starts, asked
 
     -- The ports on which connections are looked at, those that beacons named, and who was there before us.
     local ports, named_ports, is_named, others = {}, {}, {}, {}
@@ -7911,7 +8342,7 @@ do
             local owner = owners[ports]
             if not is_by_port then
                 if owner == talk then owned[numbers] = known end
-            elseif is_first and talk.is_proven and (owner == nil or owner == talk) then
+            elseif is_first and (talk.is_sure or talk.is_answered) and (owner == nil or owner == talk) then
                 owners[ports] = talk
                 pinfo.conversation = ev3
             end
@@ -7935,7 +8366,7 @@ do
 
     local function forget_wifi()
         bricks, answers, announced, declined, has_found = {}, {}, {}, {}, false
-        steps, starts = {}, {}
+        steps, starts, asked = {}, {}, {}
         forget_connections()
         for _, port in ipairs(named_ports) do
             give_port_back(port)
@@ -7965,36 +8396,17 @@ do
         return rest > 0 and rest or nil
     end
 
+    -- Which types go to the brick and which come from it. Bricks in a chain send commands both ways.
+    local function is_command(type)
+        return type.is_command or type.carries == "daisy"
+    end
+
+    local function is_reply(type)
+        return not type.is_command or type.carries == "daisy"
+    end
+
     local dissect_claimed
     do
-        local function is_command(type)
-            return type.is_command
-        end
-
-        local function is_reply(type)
-            return not type.is_command
-        end
-
-        local function is_daisy_or(is_right_way)
-            return function(type)
-                return type.carries == "daisy" or is_right_way(type)
-            end
-        end
-
-        -- Bricks in a chain send commands both ways.
-        is_command, is_reply = is_daisy_or(is_command), is_daisy_or(is_reply)
-
-        -- What data tell of a connection that is not proven to be ours, from an offset on, and by how many frames.
-        -- Until it is claimed nothing but frames may follow one that begins inside of them.
-        function claiming.judge_segment(text, at, to_brick, is_claimed)
-            local verdict, telling = claiming.weigh_frames(text, at, to_brick and is_command or is_reply, true)
-            if verdict or not to_brick then return verdict, telling end
-            -- The capture may have begun inside a frame.
-            at = find_frame(text, at + 1, is_command)
-            if at then verdict, telling = claiming.weigh_frames(text, at, is_command, is_claimed) end
-            return verdict == OURS and OURS or nil, telling
-        end
-
         -- Which types go the way of a packet, where the port or the data said which end is the brick.
         local function types_of(pinfo, talk)
             talk = talk or connection_of(pinfo)
@@ -8046,7 +8458,7 @@ do
 
             -- How a stream stands with a buffer, how many bytes of it were there before, and how many are done; `known`
             -- is what is known of the stream, when the buffer is seen for the first time.
-            function step_of(known, text, offset, number, pinfo)
+            function step_of(known, text, offset, number, pinfo, start)
                 -- Nearly always it goes on as it went.
                 if known and offset == known.offset and number ~= known.number and not known.pending
                     and known.step ~= "lost" then
@@ -8059,16 +8471,26 @@ do
                     local place = place_of(number, offset)
                     return steps[place] or usual, 0, starts[place] or 0
                 end
-                local step, joint, done = first_step(known, text, offset, number, pinfo)
+                local step, joint, done
+                if start then
+                    known.number, known.offset = number, offset > 0 and offset or nil
+                    step, joint, done = "sure", 0, start
+                else
+                    step, joint, done = first_step(known, text, offset, number, pinfo)
+                end
                 if step ~= usual then steps[place_of(number, offset)] = step end
                 if done > 0 then starts[place_of(number, offset)] = done end
                 return step, joint, done
             end
         end
 
-        function dissect_claimed(tvb, text, pinfo, tree, number, talk, known)
+        -- A buffer of a connection that is ours; `start` is where that begins, if it does in this one.
+        function dissect_claimed(tvb, text, pinfo, tree, number, talk, known, start)
             local captured, offset, is_shown = #text, offset_of(tvb), has_tree(tree)
-            local step, joint, done = step_of(known, text, offset, number, pinfo)
+            if known and known.claims ~= talk.claims then
+                known.claims, known.pending, known.step, known.number, known.offset = talk.claims, nil, nil, nil, nil
+            end
+            local step, joint, done = step_of(known, text, offset, number, pinfo, start)
             brick = is_shown and (talk or connection_of(pinfo)).name
             -- Nearly always one frame is all there is.
             local low, high, _, _, code = byte(text, 1, HEADER_SIZE)
@@ -8077,6 +8499,7 @@ do
                 local place = place_of(number, offset)
                 show_line(pinfo, number, offset,
                     (dissect_message(tvb, 0, read_message(text), talk, place, pinfo, tree, is_shown)))
+                if known then claiming.count(talk, 0, number) end
             else
                 start_line(number, offset)
                 local reported = tvb:reported_len()
@@ -8089,7 +8512,7 @@ do
                     first = 0,
                     accepts = types_of(pinfo, talk),
                 }
-                local after, wanted, _, step_after =
+                local after, wanted, lost, step_after =
                     dissect_stream(tvb, text, stream, talk, number, pinfo, tree, is_shown)
                 if after < captured then
                     if not wanted and known and after == 0 and step_after == "likely" then
@@ -8101,6 +8524,7 @@ do
                 if known then
                     known.pending = after < captured and sub(text, after + 1) or nil
                     known.step, known.done = step_after, after
+                    claiming.count(talk, lost, number)
                 end
                 show(pinfo)
             end
@@ -8130,96 +8554,91 @@ do
             return ports[port] or is_named[port] and announced[tostring(pinfo.src) .. " " .. port]
         end
 
-        -- Where in a buffer begins what is not dissected yet, and how many bytes of that were there before: TCP hands
-        -- some over again where a frame was not whole.
-        local function begin_of(known, text)
-            local pending, done = known.pending, known.done
-            if not pending then return 0, 0 end
-            if sub(text, 1, #pending) == pending then return 0, #pending end
-            if sub(text, done + 1, done + #pending) == pending then return done, #pending end
-            return 0, 0
-        end
-
         -- Whether data go to the brick, where the ports of both ends may be one's.
-        local function tells_brick(talk, text, at, is_text, pinfo)
-            if talk.is_claimed then return is_to_named(talk, pinfo) end
+        local function tells_brick(text, is_text, pinfo)
             if is_text then return byte(text, 1) == byte(UNLOCK.request, 1) end
-            local type = MESSAGE_TYPES[byte(text, at + HEADER_SIZE)]
+            local type = MESSAGE_TYPES[byte(text, HEADER_SIZE)]
             if not type or type.carries == "daisy" then return pinfo.match_uint == pinfo.dst_port end
             return type.is_command
         end
 
-        -- A buffer of a connection that is not proven to be ours, when it is seen for the first time: whether it is, or
-        -- whether more is needed to tell.
-        local function claim(talk, known, text, pinfo)
-            local was_claimed, to_brick = talk.is_claimed, is_to_brick(pinfo) == true
-            if not was_claimed and not to_brick and not is_from_brick(pinfo) then return nil end
-            local verdict = judge_text(text)
-            if verdict == OURS or has_two_named(pinfo) then
-                local is_told = tells_brick(talk, text, begin_of(known, text), verdict ~= nil, pinfo)
-                talk.is_by_name = talk.is_by_name or has_two_named(pinfo) or is_told ~= to_brick
-                to_brick = is_told
+        -- Whether the user, or a beacon, says that what is at a port is ours: else it must show.
+        local function is_sure(pinfo, to_brick)
+            local address, port = pinfo.src, pinfo.src_port
+            if to_brick then
+                address, port = pinfo.dst, pinfo.dst_port
             end
-            if verdict == OURS then
-                claiming.prove(talk)
-            elseif claiming.is_left_alone(talk) then
-                return nil
-            elseif not verdict then
-                local at, waited = begin_of(known, text)
-                local telling
-                verdict, telling = claiming.judge_segment(text, at, to_brick, was_claimed)
-                if not verdict and claiming.meet_faulty(talk, known, text, at, true) then
-                    verdict = OURS
-                elseif verdict ~= PART then
-                    local size = #text - at - waited
-                    verdict = claiming.weigh_packet(talk, known, verdict, telling, size, not to_brick) and OURS or nil
-                end
-            end
-            if not was_claimed and talk.is_claimed then
-                talk.claimed_in = pinfo.number
-                name_brick(talk, pinfo, to_brick)
-            elseif was_claimed and not talk.is_claimed then
-                known.pending, known.step = nil, nil
-            end
-            return was_claimed and verdict and OURS or verdict
+            return listened ~= tostring(CARRIERS.tcp_port) or announced[tostring(address) .. " " .. port]
         end
 
-        -- Asks for more of what may become a frame or a text.
-        local function ask_for_more(known, text, offset, pinfo)
+        -- A buffer of a connection that is not ours so far, when it is seen for the first time: whether it is, with the
+        -- offset where that begins, or whether more is needed to tell, from an offset on.
+        local function claim(talk, known, text, reported, pinfo)
+            local to_brick = is_to_brick(pinfo) == true
+            if not to_brick and not is_from_brick(pinfo) then return nil end
+            local verdict, place = judge_text(text), 0
+            if verdict == OURS or has_two_named(pinfo) then
+                local is_told = tells_brick(text, verdict ~= nil, pinfo)
+                talk.is_by_name = has_two_named(pinfo) or is_told ~= to_brick
+                to_brick = is_told
+            end
+            if verdict == PART then return PART, 0 end
+            local joint = known.waits or 0
+            if verdict == OURS or is_sure(pinfo, to_brick) then
+                claiming.begin(talk, true)
+            elseif to_brick then
+                local is_whole
+                place, is_whole = claiming.find_command(text, joint, is_command, reported)
+                -- Others have their packets at once, unless a command may begin with one.
+                local is_waited = place and not is_whole and (talk.has_ended or place == 0 or place == joint)
+                if not is_whole then return is_waited and PART or nil, place end
+                claiming.begin(talk)
+            else
+                local count = claiming.count_replies(text)
+                talk.replies = count > 0 and (talk.replies or 0) + count or 0
+                if talk.replies < CLAIMS.replies then return nil end
+                claiming.begin(talk)
+                talk.replies = 0
+            end
+            talk.claimed_in = pinfo.number
+            name_brick(talk, pinfo, to_brick)
+            return OURS, place
+        end
+
+        -- Asks for more of what may become a frame or a text, from an offset on.
+        local function ask_for_more(known, text, place, offset, pinfo)
             local joint = offset == 0 and known.waits or 0
-            local rest = rest_of(text, joint, known.begins, pinfo)
-            pinfo.desegment_offset, pinfo.desegment_len = 0, rest or DESEGMENT_ONE_MORE_SEGMENT
-            known.waits = #text
+            local rest = place == 0 and rest_of(text, joint, known.begins, pinfo)
+            pinfo.desegment_offset, pinfo.desegment_len = place, rest or DESEGMENT_ONE_MORE_SEGMENT
+            known.waits = #text - place
             if offset > 0 then known.begins = offset end
         end
 
         function dissect_first(tvb, text, pinfo, tree, number)
             local talk, known = connection_of(pinfo, true)
-            if talk.is_proven then return dissect_claimed(tvb, text, pinfo, tree, number, talk, known) end
             -- What was left to others comes again, where Wireshark knows which end is the server.
             local place = place_of(number, offset_of(tvb))
             if declined[place] then return leave(tvb, pinfo, tree) end
             local port = pinfo.match_uint
-            local is_forced = not ports[port] and not is_named[port]
-            if is_forced and not talk.name then
+            if not talk.name and not ports[port] and not is_named[port] then
                 name_brick(talk, pinfo, pinfo.dst_port == port)
                 talk.is_by_name = ports[pinfo.src_port] or ports[pinfo.dst_port]
+                claiming.begin(talk, true)
             end
-            local verdict = is_forced and OURS or claim(talk, known, text, pinfo)
-            local reported = verdict == PART and tvb:reported_len()
-            if reported and #text < reported then
-                verdict = claiming.weigh_cut(talk, text, reported)
-                local is_from_brick = is_to_brick(pinfo) ~= true
-                verdict = claiming.weigh_packet(talk, known, verdict, 0, #text, is_from_brick) and OURS or nil
-            end
-            if verdict == PART and pinfo.can_desegment > 0 then
-                ask_for_more(known, text, offset_of(tvb), pinfo)
+            if talk.is_claimed then return dissect_claimed(tvb, text, pinfo, tree, number, talk, known) end
+            if offset_of(tvb) > 0 then known.waits = 0 end
+            local verdict, at = claim(talk, known, text, tvb:reported_len(), pinfo)
+            if verdict == PART and #text == tvb:reported_len() and pinfo.can_desegment > 0 then
+                ask_for_more(known, text, at, offset_of(tvb), pinfo)
+                asked[place] = at
                 return #text
-            elseif verdict ~= OURS then
+            end
+            known.waits = 0
+            if verdict ~= OURS then
                 declined[place] = true
                 return leave(tvb, pinfo, tree)
             end
-            return dissect_claimed(tvb, text, pinfo, tree, number, talk, known)
+            return dissect_claimed(tvb, text, pinfo, tree, number, talk, known, at)
         end
     end
 
@@ -8227,6 +8646,11 @@ do
         local text, number = bytes_of(tvb), pinfo.number
         if not pinfo.visited then return dissect_first(tvb, text, pinfo, tree, number) end
         if next(declined) and declined[place_of(number, tvb:offset())] then return leave(tvb, pinfo, tree) end
+        local place = next(asked) and asked[place_of(number, offset_of(tvb))]
+        if place then
+            pinfo.desegment_offset, pinfo.desegment_len = place, DESEGMENT_ONE_MORE_SEGMENT
+            return #text
+        end
         if has_found then
             local talk = connection_of(pinfo)
             if talk.is_found and number < talk.claimed_in then return 0 end
@@ -8247,7 +8671,7 @@ do
         end
         if verdict ~= OURS then return false end
         local talk, known = find_connection(pinfo)
-        claiming.prove(talk)
+        claiming.begin(talk, true)
         talk.is_found, talk.claimed_in = true, pinfo.number
         name_brick(talk, pinfo, true)
         has_found = true
@@ -8363,8 +8787,6 @@ do
             return true
         end
     end
-
-    local listened = tostring(CARRIERS.tcp_port)
 
     -- Takes the ports of a preference such as 5555,6000-6003, or gives them back to whom they belonged.
     local function take_ports()

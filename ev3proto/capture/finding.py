@@ -10,23 +10,25 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Collection
 from enum import Enum, auto
+from itertools import islice
 
-from ev3proto.errors import DecodeError
-from ev3proto.messages import Argument, DaisyCommand, DaisyReply, DirectCommand, Message, SystemCommand
+from ev3proto.capture.claims import is_plausible, is_sensible
 from ev3proto.schema.frame import FrameSchema
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, frame_size, may_have_length
-from ev3proto.tables import OPCODES, system
-from ev3proto.tables.claims import FIRST_TELLING, NEVER_SENT, NOT_TELLING, SYSTEM_TELLS
-from ev3proto.tables.daisy import MOST_LAYERS
-from ev3proto.tables.declaration import Type
-from ev3proto.tables.encoding import TEXT
+from ev3proto.tables import system
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_LENGTH, MIN_LENGTH, SYSTEM_COMMAND_TYPES, MessageType
+
+Accepts = Callable[[MessageType], bool]
+"""Says which types go the way of a stream."""
 
 MOST_TRIALS = 64
 """Places in one piece of a stream where a whole frame is tried, before the piece is given up."""
 
 MOST_FOLLOWING = 2
 """Frames after one that are looked at to tell whether it is one."""
+
+_LEAST_CUT = COMMAND_HEADER_SIZE + 2
+"""Bytes of a command that the capture must have to tell what it is."""
 
 _TYPES = {int(member): member for member in MessageType}
 # Where a header may stand: most places that are none are passed over at ten times the speed.
@@ -42,56 +44,12 @@ _STARTS = re.compile(
     ),
     re.DOTALL,
 )
-_FIRST_TELLING = next(opcode.number for opcode in OPCODES if opcode.name == FIRST_TELLING)
-_NEVER_SENT = frozenset(opcode.number for opcode in OPCODES if opcode.name in NEVER_SENT)
-_NOT_TELLING = frozenset(opcode.number for opcode in OPCODES if opcode.name in NOT_TELLING)
-
-
-def makes_sense(message: Message) -> bool:
-    """Says whether somebody would send a frame without a fault.
-
-    Args:
-        message: A message without a fault.
-
-    Returns:
-        False for commands without operations, or with one that nobody sends, and for layers that no chain has.
-
-    """
-    if isinstance(message, DaisyCommand | DaisyReply):
-        return message.layer_from <= MOST_LAYERS and message.layer_to <= MOST_LAYERS
-    if isinstance(message, DirectCommand):
-        opcodes = [operation.opcode for operation in message.operations]
-        return bool(opcodes) and _NEVER_SENT.isdisjoint(opcodes)
-    return True
-
-
-def count_telling(message: Message) -> int:
-    """Says how much a frame without a fault tells that others' bytes hardly ever do.
-
-    Args:
-        message: A message without a fault.
-
-    Returns:
-        How many of its operations tell it. 0 for replies, and where anything stands in a place that is not its own.
-
-    """
-    if isinstance(message, SystemCommand):
-        return SYSTEM_TELLS
-    if not isinstance(message, DirectCommand) or not makes_sense(message):
-        return 0
-    arguments = (argument for operation in message.operations for argument in operation.arguments)
-    if any(map(_is_misplaced, arguments)):
-        return 0
-    opcodes = [operation.opcode for operation in message.operations]
-    return sum(opcode >= _FIRST_TELLING and opcode not in _NOT_TELLING for opcode in opcodes)
-
-
-def _is_misplaced(argument: Argument) -> bool:
-    if argument.is_variable:
-        return False
-    parameter = argument.parameter
-    is_text = Type.STRING in (parameter.type, parameter.element)
-    return parameter.is_output or (argument.form.kind == TEXT) != is_text
+_WITH_DATA = {
+    bytes((command.number,))
+    for command in system.SYSTEM
+    if any(each.kind is system.Kind.DATA for each in command.request)
+}
+"""The system commands that any bytes may follow."""
 
 
 _POLLS = re.compile(b"(?:%b)*" % re.escape(bytes(LENGTH_FIELD)))
@@ -141,14 +99,7 @@ class Finder:
         """Whether a frame without a fault stands here, which somebody would send."""
         if end - at < HEADER_SIZE or buffer[at + HEADER_SIZE - 1] not in _TYPES:
             return False
-        try:
-            message = self._schema.read_frame(buffer[at:end])
-        except DecodeError:
-            return False
-        code = buffer[at + HEADER_SIZE - 1]
-        if _TYPES[code].carries == "system" or (not _TYPES[code].is_command and _TYPES[code].carries == "direct"):
-            return True
-        return makes_sense(message)
+        return is_sensible(self._schema.read_frame(buffer[at:end], strict=False))
 
     def is_self_evident(self, buffer: bytes, at: int) -> bool:
         """Whether a frame without a fault is one whatever follows it, as few bytes are operations by chance."""
@@ -186,26 +137,55 @@ class Finder:
             at += frame_size(buffer, at)
         return count
 
-    def first_place(self, buffer: bytes, at: int, accepts: Callable[[MessageType], bool]) -> int | None:
-        """The first place from an offset on where a frame stands that goes this way, and the next one may follow."""
-        for trials, hit in enumerate(_STARTS.finditer(buffer, at)):
-            if trials >= MOST_TRIALS:
-                break
-            place = hit.start()
-            end = place + frame_size(buffer, place)
-            if end > len(buffer) or not accepts(_TYPES[buffer[place + HEADER_SIZE - 1]]):
-                continue
-            if (end == len(buffer) or self.may_start(buffer, end)) and self.stands(buffer, place, end):
-                return place
-        return None
+    def first_command(
+        self, buffer: bytes, begins: Collection[int], accepts: Accepts, missing: int = 0
+    ) -> tuple[int, bool]:
+        """The first place where a plausible command stands, and whether it is whole.
 
-    def next_step(self, buffer: bytes, at: int, begins: Collection[int], least: int = 0) -> tuple[Found, int]:
+        Args:
+            buffer: Bytes of a stream that is not known to be ours.
+            begins: Offsets where packets begin: anything may follow the command there, elsewhere another frame.
+            accepts: Says which types go this way.
+            missing: Bytes after these that were not captured: a command that ends with them is whole.
+
+        Returns:
+            The place of a whole one; else of the first that may become one, where the bytes end if there is none.
+
+        """
+        size = len(buffer)
+        opened = next(
+            (place for place in range(max(size - HEADER_SIZE + 1, 0), size) if self.may_start(buffer, place)), size
+        )
+        for hit in islice(_STARTS.finditer(buffer), MOST_TRIALS):
+            place = hit.start()
+            if not may_have_length(buffer, place):
+                continue
+            end = place + frame_size(buffer, place)
+            member = _TYPES[buffer[place + HEADER_SIZE - 1]]
+            is_cut = missing > 0 and end == size + missing and size - place >= _LEAST_CUT
+            is_split = (end > size and not is_cut) or any(place < start < end for start in begins)
+            is_data = member.carries == "system" and buffer[place + HEADER_SIZE : place + HEADER_SIZE + 1] in _WITH_DATA
+            if not accepts(member) or member.carries == "daisy" or (is_split and is_data):
+                continue
+            if end > size and not is_cut:
+                if place < opened and self.may_become(buffer, place):
+                    opened = place
+            elif (place in begins or end >= size or self.may_start(buffer, end)) and is_plausible(
+                self._schema.read_frame(buffer[place:end], strict=False), self._schema, is_cut=is_cut
+            ):
+                return place, True
+        return opened, False
+
+    def next_step(
+        self, buffer: bytes, at: int, begins: Collection[int], accepts: Accepts, least: int = 0
+    ) -> tuple[Found, int]:
         """The place from an offset on where the stream goes on, and what stands there.
 
         Args:
             buffer: Bytes of the stream.
             at: The first offset that may be the place.
             begins: Offsets where packets begin: there a frame may have faults, or nothing that can follow it.
+            accepts: Says which types go this way.
             least: Frames that must begin after a whole one.
 
         Returns:
@@ -216,7 +196,7 @@ class Finder:
         opened = single = begun = None
         for hit in _STARTS.finditer(buffer, at):
             place = hit.start()
-            if not may_have_length(buffer, place):
+            if not may_have_length(buffer, place) or not accepts(_TYPES[buffer[place + HEADER_SIZE - 1]]):
                 continue
             end = place + frame_size(buffer, place)
             trials -= 1

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from enum import Enum, auto
 from typing import NamedTuple
 
-from ev3proto.capture.finding import Finder, Found, polls_end
+from ev3proto.capture.finding import Accepts, Finder, Found, polls_end
 from ev3proto.errors import DecodeError, counted
 from ev3proto.schema.discovery import UNLOCK
 from ev3proto.schema.frame import FrameSchema
@@ -37,7 +37,6 @@ class PartKind(Enum):
     TEXT_END = auto()
     POLL = auto()
     LOST = auto()
-    OTHER = auto()
 
 
 _TEXTS = (PartKind.UNLOCK, PartKind.ACCEPT)
@@ -47,7 +46,7 @@ class StreamPart(NamedTuple):
     """A piece of a stream.
 
     kind     what it is; TEXT_END is the rest of a text that came before, POLL are lengths of 0 between frames, which
-             the brick passes over, OTHER is none of ours
+             the brick passes over
     data     the bytes
     numbers  the packets they came in
     reason   for LOST: why it cannot be read
@@ -64,8 +63,8 @@ class Cutter:
 
     schema      reads frames, to see whether one starts somewhere
     in_step     a frame starts with the first byte; else the first one is looked for
-    is_claimed  the stream is known to be ours; else it is once something like a frame starts with a chunk
     may_gap     nothing tells whether there is a gap between two chunks
+    accepts     says which types go this way, where the next frame is looked for
     """
 
     __slots__ = (
@@ -73,7 +72,6 @@ class Cutter:
         "_buffer",
         "_finder",
         "_in_step",
-        "_is_claimed",
         "_marks",
         "_may_gap",
         "_next_try",
@@ -81,9 +79,10 @@ class Cutter:
         "_reason",
         "_rest",
         "_trials",
+        "accepts",
     )
 
-    def __init__(self, schema: FrameSchema, *, in_step: bool, is_claimed: bool = True, may_gap: bool = False) -> None:
+    def __init__(self, schema: FrameSchema, *, in_step: bool, may_gap: bool = False) -> None:
         self._finder = Finder(schema)
         self._buffer = b""
         self._marks: list[tuple[int, int]] = []  # where in the buffer each packet's bytes start
@@ -91,8 +90,8 @@ class Cutter:
         self._trials = 0  # frames to come that must show that the stream is in step again
         self._next_try = 0  # bytes that must wait before the next frame is looked for again
         self._passed = 0  # bytes that wait only to be told together with others that are in no frame
-        self._is_claimed = is_claimed
         self._may_gap = may_gap
+        self.accepts: Accepts = lambda _: True
         self._rest = 0  # bytes to come of a frame in which some are missing; after them the stream is in step
         self._after_text: PartKind | None = None
         self._reason = "" if in_step else _BEGUN_INSIDE
@@ -116,14 +115,14 @@ class Cutter:
         return True
 
     @property
-    def is_claimed(self) -> bool:
-        """Whether the stream is known to be ours."""
-        return self._is_claimed
-
-    @property
     def is_in_step(self) -> bool:
         """Whether the next frame begins where the one before ended."""
         return self._in_step
+
+    @property
+    def passed(self) -> int:
+        """How many of the bytes that wait are in no frame: they are told together with others."""
+        return self._passed
 
     @property
     def left(self) -> bytes:
@@ -208,14 +207,14 @@ class Cutter:
         reason = (
             f"the stream ends inside a {'text' if is_text else 'frame'}, of which {counted(len(buffer), 'byte')} came"
         )
-        if self._in_step and self._is_claimed and len(buffer) >= LENGTH_FIELD and not is_text:
+        if self._in_step and len(buffer) >= LENGTH_FIELD and not is_text:
             reason += f" and {frame_size(buffer) - len(buffer)} are missing"
         return found + self._take_all(reason)
 
     def _give_up(self) -> list[StreamPart]:
         """What there is after a place where a frame might have started, of which no more will come."""
         is_sure = self._in_step and not self._trials and not self._may_gap
-        return [] if is_sure or not self._is_claimed else self._cut(is_last=True)
+        return [] if is_sure else self._cut(is_last=True)
 
     def _is_in_text(self) -> bool:
         """Whether what waits is the beginning of a text."""
@@ -224,7 +223,7 @@ class Cutter:
     def _take_all(self, reason: str) -> list[StreamPart]:
         if not self._buffer:
             return []
-        kind = PartKind.LOST if self._is_claimed else PartKind.OTHER
+        kind = PartKind.LOST
         if self._after_text is PartKind.UNLOCK and not self._buffer.strip(_LINE_END):
             kind = PartKind.TEXT_END
         piece = self._piece(kind, 0, len(self._buffer), self._reason or reason)
@@ -265,7 +264,7 @@ class Cutter:
                 break
             found.append(self._piece(kind, at, end))
             if kind is PartKind.FRAME or kind in _TEXTS:
-                self._is_claimed, self._in_step, self._reason = True, True, ""
+                self._in_step, self._reason = True, ""
                 self._trials = max(self._trials - 1, 0) if kind is PartKind.FRAME else 0
             if kind is not PartKind.TEXT_END:
                 self._after_text = kind if kind in _TEXTS else None
@@ -311,13 +310,7 @@ class Cutter:
         text = self._text(buffer, at)
         if text is not None:
             return text
-        if not self._is_claimed:
-            if not self._finder.may_start(buffer, at):
-                return PartKind.OTHER, self._end_of_chunk(at)
-            if len(buffer) - at < HEADER_SIZE:
-                return PartKind.FRAME, more
-            self._is_claimed = self._in_step = True
-        elif not self._in_step:
+        if not self._in_step:
             return PartKind.LOST, more
         if len(buffer) - at < LENGTH_FIELD:
             return PartKind.FRAME, more
@@ -343,7 +336,7 @@ class Cutter:
             return PartKind.LOST, end
         # A gap is between two packets; the frames after it begin there, or later.
         inside = at + 1 if self._trials or not stands else next((start for start, _ in self._marks if start > at), end)
-        found, place = finder.next_step(buffer, inside, self._begins())
+        found, place = finder.next_step(buffer, inside, self._begins(), self.accepts)
         if place < end and found in (Found.SINGLE, Found.CHAIN):
             return PartKind.LOST, end
         is_split = any(at < start < end for start, _ in self._marks)
@@ -354,8 +347,8 @@ class Cutter:
     def _misleads(self, buffer: bytes, at: int, is_last: bool) -> bool:
         """Whether what seems to be the start of a frame is none."""
         if not is_last and self._finder.may_become(buffer, at):
-            return self._finder.next_step(buffer, at + 1, (), 2)[0] is Found.CHAIN
-        found, _ = self._finder.next_step(buffer, at + 1, self._begins())
+            return self._finder.next_step(buffer, at + 1, (), self.accepts, 2)[0] is Found.CHAIN
+        found, _ = self._finder.next_step(buffer, at + 1, self._begins(), self.accepts)
         return found in (Found.SINGLE, Found.CHAIN) or (self._trials > 0 and not is_last)
 
     def _look_on(self, buffer: bytes, at: int, latest: int) -> tuple[int, bool]:
@@ -363,7 +356,7 @@ class Cutter:
 
         A header may begin at the `latest` offset, but not after it; it is negative where nothing more comes.
         """
-        found, place = self._finder.next_step(buffer, max(at, self._passed), self._begins())
+        found, place = self._finder.next_step(buffer, max(at, self._passed), self._begins(), self.accepts)
         if found is Found.OPEN and latest < 0:
             found, place = Found.NOTHING, len(buffer)
         for start in (ACCEPT, _REQUEST):
@@ -388,9 +381,6 @@ class Cutter:
     def _begins(self) -> set[int]:
         """Where packets begin."""
         return {start for start, _ in self._marks}
-
-    def _end_of_chunk(self, at: int) -> int:
-        return next((start for start, _ in self._marks if start > at), len(self._buffer))
 
     # Texts
 

@@ -52,7 +52,9 @@ def test_patience_that_ends() -> None:
 
 
 def test_a_reply_by_itself() -> None:
-    assert numbers(captured((False, volts(7)))) == [(None, 1)]
+    """One is a chance, the second one in a row is not."""
+    assert numbers(captured((False, volts(7)))) == []
+    assert numbers(captured((False, volts(7)), (False, volts(8)))) == [(None, 2)]
 
 
 def test_values_are_read_through_the_command() -> None:

@@ -192,7 +192,7 @@ def test_bytes_are_highlighted_exactly(tshark: Tshark) -> None:
 
 def test_the_firmware_whose_instruction_set_is_meant_is_a_preference(tshark: Tshark, ask: Ask) -> None:
     # DYNLOAD_VMLOAD is no opcode of LEGO's firmware.
-    frame = bytes.fromhex("0a 00 01 00 80 00 00 f0 60 84 61 00")
+    frame = bytes.fromhex("08 00 01 00 00 01 00 f0 00 60")
     capture = one_segment(tshark.folder / "dynload.pcap", frame)
     official = tshark.run(capture, "-V")
     assert "0xF0 is no opcode of the official firmware" in official
@@ -236,8 +236,9 @@ def test_commands_without_a_reply_are_said_so_when_all_is_read(ask: Ask) -> None
 
 
 def test_replies_whose_command_is_not_in_the_capture_are_said_so(tshark: Tshark) -> None:
-    frame = bytes.fromhex("07 00 01 00 02 a4 70 fd 40")
-    capture = one_segment(tshark.folder / "orphan.pcap", frame, from_brick=True)
+    # Two replies in a row show that a connection is a brick's.
+    frames = bytes.fromhex("07 00 01 00 02 a4 70 fd 40") + bytes.fromhex("07 00 02 00 02 a4 70 fd 40")
+    capture = one_segment(tshark.folder / "orphan.pcap", frames, from_brick=True)
     assert "the command that this reply answers was not seen" in tshark.run(capture, "-V")
     assert "reply: 4 bytes, command not seen" in tshark.run(capture)
 

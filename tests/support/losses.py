@@ -7,6 +7,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
+import ev3proto
 from support.frames import Segment
 from support.packets import HCI_WITH_DIRECTION, RAW_IP, Capture, Connection, SerialPort
 
@@ -15,6 +16,9 @@ SHARE = 0.03
 
 BEGINNING = bytes.fromhex("0e00feff80000094010182b80182e803")
 """SOUND.TONE, which is never missing: what comes before the first frame of a capture is another matter."""
+
+UNLOCK = ev3proto.Unlock("06165300000a").build()
+"""What every program sends first over TCP."""
 
 MOST_TOGETHER = 20
 """Messages that one side sends before the other one does, at most."""
@@ -44,6 +48,8 @@ def _say(
 ) -> Counter[Segment]:
     capture, missing = way.capture, Capture(RAW_IP)
     whole = Counter({Segment(True, BEGINNING): 1})
+    if isinstance(way, Connection):
+        way.send(UNLOCK)
     way.send(BEGINNING)
     for from_host, frames in _turns(messages, rng):
         data, is_there = b"".join(frames), bytearray()

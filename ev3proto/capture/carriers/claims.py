@@ -1,154 +1,252 @@
-"""Whether a connection is ours, by what is said in it: `tables.claims` has the rule."""
+"""Whether the byte streams of a conversation are ours, packet by packet: `tables.claims` has the rule."""
 
 from __future__ import annotations
 
-from ev3proto.capture.carriers.streams import Context
-from ev3proto.capture.finding import makes_sense
+from typing import NamedTuple
+
+from ev3proto.capture.carriers.streams import Context, Stream
+from ev3proto.capture.claims import Claim, answers, is_complete_reply, is_flawless_command
+from ev3proto.capture.finding import Accepts
+from ev3proto.capture.framing import MARK_SIZE
 from ev3proto.capture.record import Announcement, Direction, Event, Record, Skipped
-from ev3proto.messages import DaisyCommand, DaisyReply, DirectCommand, DirectReply
-from ev3proto.schema.header import HEADER_SIZE
-from ev3proto.tables.claims import MOST_PROOFS, PROOFS, STRANGE_IN_A_ROW, STRANGE_PACKETS
-from ev3proto.tables.frame import MAX_FRAME
+from ev3proto.schema.header import HEADER_SIZE, frame_size
+from ev3proto.tables.claims import REPLIES
+from ev3proto.tables.discovery import UNLOCK_REQUEST
+from ev3proto.tables.frame import MessageType
+
+_REQUEST = UNLOCK_REQUEST.encode()
+_ENDED = "what came after these bytes is none of ours"
 
 
-def _is_right(event: Event) -> bool:
-    """Whether something found in a TCP connection is a flawless frame that makes sense and goes the right way."""
-    if not isinstance(event, Record):
-        return False
-    message = event.message
-    if message.fault is not None or message.type is None:
-        return False
-    # Bricks in a chain send commands both ways.
-    is_right_way = message.type.carries == "daisy" or message.type.is_command == (event.direction is Direction.SENT)
-    return is_right_way and makes_sense(message)
+class Piece(NamedTuple):
+    """Bytes of a stream.
+
+    data     the bytes
+    number   the packet they came in
+    time_ns  when that was captured
+    missing  bytes that came after them in this packet and were not captured
+    """
+
+    data: bytes
+    number: int
+    time_ns: int
+    missing: int = 0
 
 
-def is_proof(event: Event) -> bool:
-    """Says whether something shows that a connection is a brick's: a text, or a reply just as it was asked for."""
-    if not isinstance(event, Record):
-        return isinstance(event, Announcement)
-    if event.request is None or not _is_right(event):
-        return False
-    reply, asked = event.message, event.request.message
-    if isinstance(reply, DirectReply):
-        size = 0 if reply.is_error or not isinstance(asked, DirectCommand) else asked.global_size
-        return len(event.frame) == HEADER_SIZE + size
-    return not isinstance(reply, DaisyCommand | DaisyReply)
+class StreamClaim(Claim):
+    """What is known of a conversation that has a stream each way.
 
-
-class Claim:
-    """What is known of one connection.
-
-    Attributes:
-        is_claimed: It is taken for ours.
-        is_proven: Something showed it that is no chance.
-
+    context      reads frames and counts bytes
+    goes_out     which types go to the brick
+    comes_back   which types come from it
+    is_sure      the conversation is ours whatever is said
+    joins        what may become a command is waited for wherever it begins; else where a packet begins
+    has_texts    the unlock text and replies alone make it ours, too
     """
 
     __slots__ = (
         "_account",
-        "_faulty",
-        "_has_command",
-        "_has_ended",
-        "_is_left",
-        "_is_weak",
-        "_proofs",
-        "_sides",
-        "_strange",
-        "_telling",
-        "_unread",
-        "is_claimed",
-        "is_proven",
+        "_comes_back",
+        "_finder",
+        "_fresh",
+        "_goes_out",
+        "_has_texts",
+        "_joins",
+        "_replies",
+        "_schema",
+        "_streams",
+        "_waiting",
+        "to_brick",
     )
 
-    def __init__(self, context: Context) -> None:
-        """Makes the claim of a new connection.
+    def __init__(
+        self,
+        context: Context,
+        goes_out: Accepts,
+        comes_back: Accepts,
+        *,
+        is_sure: bool = False,
+        joins: bool = False,
+        has_texts: bool = False,
+    ) -> None:
+        super().__init__(is_sure=is_sure)
+        self._account = context.account
+        self._schema = context.schema
+        self._finder = context.finder
+        self._goes_out = goes_out
+        self._comes_back = comes_back
+        self._joins = joins
+        self._has_texts = has_texts
+        self.to_brick: Direction | None = Direction.SENT if has_texts else None
+        self._replies = 0
+        self._streams: dict[Direction, Stream] = {}
+        self._fresh: set[Direction] = set()  # of which nothing was read since the claim began
+        self._waiting: dict[Direction, list[Piece]] = {}
+
+    def waiting(self, direction: Direction) -> int:
+        """Bytes of memory that what waits in a direction takes, about."""
+        return sum(MARK_SIZE + len(piece.data) for piece in self._waiting.get(direction, ()))
+
+    def feed(self, stream: Stream, piece: Piece) -> list[Event]:
+        """Takes the next bytes of a direction.
 
         Args:
-            context: Counts the bytes, and limits what is held back.
+            stream: The direction.
+            piece: The bytes.
+
+        Returns:
+            What is ours.
 
         """
-        self._account = context.account
-        self.is_claimed = self.is_proven = False
-        self._is_weak = False
-        self._has_command = False  # not only replies claimed it
-        self._has_ended = 0  # how much must tell that the next claim is none by chance
-        self._telling = 0
-        self._proofs = 0
-        self._strange = 0
-        self._unread = 0
-        self._faulty = 0
-        self._is_left = False
-        self._sides = dict.fromkeys(Direction, 0)  # strange packets at the beginning of each
-
-    def _decline(self, events: list[Event]) -> None:
-        account = self._account
-        for event in events:
-            if isinstance(event, Skipped):
-                account.skipped -= len(event.data)
-                account.other += len(event.data)
-            elif isinstance(event, Record):
-                account.frames -= len(event.frame)
-                account.other += len(event.frame)
-
-    def _count_faulty(self, side: Direction, *, is_whole: bool = True) -> bool:
-        """Counts a packet that is full of frames, though not of flawless ones. False: it is one too many.
-
-        Where the last frame is not whole yet the packet does not count, but it may not be one too many either.
-        """
+        side = _side(stream)
+        self._streams[side] = stream
         if not self.is_claimed:
-            return False
-        is_taken = self._faulty < (STRANGE_PACKETS if self._has_command else STRANGE_IN_A_ROW)
+            return self._search(stream, side, piece)
+        if side in self._fresh:
+            self._fresh.remove(side)
+            stream.cutter.accepts = accepts = self._goes_out if side is self.to_brick else self._comes_back
+            code = piece.data[HEADER_SIZE - 1 : HEADER_SIZE]
+            may_start = self._finder.may_start(piece.data, 0)
+            may_go = may_start and (not self._has_texts or not code or accepts(MessageType(code[0])))
+            stream.cutter.begin(in_step=may_go)
+        return self._counted(stream, _fed(stream, [piece]))
+
+    def _counted(self, stream: Stream, events: list[Event]) -> list[Event]:
+        """Counts what is complete with a packet. Where the claim ends, what waited for more is told, too."""
+        if self.is_sure or not (events or stream.cutter.passed):
+            return events
+        if any(isinstance(event, Announcement) for event in events):
+            self.begin(is_sure=True)
+            return events
+        records = [event for event in events if isinstance(event, Record)]
+        self.is_answered = self.is_answered or any(map(answers, records))
+        is_good = not self.is_answered and any(is_flawless_command(each.message) for each in records)
+        size = stream.cutter.passed + sum(len(event.data) for event in events if isinstance(event, Skipped))
+        self.count(is_good=is_good, has_frame=bool(records), size=size)
+        if self.is_claimed:
+            return events
+        self._joins = True
+        return events + [event for each in self._streams.values() for event in each.give_up(_ENDED)]
+
+    def leave_hole(self, stream: Stream, missing: int) -> list[Event]:
+        """Says that bytes are missing in a direction, 0 where their number is not known."""
+        if self.is_claimed:
+            return stream.leave_hole(missing)
+        self._forget(_side(stream))
+        return []
+
+    def take(self, event: Skipped) -> list[Event]:
+        """Takes what cannot be read, where the conversation is ours."""
+        if self.is_claimed:
+            return [event]
+        self._account.skipped -= len(event.data)
+        self._account.other += len(event.data)
+        return []
+
+    def give_up(self, stream: Stream) -> list[Event]:
+        """Says that too much waits: what waits in a direction does no longer."""
+        self._forget(_side(stream))
+        return stream.give_up() if self.is_claimed else []
+
+    def end_side(self, stream: Stream) -> list[Event]:
+        """Says that nothing more will come in a direction."""
+        pieces = self._waiting.get(_side(stream), [])
+        if not self.is_claimed and b"".join(piece.data for piece in pieces).startswith(_REQUEST):
+            # A text that breaks off: nothing but the brick's port is unlocked like this.
+            return self._begun(stream, _side(stream), pieces, 0, is_sure=True) + stream.end()
+        self._forget(_side(stream))
+        return stream.end() if self.is_claimed else []
+
+    def _forget(self, side: Direction) -> None:
+        self._account.other += sum(len(piece.data) for piece in self._waiting.pop(side, ()))
+
+    # Not claimed
+
+    def _search(self, stream: Stream, side: Direction, piece: Piece) -> list[Event]:
+        """Looks for what makes the conversation ours."""
+        pieces = [*self._waiting.pop(side, ()), piece]
+        text = b"".join(each.data for each in pieces)
+        if self._has_texts:
+            begins = stream.cutter.begins_with_text(text)
+            if begins:
+                return self._begun(stream, side, pieces, 0, is_sure=True)
+            if begins is None and not piece.missing:
+                self._waiting[side] = pieces
+                return []
+        if self._has_texts and side is not self.to_brick:
+            return self._count_replies(stream, side, piece)
+        place, is_whole = self._finder.first_command(text, _starts(pieces), self._goes_out, piece.missing)
         if is_whole:
-            self._faulty += 1
-            if self._is_weak:
-                self._proofs = 0
-        if not is_taken:
-            # It is not what is left of a frame.
-            self._sides[side] = STRANGE_IN_A_ROW
-        return is_taken
+            self.to_brick = side
+            return self._begun(stream, side, pieces, place)
+        if piece.missing or not (self._joins or place in _starts(pieces)):
+            # Others have their packets at once, unless a command may begin with one.
+            place = len(text)
+        self._account.other += place
+        if place < len(text):
+            self._waiting[side] = _after(pieces, place)
+        return []
 
-    def _meet_ours(self, side: Direction, telling: int, *, is_command: bool) -> None:
-        self._sides[side] = STRANGE_IN_A_ROW
-        if self._has_ended and not self.is_claimed:
-            self._telling += telling
-            if self._telling < self._has_ended:
-                return
-        elif self._is_left:
-            return
-        self._is_weak = not telling and (self._is_weak or not self.is_claimed)
-        self._has_command = is_command or (self._has_command and self.is_claimed)
-        self._proofs = (self._proofs if self.is_claimed else 0) + min(1 + telling, MOST_PROOFS)
-        self.is_claimed = True
-        self._strange = self._unread = 0
-        if telling:
-            self._faulty = 0
-        if self._proofs >= PROOFS:
-            self.is_proven = True
+    def _count_replies(self, stream: Stream, side: Direction, piece: Piece) -> list[Event]:
+        data, at = piece.data, 0
+        while len(data) - at >= HEADER_SIZE:
+            end = at + frame_size(data, at)
+            if end > len(data) or not is_complete_reply(self._schema.read_frame(data[at:end], strict=False)):
+                break
+            self._replies += 1
+            at = end
+        if at < len(data):
+            self._replies = 0
+        if self._replies >= REPLIES:
+            return self._begun(stream, side, [piece], 0)
+        self._account.other += len(data)
+        return []
 
-    def _meet_strange(self, side: Direction, size: int) -> None:
-        self._telling = 0
-        if self.is_claimed and self._is_weak:
-            # It may be what is left of a frame, as it is among the first of its side.
-            self._sides[side] += 1
-            if self._sides[side] <= STRANGE_IN_A_ROW:
-                return
-        self._count_strange(size)
-        if self.is_claimed and self._strange >= (1 if self._is_weak else STRANGE_IN_A_ROW):
-            self._end_claim()
-        elif not self.is_claimed and not self._has_ended and self._strange >= STRANGE_PACKETS:
-            self._is_left = True
+    def _begun(
+        self, stream: Stream, side: Direction, pieces: list[Piece], place: int, *, is_sure: bool = False
+    ) -> list[Event]:
+        """What is ours of the pieces with which a claim begins."""
+        self.begin(is_sure=is_sure)
+        self._replies = 0
+        self._waiting.pop(side, None)
+        for other in tuple(self._waiting):
+            self._forget(other)
+        self._fresh = set(Direction) - {side}
+        self._account.other += place
+        stream.cutter.accepts = self._goes_out if side is self.to_brick else self._comes_back
+        stream.cutter.begin(in_step=True)
+        return self._counted(stream, _fed(stream, _after(pieces, place)))
 
-    def _count_strange(self, size: int) -> None:
-        if size > HEADER_SIZE:
-            self._strange += 1
-        else:
-            self._unread += size
-            if self._unread > MAX_FRAME:
-                self._strange = STRANGE_PACKETS
 
-    def _end_claim(self) -> None:
-        """The claim ends, or too much was strange before there was one: now more must tell that it is ours."""
-        self._has_ended = 1 if self.is_claimed and self._is_weak else 2
-        self.is_claimed = self.is_proven = False
-        self._telling = self._strange = 0
+def _side(stream: Stream) -> Direction:
+    assert stream.route.direction is not None
+    return stream.route.direction
+
+
+def _fed(stream: Stream, pieces: list[Piece]) -> list[Event]:
+    """What is complete with some pieces of a direction."""
+    events: list[Event] = []
+    for data, number, time_ns, missing in pieces:
+        events += stream.feed(data, number, time_ns)
+        if missing:
+            events += stream.cut_off(missing)
+    return events
+
+
+def _starts(pieces: list[Piece]) -> set[int]:
+    """Where in their bytes pieces begin."""
+    at, starts = 0, set()
+    for piece in pieces:
+        starts.add(at)
+        at += len(piece.data)
+    return starts
+
+
+def _after(pieces: list[Piece], place: int) -> list[Piece]:
+    """The pieces from an offset in their bytes on."""
+    left: list[Piece] = []
+    for piece in pieces:
+        if place < len(piece.data):
+            left.append(piece._replace(data=piece.data[place:]) if place else piece)
+        place = max(place - len(piece.data), 0)
+    return left

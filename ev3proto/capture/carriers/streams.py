@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from ev3proto.bounded import Budget
 from ev3proto.capture.byte_account import Account
 from ev3proto.capture.conversation import Conversation
+from ev3proto.capture.finding import Finder
 from ev3proto.capture.framing import Cutter, PartKind, StreamPart
 from ev3proto.capture.packets import Packet
 from ev3proto.capture.record import Announcement, Event, Route, Skipped, TextKind
@@ -27,9 +28,10 @@ class Context:
     ports    TCP ports on which bricks listen
     budget   limits the memory of all that waits
     late     events of what had to go because too much waits; they come after those of the packet that is read
+    finder   finds frames in streams that are out of step
     """
 
-    __slots__ = ("account", "budget", "late", "ports", "schema")
+    __slots__ = ("account", "budget", "finder", "late", "ports", "schema")
 
     def __init__(self, schema: FrameSchema, account: Account, ports: frozenset[int], budget: Budget) -> None:
         self.schema = schema
@@ -37,6 +39,7 @@ class Context:
         self.ports = ports
         self.budget = budget
         self.late: list[Event] = []
+        self.finder = Finder(schema)
 
     def conversation(self) -> Conversation:
         """A new conversation."""
@@ -106,8 +109,6 @@ class Stream:
         return self._with_missing(events, missing)
 
     def _with_missing(self, events: list[Event], missing: int) -> list[Event]:
-        if not self.cutter.is_claimed:
-            return events
         reason = (
             f"{counted(missing, 'byte')} {'is' if missing == 1 else 'are'} missing in the stream: not in the capture"
         )
@@ -115,7 +116,7 @@ class Stream:
             reason = "the stream goes on at quite another place: what is in between is not in the capture"
         return [*events, Skipped(b"", missing, reason, self.packet.number, self.packet.time_ns, self.route)]
 
-    def skip(self, data: bytes, reason: str) -> Event:
+    def skip(self, data: bytes, reason: str) -> Skipped:
         """Bytes that belong to no place in the stream any more."""
         self._account.skipped += len(data)
         return Skipped(data, 0, reason, self.packet.number, self.packet.time_ns, self.route)
@@ -135,8 +136,6 @@ class Stream:
             if kind is PartKind.FRAME:
                 account.frames += size
                 events.append(self._conversation.record(data, numbers, time_ns, route))
-            elif kind is PartKind.OTHER:
-                account.other += size
             elif kind is PartKind.POLL:
                 account.padding += size
             elif kind is PartKind.LOST:

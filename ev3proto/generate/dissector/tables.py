@@ -14,7 +14,8 @@ from ev3proto.generate.dissector.names import HEXADECIMAL, filter_name, label
 from ev3proto.schema.argument import ENCODINGS, SHORT_VALUES
 from ev3proto.schema.frame import SENSOR_REPORT
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
-from ev3proto.tables import OPCODES, carriers, claims, daisy, discovery, enumerations, frame, operations
+from ev3proto.semantics.domain import domain_of
+from ev3proto.tables import OPCODES, carriers, claims, daisy, discovery, enumerations, frame
 from ev3proto.tables.declaration import DIALECTS, Command, Direction, Enumeration, Opcode, Parameter, Role, Type
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL, RANGES, TEXT, Encoding
 from ev3proto.tables.frame import MessageType
@@ -212,6 +213,12 @@ def _parameter(parameter: Parameter) -> Table:
         named["enum"] = Name(f"ENUMERATIONS.{parameter.enum.name}")
     if parameter.special:
         named["special"] = Table(named=dict(parameter.special))
+    domain = domain_of(parameter)
+    if domain is None and parameter.type in RANGES:
+        named["any"] = True
+    if domain is not None and domain.spans and (parameter.range or parameter.enum or parameter.unsigned):
+        (span,) = domain.spans
+        named["range"] = Table(list(span))
     if parameter.length is not None:
         named["length"] = parameter.length
     if parameter.element is not None:
@@ -310,31 +317,21 @@ def _carriers() -> Iterator[str]:
 
 
 def _claims() -> Iterator[str]:
-    nxt = {
-        "lengths": Table(named=claims.NXT_LENGTHS),
-        "counted": Table(named=claims.NXT_COUNTED),
-        "answered": Table(named=dict.fromkeys(claims.NXT_ANSWERED, True)),
-        "any_length": claims.NXT_ANY_LENGTH,
-        "direct": claims.NXT_DIRECT,
-        "system": claims.NXT_SYSTEM,
-        "reply": claims.NXT_REPLY,
-        "reply_flag": claims.NXT_REPLY_FLAG,
-        "count_at": claims.NXT_COUNT_AT,
-    }
+    numbers = {opcode.name: opcode.number for opcode in OPCODES}
     rule = {
-        "never_sent": Table(named={operations()[name].opcode.number: True for name in claims.NEVER_SENT}),
-        "not_telling": Table(named={operations()[name].opcode.number: True for name in claims.NOT_TELLING}),
         "strange_packets": claims.STRANGE_PACKETS,
-        "faults_in_a_row": claims.FAULTS_IN_A_ROW,
-        "proofs": claims.PROOFS,
-        "most_proofs": claims.MOST_PROOFS,
-        "strange_in_a_row": claims.STRANGE_IN_A_ROW,
-        "first_telling": operations()[claims.FIRST_TELLING].opcode.number,
-        "system_tells": claims.SYSTEM_TELLS,
-        "odd_reports": claims.ODD_REPORTS,
-        "nxt": Table(named=nxt),
+        "replies": claims.REPLIES,
+        "never_sent": numbers[claims.NEVER_SENT],
+        "not_telling": Table(named={numbers[name]: True for name in claims.NOT_TELLING}),
+        "only_in_programs": Table(named={numbers[name]: True for name in claims.ONLY_IN_PROGRAMS}),
+        "first_of_devices": numbers[claims.FIRST_OF_DEVICES],
+        "nxt_write": claims.NXT_WRITE,
+        "nxt_flag": 0xFFFF - claims.NXT_MASK,
     }
     yield _assign("CLAIMS", Table(named=rule))
+    yield "-- The numbers of each type.\n"
+    limits: dict[Any, object] = {kind.name: Table([limit.low, limit.high]) for kind, limit in RANGES.items()}
+    yield _assign("TYPE_RANGES", Table(named=limits))
 
 
 def _unlock() -> Iterator[str]:

@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from ev3proto.capture.carriers.bluetooth.adapters import Bluetooth, Carried, Closed
-from ev3proto.capture.carriers.bluetooth.claim import Piece, PortClaim
+from ev3proto.capture.carriers.claims import Piece, StreamClaim
 from ev3proto.capture.carriers.streams import Context, Stream
 from ev3proto.capture.conversation import Conversation
 from ev3proto.capture.framing import Cutter
 from ev3proto.capture.packets import Packet
 from ev3proto.capture.record import Direction, Event, Route
 from ev3proto.tables.carriers import RFCOMM_CHANNEL, Carrier
+from ev3proto.tables.frame import MessageType
 
 
 class SerialPorts:
@@ -23,7 +24,7 @@ class SerialPorts:
         self._bluetooth = Bluetooth(context.budget)
         self._streams: dict[tuple[object, bool], Stream] = {}
         self._conversations: dict[object, Conversation] = {}
-        self._claims: dict[object, PortClaim] = {}
+        self._claims: dict[object, StreamClaim] = {}
 
     def feed(self, packet: Packet) -> Iterable[Event]:
         """The events that are complete with a packet."""
@@ -33,9 +34,7 @@ class SerialPorts:
             elif isinstance(found, Closed):
                 self._conversations.pop(found.key, None)
                 yield from self._end(found.key)
-                closed = self._claims.pop(found.key, None)
-                if closed is not None:
-                    closed.forget()
+                self._claims.pop(found.key, None)
             elif found.serial is None or found.serial.channel != RFCOMM_CHANNEL:
                 self._account.other += found.weight
             else:
@@ -44,11 +43,8 @@ class SerialPorts:
     def end(self) -> Iterable[Event]:
         """What was waiting for more."""
         self._account.other += self._bluetooth.pending()
-        for stream in self._streams.values():
-            yield from stream.end()
-        for claim in self._claims.values():
-            claim.forget()
-        self._streams.clear()
+        for connection in tuple(self._claims):
+            yield from self._end(connection)
 
     def _end(self, connection: object) -> list[Event]:
         """Both streams of a connection come to their end."""
@@ -57,46 +53,24 @@ class SerialPorts:
             stream = self._streams.pop((connection, way), None)
             if stream is not None:
                 self._context.budget.remove(stream)
-                events += stream.end()
+                events += self._claims[connection].end_side(stream)
         return events
 
     def _serial(self, packet: Packet, found: Carried) -> Iterable[Event]:
         serial = found.serial
         assert serial is not None
         self._account.headers += found.weight - len(serial.data)
-        claim = self._claims.get(found.key)
-        if claim is None:
-            claim = self._claims[found.key] = PortClaim(self._context)
         if serial.is_turn:
             yield from self._end(found.key)
-            claim.forget()
         if not serial.data:
             return
-        piece = Piece(serial.data, packet.number, packet.time_ns, packet, found)
-        if claim.is_claimed:
-            yield from self._take(packet, found, claim, piece)
-        else:
-            for begun in claim.begin(_side(found), piece):
-                yield from self._stream(begun.packet, begun.found).feed(begun.data, begun.number, begun.time_ns)
-        stream = self._streams.get((found.key, serial.is_from_host))
-        if stream is None:
-            return
-        if serial.missing:
-            yield from stream.leave_hole(serial.missing)
-        self._context.budget.update(stream, stream.size, lambda _: self._give_up(stream))
-
-    def _take(self, packet: Packet, found: Carried, claim: PortClaim, piece: Piece) -> list[Event]:
-        """What is complete with a packet of a port that is ours."""
+        claim = self._claims.get(found.key)
+        if claim is None:
+            claim = self._claims[found.key] = StreamClaim(self._context, _is_command, _is_from_brick, joins=True)
         stream = self._stream(packet, found)
-        text = piece.data if claim.is_proven else stream.cutter.left + piece.data
-        is_in_step = stream.cutter.is_in_step or not stream.cutter.is_claimed
-        events = stream.feed(piece.data, piece.number, piece.time_ns)
-        if claim.take(_side(found), events, text, len(piece.data), is_in_step=is_in_step):
-            if not claim.is_claimed:
-                events += self._end(found.key)
-            return events
-        claim.end(self._end(found.key))
-        return []
+        yield from claim.feed(stream, Piece(serial.data, packet.number, packet.time_ns, serial.missing))
+        size = stream.size + claim.waiting(_side(found))
+        self._context.budget.update(stream, size, lambda _: self._give_up(claim, stream))
 
     def _stream(self, packet: Packet, found: Carried) -> Stream:
         serial = found.serial
@@ -105,15 +79,18 @@ class SerialPorts:
         stream = self._streams.get(key)
         if stream is None:
             conversation = self._conversations.setdefault(found.key, self._context.conversation())
-            # The other side may have begun in the middle of a frame.
-            cutter = Cutter(self._context.schema, in_step=False, is_claimed=False, may_gap=True)
+            cutter = Cutter(self._context.schema, in_step=False, may_gap=True)
             route = _route(packet, found)
             stream = self._streams[key] = Stream(self._context, conversation, cutter, route, packet)
         stream.packet = packet
         return stream
 
-    def _give_up(self, stream: Stream) -> None:
-        self._context.late.extend(stream.give_up())
+    def _give_up(self, claim: StreamClaim, stream: Stream) -> None:
+        self._context.late += claim.give_up(stream)
+
+
+def _is_command(member: MessageType) -> bool:
+    return member.is_command
 
 
 def _side(found: Carried) -> Direction:
@@ -126,3 +103,8 @@ def _route(packet: Packet, found: Carried) -> Route:
     side = _side(found)
     ends = (host, device) if side is Direction.SENT else (device, host)
     return Route(Carrier.BLUETOOTH, *ends, side, packet.interface.name, device)
+
+
+def _is_from_brick(member: MessageType) -> bool:
+    """Bricks write into each other's mailboxes."""
+    return not member.is_command or (member.carries == "system" and not member.wants_reply)

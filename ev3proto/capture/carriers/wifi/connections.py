@@ -7,9 +7,9 @@ from functools import cache
 from types import ModuleType
 
 from ev3proto.bounded import Bounded
+from ev3proto.capture.carriers.claims import Piece, StreamClaim
 from ev3proto.capture.carriers.streams import Context, Stream
 from ev3proto.capture.carriers.wifi import layers
-from ev3proto.capture.carriers.wifi.claim import ConnectionClaim
 from ev3proto.capture.carriers.wifi.fragments import Fragment, Fragments
 from ev3proto.capture.carriers.wifi.internet import (
     ACK,
@@ -31,14 +31,19 @@ from ev3proto.capture.carriers.wifi.internet import (
     usual_transport,
 )
 from ev3proto.capture.carriers.wifi.tcp import Hole, Late, Reassembly, Segment
-from ev3proto.capture.carriers.wifi.ways import frame_goes_to_brick, text_goes_to_brick
+from ev3proto.capture.carriers.wifi.ways import (
+    frame_goes_to_brick,
+    may_come_from_brick,
+    may_go_to_brick,
+    text_goes_to_brick,
+)
 from ev3proto.capture.framing import Cutter
 from ev3proto.capture.packets import Interface, Packet
 from ev3proto.capture.record import Announcement, Direction, Event, Route, TextKind
 from ev3proto.errors import DecodeError, counted
 from ev3proto.schema.discovery import Beacon, is_beacon
 from ev3proto.tables.carriers import Carrier, Link
-from ev3proto.tables.discovery import BEACON_PORT, UNLOCK_REQUEST
+from ev3proto.tables.discovery import BEACON_PORT, TCP_PORT, UNLOCK_REQUEST
 
 MOST_CONNECTIONS = 1024
 """Connections that are followed at the same time; those unused for longest are given up."""
@@ -77,10 +82,10 @@ class _Connection:
 
     __slots__ = ("claim", "conversation", "ends", "halves")
 
-    def __init__(self, ends: Ends, context: Context) -> None:
+    def __init__(self, ends: Ends, context: Context, *, is_sure: bool) -> None:
         self.ends = ends
         self.conversation = context.conversation()
-        self.claim = ConnectionClaim(context)
+        self.claim = StreamClaim(context, may_go_to_brick, may_come_from_brick, is_sure=is_sure, has_texts=True)
         self.halves: dict[Ends, _Half] = {}
 
 
@@ -128,7 +133,7 @@ class _Half:
             self.size
             or flags & _TURNS
             or self.interface is not interface
-            or not self.claim.is_proven
+            or not self.claim.is_claimed
             or (back is not None and back.size)
         ):
             return False
@@ -142,6 +147,7 @@ class Connections:
         self._context = context
         self._account = context.account
         self._ports = {port_bytes(port) for port in context.ports if 0 <= port < PORTS}
+        self._is_said = self._ports != {port_bytes(TCP_PORT)}  # the user says where bricks are, and does not guess
         self._budget = context.budget
         self._fragments = Fragments(context.budget)
         self._connections: Bounded[Ends, _Connection] = Bounded(MOST_CONNECTIONS)
@@ -174,7 +180,7 @@ class Connections:
             back.reassembly.acknowledged = acknowledged
         stream = half.stream
         stream.packet = packet
-        events = stream.feed(carried, number, time_ns)
+        events = half.claim.feed(stream, Piece(carried, number, time_ns))
         if stream.times:
             self._weigh(half)
         return events
@@ -206,8 +212,6 @@ class Connections:
         """What was waiting for more."""
         for half in self._halves.values():
             yield from self._end_half(half)
-        for connection in self._connections.values():
-            yield from connection.claim.end()
         self._connections.clear()
         self._halves.clear()
 
@@ -272,8 +276,8 @@ class Connections:
         if data:
             stream.packet = packet
             if reassembly.takes_next(sequence, len(data) + missing):
-                events = half.claim.feed(stream, Segment(0, data, packet.number, packet.time_ns, missing))
-                is_waiting = not half.claim.is_proven or bool(stream.times)
+                events = half.claim.feed(stream, Piece(data, packet.number, packet.time_ns, missing))
+                is_waiting = not half.claim.is_claimed or bool(stream.times)
             else:
                 events = self._given(half, reassembly.add(sequence, data, packet.number, packet.time_ns, missing))
                 is_waiting = True
@@ -317,7 +321,7 @@ class Connections:
     def _piece(self, half: _Half, piece: Segment | Hole | Late) -> list[Event]:
         stream, claim = half.stream, half.claim
         if type(piece) is Segment:
-            return claim.feed(stream, piece)
+            return claim.feed(stream, Piece(*piece[1:]))
         if type(piece) is Hole:
             return claim.leave_hole(stream, piece.missing)
         assert type(piece) is Late
@@ -328,7 +332,7 @@ class Connections:
         ends, data, _, _, flags = segment
         back = self._halves.get(reversed_ends(ends))
         is_from_host = self._is_to_brick(ends, data, flags or 0) if back is None else not back.is_from_host
-        connection = self._connection(ends, events)
+        connection = self._connection(ends, is_from_host, events)
         cutter = Cutter(self._context.schema, in_step=start is not None)
         route = self._route(packet, ends, is_from_host)
         stream = Stream(self._context, connection.conversation, cutter, route, packet)
@@ -339,16 +343,16 @@ class Connections:
         connection.halves[ends] = self._halves[ends] = half
         return half
 
-    def _connection(self, ends: Ends, events: list[Event]) -> _Connection:
+    def _connection(self, ends: Ends, is_from_host: bool, events: list[Event]) -> _Connection:
         """The connection between two ends. Where there are too many, the one unused for longest is ended for it."""
-        both = _both_ways(ends)
-        connection, oldest = self._connections.use(both, lambda: _Connection(both, self._context))
+        both, brick = _both_ways(ends), target_of(ends) if is_from_host else source_of(ends)
+        is_sure = brick in self._named or (self._is_said and brick[-PORT_SIZE:] in self._ports)
+        connection, oldest = self._connections.use(both, lambda: _Connection(both, self._context, is_sure=is_sure))
         if oldest is not None:
             for way, half in oldest.halves.items():
                 del self._halves[way]
                 events += self._end_half(half)
                 half.back = None
-            events += oldest.claim.end()
             oldest.halves.clear()  # no circle is left: Python looks for those only now and then
         return connection
 

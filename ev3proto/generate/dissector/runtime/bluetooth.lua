@@ -8,8 +8,9 @@ do
     -- with the last piece as `complete_in`. By packet, of those that are ours: `continued` is the list of the frame
     -- that goes on in it, of which `earlier` packets came before, `waiting` the bytes of those where the frame becomes
     -- whole, and `begun` the list of the frame that begins in it and is not whole. `is_ours` tells of a packet that is
-    -- ours which types go its way, `steps` is "lost" where the stream was out of step before it.
-    local streams, is_ours, continued, earlier, waiting, begun, steps
+    -- ours which types go its way, `steps` is "lost" where the stream was out of step before it, and "sure" where the
+    -- claim begins with it: after `starts` bytes that are others'.
+    local streams, is_ours, continued, earlier, waiting, begun, steps, starts
 
     -- Methods that each packet needs: looking them up takes longer than what they do.
     local bytes_of, offset_of = Tvb.raw, Tvb.offset
@@ -19,7 +20,7 @@ do
     local met
 
     local function forget_streams()
-        streams, is_ours, continued, earlier, waiting, begun, steps, met = {}, {}, {}, {}, {}, {}, {}, {}
+        streams, is_ours, continued, earlier, waiting, begun, steps, starts, met = {}, {}, {}, {}, {}, {}, {}, {}, {}
     end
     forget_streams()
 
@@ -62,7 +63,7 @@ do
     end
 
     local function clear(stream)
-        stream.left, stream.list, stream.look_at = "", nil, 0
+        stream.left, stream.list, stream.starts, stream.look_at = "", nil, nil, 0
     end
 
     -- Nothing is known of what a channel's sides said so far.
@@ -79,82 +80,49 @@ do
         return not high or is_length(low, high) and frame_size(low, high) > #text
     end
 
-    -- What a text tells that should begin with a command: nobody answers what was not asked. With `is_joined` it came
-    -- in several packets: then a system command does not tell, as any bytes may follow its header.
-    local function weigh_commands(text, is_joined)
-        local verdict, telling = claiming.weigh_frames(text, 0, is_command)
-        if not verdict or verdict == PART then return verdict, 0 end
-        if is_joined and MESSAGE_TYPES[byte(text, HEADER_SIZE)].carries == "system" then return claiming.PERHAPS, 0 end
-        return verdict, telling
+    -- Keeps the bytes of a stream from an offset on, of those that wait and the packet that came last; `list` are the
+    -- packets of those that wait, `starts` where in them each begins.
+    local function keep(stream, text, place, number)
+        local list, starts = {}, {}
+        local before = stream.list or {}
+        for index, start in ipairs(stream.starts or {}) do
+            local stop = stream.starts[index + 1] or #stream.left
+            if stop > place then
+                list[#list + 1], starts[#starts + 1] = before[index], math.max(start - place, 0)
+            end
+        end
+        list[#list + 1], starts[#starts + 1] = number, math.max(#stream.left - place, 0)
+        stream.left, stream.list, stream.starts = sub(text, place + 1), list, starts
     end
 
-    -- The packets of a claimed stream that came before it was claimed.
-    local function take_waiting(stream)
-        for index, before in ipairs(stream.list) do
+    -- A packet of a channel that is not known to be ours: all of the command that makes it ours, nil where none does.
+    -- What may still become a command is kept: whoever types a text sends it letter by letter.
+    local function claim(talk, stream, piece, missing, number)
+        local left = stream.left
+        local text = left .. piece
+        local place, is_whole = claiming.find_command(text, #left, is_command, #text + missing)
+        if not place then
+            clear(stream)
+            return nil
+        end
+        keep(stream, text, place, number)
+        if not is_whole then return nil end
+        claiming.begin(talk)
+        local list, joint = stream.list, #left
+        clear_sides(talk)
+        if place >= joint then
+            starts[number] = place - joint
+            return piece
+        end
+        list[#list] = nil
+        for index, before in ipairs(list) do
             is_ours[before] = is_command
-            if index == 1 then begun[before] = stream.list end
-            if index > 1 then continued[before], earlier[before] = stream.list, index - 1 end
+            if index == 1 then begun[before] = list end
+            if index > 1 then continued[before], earlier[before] = list, index - 1 end
         end
-    end
-
-    -- A packet of a channel that is not known to be ours: whether it is. Other programs use the same channels. What may
-    -- still become a command is kept: whoever types a text sends it letter by letter.
-    local function claim(talk, stream, piece, number)
-        -- Nobody answers in the middle of a command.
-        if talk.waiting and talk.waiting ~= stream then clear(talk.waiting) end
-        talk.waiting = stream
-        local verdict, telling = nil, 0
-        if stream.left ~= "" then verdict, telling = weigh_commands(stream.left .. piece, true) end
-        if not verdict then
-            clear(stream)
-            verdict, telling = weigh_commands(piece)
-        end
-        if verdict == PART then
-            stream.left = stream.left .. piece
-            stream.list = stream.list or {}
-            table.insert(stream.list, number)
-            return false
-        end
-        if not verdict and claiming.weigh_frames(piece, 0, is_from_brick) then
-            clear(stream)
-            return false
-        end
-        if (talk.strange or 0) >= CLAIMS.strange_packets then claiming.end_claim(talk) end
-        local is_claimed = claiming.weigh_packet(talk, stream, verdict, telling, #piece)
-        if not is_claimed then clear(stream) elseif stream.list then take_waiting(stream) end
-        return is_claimed
-    end
-
-    -- What a packet of a claimed channel tells that is not proven to be ours, with all that waited for it; the packet
-    -- itself begins at `joint`.
-    local function weigh(text, joint, accepts)
-        local verdict, telling = claiming.weigh_frames(text, 0, accepts)
-        if not verdict and joint > 0 then verdict, telling = claiming.weigh_frames(text, joint, accepts) end
-        local at = not verdict and find_frame(text, 1, accepts)
-        if at then verdict, telling = claiming.weigh_frames(text, at, accepts) end
-        return (not at or verdict == OURS) and verdict or nil, telling
-    end
-
-    -- The size with which a packet of a claimed channel counts: small ones that are strange count together.
-    local function size_together(talk, verdict, size)
-        local together = verdict and 0 or (talk.small or 0) + size
-        local is_enough = together > CLAIMS.strange_packets * HEADER_SIZE
-        talk.small = is_enough and 0 or together
-        return is_enough and together or size
-    end
-
-    -- Whether a packet belongs to the claim on its channel, which may end with it. In a stream that is out of step no
-    -- packet is the part of a frame: anything may look like that.
-    local function belongs(talk, stream, text, size)
-        if talk.is_proven then return true end
-        local is_in_step = stream.step ~= "lost"
-        if is_in_step and is_part(text) and may_become_flawless(text, 0, stream.accepts) then return true end
-        local verdict, telling = weigh(text, #text - size, stream.accepts)
-        if verdict == PART then verdict = nil end
-        if not verdict and claiming.meet_faulty(talk, stream, text, 0) then return true end
-        local is_claimed = claiming.weigh_packet(talk, stream, verdict, telling, size_together(talk, verdict, size))
-        if not is_claimed then clear_sides(talk) end
-        return is_claimed
+        list.complete_in = number
+        continued[number], earlier[number], waiting[number] = list, #list, sub(left, place + 1)
+        return waiting[number] .. piece
     end
 
     -- Whether all of a text waits for more; the newest packet starts at `joint`.
@@ -175,7 +143,7 @@ do
     -- it may be whole.
     local function join(stream, piece, number)
         local left = stream.left
-        if left ~= "" and is_part(left .. piece) and find_frame(piece, 0, nil, 2) == 0 then
+        if left ~= "" and is_part(left .. piece) and find_frame(piece, 0) == 0 then
             -- Where whole frames begin with the packet, what waits is none.
             clear(stream)
             left = ""
@@ -192,26 +160,6 @@ do
         stream.list.complete_in = number
         clear(stream)
         return text, true
-    end
-
-    -- Counts the packets in a row without anything of ours, after which a proven channel is not known to be ours any
-    -- more. What is left of a frame of which something is missing may come in many.
-    local function count_faults(talk, has_ours, size)
-        if not talk.is_proven or has_ours then
-            talk.faults, talk.unread = 0, 0
-            return
-        end
-        talk.faults, talk.unread = (talk.faults or 0) + 1, talk.unread + size
-        if talk.faults >= CLAIMS.faults_in_a_row and talk.unread > CLAIMS.faults_in_a_row * MAX_LENGTH then
-            claiming.end_claim(talk)
-            clear_sides(talk)
-        end
-    end
-
-    -- A packet that ended the claim on its channel is not ours.
-    local function forget_packet(number)
-        if continued[number] then continued[number].complete_in = nil end
-        continued[number], earlier[number], waiting[number] = nil, nil, nil
     end
 
     local function add_joined(tree, tvb, before, number)
@@ -248,16 +196,14 @@ do
             talk, stream = channel_of(pinfo)
             local is_begun = not talk.is_claimed
             if is_begun then
-                if not claim(talk, stream, piece, number) then return 0 end
+                text, may_be_whole = claim(talk, stream, piece, tvb:reported_len() - #piece, number), true
+                if not text then return 0 end
                 -- It is claimed by a command, so this packet goes to the brick.
                 talk.name, talk.to_brick = tostring(pinfo.dl_dst), stream
+                steps[number] = "sure"
             end
             stream.accepts = stream == talk.to_brick and is_command or is_from_brick
-            text, may_be_whole = join(stream, piece, number)
-            if not is_begun and not belongs(talk, stream, text, #piece) then
-                forget_packet(number)
-                return 0
-            end
+            if not is_begun then text, may_be_whole = join(stream, piece, number) end
             is_ours[number] = stream.accepts
             if stream.step == "lost" then steps[number] = "lost" end
         elseif is_ours[number] then
@@ -269,13 +215,11 @@ do
         local is_shown, whole, size, offset = has_tree(tree), tvb, #piece, offset_of(tvb)
         brick = is_shown and tostring(is_ours[number] == is_command and pinfo.dl_dst or pinfo.dl_src)
         if may_be_whole and text == piece and not steps[number] and is_frame(text) then
-            if is_first then
-                stream.step = "likely"
-                count_faults(talk, true, size)
-            end
+            if is_first then stream.step = "likely" end
             local place = place_of(number, offset)
             local said = dissect_message(tvb, 0, read_message(text), talk, place, pinfo, tree, is_shown)
             show_line(pinfo, number, offset, said)
+            if is_first and not claiming.count(talk, 0, number) then clear_sides(talk) end
             return size
         end
         start_line(number, offset)
@@ -289,12 +233,13 @@ do
                 reported = #text,
                 is_last = #piece < tvb:reported_len(),
                 step = steps[number] or "likely",
+                start = starts[number],
                 joint = before and #before or 0,
                 first = not before and 0,
                 may_gap = true,
                 accepts = is_ours[number],
             }
-            local after, _, has_ours, step = dissect_stream(whole, text, state, talk, number, pinfo, tree, is_shown)
+            local after, _, lost, step = dissect_stream(whole, text, state, talk, number, pinfo, tree, is_shown)
             size = #text - after
             if is_first and size > 0 then
                 stream.left, stream.list = sub(text, after + 1), { number }
@@ -302,7 +247,7 @@ do
             end
             if is_first then
                 stream.step = step
-                count_faults(talk, has_ours, after)
+                if not claiming.count(talk, lost, number) then clear_sides(talk) end
             end
         end
         if size > 0 then

@@ -6,11 +6,7 @@
 -- What the beginning of some data tells: OURS, PART where more is needed to tell, nil for what is not ours.
 local OURS, PART = "ours", "part"
 
-local is_flawless, may_become_flawless, is_sensible_command, find_frame, find_step, judge_split
-
--- What is done for connections that may be others': one table, as there is little room for locals. What they tell may
--- also be PERHAPS, where it is ours or a chance.
-local claiming = { PERHAPS = "perhaps" }
+local is_flawless, is_sensible, may_become_flawless, find_frame, find_step, judge_split
 
 do
     -- Places in one piece of a stream where a whole frame is tried, before the piece is given up.
@@ -19,6 +15,9 @@ do
     -- Frames after one that are looked at to tell whether it is one.
     local MOST_FOLLOWING = 2
 
+    -- Bytes of a command that the capture must have to tell what it is.
+    local LEAST_CUT = COMMAND_HEADER_SIZE + 2
+
     -- The offset after the frame that starts at another one, as its length says; nil where its length is not here.
     local function stop_of(text, at)
         local low, high = byte(text, at + 1, at + 2)
@@ -26,7 +25,7 @@ do
     end
 
     -- Whether the operations of a command can be read: all of them, or with `is_part` those that are there.
-    local function can_be_read_now(text, stop, is_part)
+    local function can_be_read(text, stop, is_part)
         local at = COMMAND_HEADER_SIZE
         while at < stop do
             local operation, after, _, reason, kind = read_operation(text, at)
@@ -52,92 +51,13 @@ do
         return said
     end
 
-    -- The same, whichever firmware has them: that the brick has another one than the preference says is not known
-    -- before.
-    local function can_be_read(text, stop)
-        return by_any(can_be_read_now, text, stop)
-    end
-
-    -- Whether a command without a fault says something that somebody would say.
-    function is_sensible_command(message)
-        local type, text, stop = message.type, message.text, message.stop
-        if not type.is_command then return false end
-        if type.carries ~= "direct" then return true end
-        local at = COMMAND_HEADER_SIZE
-        if stop <= at then return false end
-        while at < stop do
-            if CLAIMS.never_sent[byte(text, at + 1)] then return false end
-            local _, after, _, reason = read_operation(text, at)
-            -- Operations of another firmware.
-            if reason then return true end
-            at = after
-        end
-        return true
-    end
-
-    -- The same of any message: replies are what the brick makes of them.
-    local function makes_sense(message)
-        return not message.type.is_command or is_sensible_command(message)
-    end
-
-    -- Whether a frame may be a telegram of LEGO's NXT: its kind and command are where the counter would be.
-    local function may_be_of_nxt(text)
-        local nxt = CLAIMS.nxt
-        local low, high, kind, command = byte(text, 1, 4)
-        local count = byte(text, nxt.count_at + 1)
-        if not count then return false end
-        kind = kind % nxt.reply_flag
-        if kind == nxt.system then return command == nxt.any_length end
-        if kind == nxt.reply then return nxt.answered[command] ~= nil end
-        if kind ~= nxt.direct then return false end
-        local fixed = nxt.counted[command]
-        return low + high * 0x100 == (fixed and fixed + count or nxt.lengths[command])
-    end
-
-    -- Whether a reply that a command failed brings memory all the same: the brick sends none.
-    local function is_odd_error(message)
-        local type = message.type
-        return type.is_error and type.carries == "direct" and message.stop > HEADER_SIZE
-    end
-
-    -- Something that no value is written to, or a number and a text in each other's place.
-    local is_misplaced
-    local function look_for_misplaced(parameter, encoding)
-        if encoding.scope then return end
-        local is_text = encoding.kind == CONSTANT_TEXT
-        if parameter.is_output or is_text ~= (parameter.kind == TEXT_VALUE) then is_misplaced = true end
-    end
-
-    local function count_telling_now(text, stop)
-        local at, count = COMMAND_HEADER_SIZE, 0
-        is_misplaced = false
-        while at < stop do
-            local code = byte(text, at + 1)
-            if CLAIMS.never_sent[code] then return nil end
-            local _, after, _, reason = read_operation(text, at, look_for_misplaced)
-            if reason or is_misplaced then return nil end
-            if code >= CLAIMS.first_telling and not CLAIMS.not_telling[code] then count = count + 1 end
-            at = after
-        end
-        return count
-    end
-
-    -- How much a frame without a fault tells that others' bytes hardly ever do: as much as it has operations that tell.
-    local function count_telling(message)
-        local type = message.type
-        if not type.is_command or type.carries == "daisy" then return 0 end
-        if type.carries == "system" then return CLAIMS.system_tells end
-        return by_any(count_telling_now, message.text, message.stop) or 0
-    end
-
-    -- Whether a frame is without any fault; with `is_any` by the instructions of any firmware.
-    function is_flawless(message, is_any)
+    -- Whether a frame is without any fault.
+    function is_flawless(message)
         local type, text, stop = message.type, message.text, message.stop
         if not type or stop < message.size or message.fault then return false end
         if type.carries == "direct" then
             if not type.is_command then return true end
-            local is_readable = is_any and can_be_read or can_be_read_now
-            return stop >= COMMAND_HEADER_SIZE and is_readable(text, stop)
+            return stop >= COMMAND_HEADER_SIZE and can_be_read(text, stop)
         elseif type.carries == "daisy" then
             local at = HEADER_SIZE
             if type.is_command then
@@ -148,6 +68,119 @@ do
             return to ~= nil and from <= DAISY.most_layers and to <= DAISY.most_layers
         end
         return true
+    end
+
+    -- Whether a frame without a fault says something: not a command of nothing, nor to a layer that is not there.
+    function is_sensible(message)
+        if not is_flawless(message) then return false end
+        local type, text, at = message.type, message.text, COMMAND_HEADER_SIZE
+        if type.carries ~= "direct" or not type.is_command then return true end
+        if message.stop <= at then return false end
+        while at < message.stop do
+            if byte(text, at + 1) == CLAIMS.never_sent then return false end
+            local _, after = read_operation(text, at)
+            at = after
+        end
+        return true
+    end
+
+    -- Whether an argument is of a kind and range that its parameter takes; `sizes` is the memory asked for, by scope.
+    local function is_in_place(parameter, encoding, value, sizes)
+        if encoding.scope then return value < sizes[encoding.kind] end
+        if parameter.is_output then return false end
+        local is_text = encoding.kind == CONSTANT_TEXT
+        if is_text or parameter.kind == TEXT_VALUE then return is_text and parameter.kind == TEXT_VALUE end
+        local range = parameter.range
+        if range and value >= range[1] and value <= range[2] then return true end
+        if parameter.is_legal then return parameter.is_legal(value) end
+        return not range
+    end
+
+    -- The same for all of a direct command's operations.
+    local function fits(text, stop, is_cut)
+        local memory, at, is_right = unsigned16(text, HEADER_SIZE), COMMAND_HEADER_SIZE, true
+        local is_telling = false
+        local globals = memory % (GLOBAL_MASK + 1)
+        local sizes = { [GLOBAL] = globals, [LOCAL] = (memory - globals) / (GLOBAL_MASK + 1) }
+        local function visit(parameter, encoding, value)
+            is_right = is_right and is_in_place(parameter, encoding, value, sizes)
+        end
+        while at < stop do
+            local code = byte(text, at + 1)
+            if code == CLAIMS.never_sent or CLAIMS.only_in_programs[code] then return false end
+            if is_cut and code < CLAIMS.first_of_devices then return false end
+            local operation, after, _, reason, kind = read_operation(text, at, visit)
+            if reason and not (is_cut and kind == "cut_off") or not is_right then return false end
+            is_telling = is_telling or operation and not CLAIMS.not_telling[code]
+            if reason then break end
+            at = after
+        end
+        return is_telling
+    end
+
+    -- Whether a message is a command that somebody would send to a brick, by the instructions of some firmware.
+    -- With `is_cut` the capture has only the beginning of it: what is there counts.
+    local function is_plausible(message, is_cut)
+        local type, stop = message.type, message.stop
+        if not type or not type.is_command then return false end
+        if not is_cut and (stop < message.size or message.fault) then return false end
+        if type.carries == "direct" then
+            return stop >= COMMAND_HEADER_SIZE and by_any(fits, message.text, stop, is_cut)
+        end
+        if is_cut then return false end
+        if type.carries == "daisy" then return is_sensible(message) end
+        local counter = message.counter
+        return counter ~= CLAIMS.nxt_write and counter - CLAIMS.nxt_flag ~= CLAIMS.nxt_write
+    end
+    claiming.is_plausible = is_plausible
+
+    -- How many complete replies that bring something a text has and nothing else; 0 where it has anything else.
+    function claiming.count_replies(text)
+        local at, count = 0, 0
+        while #text - at >= HEADER_SIZE do
+            local stop = stop_of(text, at)
+            if stop > #text or stop - at < HEADER_SIZE then return 0 end
+            local message = read_message(sub(text, at + 1, stop))
+            local type = message.type
+            if not type or type.is_command or type.carries == "daisy" or message.fault then return 0 end
+            if type.carries == "direct" and (type.is_error or message.stop == HEADER_SIZE) then return 0 end
+            at, count = stop, count + 1
+        end
+        return at == #text and count or 0
+    end
+
+    -- Takes a conversation for ours from now on; with `is_sure` whatever is said in it.
+    function claiming.begin(talk, is_sure)
+        talk.is_claimed, talk.is_sure, talk.is_answered = true, is_sure, false
+        talk.strange, talk.unread, talk.has_frame, talk.is_good = 0, 0, false, false
+        talk.claims = (talk.claims or 0) + 1
+    end
+
+    -- Looks at a message of a conversation that is claimed, when it is seen for the first time.
+    function claiming.meet(talk, message)
+        if not talk.is_claimed or talk.is_sure then return end
+        talk.has_frame = true
+        if talk.is_good or talk.is_answered or not message.type then return end
+        talk.is_good = message.type.is_command and is_sensible(message)
+    end
+
+    -- Counts a packet of a claimed conversation, of which so many bytes are in no frame: whether it is claimed still.
+    function claiming.count(talk, size, number)
+        local is_good, has_frame = talk.is_good, talk.has_frame
+        talk.is_good, talk.has_frame = false, false
+        if talk.is_sure or not has_frame and size == 0 then return true end
+        if is_good or talk.is_answered and has_frame then
+            talk.strange, talk.unread, talk.counted = 0, 0, number
+            return true
+        end
+        -- A packet counts once, though it be handed over in parts.
+        if talk.counted ~= number then talk.strange = talk.strange + 1 end
+        talk.unread, talk.counted = talk.unread + size, number
+        -- Of a dialogue what is left of a frame may come in many packets.
+        local is_over = talk.strange >= CLAIMS.strange_packets
+            and (not talk.is_answered or talk.unread > LENGTH_FIELD + MAX_LENGTH)
+        if is_over then talk.is_claimed, talk.is_answered, talk.has_ended = false, false, true end
+        return not is_over
     end
 
     -- Whether a frame of which only this is there may become one without a fault.
@@ -161,161 +194,7 @@ do
             return SYSTEM_COMMANDS[byte(part, HEADER_SIZE + 1)] ~= nil
         end
         if type.carries ~= "direct" or not type.is_command or #part <= COMMAND_HEADER_SIZE then return true end
-        return can_be_read_now(part, #part, true)
-    end
-
-    -- What a text tells, from an offset on, that should begin with a frame of a type that `accepts` takes, as it goes
-    -- the right way: OURS where one of its frames tells it, PERHAPS where none does. Then all of them must be without a
-    -- fault and make sense. Else the first one must, and the others must look like frames. The second result is how
-    -- much they tell. After a frame that tells there may be fewer other bytes than a header has; with `takes_rest` any.
-    function claiming.weigh_frames(text, at, accepts, takes_rest)
-        local start, is_clean, telling = at, true, 0
-        while at < #text do
-            if not may_start(text, at) then
-                local is_ours = telling > 0 and (takes_rest or #text - at < HEADER_SIZE)
-                return is_ours and OURS or nil, is_ours and telling or 0
-            end
-            local stop = stop_of(text, at)
-            if not stop or stop > #text then
-                local is_part = may_become_flawless(text, at, accepts)
-                if at == start then return is_part and PART or nil, 0 end
-                is_clean = is_clean and is_part
-                break
-            end
-            local message = read_message(sub(text, at + 1, stop))
-            local stands = is_flawless(message, true) and accepts(message.type) and makes_sense(message)
-                and not may_be_of_nxt(message.text) and not is_odd_error(message)
-            if at == start and not stands then return nil, 0 end
-            is_clean = is_clean and stands
-            if is_clean then telling = telling + count_telling(message) end
-            at = stop
-        end
-        return telling > 0 and OURS or is_clean and claiming.PERHAPS or nil, telling
-    end
-
-    -- Whether a frame of which only the beginning was captured is one that somebody would send: of a direct command,
-    -- its first operation must be there.
-    local function may_be_sent(text)
-        local message = read_message(text)
-        if #text == HEADER_SIZE or not makes_sense(message) or may_be_of_nxt(text) then return false end
-        local type = message.type
-        return type.carries ~= "direct" or not type.is_command
-            or by_any(select_operation, text, COMMAND_HEADER_SIZE) ~= nil
-    end
-
-    -- What the beginning of a packet tells of which the capture has no more: PERHAPS where it is that of a frame which
-    -- ends with the packet. In a claimed connection the header of that is enough.
-    function claiming.weigh_cut(talk, text, reported)
-        if #text < HEADER_SIZE or unsigned16(text, 0) + LENGTH_FIELD ~= reported then return nil end
-        return (talk.is_claimed or may_be_sent(text)) and claiming.PERHAPS or nil
-    end
-
-    -- Whether a text is frames of ours from an offset on and nothing else, whatever is wrong with them: OURS; PART
-    -- where the last one has its header and is not whole, nil where there is anything else.
-    local function hold_frames(text, at)
-        while at < #text do
-            if not may_start(text, at) then return nil end
-            local stop = stop_of(text, at)
-            if not stop or stop > #text then return #text - at >= HEADER_SIZE and PART or nil end
-            at = stop
-        end
-        return OURS
-    end
-
-    -- Counts a packet of a claimed connection that frames with faults fill, or misdirected ones. False: it is none, or
-    -- one too many. With `may_be_part` the beginning of such a frame is none too many, while there may be another.
-    -- `side` is what is known of its direction.
-    function claiming.meet_faulty(talk, side, text, at, may_be_part)
-        local held = talk.is_claimed and hold_frames(text, at)
-        local count, most = talk.faulty or 0, talk.has_command and CLAIMS.strange_packets or CLAIMS.strange_in_a_row
-        if held == OURS then
-            talk.faulty = count + 1
-            if talk.is_weak then talk.proofs = 0 end
-        elseif not held or not may_be_part then
-            return false
-        end
-        -- One too many is not what is left of a frame.
-        if count >= most then side.strange = CLAIMS.strange_in_a_row end
-        return count < most
-    end
-
-    -- The claim on a connection is proven.
-    function claiming.prove(talk)
-        talk.is_claimed, talk.is_proven = true, true
-    end
-
-    local function add_proof(talk, verdict, telling)
-        talk.strange, talk.unread, talk.proofs = 0, 0, talk.proofs + math.min(1 + telling, CLAIMS.most_proofs)
-        if telling > 0 then talk.faulty = 0 end
-        talk.is_weak = talk.is_weak and verdict == claiming.PERHAPS
-        if talk.proofs >= CLAIMS.proofs then claiming.prove(talk) end
-    end
-
-    -- The claim on a connection has ended, or too much was strange before there was one: now more must tell that it is
-    -- ours.
-    function claiming.end_claim(talk)
-        talk.has_ended = talk.is_claimed and talk.is_weak and 1 or 2
-        talk.is_claimed, talk.is_proven, talk.telling, talk.strange = false, false, 0, 0
-    end
-
-    local function begin_claim(talk, verdict, telling)
-        talk.is_claimed, talk.is_weak, talk.proofs, talk.has_command = true, true, 0, false
-        add_proof(talk, verdict, telling)
-    end
-
-    local function count_strange(talk, size)
-        if size > HEADER_SIZE then
-            talk.strange = talk.strange + 1
-        else
-            -- A frame may be cut into packets that are as small.
-            talk.unread = (talk.unread or 0) + size
-            if talk.unread > LENGTH_FIELD + MAX_LENGTH then talk.strange = CLAIMS.strange_packets end
-        end
-    end
-
-    -- Whether a strange packet may be what is left of a frame, as it is among the first of its side.
-    local function may_be_rest(side)
-        side.strange = (side.strange or 0) + 1
-        return side.strange <= CLAIMS.strange_in_a_row
-    end
-
-    -- Whether a packet is nothing but replies that nobody asked for as far as is known, after strange packets. They are
-    -- a chance, unless the packet before it was one as well.
-    local function is_chance(side, verdict, is_from_brick)
-        local was_reply = side.is_reply
-        side.is_reply = verdict == claiming.PERHAPS and is_from_brick
-        return side.is_reply and not was_reply and side.is_odd
-    end
-
-    -- Whether so much of a connection was strange that only a text would make it ours.
-    function claiming.is_left_alone(talk)
-        return not talk.is_claimed and not talk.has_ended and (talk.strange or 0) >= CLAIMS.strange_packets
-    end
-
-    -- Takes a packet of a connection that is not proven to be ours, by what it tells: OURS, PERHAPS, or nil. `side` is
-    -- what is known of its direction. Returns whether it is taken.
-    function claiming.weigh_packet(talk, side, verdict, telling, size, is_from_brick)
-        talk.strange = talk.strange or 0
-        if verdict and talk.is_claimed then
-            add_proof(talk, verdict, telling)
-        elseif talk.is_claimed then
-            if talk.is_weak and may_be_rest(side) then return true end
-            count_strange(talk, size)
-            if talk.strange >= (talk.is_weak and 1 or CLAIMS.strange_in_a_row) then claiming.end_claim(talk) end
-        elseif talk.has_ended then
-            talk.telling = verdict and talk.telling + telling or 0
-            if talk.telling >= talk.has_ended then begin_claim(talk, verdict, telling) end
-        elseif not verdict then
-            side.is_odd, side.is_reply = side.is_odd or size > HEADER_SIZE, false
-            count_strange(talk, size)
-        elseif not is_chance(side, verdict, is_from_brick) then
-            begin_claim(talk, verdict, telling)
-        end
-        if verdict then
-            side.strange = CLAIMS.strange_in_a_row
-            talk.has_command = talk.has_command or not is_from_brick
-        end
-        return talk.is_claimed
+        return can_be_read(part, #part, true)
     end
 
     -- The bytes 1 to 4 of a header, as a pattern: no type is a letter that means anything in one.
@@ -337,21 +216,56 @@ do
         return count
     end
 
-    -- The first offset, from `at` on, where all of a frame stands without a fault, and where what follows it looks like
-    -- the next one; nil where there is none. With `least` so many frames must follow each other up to the end.
-    function find_frame(text, at, accepts, least)
+    -- The system commands that any bytes may follow.
+    local has_data = {}
+    for number, command in pairs(SYSTEM_COMMANDS) do
+        for _, declared in ipairs(command.request) do
+            if declared.kind == BYTES then has_data[number] = true end
+        end
+    end
+
+    -- The first place where a plausible command stands, and true; else the first that may become one, nil where there
+    -- is none. Packets begin at 0 and at `joint`: there anything may follow the command, elsewhere another frame. A
+    -- command that ends at `reported`, of which the capture has less, is whole.
+    function claiming.find_command(text, joint, accepts, reported)
+        local open
+        for place = math.max(#text - HEADER_SIZE + 1, 0), #text - 1 do
+            if may_start(text, place) then
+                open = place
+                break
+            end
+        end
+        local hit = find(text, STARTS, 2)
+        for _ = 1, MOST_TRIALS do
+            if not hit then break end
+            local place, low, high, _, _, code = hit - 2, byte(text, hit - 1, hit + 3)
+            local stop, type = place + frame_size(low, high), MESSAGE_TYPES[code]
+            local is_cut = reported > #text and stop == reported and #text - place >= LEAST_CUT
+            local is_split = stop > #text and not is_cut or place < joint and joint < stop
+            local is_chance = is_split and type.carries == "system" and has_data[byte(text, place + HEADER_SIZE + 1)]
+            if is_length(low, high) and accepts(type) and type.carries ~= "daisy" and not is_chance then
+                if stop > #text and not is_cut then
+                    if not (open and open < place) and may_become_flawless(text, place, accepts) then open = place end
+                elseif place == 0 or place == joint or stop >= #text or may_start(text, stop) then
+                    if is_plausible(read_message(sub(text, place + 1, stop)), is_cut) then return place, true end
+                end
+            end
+            hit = find(text, STARTS, hit + 1)
+        end
+        return open, false
+    end
+
+    -- The first offset, from `at` on, where all of a frame stands without a fault, and where frames follow each other
+    -- up to the end, at least two; nil where there is none.
+    function find_frame(text, at)
         local hit = find(text, STARTS, at + 2)
         for _ = 1, MOST_TRIALS do
             if not hit then return nil end
             local low, high = byte(text, hit - 1, hit)
             local stop = hit - 2 + frame_size(low, high)
-            if is_length(low, high) and stop <= #text and (stop == #text or may_start(text, stop)) then
-                local message = read_message(sub(text, hit - 1, stop))
-                if is_flawless(message) and (not accepts or accepts(message.type)) then
-                    local is_found = makes_sense(message)
-                    if is_found and least then is_found = (count_chain(text, hit - 2) or 0) >= least end
-                    if is_found then return hit - 2 end
-                end
+            if is_length(low, high) and stop <= #text and (count_chain(text, hit - 2) or 0) >= 2
+                and is_sensible(read_message(sub(text, hit - 1, stop))) then
+                return hit - 2
             end
             hit = find(text, STARTS, hit + 1)
         end
@@ -394,7 +308,7 @@ do
                     local is_begin = place == first or place == second
                     if following or is_begin then
                         local message = read_message(sub(text, place + 1, stop))
-                        local stands = is_flawless(message) and makes_sense(message)
+                        local stands = is_sensible(message)
                         if stands and following and following > 0 then return place end
                         if stands and following then
                             single = single or place
@@ -421,7 +335,7 @@ do
         end
         local message = read_message(sub(text, at + 1, stop))
         local type, following = message.type, follow(text, stop)
-        local stands = type and (not accepts or accepts(type)) and is_flawless(message) and makes_sense(message)
+        local stands = type and (not accepts or accepts(type)) and is_sensible(message)
         -- Few bytes are operations by chance.
         local tells_itself = stands and type.is_command and type.carries == "direct"
         if stands and following and following > 0 or tells_itself then return OURS end

@@ -5,7 +5,7 @@
 -- and later passes only look it up.
 
 local read_message
-local forget_dialogues, talk_of, talk_if_any, take_note, request_of, reply_to, transfer_at, answers_command
+local forget_dialogues, talk_of, talk_if_any, take_note, request_of, reply_to, transfer_at
 do
     -- Commands with one counter that are remembered, for senders who never change it.
     local MOST_PER_COUNTER = 4
@@ -113,7 +113,8 @@ do
     -- Whether a reply shows that both are messages of ours: only a brick gives just the size that was asked for.
     local function is_proof(message, command)
         local type, size = message.type, message.size
-        if message.fault or type.carries == "daisy" or command.message.stop < COMMAND_HEADER_SIZE then return false end
+        if message.fault or type.carries == "daisy" then return false end
+        if type.carries == "direct" and command.message.stop < COMMAND_HEADER_SIZE then return false end
         if type.is_error and type.carries == "direct" then return size == HEADER_SIZE end
         return fits(message, command)
     end
@@ -193,12 +194,6 @@ do
         return add_piece(talk, handle, transfer, values.data or values.list or "")
     end
 
-    -- Whether a command waits for this reply.
-    function answers_command(talk, message)
-        local command = newest(talk, pending_key(message))
-        return command ~= nil and can_answer(message, command)
-    end
-
     -- What becomes known of a message when it is seen for the first time, in the conversation it belongs to.
     function take_note(place, talk, message, pinfo)
         local type = message.type
@@ -214,7 +209,7 @@ do
             if request then
                 local text = request.message.text
                 request.delay, message.request = pinfo.rel_ts - request.time, request
-                talk.is_proven = talk.is_proven or is_proof(message, request)
+                talk.is_answered = talk.is_answered or is_proof(message, request)
                 replies.put(request.place, format("%d", number_of(place)))
                 -- Of a system command its number is enough.
                 if message.command then text = sub(text, 1, HEADER_SIZE + 1) end

@@ -70,6 +70,22 @@ do
         return ("ev3." .. name .. "." .. own):lower(), label, kind
     end
 
+    -- Says which single numbers a parameter takes besides its range: those that have names, and sums of flags.
+    local function legal_singles(row)
+        local special, names, flags = row.special or {}, row.enum and row.enum.names or {}, {}
+        for number in pairs(row.enum and row.enum.is_flags and names or {}) do
+            if number > 0 then flags[#flags + 1] = number end
+        end
+        table.sort(flags, function(one, other) return one > other end)
+        return function(value)
+            if special[value] or names[value] then return true end
+            for _, flag in ipairs(flags) do
+                if value >= flag then value = value - flag end
+            end
+            return flags[1] ~= nil and value == 0
+        end
+    end
+
     -- All of a parameter, from its row in the tables; `value_name` is what the line on a reply calls it.
     local function ready_parameter(row, declared, kind, label, value_name)
         local name, direction, type = row[1], row[2], row[3]
@@ -88,6 +104,8 @@ do
             flags = is_flags and row.enum.names or nil,
             special = row.special and not is_flags and in_brackets(row.special) or nil,
             length = row.length,
+            range = row.range or not row.enum and not row.any and TYPE_RANGES[type] or nil,
+            is_legal = (row.special or row.enum) and legal_singles(row) or nil,
         }
     end
 
@@ -109,6 +127,7 @@ do
                 name = name, numbered = name, type = type, field = declared, kind = kind, label = name,
                 is_float = type == DATAF,
                 size = SIZE_OF[type] or 1, alignment = 1, is_output = direction ~= IN,
+                range = not row.any and TYPE_RANGES[type] or nil,
                 key = direction ~= OUT and format(" %s[%d]=", list.name:lower(), number) or nil,
                 value_key = " " .. name:lower() .. "=",
             }

@@ -132,7 +132,7 @@ do
     -- Whether frames follow each other from the middle of what seems to be one: more than one, as data may look like
     -- a frame by chance.
     local function has_frame_inside(text, at, stop)
-        local place = find_frame(text, at + 1, nil, 2)
+        local place = find_frame(text, at + 1)
         return place ~= nil and place < stop
     end
 
@@ -163,8 +163,8 @@ do
     end
 
     -- The frames and texts in a piece of a stream: the offset after the last one that is whole; how many bytes the
-    -- next one wants, nil where its length is not known yet; whether there was anything that is ours; and the step
-    -- at the end. `stream` is how it stands:
+    -- next one wants, nil where its length is not known yet; how many bytes are in no frame; and the step at the
+    -- end. `stream` is how it stands:
     --   reported   the size of the piece on the wire, of which a capture may have less
     --   is_last    there is nothing more to wait for
     --   step       "sure" where a frame starts with the piece, "likely" where one does unless there is a gap before
@@ -174,7 +174,7 @@ do
     --   may_gap    nothing tells of gaps between the packets
     --   accepts    tells which types go its way, if that is known
     function dissect_stream(tvb, text, stream, talk, number, pinfo, tree, is_shown)
-        local at, captured, is_ours, start = stream.start or 0, #text, false, tvb:offset()
+        local at, captured, lost, start = stream.start or 0, #text, 0, tvb:offset()
         local reported, is_last, accepts = stream.reported, stream.is_last, stream.accepts
         local step, joint = stream.step, stream.joint
         while at < captured do
@@ -182,9 +182,9 @@ do
             local said, after
             if UNLOCK.starts[low] then
                 said, after = dissect_text(tvb, text, at, tree, is_shown)
-                if not said and not is_last and is_part_of_text(text, at) then return at, nil, true, step end
-                is_ours = is_ours or said ~= nil
+                if not said and not is_last and is_part_of_text(text, at) then return at, nil, lost, step end
                 if said then step = "sure" end
+                if said and talk and not talk.is_sure then claiming.begin(talk, true) end
             end
             if not said then
                 local size = high and LENGTH_FIELD + low + high * 0x100
@@ -192,7 +192,7 @@ do
                 if is_frame and code then
                     if at < joint and stream.may_gap then
                         local verdict = judge_split(text, at, accepts, joint, is_last)
-                        if verdict == PART and at + size <= captured then return at, nil, true, step end
+                        if verdict == PART and at + size <= captured then return at, nil, lost, step end
                         is_frame = verdict ~= nil
                     elseif step == "likely" and at + size ~= captured then
                         is_frame = not is_misleading(text, at, size, accepts)
@@ -217,19 +217,20 @@ do
                         if after > at then
                             local length = size and size - LENGTH_FIELD or MIN_LENGTH
                             said = dissect_no_frame(tvb, at, after, length, tree, is_shown)
+                            lost = lost + after - at
                         end
                         if is_open then
                             if said then say(said) end
-                            return after, nil, true, step
+                            return after, nil, lost, step
                         end
                     end
                 elseif not is_last and not code and step == "likely" and at == 0 then
                     -- Its header must be right before it can ask for all of itself.
-                    return at, nil, true, step
+                    return at, nil, lost, step
                 elseif not is_last and (not size or at + size > reported) then
-                    if step ~= "likely" or at > 0 then return at, size and at + size - reported, true, "sure" end
+                    if step ~= "likely" or at > 0 then return at, size and at + size - reported, lost, "sure" end
                     -- A gap may be before it: it is looked at again with each packet.
-                    return at, nil, true, step
+                    return at, nil, lost, step
                 elseif captured - at < HEADER_SIZE then
                     local reason = "the frame is cut off in its header"
                     said, after =
@@ -237,7 +238,6 @@ do
                 else
                     after = math.min(at + size, captured)
                     local frame = at == 0 and after == captured and text or sub(text, at + 1, after)
-                    is_ours = is_ours or MESSAGE_TYPES[code] ~= nil
                     local place = place_of(number, start + at)
                     said = dissect_message(tvb, at, read_message(frame), talk, place, pinfo, tree, is_shown)
                 end
@@ -245,6 +245,6 @@ do
             if said then say(said) end
             at = after
         end
-        return at, 0, is_ours, step
+        return at, 0, lost, step
     end
 end

@@ -102,67 +102,26 @@ do
         return 0
     end
 
-    local function meet_odd(talk)
-        talk.odd = (talk.odd or 0) + 1
-    end
-
-    -- Whether a command is a claim by itself. Of a device whose reports are not like a brick's it is none, until a
-    -- reply answers one: so it is remembered.
-    local function stands_alone(talk, message)
-        if talk.is_claimed or (talk.odd or 0) <= CLAIMS.odd_reports then return true end
-        if message.type.wants_reply then talk.asked = message.type.carries .. message.counter end
-        return false
-    end
-
-    local function answers(talk, message)
-        return answers_command(talk, message) or talk.asked == message.type.carries .. message.counter
-    end
-
-    -- The frame that a report may hold, and whether the report begins with a frame's length and holds none: it has
-    -- another type, another size, or goes the wrong way.
-    local function frame_in(tvb, sort, pinfo)
-        local captured = captured_len(tvb)
-        if not sort or captured < HEADER_SIZE then return nil, false end
-        local low, high, _, _, code = byte(bytes_of(tvb, 0, HEADER_SIZE), 1, HEADER_SIZE)
-        if not is_length(low, high) then return nil, false end
-        local size, type = frame_size(low, high), MESSAGE_TYPES[code]
-        local is_odd = not type or sort == "daisy" and type.carries ~= "daisy"
-        if is_odd then return nil, size <= captured end
-        local message = read_message(bytes_of(tvb, 0, math.min(size, captured)))
-        return message, type.carries == "direct" and (type.is_command == true) ~= is_from_host(pinfo)
-    end
-
     -- The message of ours that a report holds, if it does, although nobody knows its device as a brick. Other devices
-    -- have reports, too: a claim begins with a flawless command, or a reply to one; once both were seen, whatever looks
-    -- like a frame is taken, until there are faults in a row.
+    -- have reports, too: it must have the size of its type's.
     local function claimed_message(tvb, key, pinfo)
-        local sort = REPORT_SIZES[tvb:reported_len()]
-        local message, is_odd = frame_in(tvb, sort, pinfo)
-        local talk = (message or is_odd) and talk_of(key) or talk_if_any(key)
-        if not talk then return nil end
-        if is_odd then meet_odd(talk) end
-        local is_chain, is_daisy, is_taken = sort == "daisy", message and message.type.carries == "daisy", false
-        if message and talk.is_claimed and not is_daisy then
-            is_taken = true
-        elseif message and is_flawless(message) then
-            local type = message.type
+        local sort, captured, message = REPORT_SIZES[tvb:reported_len()], captured_len(tvb), nil
+        local low, high, _, _, code = byte(bytes_of(tvb, 0, math.min(captured, HEADER_SIZE)), 1, HEADER_SIZE)
+        local type = MESSAGE_TYPES[code]
+        if sort and type and (sort == "computer" or type.carries == "daisy") and is_length(low, high)
+            and frame_size(low, high) <= captured then
+            message = read_report(tvb)
             -- Bricks in a chain send commands both ways. They are no computers, whose reports are larger.
-            if is_chain or is_overwritten(message, pinfo) then
-                is_taken = true
-            elseif type.is_command then
-                is_taken = is_from_host(pinfo) and is_sensible_command(message) and stands_alone(talk, message)
-            else
-                is_taken = not is_from_host(pinfo) and answers(talk, message)
-                talk.is_claimed = talk.is_claimed or is_taken
-            end
+            if sort == "daisy" or is_overwritten(message, pinfo) then return is_sensible(message) and message or nil end
         end
-        if is_daisy and not is_taken then
-            if not is_chain then meet_odd(talk) end
-            is_taken = talk.is_claimed
+        if not message or (type.is_command == true) ~= is_from_host(pinfo) then
+            local talk = talk_if_any(key)
+            if talk and talk.is_claimed then claiming.count(talk, captured, pinfo.number) end
+            return nil
         end
-        talk.faults = is_taken and 0 or (talk.faults or 0) + 1
-        if talk.faults >= CLAIMS.faults_in_a_row then talk.is_claimed, talk.faults = false, 0 end
-        return is_taken and message or nil
+        local talk = talk_of(key)
+        if not talk.is_claimed and claiming.is_plausible(message) then claiming.begin(talk) end
+        return talk.is_claimed and message or nil
     end
 
     -- Reports of a known brick, or of a device whose product is not in the capture, as in most captures that began
@@ -178,6 +137,7 @@ do
         end
         if not message then return false end
         dissect_report(tvb, message, device, pinfo, tree)
+        if not pinfo.visited and talk_of(device).is_claimed then claiming.count(talk_of(device), 0, number) end
         free_unused()
         return true
     end

@@ -15,8 +15,12 @@ do
     -- found to be ours.
     local bricks, answers, announced, declined, has_found
 
-    -- By buffer: how the stream stands with it, where that is not what one sees; where in it is what was not done yet.
-    local steps, starts
+    -- The ports that the preference names.
+    local listened = tostring(CARRIERS.tcp_port)
+
+    -- By buffer: how the stream stands with it, where that is not what one sees; where in it is what was not done yet;
+    -- from where on more was asked for, before it was ours.
+    local steps, starts, asked
 
     -- The ports on which connections are looked at, those that beacons named, and who was there before us.
     local ports, named_ports, is_named, others = {}, {}, {}, {}
@@ -93,7 +97,7 @@ do
             local owner = owners[ports]
             if not is_by_port then
                 if owner == talk then owned[numbers] = known end
-            elseif is_first and talk.is_proven and (owner == nil or owner == talk) then
+            elseif is_first and (talk.is_sure or talk.is_answered) and (owner == nil or owner == talk) then
                 owners[ports] = talk
                 pinfo.conversation = ev3
             end
@@ -117,7 +121,7 @@ do
 
     local function forget_wifi()
         bricks, answers, announced, declined, has_found = {}, {}, {}, {}, false
-        steps, starts = {}, {}
+        steps, starts, asked = {}, {}, {}
         forget_connections()
         for _, port in ipairs(named_ports) do
             give_port_back(port)
@@ -147,36 +151,17 @@ do
         return rest > 0 and rest or nil
     end
 
+    -- Which types go to the brick and which come from it. Bricks in a chain send commands both ways.
+    local function is_command(type)
+        return type.is_command or type.carries == "daisy"
+    end
+
+    local function is_reply(type)
+        return not type.is_command or type.carries == "daisy"
+    end
+
     local dissect_claimed
     do
-        local function is_command(type)
-            return type.is_command
-        end
-
-        local function is_reply(type)
-            return not type.is_command
-        end
-
-        local function is_daisy_or(is_right_way)
-            return function(type)
-                return type.carries == "daisy" or is_right_way(type)
-            end
-        end
-
-        -- Bricks in a chain send commands both ways.
-        is_command, is_reply = is_daisy_or(is_command), is_daisy_or(is_reply)
-
-        -- What data tell of a connection that is not proven to be ours, from an offset on, and by how many frames.
-        -- Until it is claimed nothing but frames may follow one that begins inside of them.
-        function claiming.judge_segment(text, at, to_brick, is_claimed)
-            local verdict, telling = claiming.weigh_frames(text, at, to_brick and is_command or is_reply, true)
-            if verdict or not to_brick then return verdict, telling end
-            -- The capture may have begun inside a frame.
-            at = find_frame(text, at + 1, is_command)
-            if at then verdict, telling = claiming.weigh_frames(text, at, is_command, is_claimed) end
-            return verdict == OURS and OURS or nil, telling
-        end
-
         -- Which types go the way of a packet, where the port or the data said which end is the brick.
         local function types_of(pinfo, talk)
             talk = talk or connection_of(pinfo)
@@ -228,7 +213,7 @@ do
 
             -- How a stream stands with a buffer, how many bytes of it were there before, and how many are done; `known`
             -- is what is known of the stream, when the buffer is seen for the first time.
-            function step_of(known, text, offset, number, pinfo)
+            function step_of(known, text, offset, number, pinfo, start)
                 -- Nearly always it goes on as it went.
                 if known and offset == known.offset and number ~= known.number and not known.pending
                     and known.step ~= "lost" then
@@ -241,16 +226,26 @@ do
                     local place = place_of(number, offset)
                     return steps[place] or usual, 0, starts[place] or 0
                 end
-                local step, joint, done = first_step(known, text, offset, number, pinfo)
+                local step, joint, done
+                if start then
+                    known.number, known.offset = number, offset > 0 and offset or nil
+                    step, joint, done = "sure", 0, start
+                else
+                    step, joint, done = first_step(known, text, offset, number, pinfo)
+                end
                 if step ~= usual then steps[place_of(number, offset)] = step end
                 if done > 0 then starts[place_of(number, offset)] = done end
                 return step, joint, done
             end
         end
 
-        function dissect_claimed(tvb, text, pinfo, tree, number, talk, known)
+        -- A buffer of a connection that is ours; `start` is where that begins, if it does in this one.
+        function dissect_claimed(tvb, text, pinfo, tree, number, talk, known, start)
             local captured, offset, is_shown = #text, offset_of(tvb), has_tree(tree)
-            local step, joint, done = step_of(known, text, offset, number, pinfo)
+            if known and known.claims ~= talk.claims then
+                known.claims, known.pending, known.step, known.number, known.offset = talk.claims, nil, nil, nil, nil
+            end
+            local step, joint, done = step_of(known, text, offset, number, pinfo, start)
             brick = is_shown and (talk or connection_of(pinfo)).name
             -- Nearly always one frame is all there is.
             local low, high, _, _, code = byte(text, 1, HEADER_SIZE)
@@ -259,6 +254,7 @@ do
                 local place = place_of(number, offset)
                 show_line(pinfo, number, offset,
                     (dissect_message(tvb, 0, read_message(text), talk, place, pinfo, tree, is_shown)))
+                if known then claiming.count(talk, 0, number) end
             else
                 start_line(number, offset)
                 local reported = tvb:reported_len()
@@ -271,7 +267,7 @@ do
                     first = 0,
                     accepts = types_of(pinfo, talk),
                 }
-                local after, wanted, _, step_after =
+                local after, wanted, lost, step_after =
                     dissect_stream(tvb, text, stream, talk, number, pinfo, tree, is_shown)
                 if after < captured then
                     if not wanted and known and after == 0 and step_after == "likely" then
@@ -283,6 +279,7 @@ do
                 if known then
                     known.pending = after < captured and sub(text, after + 1) or nil
                     known.step, known.done = step_after, after
+                    claiming.count(talk, lost, number)
                 end
                 show(pinfo)
             end
@@ -312,96 +309,91 @@ do
             return ports[port] or is_named[port] and announced[tostring(pinfo.src) .. " " .. port]
         end
 
-        -- Where in a buffer begins what is not dissected yet, and how many bytes of that were there before: TCP hands
-        -- some over again where a frame was not whole.
-        local function begin_of(known, text)
-            local pending, done = known.pending, known.done
-            if not pending then return 0, 0 end
-            if sub(text, 1, #pending) == pending then return 0, #pending end
-            if sub(text, done + 1, done + #pending) == pending then return done, #pending end
-            return 0, 0
-        end
-
         -- Whether data go to the brick, where the ports of both ends may be one's.
-        local function tells_brick(talk, text, at, is_text, pinfo)
-            if talk.is_claimed then return is_to_named(talk, pinfo) end
+        local function tells_brick(text, is_text, pinfo)
             if is_text then return byte(text, 1) == byte(UNLOCK.request, 1) end
-            local type = MESSAGE_TYPES[byte(text, at + HEADER_SIZE)]
+            local type = MESSAGE_TYPES[byte(text, HEADER_SIZE)]
             if not type or type.carries == "daisy" then return pinfo.match_uint == pinfo.dst_port end
             return type.is_command
         end
 
-        -- A buffer of a connection that is not proven to be ours, when it is seen for the first time: whether it is, or
-        -- whether more is needed to tell.
-        local function claim(talk, known, text, pinfo)
-            local was_claimed, to_brick = talk.is_claimed, is_to_brick(pinfo) == true
-            if not was_claimed and not to_brick and not is_from_brick(pinfo) then return nil end
-            local verdict = judge_text(text)
-            if verdict == OURS or has_two_named(pinfo) then
-                local is_told = tells_brick(talk, text, begin_of(known, text), verdict ~= nil, pinfo)
-                talk.is_by_name = talk.is_by_name or has_two_named(pinfo) or is_told ~= to_brick
-                to_brick = is_told
+        -- Whether the user, or a beacon, says that what is at a port is ours: else it must show.
+        local function is_sure(pinfo, to_brick)
+            local address, port = pinfo.src, pinfo.src_port
+            if to_brick then
+                address, port = pinfo.dst, pinfo.dst_port
             end
-            if verdict == OURS then
-                claiming.prove(talk)
-            elseif claiming.is_left_alone(talk) then
-                return nil
-            elseif not verdict then
-                local at, waited = begin_of(known, text)
-                local telling
-                verdict, telling = claiming.judge_segment(text, at, to_brick, was_claimed)
-                if not verdict and claiming.meet_faulty(talk, known, text, at, true) then
-                    verdict = OURS
-                elseif verdict ~= PART then
-                    local size = #text - at - waited
-                    verdict = claiming.weigh_packet(talk, known, verdict, telling, size, not to_brick) and OURS or nil
-                end
-            end
-            if not was_claimed and talk.is_claimed then
-                talk.claimed_in = pinfo.number
-                name_brick(talk, pinfo, to_brick)
-            elseif was_claimed and not talk.is_claimed then
-                known.pending, known.step = nil, nil
-            end
-            return was_claimed and verdict and OURS or verdict
+            return listened ~= tostring(CARRIERS.tcp_port) or announced[tostring(address) .. " " .. port]
         end
 
-        -- Asks for more of what may become a frame or a text.
-        local function ask_for_more(known, text, offset, pinfo)
+        -- A buffer of a connection that is not ours so far, when it is seen for the first time: whether it is, with the
+        -- offset where that begins, or whether more is needed to tell, from an offset on.
+        local function claim(talk, known, text, reported, pinfo)
+            local to_brick = is_to_brick(pinfo) == true
+            if not to_brick and not is_from_brick(pinfo) then return nil end
+            local verdict, place = judge_text(text), 0
+            if verdict == OURS or has_two_named(pinfo) then
+                local is_told = tells_brick(text, verdict ~= nil, pinfo)
+                talk.is_by_name = has_two_named(pinfo) or is_told ~= to_brick
+                to_brick = is_told
+            end
+            if verdict == PART then return PART, 0 end
+            local joint = known.waits or 0
+            if verdict == OURS or is_sure(pinfo, to_brick) then
+                claiming.begin(talk, true)
+            elseif to_brick then
+                local is_whole
+                place, is_whole = claiming.find_command(text, joint, is_command, reported)
+                -- Others have their packets at once, unless a command may begin with one.
+                local is_waited = place and not is_whole and (talk.has_ended or place == 0 or place == joint)
+                if not is_whole then return is_waited and PART or nil, place end
+                claiming.begin(talk)
+            else
+                local count = claiming.count_replies(text)
+                talk.replies = count > 0 and (talk.replies or 0) + count or 0
+                if talk.replies < CLAIMS.replies then return nil end
+                claiming.begin(talk)
+                talk.replies = 0
+            end
+            talk.claimed_in = pinfo.number
+            name_brick(talk, pinfo, to_brick)
+            return OURS, place
+        end
+
+        -- Asks for more of what may become a frame or a text, from an offset on.
+        local function ask_for_more(known, text, place, offset, pinfo)
             local joint = offset == 0 and known.waits or 0
-            local rest = rest_of(text, joint, known.begins, pinfo)
-            pinfo.desegment_offset, pinfo.desegment_len = 0, rest or DESEGMENT_ONE_MORE_SEGMENT
-            known.waits = #text
+            local rest = place == 0 and rest_of(text, joint, known.begins, pinfo)
+            pinfo.desegment_offset, pinfo.desegment_len = place, rest or DESEGMENT_ONE_MORE_SEGMENT
+            known.waits = #text - place
             if offset > 0 then known.begins = offset end
         end
 
         function dissect_first(tvb, text, pinfo, tree, number)
             local talk, known = connection_of(pinfo, true)
-            if talk.is_proven then return dissect_claimed(tvb, text, pinfo, tree, number, talk, known) end
             -- What was left to others comes again, where Wireshark knows which end is the server.
             local place = place_of(number, offset_of(tvb))
             if declined[place] then return leave(tvb, pinfo, tree) end
             local port = pinfo.match_uint
-            local is_forced = not ports[port] and not is_named[port]
-            if is_forced and not talk.name then
+            if not talk.name and not ports[port] and not is_named[port] then
                 name_brick(talk, pinfo, pinfo.dst_port == port)
                 talk.is_by_name = ports[pinfo.src_port] or ports[pinfo.dst_port]
+                claiming.begin(talk, true)
             end
-            local verdict = is_forced and OURS or claim(talk, known, text, pinfo)
-            local reported = verdict == PART and tvb:reported_len()
-            if reported and #text < reported then
-                verdict = claiming.weigh_cut(talk, text, reported)
-                local is_from_brick = is_to_brick(pinfo) ~= true
-                verdict = claiming.weigh_packet(talk, known, verdict, 0, #text, is_from_brick) and OURS or nil
-            end
-            if verdict == PART and pinfo.can_desegment > 0 then
-                ask_for_more(known, text, offset_of(tvb), pinfo)
+            if talk.is_claimed then return dissect_claimed(tvb, text, pinfo, tree, number, talk, known) end
+            if offset_of(tvb) > 0 then known.waits = 0 end
+            local verdict, at = claim(talk, known, text, tvb:reported_len(), pinfo)
+            if verdict == PART and #text == tvb:reported_len() and pinfo.can_desegment > 0 then
+                ask_for_more(known, text, at, offset_of(tvb), pinfo)
+                asked[place] = at
                 return #text
-            elseif verdict ~= OURS then
+            end
+            known.waits = 0
+            if verdict ~= OURS then
                 declined[place] = true
                 return leave(tvb, pinfo, tree)
             end
-            return dissect_claimed(tvb, text, pinfo, tree, number, talk, known)
+            return dissect_claimed(tvb, text, pinfo, tree, number, talk, known, at)
         end
     end
 
@@ -409,6 +401,11 @@ do
         local text, number = bytes_of(tvb), pinfo.number
         if not pinfo.visited then return dissect_first(tvb, text, pinfo, tree, number) end
         if next(declined) and declined[place_of(number, tvb:offset())] then return leave(tvb, pinfo, tree) end
+        local place = next(asked) and asked[place_of(number, offset_of(tvb))]
+        if place then
+            pinfo.desegment_offset, pinfo.desegment_len = place, DESEGMENT_ONE_MORE_SEGMENT
+            return #text
+        end
         if has_found then
             local talk = connection_of(pinfo)
             if talk.is_found and number < talk.claimed_in then return 0 end
@@ -429,7 +426,7 @@ do
         end
         if verdict ~= OURS then return false end
         local talk, known = find_connection(pinfo)
-        claiming.prove(talk)
+        claiming.begin(talk, true)
         talk.is_found, talk.claimed_in = true, pinfo.number
         name_brick(talk, pinfo, true)
         has_found = true
@@ -545,8 +542,6 @@ do
             return true
         end
     end
-
-    local listened = tostring(CARRIERS.tcp_port)
 
     -- Takes the ports of a preference such as 5555,6000-6003, or gives them back to whom they belonged.
     local function take_ports()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import random
 import re
 from itertools import product
 from pathlib import Path
@@ -180,6 +181,7 @@ def test_mistakes_are_named_in_a_file(text: str) -> None:
 
 
 ANNOTATED = (
+    "0E00 (length) 2A00 (counter) 80 (type) 0000 94 01 01 82 B801 82 E803",
     "0E00 (length) 2A00 (counter) 80 (type) 0000 (memory) 94 01 01 82B801 82E803",
     "0E 00 [length] 2A 00 [counter] 80 [type] 00 00 [memory] 94 01 01 82 B8 01 82 E8 03 [tone]",
     "length 0E 00, counter 2A 00, type 80, memory 00 00, tone 94 01 01 82 B8 01 82 E8 03",
@@ -308,3 +310,25 @@ def test_every_example_on_the_page_of_notations_is_read() -> None:
     assert len(examples) > 80
     for example in examples:
         assert [(frame_of(piece), piece.problem) for piece in pieces(example)] == [(TONE, None)], example
+
+
+def test_rows_of_bytes_of_which_some_are_db() -> None:
+    """Assemblers write db in front of bytes, and among pairs of digits it is one."""
+    frame = bytes.fromhex("5b022a000193000400") + bytes(range(0xDB, 0x100)) * 16 + bytes([0xDB] * 4)
+    assert len(frame) == 0x25B + 2
+    for width in (8, 16, 20):
+        rows = [frame[at : at + width].hex(" ") for at in range(0, len(frame), width)]
+        for text in ("\n".join(rows), "\n".join(rows).upper()):
+            (piece,) = pieces(text)
+            assert piece.data == frame
+
+
+@pytest.mark.parametrize("size", [1_100, 5_000])
+def test_downloads_longer_than_other_frames(size: int) -> None:
+    data = random.Random(size).randbytes(size)
+    frame = (size + 5).to_bytes(2, "little") + bytes.fromhex("2a00019300") + data
+    rows = [frame[at : at + 16] for at in range(0, len(frame), 16)]
+    dump = [f"{16 * number:08x}: {row.hex(' ', 2)}" for number, row in enumerate(rows)]
+    for text in (frame.hex(), "\n".join(row.hex(" ") for row in rows), "\n".join(dump)):
+        (piece,) = pieces(text)
+        assert piece.data == frame

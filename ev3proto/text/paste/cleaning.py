@@ -75,7 +75,10 @@ _LOOKALIKES = str.maketrans(
 )
 _LEAD = re.compile(
     r"^\s*(?:(?:(?://+[/!]?|#+|/\*+|\*(?!/)|;+|--+(?=\s)|'(?=\s)|REM\b|%+(?=\s)|<!--|>+(?=\s))\s?)+)?"
-    r"(?:[\s\w.$@:]{0,40}?(?:\.byte|\.db|\bdb|\bDB|\bdc\.b|\bDC\.B|\bdefb|\bDEFB|\bfcb|\bFCB|(?:\d{1,5}\s+)?DATA"
+    # Among pairs of digits, db is a byte.
+    rf"(?:(?!\s*(?:{_HEX}{{2}}\s+)+{_HEX}{{2}}\s*$)[\s\w.$@:]{{0,40}}?"
+    rf"(?:\.byte|\.db|(?<!\b{_HEX}{{2}}\s)(?<!\b{_HEX}{{2}}\s\s)(?:\bdb|\bDB)|\bdc\.b|\bDC\.B|\bdefb|\bDEFB|\bfcb|\bFCB"
+    r"|(?:\d{1,5}\s+)?DATA"
     r"|\.ascii|\bBYTE)\s)?"
 )
 _REMARK = re.compile(

@@ -16,6 +16,7 @@ _OFFSET = re.compile(
     r"^(?P<before>(?:.{0,80}?[\s\])>:|[])??)(?P<offset>(?:0[xX])?[0-9a-fA-F]{4,16})"
     r"(?P<mark>\]|[:hH]?(?:\s?[|:])?|\s{1,130}:)(?P<blanks>\s{1,200})(?=-?[0-9a-fA-F\\])"
 )
+_ENDS_IN_BYTE = re.compile(r"(?:^|\s)[0-9a-fA-F]{2}\s$")
 _ROW_OFFSET = re.compile(r"\s*(?:0[xX])?(?P<offset>[0-9a-fA-F]{4,16}):?(?=\s|$)")
 _ONLY_OFFSET = re.compile(r"^\s*(?P<offset>[0-9a-fA-F]{6,8}):?\s*$")
 _GROUP = re.compile(r"(?P<digits>(?:[0-9a-fA-F]{2}){1,32})(?![^\s|])(?P<blanks>\s*)")
@@ -72,6 +73,8 @@ def _is_offset(line: str, offset: re.Match[str], counts: Collection[int]) -> boo
     group = _GROUP.match(line, offset.end())
     width = len(group["digits"]) if group is not None else 0
     is_wide = len(offset["blanks"]) > 1
+    if _ENDS_IN_BYTE.search(offset["before"]):
+        return False
     if numbers == {0}:
         # No frame begins with four zeros, nor with two and a report number.
         is_in_words = (len(digits), width) in ((4, 8), (8, 4), (8, 8))

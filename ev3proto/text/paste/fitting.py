@@ -18,6 +18,7 @@ from ev3proto.schema.header import (
     build_frame,
     frame_size,
     is_frame_size,
+    may_have_length,
     with_length,
     write_memory,
 )
@@ -106,12 +107,12 @@ def _end(data: bytes, at: int) -> int | None:
     if at + HEADER_SIZE > len(data) or data[at + _TYPE_AT] not in _TYPES:
         return None
     size = frame_size(data, at)
-    return at + size if at + size <= len(data) and is_frame_size(size) else None
+    return at + size if at + size <= len(data) and may_have_length(data, at) else None
 
 
 def may_begin(data: bytes | bytearray) -> bool:
     """Whether a frame may begin there: its length and its type are possible, as far as they are there."""
-    if len(data) < LENGTH_FIELD or not is_frame_size(says := frame_size(data)) or says > _MOST_MISSING * len(data):
+    if len(data) < LENGTH_FIELD or not may_have_length(data) or frame_size(data) > _MOST_MISSING * len(data):
         return False
     return len(data) <= _TYPE_AT or data[_TYPE_AT] in _TYPES
 

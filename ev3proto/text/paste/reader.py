@@ -12,7 +12,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
-from ev3proto.schema.header import frame_size, is_frame_size
+from ev3proto.schema.header import frame_size, may_have_length
 from ev3proto.tables.frame import MAX_FRAME
 from ev3proto.text.paste.cleaning import clean, without_marks, without_remarks
 from ev3proto.text.paste.columns import repeated_rows, without_columns
@@ -82,7 +82,7 @@ class Track:
 
     def is_complete(self) -> bool:
         """Whether some reading has as many bytes as its length field says."""
-        begun = [data for data in (self.data or {}).values() if len(data) >= LEAST and is_frame_size(frame_size(data))]
+        begun = [data for data in (self.data or {}).values() if len(data) >= LEAST and may_have_length(data)]
         if any(frame_size(data) == len(data) for data in begun):
             return True
         # Zeros after a frame are padding, unless another reading takes them for a part of its frame.
@@ -102,7 +102,7 @@ class Track:
 
 def _is_padded(data: bytearray) -> bool:
     end = frame_size(data)
-    return is_frame_size(end) and end <= len(data) and not any(data[end:])
+    return may_have_length(data) and end <= len(data) and not any(data[end:])
 
 
 @dataclass(slots=True)
@@ -252,7 +252,10 @@ class Reader:
         # The same words between the values, or the name of each part in front of it or after it.
         marked = [value for value in values if value.style is Style.MARKED]
         if len(plain) > 1 or len(marked) not in (0, len(values)):
-            for some in (marked, *(values[start:] for start in range(_MOST_BEFORE))):
+            # Zeros after a word may be an offset, or the bytes that ask for no memory.
+            every = _all(runs(whole))
+            starts = [group[start:] for group in (values, every) for start in range(_MOST_BEFORE)]
+            for some in (marked, *starts):
                 if len(some) >= LEAST - 1 and Style.STRING not in {value.style for value in some}:
                     best = tried(run := listed(some))[0]
                     if best.is_whole and is_one_frame(best.stretches[0].data):

@@ -106,7 +106,6 @@ def test_the_limits_of_the_dissector_are_those_of_its_code() -> None:
         f"{waiting:,} to {2 * waiting:,}",
         f"{limit('MOST_PER_COUNTER')}",
         f"{limit('MOST_INFO'):,} bytes",
-        f"{limit('MOST_NAMED')}",
         f"{limit('MOST_ROWS'):,} each",
         f"{files}, and {size} MiB of all",
     ]

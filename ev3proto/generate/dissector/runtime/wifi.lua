@@ -22,8 +22,8 @@ do
     -- from where on more was asked for, before it was ours.
     local steps, starts, asked
 
-    -- The ports on which connections are looked at, those that beacons named, and who was there before us.
-    local ports, named_ports, is_named, others = {}, {}, {}, {}
+    -- The ports on which connections are looked at, and which dissectors had them before.
+    local ports, others = {}, {}
 
     local function take_port(port)
         others[port] = tcp_ports:get_dissector(port)
@@ -36,97 +36,33 @@ do
         others[port] = nil
     end
 
-    -- A packet that is not ours goes to whom we took its port from because of a beacon. On ports that the preference
-    -- names Wireshark guesses: whom we call takes whatever comes, as Lua cannot ask whether a packet is its own.
-    local function leave(tvb, pinfo, tree)
-        local port = pinfo.match_uint
-        if not is_named[port] or not others[port] then return 0 end
-        -- It may ask TCP for more, as we may: each call by another dissector takes one from this.
-        pinfo.can_desegment = pinfo.can_desegment + 1
-        return others[port]:call(tvb, pinfo, tree)
+    -- The last connection between two ports, one entry each way. It has what is `pending` of the stream that way, the
+    -- bytes that wait for the next segment; the `step` with them; how many bytes of the buffer were `done` before them;
+    -- the packet `number` that came last, and at which `offset` its data began.
+    local connections
+
+    -- Both ends of a connection, whichever sends, have one key.
+    local function conversation_key(pinfo)
+        local from = tostring(pinfo.src) .. " " .. pinfo.src_port
+        local to = tostring(pinfo.dst) .. " " .. pinfo.dst_port
+        return from < to and from .. " " .. to or to .. " " .. from
     end
 
-    local connection_of, find_connection, forget_connections
-    do
-        -- The last connection between two ports, one entry each way. It has what is `pending` of the stream that way,
-        -- the bytes that wait for the next segment; the `step` with them; how many bytes of the buffer were `done`
-        -- before them; the packet `number` that came last, and at which `offset` its data began.
-        local connections
-
-        -- To ask a packet for its addresses takes long, and the same two ports may belong to other ends, too. So
-        -- Wireshark is told once that a conversation is ours: from then on it hands its packets over for that, not for
-        -- their port. Of all with the same ports this is done for one: its talk is their owner, and what is known of it
-        -- is in `owned` by its ports, one entry each way. The owner is false where more than one are handed over so.
-        local owners, owned
-
-        function forget_connections()
-            connections, owners, owned = {}, {}, {}
-        end
-
-        -- Both ends of a connection, whichever sends, have one key.
-        local function conversation_key(pinfo)
-            local from = tostring(pinfo.src) .. " " .. pinfo.src_port
-            local to = tostring(pinfo.dst) .. " " .. pinfo.dst_port
-            return from < to and from .. " " .. to or to .. " " .. from
-        end
-
-        -- By its ends: first by its ports, which are plain numbers.
-        local function connection_by_ends(numbers, pinfo)
-            local from, to = pinfo.src, pinfo.dst
-            local known = connections[numbers]
-            if known and known.from == from and known.to == to then return known end
+    -- What is known of a packet's conversation, and of its direction in that.
+    local function connection_of(pinfo)
+        local from, to, ends = pinfo.src, pinfo.dst, pinfo.src_port * 0x10000 + pinfo.dst_port
+        local known = connections[ends]
+        if not known or known.from ~= from or known.to ~= to then
             known = { from = from, to = to, talk = talk_of(conversation_key(pinfo)) }
-            connections[numbers] = known
-            return known
+            connections[ends] = known
         end
-
-        local function both_ports(from, to)
-            return from < to and from * 0x10000 + to or to * 0x10000 + from
-        end
-
-        -- What is known of the connection of a packet that was handed to us. With `is_first` its conversation may
-        -- become the one of its ports.
-        function connection_of(pinfo, is_first)
-            local from, to, matched = pinfo.src_port, pinfo.dst_port, pinfo.match_uint
-            local numbers = from * 0x10000 + to
-            local is_by_port = matched == from or matched == to
-            local known = not is_by_port and owned[numbers]
-            if known then return known.talk, known end
-            known = connection_by_ends(numbers, pinfo)
-            local talk, ports = known.talk, both_ports(from, to)
-            local owner = owners[ports]
-            if not is_by_port then
-                if owner == talk then owned[numbers] = known end
-            elseif is_first and (talk.is_sure or talk.is_answered) and (owner == nil or owner == talk) then
-                owners[ports] = talk
-                pinfo.conversation = ev3
-            end
-            return talk, known
-        end
-
-        -- The same of a packet that was found, whichever ports it has: its conversation is ours from now on.
-        function find_connection(pinfo)
-            local from, to = pinfo.src_port, pinfo.dst_port
-            local known, ports = connection_by_ends(from * 0x10000 + to, pinfo), both_ports(from, to)
-            local owner = owners[ports]
-            if owner == nil then
-                owners[ports] = known.talk
-            elseif owner ~= known.talk then
-                owners[ports], owned = false, {}
-            end
-            pinfo.conversation = ev3
-            return known.talk, known
-        end
+        return known.talk, known
     end
 
     local function forget_wifi()
         bricks, answers, announced, declined, has_found = {}, {}, {}, {}, false
         steps, starts, asked = {}, {}, {}
-        forget_connections()
-        for _, port in ipairs(named_ports) do
-            give_port_back(port)
-        end
-        named_ports, is_named = {}, {}
+        connections = {}
     end
     forget_wifi()
 
@@ -287,6 +223,11 @@ do
         end
     end
 
+    -- Whether a beacon said that a brick listens there.
+    local function is_announced(address, port)
+        return next(announced) ~= nil and announced[tostring(address) .. " " .. port] == true
+    end
+
     -- A connection is named after the end of it that is the brick.
     local function name_brick(talk, pinfo, to_brick)
         local address, port = pinfo.src, pinfo.src_port
@@ -300,13 +241,11 @@ do
     do
         -- Whether a packet goes to, or comes from, a port on which a brick listens.
         local function is_to_brick(pinfo)
-            local port = pinfo.dst_port
-            return ports[port] or is_named[port] and announced[tostring(pinfo.dst) .. " " .. port]
+            return ports[pinfo.dst_port] or is_announced(pinfo.dst, pinfo.dst_port)
         end
 
         local function is_from_brick(pinfo)
-            local port = pinfo.src_port
-            return ports[port] or is_named[port] and announced[tostring(pinfo.src) .. " " .. port]
+            return ports[pinfo.src_port] or is_announced(pinfo.src, pinfo.src_port)
         end
 
         -- Whether data go to the brick, where the ports of both ends may be one's.
@@ -319,11 +258,9 @@ do
 
         -- Whether the user, or a beacon, says that what is at a port is ours: else it must show.
         local function is_sure(pinfo, to_brick)
-            local address, port = pinfo.src, pinfo.src_port
-            if to_brick then
-                address, port = pinfo.dst, pinfo.dst_port
-            end
-            return listened ~= tostring(CARRIERS.tcp_port) or announced[tostring(address) .. " " .. port]
+            if listened ~= tostring(CARRIERS.tcp_port) then return true end
+            if to_brick then return is_announced(pinfo.dst, pinfo.dst_port) end
+            return is_announced(pinfo.src, pinfo.src_port)
         end
 
         -- A buffer of a connection that is not ours so far, when it is seen for the first time: whether it is, with the
@@ -370,12 +307,12 @@ do
         end
 
         function dissect_first(tvb, text, pinfo, tree, number)
-            local talk, known = connection_of(pinfo, true)
+            local talk, known = connection_of(pinfo)
             -- What was left to others comes again, where Wireshark knows which end is the server.
             local place = place_of(number, offset_of(tvb))
-            if declined[place] then return leave(tvb, pinfo, tree) end
+            if declined[place] then return 0 end
             local port = pinfo.match_uint
-            if not talk.name and not ports[port] and not is_named[port] then
+            if not talk.name and not ports[port] then
                 name_brick(talk, pinfo, pinfo.dst_port == port)
                 talk.is_by_name = ports[pinfo.src_port] or ports[pinfo.dst_port]
                 claiming.begin(talk, true)
@@ -391,7 +328,7 @@ do
             known.waits = 0
             if verdict ~= OURS then
                 declined[place] = true
-                return leave(tvb, pinfo, tree)
+                return 0
             end
             return dissect_claimed(tvb, text, pinfo, tree, number, talk, known, at)
         end
@@ -400,7 +337,7 @@ do
     local function dissect_tcp(tvb, pinfo, tree)
         local text, number = bytes_of(tvb), pinfo.number
         if not pinfo.visited then return dissect_first(tvb, text, pinfo, tree, number) end
-        if next(declined) and declined[place_of(number, tvb:offset())] then return leave(tvb, pinfo, tree) end
+        if next(declined) and declined[place_of(number, tvb:offset())] then return 0 end
         local place = next(asked) and asked[place_of(number, offset_of(tvb))]
         if place then
             pinfo.desegment_offset, pinfo.desegment_len = place, DESEGMENT_ONE_MORE_SEGMENT
@@ -413,50 +350,38 @@ do
         return dissect_claimed(tvb, text, pinfo, tree, number)
     end
 
-    -- A connection on any other port, which begins with the unlock text. From then on its packets come here.
+    -- A connection on any other port is ours after a beacon that names the port, or from the unlock text on. Wireshark
+    -- then hands us all packets of the conversation, in later passes those before, too.
     local function guess_tcp(tvb, pinfo, tree)
         if pinfo.visited then return false end
-        local size = #UNLOCK.request
-        if tvb:len() <= size or tvb:raw(0, size) ~= UNLOCK.request then return false end
-        local text = tvb:raw()
-        local verdict = judge_text(text)
-        if verdict == PART and pinfo.can_desegment > 0 then
-            pinfo.desegment_offset, pinfo.desegment_len = 0, DESEGMENT_ONE_MORE_SEGMENT
-            return true
+        local to_brick, size = is_announced(pinfo.dst, pinfo.dst_port), #UNLOCK.request
+        if not to_brick and not is_announced(pinfo.src, pinfo.src_port) then
+            if tvb:len() <= size or bytes_of(tvb, 0, size) ~= UNLOCK.request then return false end
+            local verdict = judge_text(bytes_of(tvb))
+            if verdict == PART and pinfo.can_desegment > 0 then
+                pinfo.desegment_offset, pinfo.desegment_len = 0, DESEGMENT_ONE_MORE_SEGMENT
+                return true
+            end
+            if verdict ~= OURS then return false end
+            to_brick = true
         end
-        if verdict ~= OURS then return false end
-        local talk, known = find_connection(pinfo)
+        local talk, known = connection_of(pinfo)
+        pinfo.conversation = ev3
         claiming.begin(talk, true)
-        talk.is_found, talk.claimed_in = true, pinfo.number
-        name_brick(talk, pinfo, true)
-        has_found = true
-        dissect_claimed(tvb, text, pinfo, tree, pinfo.number, talk, known)
+        talk.is_found, talk.claimed_in, has_found = true, pinfo.number, true
+        name_brick(talk, pinfo, to_brick)
+        dissect_claimed(tvb, bytes_of(tvb), pinfo, tree, pinfo.number, talk, known)
         return true
     end
 
     local dissect_udp, guess_udp
     do
-        -- Ports that beacons may name, besides those on which bricks usually listen.
-        local MOST_NAMED = 64
-
-        -- Whether somebody chose us for a port, by Decode As.
-        local function is_decoded_as(port)
-            return tostring(tcp_ports:get_dissector(port)) == tostring(Dissector.get("ev3"))
-        end
-
         -- Where the host may send its answer: to the port that the beacon came from, the one that it names, or its own.
         local function remember_brick(pinfo, named)
             local address = tostring(pinfo.src) .. " "
             local name = tostring(pinfo.src) .. ":" .. (named or pinfo.src_port)
             bricks[address .. pinfo.src_port], bricks[address .. CARRIERS.beacon_port] = name, name
-            if named then
-                bricks[address .. named], announced[address .. named] = name, true
-                local is_free = not ports[named] and not is_named[named] and not is_decoded_as(named)
-                if is_free and #named_ports < MOST_NAMED then
-                    named_ports[#named_ports + 1], is_named[named] = named, true
-                    take_port(named)
-                end
-            end
+            if named then bricks[address .. named], announced[address .. named] = name, true end
         end
 
         -- The port that a beacon names, nil where there can be none of that number.

@@ -21,6 +21,7 @@ from ev3proto.messages import (
     SystemCommand,
     SystemReply,
 )
+from ev3proto.schema.frame import parse
 from ev3proto.tables.encoding import GLOBAL, LOCAL, TEXT
 from ev3proto.tables.mailboxes import Reading
 from ev3proto.tables.system import status_meaning
@@ -242,7 +243,8 @@ def reply_spans(exchange: Exchange) -> Line:
         said: Line = [(f" ({meaning})", Role.MEANING)] if meaning else []
         return [(status, Role.FAULT if message.is_error else Role.VALUE), *_fields(message), *said]
     if message.type is not None and message.type.is_error:
-        return [("error", Role.FAULT)]
+        reason = _refusal(exchange.request)
+        return [("error", Role.FAULT), *([(f" ({reason})", Role.MEANING)] if reason else [])]
     if not exchange.values:
         return [("ok", Role.VALUE)]
     line: Line = []
@@ -252,6 +254,19 @@ def reply_spans(exchange: Exchange) -> Line:
     if len(exchange.values) > _MOST_VALUES:
         line.append((f" and {len(exchange.values) - _MOST_VALUES} more", Role.ASIDE))
     return line
+
+
+def _refusal(command: Message | None) -> str | None:
+    """Why the brick refused a command, as a check says it; None where a check knows no reason."""
+    if not isinstance(command, DirectCommand) or command.fault is not None:
+        return None
+    from ev3proto.checking.checking import check  # 15 ms, and few replies are errors
+
+    report = check(command)
+    if report.accepted or parse(report.frame, strict=False).fault is not None:
+        return None  # it failed while it ran, or other firmware knows more operations
+    errors = sorted(report.errors, key=lambda finding: finding.offset != report.rejected_at)
+    return f"{errors[0].code}: {errors[0].message}" if errors else None
 
 
 def dialogue_line(command: Message | None, reply: Exchange | None, latency: float | None) -> Line:

@@ -100,6 +100,21 @@ def test_messages_to_mailboxes_are_read_in_dialogues_and_comments() -> None:
     assert '/* payload 68 69 00 (text "hi") */' in as_c(parse(mailbox(b"hi\0")))
 
 
+def test_a_dialogue_says_why_a_command_was_refused() -> None:
+    def refused(command: str, type: str = "04") -> str:
+        dialogue, frame = Dialogue(), bytes.fromhex(command)
+        asked = parse(frame, strict=False)
+        dialogue.follow(asked)
+        reply = parse(b"\x03\0" + frame[2:4] + bytes.fromhex(type), strict=False)
+        return plain_text(dialogue_line(asked, dialogue.follow(reply), None)).rpartition(" -> ")[2]
+
+    # A place that is no multiple of 4; nothing wrong; an unknown opcode, which is told beside the command.
+    assert refused("08002a00000500810161") == "error (E205: VALUE is GV(1), and must start at a multiple of 4)"
+    assert refused("08002a00000400810160") == "error"
+    assert refused("06002a00000000fe") == "error"
+    assert refused("08002a00000400810160", "02") == "ok"
+
+
 def test_the_tree_shows_a_cmd_that_is_encoded_longer() -> None:
     assert "     8    CMD = 1  LC1" in shown(bytes.fromhex("09 00 01 00 00 04 00 81 81 01 60"))
 

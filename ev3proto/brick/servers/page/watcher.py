@@ -10,7 +10,6 @@ from typing import Any, Protocol
 from ev3proto.dialogue import Dialogue
 from ev3proto.schema.frame import parse
 from ev3proto.schema.header import HEADER_SIZE, Header
-from ev3proto.tables.frame import MAX_FRAME
 from ev3proto.text.phrases import command_spans, dialogue_line
 from ev3proto.text.spans import Role, plain_text
 
@@ -125,7 +124,6 @@ class Watcher:
             return
         key = connection.number, Header.read(frame).counter
         now = self._clock()
-        frame = frame[:MAX_FRAME]
         talk = None if is_from_host else self._pending.pop(key, None)
         if talk is not None:
             talk.reply, talk.latency = frame, now - talk.begun

@@ -333,14 +333,6 @@ def test_any_chunking_gives_the_same_messages(data: st.DataObject) -> None:
     assert decoder.position == sum(map(len, sent))
 
 
-@settings(many, max_examples=20)
-@given(st.lists(frames(), min_size=1, max_size=3))
-def test_one_byte_at_a_time(sent: list[bytes]) -> None:
-    decoder = Decoder()
-    got = [message for byte in b"".join(sent) for message in decoder.feed(bytes((byte,)))]
-    assert got == [ev3proto.parse(frame) for frame in sent]
-
-
 @many
 @given(st.lists(garbage, max_size=4).map(b"".join).flatmap(chunked), st.booleans())
 def test_a_stream_of_garbage_raises_decode_errors_only(chunks: list[bytes], strict: bool) -> None:

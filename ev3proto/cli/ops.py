@@ -5,7 +5,8 @@ from __future__ import annotations
 import json
 import re
 import sys
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
 from typing import Any
 
 import click
@@ -66,50 +67,74 @@ def ops(words: tuple[str, ...], area: str | None, as_json: bool, dialect: str) -
             printer.lines([entry.line()])
 
 
+@dataclass(frozen=True)
 class Entry:
-    """An operation of the virtual machine, as `ops` shows it."""
+    """An operation, a system command or a name, as `ops` shows it.
 
-    def __init__(self, declaration: Declaration, dialect: str) -> None:
-        self.declaration = declaration
-        self.dialect = dialect
-        self.name = declaration.name
-        self.number = declaration.opcode.number
-        self.area = area_of(declaration.opcode)
+    kind      what it is; empty for operations
+    text      what it means
+    searched  what else is said of it: words that find it
+    about     the lines under its name and text
+    record    all of it for other tools
+    """
 
-    @property
-    def aliases(self) -> tuple[str, ...]:
-        """The names under which it is found exactly."""
-        return (self.name, f"OP{self.name}")
+    name: str
+    number: int
+    area: str
+    kind: str
+    text: str
+    searched: str
+    about: Callable[[], Iterator[Line]]
+    record: Callable[[], dict[str, Any]]
 
     @property
     def texts(self) -> tuple[str, str, str]:
-        """What is searched: the name, the meaning, all that is said of its parameters."""
-        parameters = self.declaration.parameters
-        said = [f"{parameter.name} {parameter.text}" for parameter in parameters]
-        said += [" ".join(parameter.enum.members) for parameter in parameters if parameter.enum is not None]
-        return self.name, self.declaration.text, " ".join(said)
+        """What is searched: the name, the meaning, all else."""
+        return self.name, f"{self.text} {self.kind}", self.searched
 
     def line(self) -> Line:
         """One line in a list."""
-        return [
-            (f"0x{self.number:02X} ", Role.ASIDE),
-            (self.name.ljust(32), Role.OPERATION),
-            (f" {self.declaration.text}", Role.PLAIN),
-        ]
+        name = f"{self.name} ({self.kind})" if self.kind else self.name
+        return [(f"0x{self.number:02X} ", Role.ASIDE), (name.ljust(32), Role.OPERATION), (f" {self.text}", Role.PLAIN)]
 
     def page(self) -> Iterator[Line]:
         """All there is to know."""
-        entry = self.declaration
-        yield [(self.name, Role.OPERATION), (f"  {entry.text}", Role.PLAIN)]
-        head = instruction_set(self.dialect)[self.name].head
-        numbers = f"opcode 0x{self.number:02X}" + (f", CMD {entry.command.number}" if entry.command else "")
-        yield [(f"  {numbers}; starts with {head.hex(' ').upper()}; area {self.area}", Role.ASIDE)]
+        yield [(self.name, Role.OPERATION), (f"  {self.text}", Role.PLAIN)]
+        yield from self.about()
+
+
+def _entries(dialect: str) -> list[Entry]:
+    return [
+        *(_operation(declaration, dialect) for declaration in operations(dialect).values()),
+        *map(_system, SYSTEM),
+        *(
+            _named(opcode.name, opcode.number, "opcode of no firmware", opcode.text, [opcode.note])
+            for opcode in OPCODES
+            if opcode.dialects == UNRELEASED
+        ),
+        *map(_status, SystemStatus),
+        *(
+            _named(member.name, member, "message type", text, filter(None, [TYPE_ADVICE.get(member)]))
+            for member, text in TYPE_MEANINGS.items()
+        ),
+    ]
+
+
+def _operation(entry: Declaration, dialect: str) -> Entry:
+    """An operation of the virtual machine."""
+    number, area = entry.opcode.number, area_of(entry.opcode)
+    said = [f"{parameter.name} {parameter.text}" for parameter in entry.parameters]
+    said += [" ".join(parameter.enum.members) for parameter in entry.parameters if parameter.enum is not None]
+
+    def about() -> Iterator[Line]:
+        head = instruction_set(dialect)[entry.name].head
+        numbers = f"opcode 0x{number:02X}" + (f", CMD {entry.command.number}" if entry.command else "")
+        yield [(f"  {numbers}; starts with {head.hex(' ').upper()}; area {area}", Role.ASIDE)]
         if entry.dialects != DIALECTS:
             yield [(f"  only in the firmware: {', '.join(entry.dialects)}", Role.ASIDE)]
         if entry.command:
             yield [(f"  of the family {entry.opcode.name}: {entry.opcode.text}", Role.ASIDE)]
-        for effect in entry.effects:
-            yield [(f"  it {effect.value}", Role.MEANING)]
+        yield from ([(f"  it {effect.value}", Role.MEANING)] for effect in entry.effects)
         if entry.note:
             yield [(f"  note: {entry.note}", Role.MEANING)]
         if not entry.parameters:
@@ -117,162 +142,84 @@ class Entry:
         for parameter in entry.parameters:
             yield from _parameter(parameter)
 
-    def record(self) -> dict[str, Any]:
-        """The same for other tools."""
-        entry = self.declaration
+    def record() -> dict[str, Any]:
         return {
             "op": entry.opcode.name,
             "command": entry.command.name if entry.command else None,
-            "opcode": self.number,
+            "opcode": number,
             "cmd": entry.command.number if entry.command else None,
-            "area": self.area,
+            "area": area,
             "text": entry.text,
             "dialects": list(entry.dialects),
             "effects": [effect.name for effect in entry.effects],
-            "parameters": [_parameter_record(parameter) for parameter in entry.parameters],
+            "parameters": list(map(_parameter_record, entry.parameters)),
         }
 
+    return Entry(entry.name, number, area, "", entry.text, " ".join(said), about, record)
 
-class SystemEntry:
-    """A system command, as `ops` shows it."""
 
-    area = "system"
+def _system(entry: SystemCommand) -> Entry:
+    """A system command."""
+    said = " ".join(f"{field.name} {field.text}" for field in entry.request + entry.reply)
 
-    def __init__(self, entry: SystemCommand) -> None:
-        self.entry = entry
-        self.name = entry.name
-        self.number = entry.number
-        self.aliases: tuple[str, ...] = (entry.name,)
-
-    @property
-    def texts(self) -> tuple[str, str, str]:
-        """What is searched: the name, the meaning, all that is said of its fields."""
-        said = (f"{field.name} {field.text}" for field in self.entry.request + self.entry.reply)
-        return self.name, f"{self.entry.text} system", " ".join(said)
-
-    def line(self) -> Line:
-        """One line in a list."""
-        return [
-            (f"0x{self.number:02X} ", Role.ASIDE),
-            (f"{self.name} (system)".ljust(32), Role.OPERATION),
-            (f" {self.entry.text}", Role.PLAIN),
-        ]
-
-    def page(self) -> Iterator[Line]:
-        """All there is to know."""
-        entry = self.entry
-        yield [(self.name, Role.OPERATION), (f"  {entry.text}", Role.PLAIN)]
+    def about() -> Iterator[Line]:
         kind = "command of the bootloader (USB only)" if entry.bootloader else "system command"
-        yield [(f"  {kind} 0x{self.number:02X}", Role.ASIDE)]
+        yield [(f"  {kind} 0x{entry.number:02X}", Role.ASIDE)]
         yield from _fields("request", entry.request)
-        if entry.answered:
-            yield from _fields("reply", entry.reply)
-        else:
-            yield [("  never replied to", Role.PLAIN)]
+        yield from _fields("reply", entry.reply) if entry.answered else [[("  never replied to", Role.PLAIN)]]
 
-    def record(self) -> dict[str, Any]:
-        """The same for other tools."""
+    def record() -> dict[str, Any]:
         return {
-            "system": self.name,
-            "number": self.number,
-            "text": self.entry.text,
-            "bootloader": self.entry.bootloader,
-            "answered": self.entry.answered,
-            "request": [_field_record(field) for field in self.entry.request],
-            "reply": [_field_record(field) for field in self.entry.reply],
+            "system": entry.name,
+            "number": entry.number,
+            "text": entry.text,
+            "bootloader": entry.bootloader,
+            "answered": entry.answered,
+            "request": list(map(_field_record, entry.request)),
+            "reply": list(map(_field_record, entry.reply)),
         }
 
-
-class NameEntry:
-    """A status of system replies or a type of message, as `ops` shows it."""
-
-    area = "system"
-
-    def __init__(self, name: str, number: int, kind: str, text: str, notes: Iterable[str] = ()) -> None:
-        self.name = name
-        self.number = number
-        self.aliases: tuple[str, ...] = (name,)
-        self.text = text
-        self.kind = kind
-        self.notes = tuple(notes)
-
-    @property
-    def texts(self) -> tuple[str, str, str]:
-        """What is searched: the name, the meaning, the notes."""
-        return self.name, f"{self.text} {self.kind}", " ".join(self.notes)
-
-    def line(self) -> Line:
-        """One line in a list."""
-        return [
-            (f"0x{self.number:02X} ", Role.ASIDE),
-            (f"{self.name} ({self.kind})".ljust(32), Role.OPERATION),
-            (f" {self.text}", Role.PLAIN),
-        ]
-
-    def page(self) -> Iterator[Line]:
-        """All there is to know."""
-        yield [(self.name, Role.OPERATION), (f"  {self.text}", Role.PLAIN)]
-        yield [(f"  {self.kind} 0x{self.number:02X}", Role.ASIDE)]
-        for note in self.notes:
-            yield [(f"  {note}", Role.MEANING)]
-
-    def record(self) -> dict[str, Any]:
-        """The same for other tools."""
-        return {
-            "name": self.name,
-            "number": self.number,
-            "kind": self.kind,
-            "text": self.text,
-            "notes": list(self.notes),
-        }
+    return Entry(entry.name, entry.number, "system", "system", entry.text, said, about, record)
 
 
-AnyEntry = Entry | SystemEntry | NameEntry
+def _status(status: SystemStatus) -> Entry:
+    """A status of system replies."""
+    text = f"The system command {'failed' if status.is_failure else 'worked'}"
+    notes = [f"{entry.name}: {meaning}" for entry in SYSTEM for known, meaning in entry.statuses if known is status]
+    if status in UNUSED_STATUSES:
+        notes = ["no command of the published firmware answers with it"]
+    return _named(status.name, status, "status", text, notes)
 
 
-def _statuses() -> Iterator[NameEntry]:
-    for status in SystemStatus:
-        text = f"The system command {'failed' if status.is_failure else 'worked'}"
-        notes = [f"{entry.name}: {meaning}" for entry in SYSTEM for known, meaning in entry.statuses if known is status]
-        if status in UNUSED_STATUSES:
-            notes = ["no command of the published firmware answers with it"]
-        yield NameEntry(status.name, status, "status", text, notes)
+def _named(name: str, number: int, kind: str, text: str, notes: Iterable[str]) -> Entry:
+    """A name that is no command: of a status, of a type of message, of an opcode that no firmware has."""
+    noted = list(notes)
+
+    def about() -> Iterator[Line]:
+        yield [(f"  {kind} 0x{number:02X}", Role.ASIDE)]
+        yield from ([(f"  {note}", Role.MEANING)] for note in noted)
+
+    def record() -> dict[str, Any]:
+        return {"name": name, "number": number, "kind": kind, "text": text, "notes": noted}
+
+    return Entry(name, number, "system", kind, text, " ".join(noted), about, record)
 
 
-def _unreleased() -> Iterator[NameEntry]:
-    for opcode in OPCODES:
-        if opcode.dialects == UNRELEASED:
-            yield NameEntry(opcode.name, opcode.number, "opcode of no firmware", opcode.text, [opcode.note])
+_CODED = ("", "system")
+"""The kinds that are found by their number."""
 
 
-def _message_types() -> Iterator[NameEntry]:
-    for member, text in TYPE_MEANINGS.items():
-        yield NameEntry(
-            member.name, member, "message type", text, [TYPE_ADVICE[member]] if member in TYPE_ADVICE else []
-        )
-
-
-def _entries(dialect: str) -> list[AnyEntry]:
-    return [
-        *(Entry(declaration, dialect) for declaration in operations(dialect).values()),
-        *(SystemEntry(entry) for entry in SYSTEM),
-        *_unreleased(),
-        *_statuses(),
-        *_message_types(),
-    ]
-
-
-def _exact(entries: list[AnyEntry], words: tuple[str, ...]) -> list[AnyEntry]:
+def _exact(entries: list[Entry], words: tuple[str, ...]) -> list[Entry]:
     """The entries that are meant by name or number; a family's name means all of its commands."""
     name = ".".join(words).upper().replace(" ", ".")
-    found = [entry for entry in entries if name in entry.aliases]
+    found = [entry for entry in entries if name == entry.name or (name == f"OP{entry.name}" and not entry.kind)]
     if not found and re.fullmatch(r"0X[0-9A-F]+|[0-9]{1,3}", name):
-        coded = [entry for entry in entries if not isinstance(entry, NameEntry)]
+        coded = [entry for entry in entries if entry.kind in _CODED]
         found = [entry for entry in coded if entry.number == int(name, 16 if name.startswith("0X") else 10)]
     return found
 
 
-def _ranked(entries: list[AnyEntry], words: tuple[str, ...]) -> list[AnyEntry]:
+def _ranked(entries: list[Entry], words: tuple[str, ...]) -> list[Entry]:
     """The entries that have all words: those that have them in their name first, then those that mean them."""
     wanted = [word for each in words for word in _words(each)]
     ranked = []
@@ -327,22 +274,18 @@ def _parameter_record(parameter: Parameter) -> dict[str, Any]:
         "direction": str(parameter.direction),
         "text": parameter.text,
     }
-    if parameter.unit:
-        entry["unit"] = parameter.unit
-    if parameter.range:
-        entry["range"] = list(parameter.range)
-    if parameter.enum:
-        entry["enum"] = {"name": parameter.enum.name, "members": dict(parameter.enum.members)}
-    if parameter.special:
-        entry["special"] = {str(number): meaning for number, meaning in parameter.special.items()}
-    if parameter.length is not None:
-        entry["length"] = parameter.length
-    if parameter.element is not None:
-        entry["element"] = str(parameter.element)
-        entry["elements"] = str(parameter.elements)
-    if parameter.note:
-        entry["note"] = parameter.note
-    return entry
+    enum, element_type = parameter.enum, parameter.element
+    optional = {
+        "unit": parameter.unit,
+        "range": list(parameter.range or ()),
+        "enum": {"name": enum.name, "members": dict(enum.members)} if enum else None,
+        "special": {str(number): meaning for number, meaning in parameter.special.items()},
+        "length": parameter.length,
+        "element": None if element_type is None else str(element_type),
+        "elements": None if element_type is None else str(parameter.elements),
+        "note": parameter.note,
+    }
+    return entry | {name: value for name, value in optional.items() if value or value == 0}
 
 
 def _fields(title: str, fields: tuple[Field, ...]) -> Iterator[Line]:
@@ -358,7 +301,5 @@ def _fields(title: str, fields: tuple[Field, ...]) -> Iterator[Line]:
 
 
 def _field_record(field: Field) -> dict[str, Any]:
-    entry: dict[str, Any] = {"name": field.name, "kind": field.kind.value, "text": field.text}
-    if field.optional:
-        entry["optional"] = True
-    return entry
+    entry = {"name": field.name, "kind": field.kind.value, "text": field.text}
+    return entry | ({"optional": True} if field.optional else {})

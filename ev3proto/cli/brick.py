@@ -12,7 +12,6 @@ from pathlib import Path
 from random import Random
 
 import click
-from click.core import ParameterSource
 
 from ev3proto.brick.deviations import DEVIATIONS
 from ev3proto.brick.dispatch import coverage as covered_operations
@@ -21,7 +20,7 @@ from ev3proto.brick.servers.limits import PATIENCE, UNLOCK_TIME
 from ev3proto.brick.servers.reporting import Reporter
 from ev3proto.brick.servers.script import Script, ScriptError, read_script
 from ev3proto.brick.servers.server import Options, ServerError, running
-from ev3proto.cli.commands import FiniteRange
+from ev3proto.cli.commands import FiniteRange, given_options
 from ev3proto.cli.ending import stopped_by_signals
 from ev3proto.cli.output import Printer, complain, flush, say
 from ev3proto.tables.declaration import DIALECTS
@@ -169,9 +168,8 @@ def brick(
     if coverage:
         _show_coverage(dialect)
         return
-    if not wifi:
-        _expect_nothing_of_wifi()
-
+    if not wifi and (useless := [option for option in given_options("port", "beacon") if option != "--no-beacon"]):
+        raise click.UsageError(f"--no-wifi leaves no use for {useless[0]}: give one or the other")
     options = Options(
         address=address,
         port=port if wifi else None,
@@ -212,14 +210,6 @@ def _serial_number(text: str | None) -> str | None:
     if text is None or re.fullmatch(r"[0-9A-Fa-f]{12}", text):
         return None if text is None else text.lower()
     raise click.BadParameter(f"a serial number has 12 hexadecimal digits, not {text!r}", param_hint="--serial-number")
-
-
-def _expect_nothing_of_wifi() -> None:
-    """Raises click.UsageError where an option is given that only WiFi has a use for."""
-    context = click.get_current_context()
-    for name in ("port", "beacon"):
-        if context.params[name] is not False and context.get_parameter_source(name) is ParameterSource.COMMANDLINE:
-            raise click.UsageError(f"--no-wifi leaves no use for --{name}: give one or the other")
 
 
 async def _serve(options: Options, root: Path) -> Reporter | None:

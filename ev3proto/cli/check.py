@@ -16,6 +16,7 @@ from ev3proto.checking.codes import CODES, Code
 from ev3proto.checking.fixing import fix
 from ev3proto.checking.program_codes import PROGRAM_CODES
 from ev3proto.checking.report import Finding, Fix, Report
+from ev3proto.cli.commands import given_options
 from ev3proto.cli.output import Printer, complain
 from ev3proto.cli.reading import SOURCE_SUFFIX, CaptureOptions, Piece, reading_options
 from ev3proto.cli.sources import Source, SourceReader, sources
@@ -375,16 +376,8 @@ def check(
     if code is not None:
         if names:
             raise click.UsageError("--explain is about a code, not about frames: give one or the other")
-        about_frames = {
-            "--strict": strict,
-            "--fix": fixes,
-            "--no-hints": no_hints,
-            "--errors-only": errors_only,
-            "--quiet": quiet,
-            "--carrier": carrier,
-            f"--format {style}": style in ("sarif", "github"),
-        }
-        given = [option for option, value in about_frames.items() if value]
+        given = given_options("strict", "fixes", "no_hints", "errors_only", "quiet", "carrier")
+        given += [f"--format {style}"] if style in ("sarif", "github") else []
         if given:
             raise click.UsageError(
                 f"--explain is about a code, and {', '.join(given)} about frames: give no other option"

@@ -14,6 +14,7 @@ from traceback import walk_tb
 from typing import Any, NoReturn, TextIO
 
 import click
+from click.core import ParameterSource
 
 from ev3proto.cli.ending import ended_behind
 from ev3proto.cli.output import OutputError, complain, flush
@@ -51,6 +52,19 @@ class FiniteRange(click.FloatRange):
         if not math.isfinite(number):
             self.fail(f"{number} is no finite number", param, ctx)
         return number
+
+
+def given_options(*names: str) -> list[str]:
+    """Those of some options that were typed, as they are written; of two opposite ones, the one that was."""
+    context = click.get_current_context()
+    typed = [name for name in names if context.get_parameter_source(name) is ParameterSource.COMMANDLINE]
+    options = {str(option.name): option for option in context.command.params}
+    return [
+        (options[name].secondary_opts or options[name].opts)[-1]
+        if context.params.get(name) is False
+        else options[name].opts[-1]
+        for name in typed
+    ]
 
 
 SUBCOMMANDS = {

@@ -16,6 +16,7 @@ from typing import Any, BinaryIO, Protocol, Self
 import click
 
 from ev3proto.cli.captures import CaptureSource
+from ev3proto.cli.commands import given_options
 from ev3proto.cli.output import binary_output, complain, is_terminal, say
 from ev3proto.cli.reading import CaptureOptions, Piece, Unread, introduction, reading_options
 from ev3proto.cli.sources import Source, SourceReader, sources
@@ -83,34 +84,6 @@ class Output:
         self._stack.__exit__(kind, error, where)
 
 
-def _hex(message: Message, _number: int, _dialogue: Dialogue) -> str:
-    return as_hex(message)
-
-
-def _raw(message: Message, _number: int, _dialogue: Dialogue) -> bytes:
-    return message.build()
-
-
-def _c(message: Message, number: int, _dialogue: Dialogue) -> str:
-    return as_c(message, f"frame_{number}")
-
-
-def _python(message: Message, number: int, _dialogue: Dialogue) -> str:
-    return as_python(message, f"frame_{number}")
-
-
-def _json(message: Message, _number: int, dialogue: Dialogue) -> str:
-    return json.dumps(record(dialogue.follow(message), Seen()), ensure_ascii=False)
-
-
-def _asm(message: Message, _number: int, dialogue: Dialogue) -> str:
-    return _assembly(message, dialogue, "asm")
-
-
-def _lego(message: Message, _number: int, dialogue: Dialogue) -> str:
-    return _assembly(message, dialogue, "lego")
-
-
 def _assembly(message: Message, dialogue: Dialogue, notation: str) -> str:
     exchange = dialogue.follow(message)
     return "\n".join(assembly(exchange, plain_text(heading(exchange, Seen())), notation))
@@ -118,13 +91,13 @@ def _assembly(message: Message, dialogue: Dialogue, notation: str) -> str:
 
 RAW = "raw"
 FORMS: dict[str, Callable[[Message, int, Dialogue], str | bytes]] = {
-    "hex": _hex,
-    RAW: _raw,
-    "c": _c,
-    "python": _python,
-    "json": _json,
-    "asm": _asm,
-    "lego": _lego,
+    "hex": lambda message, _number, _dialogue: as_hex(message),
+    RAW: lambda message, _number, _dialogue: message.build(),
+    "c": lambda message, number, _dialogue: as_c(message, f"frame_{number}"),
+    "python": lambda message, number, _dialogue: as_python(message, f"frame_{number}"),
+    "json": lambda message, _, dialogue: json.dumps(record(dialogue.follow(message), Seen()), ensure_ascii=False),
+    "asm": lambda message, _number, dialogue: _assembly(message, dialogue, "asm"),
+    "lego": lambda message, _number, dialogue: _assembly(message, dialogue, "lego"),
 }
 """What frames are written as: the message, its number from 1 on, and what was said before."""
 
@@ -197,12 +170,12 @@ class Encoding(SourceReader):
         line = first[-1].strip() if first else ""
         whole = itertools.chain(first, lines)
         if self.reading.filter is not None:
-            if _is_record(line) or _is_assembly(line) or _OBJECT.match(line):
+            if _is_record(line) or is_assembly(line) or _OBJECT.match(line):
                 raise click.UsageError(f"--filter is for frames, and {source.label[:60]} has none yet")
             self._recorded(source, whole)
         elif _is_record(line):
             self._records(source, whole)
-        elif _is_assembly(line) or _OBJECT.match(line):
+        elif is_assembly(line) or _OBJECT.match(line):
             self._assembly(source, whole)
         else:
             self._frames(source, whole)
@@ -274,10 +247,6 @@ _EXPECTED = (
 def _is_record(line: str) -> bool:
     """Whether an object of JSON starts in a line; a brace alone is one too, arrays of C have a name before it."""
     return line == "{" or (line.startswith("{") and line[1:].lstrip().startswith('"'))
-
-
-def _is_assembly(line: str) -> bool:
-    return is_assembly(line)
 
 
 def _joined(lines: Iterable[str], between: str, most: int) -> str:
@@ -372,7 +341,12 @@ def encode(
     """  # noqa: D301 - the mark by which click leaves lines as they are
     is_for_program = source_dialect is not None or version is not None or shortest
     if form == RBF or (form is None and (is_for_program or (path is not None and path.lower().endswith(SUFFIX)))):
-        _expect_nothing_of_frames(counter, reply, unchecked, reading)
+        about_frames = given_options("counter", "reply", "unchecked", "chosen", "no_length", "only_operations")
+        if about_frames:
+            raise click.UsageError(
+                f"{', '.join(about_frames)} {'is' if len(about_frames) == 1 else 'are'} for frames, and --to rbf or"
+                " -o FILE.rbf for programs: give one or the other"
+            )
         found = sources(names)
         from ev3proto.cli.programs import encode_program  # takes 45 ms, which frames have no use for
 
@@ -393,22 +367,3 @@ def encode(
     if not output.count and not encoding.at_fault:
         encoding.complain(f"there is nothing in the input that can be encoded: {_EXPECTED}")
     sys.exit(1 if encoding.at_fault else 0)
-
-
-def _expect_nothing_of_frames(counter: int, reply: bool | None, unchecked: bool, reading: CaptureOptions) -> None:
-    """Raises click.UsageError where an option is given that a program has no use for."""
-    about_frames = {
-        "--counter": counter,
-        "--reply": reply is True,
-        "--no-reply": reply is False,
-        "--unchecked": unchecked,
-        "--filter": reading.filter,
-        "--no-length": reading.missing == "length",
-        "--operations": reading.missing == "header",
-    }
-    given = [option for option, value in about_frames.items() if value]
-    if given:
-        raise click.UsageError(
-            f"{', '.join(given)} {'is' if len(given) == 1 else 'are'} for frames, and --to rbf or -o FILE.rbf for"
-            " programs: give one or the other"
-        )

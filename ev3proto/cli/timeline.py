@@ -12,6 +12,7 @@ import click
 from ev3proto.capture import Event
 from ev3proto.capture.timeline import Form, MissingLibraryError, Timeline, Window, collect, require_library, write
 from ev3proto.cli.captures import CaptureSource
+from ev3proto.cli.commands import FiniteRange
 from ev3proto.cli.output import complain, say
 from ev3proto.cli.reading import CaptureOptions, reading_options
 
@@ -19,11 +20,7 @@ MOST_SECONDS = 1e9
 """Longest time that can be asked for: thirty years."""
 
 
-def _seconds(_context: click.Context, _parameter: click.Parameter, value: float | None) -> float | None:
-    # Written so that "nan", which click takes for a number, is refused, too.
-    if value is not None and not 0 <= value <= MOST_SECONDS:
-        raise click.BadParameter(f"{value:g} is no number of seconds from 0 to {MOST_SECONDS:g}")
-    return value
+_SECONDS = FiniteRange(0, MOST_SECONDS)
 
 
 @click.command()
@@ -36,12 +33,8 @@ def _seconds(_context: click.Context, _parameter: click.Parameter, value: float 
     required=True,
     help="Write to this file: .html, .svg, .png or .json.",
 )
-@click.option(
-    "--from", "first", type=float, callback=_seconds, metavar="SECONDS", help="Begin so long after the first message."
-)
-@click.option(
-    "--to", "last", type=float, callback=_seconds, metavar="SECONDS", help="End so long after the first message."
-)
+@click.option("--from", "first", type=_SECONDS, metavar="SECONDS", help="Begin so long after the first message.")
+@click.option("--to", "last", type=_SECONDS, metavar="SECONDS", help="End so long after the first message.")
 def timeline(
     files: tuple[str, ...], reading: CaptureOptions, output: Path, first: float | None, last: float | None
 ) -> None:

@@ -7350,8 +7350,7 @@ do
     function claiming.meet(talk, message)
         if not talk.is_claimed or talk.is_sure then return end
         talk.has_frame = true
-        if talk.is_good or talk.is_answered or not message.type then return end
-        talk.is_good = message.type.is_command and is_sensible(message)
+        talk.is_good = talk.is_good or not talk.is_answered and is_sensible(message)
     end
 
     -- Counts a packet of a claimed conversation, of which so many bytes are in no frame: whether it is claimed still.

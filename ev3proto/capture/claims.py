@@ -73,11 +73,6 @@ def is_sensible(message: Message) -> bool:
     return message.fault is None
 
 
-def is_flawless_command(message: Message) -> bool:
-    """Says whether a message is a command without a fault, plausible or not."""
-    return message.type is not None and message.type.is_command and is_sensible(message)
-
-
 def is_complete_reply(message: Message) -> bool:
     """Says whether a message is a reply of a brick to a computer, read whole, that brings something."""
     if isinstance(message, DirectReply):
@@ -154,7 +149,7 @@ class Claim:
         """Counts a packet of a claimed conversation, which may end the claim.
 
         Args:
-            is_good: It has a command without a fault.
+            is_good: It has a frame without a fault.
             has_frame: It has a frame, or completes one, whatever is wrong with it.
             size: Bytes in it that are in no frame.
 

@@ -10,9 +10,9 @@ least one operation that is not `NOT_TELLING`, none that is `NEVER_SENT` or `ONL
 and range that its parameter takes, variables within the memory that the header asks for; of one that the capture has
 cut, what is there, if its operations are of devices (from `FIRST_OF_DEVICES` on); or a system command that fits its
 fields, in one packet if it has data, and is not the NXT's (`NXT_WRITE`). On TCP `REPLIES` complete replies in a row
-that bring something begin one, too. It ends after `STRANGE_PACKETS` packets in a row without a command that can be read
-whole; once a reply came with the counter and the length that a command asked for, after as many without any frame, if
-they have more bytes than one. After a gap or garbage the next plausible frame is found.
+that bring something begin one, too. It ends after `STRANGE_PACKETS` packets in a row without a frame that can be read
+whole; once a reply came with the counter and the length that a command asked for, after as many without any, if they
+have more bytes than one. After a gap or garbage the next plausible frame is found.
 """
 
 STRANGE_PACKETS = 3

@@ -197,7 +197,7 @@ def ours(rng: random.Random) -> Iterator[Said]:
 def everybody() -> bytes:
     """Others and we, each in connections of their own, whole and in pieces."""
     capture, port = Capture(RAW_IP), 20_000
-    for who in (debug_bridge, encrypted, numbered, padded, database, nxt, modbus, object_exchange, torrent, ours):
+    for who in (debug_bridge, encrypted, numbered, padded, database, modbus, object_exchange, torrent, ours):
         for seed in range(9):
             rng = random.Random(seed)
             said = who(rng) if seed % 3 else swapped(who, rng)

@@ -39,7 +39,7 @@ LIMITS = {
     "Segments of one direction of TCP": f"{tcp.MOST_AHEAD // MIB} MiB, {tcp.MOST_SEGMENTS_AHEAD} segments",
     "IP packets of which parts wait": f"{fragments.MOST_PACKETS}, each {fragments.MOST_SECONDS} seconds",
     "TCP connections": f"{connections.MOST_CONNECTIONS}",
-    "Packets in a row without a command that can be read, before any reply answered one": f"{STRANGE_PACKETS}",
+    "Packets in a row without a frame that can be read, before any reply answered a command": f"{STRANGE_PACKETS}",
     "Bytes of each side of a conversation before it is known to be a brick's": f"{MAX_FRAME:,}",
     "Bricks whose beacons are remembered": f"{connections.MOST_BRICKS} addresses and ports",
     "USB devices": f"{reports.MOST_DEVICES}, about 12 MiB",

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from ev3proto.capture.carriers.streams import Context, Stream
-from ev3proto.capture.claims import Claim, answers, is_complete_reply, is_flawless_command
+from ev3proto.capture.claims import Claim, answers, is_complete_reply, is_sensible
 from ev3proto.capture.finding import Accepts
 from ev3proto.capture.framing import MARK_SIZE
 from ev3proto.capture.record import Announcement, Direction, Event, Record, Skipped
@@ -120,7 +120,7 @@ class StreamClaim(Claim):
             return events
         records = [event for event in events if isinstance(event, Record)]
         self.is_answered = self.is_answered or any(map(answers, records))
-        is_good = not self.is_answered and any(is_flawless_command(each.message) for each in records)
+        is_good = not self.is_answered and any(is_sensible(each.message) for each in records)
         size = stream.cutter.passed + sum(len(event.data) for event in events if isinstance(event, Skipped))
         self.count(is_good=is_good, has_frame=bool(records), size=size)
         if self.is_claimed:

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from ev3proto.bounded import Bounded
 from ev3proto.capture.carriers.streams import Context
 from ev3proto.capture.carriers.usb.requests import IN, INTERRUPT, Urb, urb
-from ev3proto.capture.claims import Claim, answers, is_flawless_command, is_plausible, is_sensible
+from ev3proto.capture.claims import Claim, answers, is_plausible, is_sensible
 from ev3proto.capture.conversation import Conversation
 from ev3proto.capture.packets import Packet
 from ev3proto.capture.record import HOST, Direction, Event, Record, Route, Skipped
@@ -126,7 +126,7 @@ class Reports:
         if not claim.is_claimed:
             return
         claim.is_answered = claim.is_answered or answers(record)
-        claim.count(is_good=is_flawless_command(record.message), has_frame=True, size=0)
+        claim.count(is_good=is_sensible(record.message), has_frame=True, size=0)
 
 
 def _is_overwritten(frame: bytes, is_from_host: bool) -> bool:

@@ -332,3 +332,8 @@ def test_downloads_longer_than_other_frames(size: int) -> None:
     for text in (frame.hex(), "\n".join(row.hex(" ") for row in rows), "\n".join(dump)):
         (piece,) = pieces(text)
         assert piece.data == frame
+
+
+def test_a_frame_with_a_wrong_length_is_not_dropped_for_the_next_line() -> None:
+    lines = ["09:00|2A:00|80|00:00|81|01|60|", "06:00|2A:00|00|00:00|01|"]
+    assert [piece.line for piece in read_text(iter(lines))] == [1, 2]

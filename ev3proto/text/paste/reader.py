@@ -353,7 +353,10 @@ class Reader:
             return
         for track in group.live if len(rows) > 1 else ():
             joined = track.joined(is_array=group.is_array)
-            if self._emit(_pieces(rows, joined)):
+            pieces = _pieces(rows, joined)
+            # A first row that looks like a frame is not dropped for one that begins after it.
+            is_later = group.looks is not None and bool(pieces) and pieces[0].line != rows[0].number
+            if not is_later and self._emit(pieces):
                 return
             looks = looks or _looks(rows, joined)
         left: list[Row] = []

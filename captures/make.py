@@ -19,6 +19,7 @@ ETHERNET, BLUETOOTH_H4_WITH_DIRECTION, USBMON, USBMON_MAPPED, USBPCAP = 1, 201, 
 def main(folder: Path) -> None:
     """Writes them all."""
     write_pcapng(folder / "wifi.pcapng", wifi.whole(), ETHERNET)
+    write_pcapng(folder / "conformance.pcapng", conformance.whole(), ETHERNET)
     write_pcap(folder / "wifi-reordered.pcap", wifi.reordered(), ETHERNET, nano=True)
     write_pcapng(folder / "usb.pcapng", usb.plugged_in(), USBMON_MAPPED)
     write_pcap(folder / "usb-plugged.pcap", usb.among_others(), USBMON)
@@ -29,7 +30,6 @@ def main(folder: Path) -> None:
     write_pcapng(
         folder / "bluetooth.pcapng", bluetooth.with_direction(bluetooth.begun_late()), BLUETOOTH_H4_WITH_DIRECTION
     )
-    conformance.write(folder / "conformance.pcapng")
 
 
 if __name__ == "__main__":

@@ -8,20 +8,16 @@ from __future__ import annotations
 import tempfile
 from collections.abc import Iterator
 from itertools import chain
-from pathlib import Path
 
 from ev3proto import system
 from ev3proto.brick import Brick
-from ev3proto.generate.captures.carrier_writer import TimedFrame
-from ev3proto.generate.captures.packets import BEGIN_NS, write_pcapng
 from ev3proto.messages import Message
 from ev3proto.text.assembly import assemble
+from making.files import SECOND, Wire
+from making.wifi import Connection
 
-_PACE_NS = 100_000_000
-"""Nanoseconds from one command to the next."""
-
-_TICK = 0.002
-_NANOSECONDS = 1_000_000_000
+_PACE, _TICK = 100_000, 2_000
+"""Microseconds from one command to the next, and from one look at the brick to the next."""
 
 _TYPES = {"8": "DATA8", "16": "DATA16", "32": "DATA32", "F": "DATAF"}
 _PAIRS = {"8": ((7, 5), (-100, 3)), "16": ((1000, 7), (-30000, 2)), "32": ((100000, 70), (-2000000000, 3))}
@@ -135,13 +131,13 @@ def _states() -> Iterator[str]:
     """The battery, versions, buttons, sensors, motors, sounds, connections."""
     for name in ("GET_VBATT", "GET_IBATT", "GET_TBATT", "GET_IINT", "GET_IMOTOR"):
         yield f"DATAF x\nUI_READ({name}, x)"
-    for name in ("GET_LBATT", "GET_WARNING", "GET_SHUTDOWN", "GET_EVENT"):
+    for name in ("GET_LBATT", "GET_SHUTDOWN", "GET_EVENT"):
         yield f"DATA8 x\nUI_READ({name}, x)"
     for name in ("GET_OS_VERS", "GET_HW_VERS", "GET_FW_VERS", "GET_FW_BUILD", "GET_OS_BUILD", "GET_VERSION"):
         yield f"DATAS x 40\nUI_READ({name}, 40, x)"
     yield "DATA8 a\nDATA32 b\nDATA32 c\nUI_READ(GET_SDCARD, a, b, c)"
     yield "DATA8 a\nDATA32 b\nDATA32 c\nUI_READ(GET_USBSTICK, a, b, c)"
-    for button in range(6):
+    for button in range(7):
         yield f"DATA8 x\nUI_BUTTON(PRESSED, {button}, x)"
     yield "DATA8 x\nSOUND_TEST(x)"
     yield "DATA8 x\nINFO(GET_VOLUME, x)"
@@ -210,19 +206,25 @@ def commands() -> list[bytes]:
     return [frame[:2] + number.to_bytes(2, "little") + frame[4:] for number, frame in enumerate(frames, 1)]
 
 
-def write(path: Path) -> None:
-    """Writes the capture: what the virtual brick answers to each command."""
-    now, frames = BEGIN_NS, []
+def whole() -> Wire:
+    """A connection in which the virtual brick answers each command."""
+    wire = Wire()
+    connection = Connection(wire)
+    connection.open()
+    connection.unlock()
     with tempfile.TemporaryDirectory() as folder:
         brick = Brick(root=folder)
         brick.random.seed(1)
         for command in commands():
-            frames.append(TimedFrame(command, now))
-            replies, passed = brick.receive(command), 0.0
+            begun = wire.now
+            connection.write(connection.host, command)
+            replies = brick.receive(command)
             while not replies:
-                replies, passed = brick.advance(_TICK), passed + _TICK
-            frames += (TimedFrame(reply, now + int(passed * _NANOSECONDS) + _NANOSECONDS // 500) for reply in replies)
-            brick.advance(_PACE_NS / _NANOSECONDS - passed)
-            now += _PACE_NS
-    with path.open("wb") as file:
-        write_pcapng(frames, file)
+                wire.wait(_TICK)
+                replies = brick.advance(_TICK / SECOND)
+            for reply in replies:
+                connection.write(connection.brick, reply)
+            wire.wait(begun + _PACE - wire.now)
+            brick.advance(_PACE / SECOND)
+    connection.close()
+    return wire

@@ -145,6 +145,7 @@ LATE = ("-d", "btl2cap.cid==0x41,btrfcomm", "-d", "btl2cap.cid==0x51,btrfcomm")
 CARRIERS = {
     "bluetooth.log": Carrier(over_rfcomm(), 24),
     "bluetooth.pcapng": Carrier(over_rfcomm(*LATE), 13),
+    "conformance.pcapng": Carrier(over_tcp, 600),
     "daisy.pcap": Carrier(over_usb("usb.data_len == 64"), 8),
     "ev3_dc.pcap": Carrier(over_tcp, 188),
     "usb-bootloader.pcapng": Carrier(over_usb("usb.data_len == 1024"), 16),

@@ -17,6 +17,7 @@ from ev3proto.generate.dissector.install import (
     NoTsharkError,
     Tshark,
     install_dissector,
+    install_launcher,
     install_profile,
     uninstall,
 )
@@ -77,12 +78,13 @@ def install(folder: Path | None, with_profile: bool, tshark: str | None, force: 
     """Installs the dissector for the user who runs this.
 
     ev3.lua, which dissects, and ev3_statistics.lua, which adds statistics and the export of files, go into the
-    personal folder for Lua plugins that tshark names, and tshark is asked whether it loads ev3.lua.
+    personal folder for Lua plugins that tshark names, and tshark is asked whether it loads ev3.lua. The program
+    ev3proxy, which lets Wireshark capture through `ev3proto extcap`, goes into the personal folder for extcap.
     The profile goes into tshark's personal configuration. Where there is no tshark, the folders are those that
     Wireshark's manual names for this system.
 
-    With --dir, all goes below that folder, the profile into profiles/EV3; no tshark is needed, and none is asked,
-    unless --tshark names it.
+    With --dir, all goes below that folder, the profile into profiles/EV3, and there is no ev3proxy; no tshark is
+    needed, and none is asked, unless --tshark names it.
 
     \b
       ev3proto dissector install --profile
@@ -105,7 +107,7 @@ def install(folder: Path | None, with_profile: bool, tshark: str | None, force: 
 @click.option("--tshark", metavar="PATH", help="The tshark to ask, where it is not on the path.")
 @click.option("--force", is_flag=True, help="Remove files that are not ours, or that you changed, too.")
 def uninstall_command(folder: Path | None, tshark: str | None, force: bool) -> None:
-    """Removes what install has written: the dissector, and the profile EV3 as far as it is unchanged.
+    """Removes what install has written: the dissector, ev3proxy, and the profile EV3 as far as it is unchanged.
 
     \b
       ev3proto dissector uninstall
@@ -145,8 +147,13 @@ def _install(folder: Path | None, with_profile: bool, tshark: str | None, force:
         if outcome is InstallResult.KEPT:
             raise InstallError(f"{path} is another program's: move it away, or overwrite it with --force")
         say(f"{path}: {outcome.value}")
+    outcomes = [install_launcher(folders.extcap, force=force)] if folders.extcap else []
     if with_profile:
-        _install_profile(folders.profiles, force=force)
+        outcomes += install_profile(folders.profiles, force=force)
+    for path, outcome in outcomes:
+        say(f"{path}: {outcome.value}")
+    if any(outcome is InstallResult.KEPT for _, outcome in outcomes):
+        say("To overwrite what was changed, add --force.")
     trouble = asked.trouble(plugin) if asked else None
     if asked and trouble:
         raise InstallError(f"{asked.path} does not load it: {trouble}")
@@ -159,11 +166,3 @@ def _install(folder: Path | None, with_profile: bool, tshark: str | None, force:
         say("For the profile, choose EV3 under Edit, Configuration Profiles.")
     elif with_profile:
         say("The profile belongs in the folder profiles of the personal configuration: Help, About, Folders.")
-
-
-def _install_profile(folder: Path, *, force: bool) -> None:
-    outcomes = list(install_profile(folder, force=force))
-    for path, outcome in outcomes:
-        say(f"{path}: {outcome.value}")
-    if any(outcome is InstallResult.KEPT for _, outcome in outcomes):
-        say("To overwrite what was changed, add --force.")

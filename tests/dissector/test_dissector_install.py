@@ -11,6 +11,7 @@ import re
 import shlex
 import struct
 import subprocess
+import sys
 import tempfile
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -76,6 +77,12 @@ class Home:
         return self.plugin.with_name("ev3_statistics.lua")
 
     @property
+    def launcher(self) -> Path:
+        """What Wireshark starts to capture through the proxy."""
+        folder = ".config/wireshark" if self.tshark.version == (4, 0) else ".local/lib/wireshark"
+        return self.folder / folder / "extcap" / "ev3proxy"
+
+    @property
     def profile(self) -> Path:
         return self.folder / ".config" / "wireshark" / "profiles" / "EV3"
 
@@ -98,8 +105,8 @@ class Home:
         return done.stdout
 
     def files(self) -> list[str]:
-        """What is there but for tshark itself."""
-        return [name for name in tree(self.folder) if name != "bin/tshark"]
+        """What is there but for tshark itself and the launcher."""
+        return [name for name in tree(self.folder) if name != "bin/tshark" and not name.endswith("extcap/ev3proxy")]
 
 
 def make_home(tshark: Tshark) -> Home:
@@ -127,6 +134,7 @@ def test_installed_it_is_loaded_and_decodes(home: Home) -> None:
     assert done.stdout.splitlines() == [
         f"{home.plugin}: written",
         f"{home.statistics}: written",
+        f"{home.launcher}: written",
         f"{home.program} loads it.",
         RELOAD,
     ]
@@ -273,7 +281,7 @@ def test_another_dissector_of_the_same_name(home: Home) -> None:
     (home.plugin.parent / "a-first.lua").write_text('local other = Proto("EV3", "another")\n')
     done = home.install()
     assert done.returncode == 1
-    assert done.stdout == f"{home.plugin}: written\n{home.statistics}: written\n"
+    assert done.stdout == f"{home.plugin}: written\n{home.statistics}: written\n{home.launcher}: written\n"
     assert done.stderr.startswith(f"{home.program} does not load it: Lua says: ")
     assert "there cannot be two protocols with the same name" in done.stderr
 
@@ -286,7 +294,7 @@ def test_newer_ones_load_nothing_as_root(home: Home) -> None:
     home.program.write_text(text)
     done = home.install()
     assert done.returncode == 1
-    assert done.stdout == f"{home.plugin}: written\n{home.statistics}: written\n"
+    assert done.stdout == f"{home.plugin}: written\n{home.statistics}: written\n{home.launcher}: written\n"
     assert done.stderr == (
         f"{home.program} does not load it: as root, Wireshark 4.4 and later load no Lua plugins; run this, and "
         "Wireshark, as an ordinary user\n"
@@ -299,6 +307,7 @@ def test_the_profile(home: Home) -> None:
     assert done.stdout.splitlines() == [
         f"{home.plugin}: written",
         f"{home.statistics}: written",
+        f"{home.launcher}: written",
         f"{home.profile / 'preferences'}: written",
         f"{home.profile / 'colorfilters'}: written",
         f"{home.profile / 'dfilter_buttons'}: written",
@@ -441,7 +450,9 @@ def test_the_session_in_the_readme(home: Home) -> None:
     found = re.search(r"^\$ ev3proto dissector install (.*)\n((?:(?!```).*\n)*)", README, re.MULTILINE)
     assert found
     said = home.install(*found[1].split()).stdout
-    assert said.replace(str(home.program), "/usr/bin/tshark").replace(str(home.folder), "/home/me") == found[2]
+    said = said.replace(str(home.program), "/usr/bin/tshark").replace(str(home.folder), "/home/me")
+    # Wireshark 4.0 looks for the launcher elsewhere.
+    assert said.replace("/.config/wireshark/extcap/", "/.local/lib/wireshark/extcap/") == found[2]
 
 
 def test_the_help_shows_calls_line_by_line() -> None:
@@ -475,12 +486,17 @@ def test_uninstall_leaves_the_plugin_of_others(tmp_path: Path) -> None:
     assert plugin.exists()
 
 
+UNIX = (
+    "home/.local/lib/wireshark/plugins",
+    "home/.config/wireshark/profiles/EV3",
+    "home/.local/lib/wireshark/extcap/ev3proxy",
+)
 USUAL = {
-    "linux": ("home/.local/lib/wireshark/plugins", "home/.config/wireshark/profiles/EV3"),
-    "darwin": ("home/.local/lib/wireshark/plugins", "home/.config/wireshark/profiles/EV3"),
-    "win32": ("roaming/Wireshark/plugins", "roaming/Wireshark/profiles/EV3"),
+    "linux": UNIX,
+    "darwin": UNIX,
+    "win32": ("roaming/Wireshark/plugins", "roaming/Wireshark/profiles/EV3", "roaming/Wireshark/extcap/ev3proxy.bat"),
 }
-"""By platform: where Wireshark's manual says that plugins and profiles are."""
+"""By platform: where Wireshark's manual says that plugins and profiles are, and programs that capture."""
 
 
 @pytest.mark.parametrize("platform", USUAL)
@@ -493,18 +509,22 @@ def test_without_a_tshark_the_usual_folders_are_taken(
     monkeypatch.setenv("APPDATA", str(tmp_path / "roaming"))
     for name in ("XDG_CONFIG_HOME", "WIRESHARK_CONFIG_DIR"):
         monkeypatch.delenv(name, raising=False)
-    plugins, profile = USUAL[platform]
+    plugins, profile, launcher = USUAL[platform]
     files = [
         f"{plugins}/ev3.lua",
         f"{plugins}/ev3_statistics.lua",
+        launcher,
         *(f"{profile}/{name}" for name in ("colorfilters", "dfilter_buttons", "preferences")),
     ]
     done = CliRunner().invoke(dissector, ["install", "--profile"])
     assert done.exit_code == 0
     assert "There is no tshark to ask" in done.output
     assert sorted(tree(tmp_path)) == sorted(files)
+    text = (tmp_path / launcher).read_text()
+    assert sys.executable in text
+    assert ("%*" in text, '"$@"' in text) == (platform == "win32", platform != "win32")
     done = CliRunner().invoke(dissector, ["uninstall"])
-    assert (done.exit_code, done.output.count(": removed\n")) == (0, 5)
+    assert (done.exit_code, done.output.count(": removed\n")) == (0, 6)
     assert tree(tmp_path) == []
 
 
@@ -526,3 +546,35 @@ def test_a_configuration_where_it_was_before(
     for name, value in {"HOME": "", **variables}.items():
         monkeypatch.setenv(name, str(tmp_path / value))
     assert install.Folders.documented().profiles == tmp_path / profiles
+
+
+# The launcher of `ev3proto extcap`
+
+
+def interfaces(home: Home) -> str:
+    """What tshark lists, as the user who runs the tests: others may not start this Python."""
+    environment = {**os.environ, "HOME": str(home.folder)}
+    words = ["tshark", "-D"]
+    return subprocess.run(words, env=environment, capture_output=True, encoding="utf-8", check=True, timeout=120).stdout
+
+
+def test_the_proxy_is_among_the_interfaces(home: Home) -> None:
+    home.install()
+    assert os.access(home.launcher, os.X_OK)
+    assert "ev3proxy (EV3 proxy)" in interfaces(home)
+    path = f"{home.program.parent}{os.pathsep}{os.environ['PATH']}"
+    done = run_ev3proto_text("dissector", "uninstall", env={**os.environ, "PATH": path})
+    assert f"{home.launcher}: removed" in done.stdout
+    assert "ev3proxy" not in interfaces(home)
+
+
+def test_another_program_keeps_its_launcher(home: Home) -> None:
+    home.launcher.parent.mkdir(parents=True)
+    home.launcher.write_text("#!/bin/sh\n# mine\n")
+    done = home.install()
+    assert done.returncode == 0
+    assert f"{home.launcher}: kept, because it was changed" in done.stdout
+    assert home.launcher.read_text() == "#!/bin/sh\n# mine\n"
+    assert not os.access(home.launcher, os.X_OK)
+    assert f"{home.launcher}: written in place of another one" in home.install("--force").stdout
+    assert os.access(home.launcher, os.X_OK)

@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import os
-import shlex
 import socket
 import subprocess
-import sys
 import time
 from pathlib import Path
 
@@ -69,17 +67,14 @@ def connected(port: int) -> Client:
 
 
 def test_tshark_captures_through_the_proxy(tmp_path: Path) -> None:
-    """The launcher is in the personal folder of Wireshark 4.0, and in that of later ones."""
-    for folder in (tmp_path / ".config" / "wireshark" / "extcap", tmp_path / ".local" / "lib" / "wireshark" / "extcap"):
-        folder.mkdir(parents=True)
-        launcher = folder / "ev3proxy"
-        launcher.write_text(f'#!/bin/sh\nexec {shlex.quote(sys.executable)} -m ev3proto extcap "$@"\n')
-        launcher.chmod(0o755)
+    """By the launcher that `ev3proto dissector install` writes."""
+    environment = {**os.environ, "HOME": str(tmp_path)}
+    installed = run("dissector", "install", env=environment)
+    assert "/extcap/ev3proxy: written\n" in installed.stdout
     port = free_port()
     settings = [f"extcap.ev3proxy.{name}:{value}" for name, value in (("target", "virtual"), ("port", port))]
     path = tmp_path / "talk.pcapng"
     words = ["-i", "ev3proxy", *(word for setting in settings for word in ("-o", setting)), "-w", str(path), "-q"]
-    environment = {**os.environ, "HOME": str(tmp_path)}
     tshark = subprocess.Popen(["tshark", *words], env=environment, stderr=subprocess.PIPE, text=True)
     try:
         with connected(port) as client:

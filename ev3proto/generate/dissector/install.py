@@ -1,10 +1,14 @@
-"""Puts the dissector and its profile where a Wireshark looks for them, and asks that Wireshark whether it loads it."""
+"""Puts the dissector, its profile and the launcher of `ev3proto extcap` where a Wireshark looks for them.
+
+That Wireshark is asked whether it loads the dissector.
+"""
 
 from __future__ import annotations
 
 import contextlib
 import os
 import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -15,6 +19,7 @@ from pathlib import Path
 
 from ev3proto.generate.dissector import profile
 from ev3proto.generate.dissector.build import files
+from ev3proto.version import VERSION
 
 TIMEOUT = 60
 PLATFORM = sys.platform
@@ -24,7 +29,9 @@ USUAL_PLACES = (
 )
 """Where tshark is on systems that do not put it on the path."""
 
-_OURS = "-- This file is made by ev3proto "
+_OURS = "This file is made by ev3proto "
+_LAUNCHER = "ev3proxy"
+_OLD_EXTCAP = (4, 0)
 _AS_ROOT = 'Running as user "root"'
 _NO_LUA_AS_ROOT = (4, 4)
 
@@ -51,10 +58,14 @@ class InstallResult(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Folders:
-    """Where a Wireshark looks: for Lua plugins, and for configuration profiles."""
+    """Where a Wireshark looks: for Lua plugins, for configuration profiles, and for programs that capture (extcap).
+
+    `extcap` is None where only a folder for Lua plugins is known.
+    """
 
     plugins: Path
     profiles: Path
+    extcap: Path | None = None
 
     @classmethod
     def below(cls, folder: Path) -> Folders:
@@ -67,14 +78,15 @@ class Folders:
         named = os.environ.get("WIRESHARK_CONFIG_DIR")
         if PLATFORM == "win32":
             roaming = Path(os.environ.get("APPDATA") or Path.home() / "AppData" / "Roaming") / "Wireshark"
-            return cls(roaming / "plugins", (Path(named) if named else roaming) / "profiles")
+            return cls(roaming / "plugins", (Path(named) if named else roaming) / "profiles", roaming / "extcap")
         configuration = Path(os.environ.get("XDG_CONFIG_HOME") or Path.home() / ".config") / "wireshark"
         older = Path.home() / ".wireshark"
         if named:
             configuration = Path(named)
         elif older.is_dir() and not configuration.is_dir():
             configuration = older
-        return cls(Path.home() / ".local" / "lib" / "wireshark" / "plugins", configuration / "profiles")
+        library = Path.home() / ".local" / "lib" / "wireshark"
+        return cls(library / "plugins", configuration / "profiles", library / "extcap")
 
 
 def install_dissector(folder: Path, *, force: bool) -> Iterator[tuple[Path, InstallResult]]:
@@ -90,8 +102,30 @@ def install_profile(profiles: Path, *, force: bool) -> Iterator[tuple[Path, Inst
         yield path, _write(path, text, is_ours=profile.is_unchanged, force=force)
 
 
+def install_launcher(folder: Path, *, force: bool) -> tuple[Path, InstallResult]:
+    """Writes the program that Wireshark starts for the interface "EV3 proxy", and tells what became of it."""
+    path = _launcher_in(folder)
+    outcome = _write(path, _launcher(), is_ours=lambda text: _OURS in text, force=force)
+    if outcome is not InstallResult.KEPT:
+        with contextlib.suppress(OSError):  # a file system may know no such bits
+            path.chmod(path.stat().st_mode | 0o111)
+    return path, outcome
+
+
+def _launcher_in(folder: Path) -> Path:
+    return folder / (f"{_LAUNCHER}.bat" if PLATFORM == "win32" else _LAUNCHER)
+
+
+def _launcher() -> str:
+    """Starts this Python's ev3proto. Nothing is imported from the folder where Wireshark was started (-P)."""
+    if PLATFORM == "win32":
+        python = sys.executable.replace("%", "%%")
+        return f'@echo off\r\nrem {_OURS}{VERSION}.\r\n"{python}" -P -m ev3proto extcap %*\r\n'
+    return f'#!/bin/sh\n# {_OURS}{VERSION}.\nexec {shlex.quote(sys.executable)} -P -m ev3proto extcap "$@"\n'
+
+
 def uninstall(folders: Folders, *, force: bool) -> Iterator[tuple[Path, InstallResult]]:
-    """Removes what `install_dissector` and `install_profile` write, and the profile's folder once it is empty.
+    """Removes what the functions above write, and the profile's folder once it is empty.
 
     Args:
         folders: Where they are.
@@ -107,6 +141,9 @@ def uninstall(folders: Folders, *, force: bool) -> Iterator[tuple[Path, InstallR
     for name in files():
         plugin = folders.plugins / name
         yield plugin, _remove(plugin, is_ours=lambda text: _OURS in text, force=force)
+    if folders.extcap is not None:
+        launcher = _launcher_in(folders.extcap)
+        yield launcher, _remove(launcher, is_ours=lambda text: _OURS in text, force=force)
     place = folders.profiles / profile.NAME
     for name in profile.files():
         yield place / name, _remove(place / name, is_ours=profile.is_unchanged, force=force)
@@ -172,9 +209,17 @@ class Tshark:
     def folders(self) -> Folders:
         """Where it looks for what a person adds."""
         said = self._ask("folders").stdout
-        return Folders(
-            self._folder(said, "Personal Lua Plugins"), self._folder(said, "Personal configuration") / "profiles"
-        )
+        plugins, configuration = (self._folder(said, f"Personal {name}") for name in ("Lua Plugins", "configuration"))
+        return Folders(plugins, configuration / "profiles", self._extcap(said, configuration))
+
+    def _extcap(self, said: str, configuration: Path) -> Path:
+        """The folder for programs that capture: named by later releases only."""
+        found = re.search(r"^Personal Extcap path:[ \t]+(\S.*?)\s*$", said, re.MULTILINE | re.IGNORECASE)
+        if found:
+            return Path(found[1])
+        if PLATFORM == "win32" or self._version() <= _OLD_EXTCAP:
+            return configuration / "extcap"
+        return Path.home() / ".local" / "lib" / "wireshark" / "extcap"
 
     def _folder(self, said: str, name: str) -> Path:
         found = re.search(rf"^{name}:[ \t]+(\S.*?)\s*$", said, re.MULTILINE)

@@ -5091,7 +5091,7 @@ local SYSTEM = {
             { "data", BYTES, "data", "Data", optional = true },
         },
         reply = { { "handle", U8, "handle", "Handle" } },
-        transfer = "begin",
+        transfer = "begin", is_long = true,
         statuses = {
             [8] = "the file is complete: its size is 0, or all of it came with this frame",
             [1] = "no such file can be made: it is a folder, or the file system refuses the name",
@@ -5103,7 +5103,7 @@ local SYSTEM = {
         0x93, "CONTINUE_DOWNLOAD", "Writes the next piece of a file; the file closes itself when it is complete",
         request = { { "handle", U8, "handle", "Handle" }, { "data", BYTES, "data", "Data" } },
         reply = { { "handle", U8, "handle", "Handle" } },
-        transfer = "continue",
+        transfer = "continue", is_long = true,
         statuses = {
             [8] = "that was the rest, and the file is closed; bytes beyond its size are dropped",
             [1] = "no file is open under that handle: it is complete, closed, or was never begun",
@@ -5748,6 +5748,7 @@ do
         local command = {
             name = row[2], text = row[3], request = row.request or {}, reply = row.reply or {},
             transfer = row.transfer, is_bootloader = row.bootloader, statuses = row.statuses or {},
+            is_long = row.is_long,
         }
         for _, side in ipairs({ command.request, command.reply }) do
             for _, declared in ipairs(side) do
@@ -7176,16 +7177,33 @@ local function frame_size(low, high)
     return high and LENGTH_FIELD + low + high * 0x100
 end
 
-local function is_length(low, high)
+local function is_usual_length(low, high)
     local length = low + high * 0x100
     return length >= MIN_LENGTH and length <= MAX_LENGTH
+end
+
+-- Whether the length field at an offset can be a frame's. Downloads may be longer than all others; their header tells.
+local function is_length(text, at)
+    local low, high, _, _, code, number = byte(text, at + 1, at + HEADER_SIZE + 1)
+    if is_usual_length(low, high) then return true end
+    local type, command = MESSAGE_TYPES[code], SYSTEM_COMMANDS[number]
+    if low + high * 0x100 < MIN_LENGTH or not type or not type.is_command then return false end
+    return type.carries == "system" and (not number or command ~= nil and command.is_long == true)
 end
 
 -- Whether a frame may start at an offset, as far as its header goes.
 local function may_start(text, at)
     local low, high, _, _, type = byte(text, at + 1, at + HEADER_SIZE)
     if not high then return low ~= nil end
-    return is_length(low, high) and (not type or MESSAGE_TYPES[type] ~= nil)
+    return is_length(text, at) and (not type or MESSAGE_TYPES[type] ~= nil)
+end
+
+-- The offset after the polls at an offset: lengths of 0 between frames, which the brick passes over.
+local function after_polls(text, at)
+    while sub(text, at + 1, at + LENGTH_FIELD) == "\0\0" do
+        at = at + LENGTH_FIELD
+    end
+    return at
 end
 
 -- Claims ------------------------------------------------------------------------------------------------------------
@@ -7397,6 +7415,8 @@ do
     local function count_chain(text, at)
         local count = 0
         while at < #text do
+            at = after_polls(text, at)
+            if at == #text then return count end
             if not may_start(text, at) then return nil end
             local size = frame_size(byte(text, at + 1, at + 2))
             if not size or at + size > #text then return count end
@@ -7432,7 +7452,7 @@ do
             local is_cut = reported > #text and stop == reported and #text - place >= LEAST_CUT
             local is_split = stop > #text and not is_cut or place < joint and joint < stop
             local is_chance = is_split and type.carries == "system" and has_data[byte(text, place + HEADER_SIZE + 1)]
-            if is_length(low, high) and accepts(type) and type.carries ~= "daisy" and not is_chance then
+            if is_length(text, place) and accepts(type) and type.carries ~= "daisy" and not is_chance then
                 if stop > #text and not is_cut then
                     if not (open and open < place) and may_become_flawless(text, place, accepts) then open = place end
                 elseif place == 0 or place == joint or stop >= #text or may_start(text, stop) then
@@ -7452,7 +7472,7 @@ do
             if not hit then return nil end
             local low, high = byte(text, hit - 1, hit)
             local stop = hit - 2 + frame_size(low, high)
-            if is_length(low, high) and stop <= #text and (count_chain(text, hit - 2) or 0) >= 2
+            if is_length(text, hit - 2) and stop <= #text and (count_chain(text, hit - 2) or 0) >= 2
                 and is_sensible(read_message(sub(text, hit - 1, stop))) then
                 return hit - 2
             end
@@ -7470,7 +7490,8 @@ do
     local function follow(text, at)
         local size, count = #text, 0
         while at < size and count < MOST_FOLLOWING do
-            if not may_start(text, at) then return nil end
+            at = after_polls(text, at)
+            if at < size and not may_start(text, at) then return nil end
             if size - at < HEADER_SIZE then break end
             at, count = stop_of(text, at), count + 1
         end
@@ -7488,7 +7509,7 @@ do
         while hit and trials < MOST_TRIALS do
             local place, low, high, _, _, code = hit - 2, byte(text, hit - 1, hit + 3)
             local stop = place + frame_size(low, high)
-            if is_length(low, high) and accepts(MESSAGE_TYPES[code]) then
+            if is_length(text, place) and accepts(MESSAGE_TYPES[code]) then
                 trials = trials + 1
                 if stop > #text then
                     if may_go_on and not open and may_become_flawless(text, place, accepts) then open = place end
@@ -7532,7 +7553,7 @@ do
             -- The next frame may be of an unknown type: then the one after it must start.
             local next_low, next_high = byte(text, stop + 1, stop + 2)
             local next_stop = next_high and stop + frame_size(next_low, next_high)
-            if not next_stop or not is_length(next_low, next_high) then return nil end
+            if not next_stop or not is_length(text, stop) then return nil end
             if next_stop < #text and not may_start(text, next_stop) then return nil end
             following = next_stop < #text and 1 or 0
         end
@@ -7602,7 +7623,7 @@ do
         local after = at + #UNLOCK.answer
         if sub(text, at + 1, after) ~= UNLOCK.answer then return nil end
         local zero, next = byte(text, after + 1, after + 2)
-        if zero == 0 and not (next and is_length(zero, next)) then after = after + 1 end
+        if zero == 0 and not (next and is_length(text, after)) then after = after + 1 end
         if is_shown then
             local range = tvb(at, after - at)
             add_item(tree, range, "accepted"):add(field.accept, range)
@@ -7642,7 +7663,7 @@ do
         local next = at
         while next and next < #text do
             local low, high, _, _, type = byte(text, next + 1, next + HEADER_SIZE)
-            if not type or not is_length(low, high) or not MESSAGE_TYPES[type] then return nil end
+            if not type or not is_length(text, next) or not MESSAGE_TYPES[type] then return nil end
             next = next + frame_size(low, high)
         end
         return next == #text and at or nil
@@ -7706,9 +7727,10 @@ do
 
     -- Whether a frame may start at an offset, though perhaps of an unknown type: then the next one must.
     local function may_follow(text, at)
-        if may_start(text, at) then return true end
+        at = after_polls(text, at)
+        if at == #text or may_start(text, at) then return true end
         local low, high = byte(text, at + 1, at + 2)
-        if not is_length(low, high) then return false end
+        if not is_length(text, at) then return false end
         local stop = at + frame_size(low, high)
         return stop >= #text or may_start(text, stop)
     end
@@ -7728,6 +7750,14 @@ do
         end
         if stop <= captured and is_flawless(read_message(sub(text, at + 1, stop))) then return false end
         return not is_chained or captured > HEADER_SIZE and has_frame_inside(text, at, stop)
+    end
+
+    local function dissect_polls(tvb, at, after, tree, is_shown)
+        if is_shown then
+            local range = tvb(at, after - at)
+            add_item(tree, range, "poll"):add(field.padding, range)
+        end
+        return "poll", after
     end
 
     -- The frames and texts in a piece of a stream: the offset after the last one that is whole; how many bytes the
@@ -7754,9 +7784,13 @@ do
                 if said then step = "sure" end
                 if said and talk and not talk.is_sure then claiming.begin(talk, true) end
             end
+            local polled = low == 0 and high == 0 and step ~= "lost" and after_polls(text, at)
+            if polled and (polled == captured or may_start(text, polled)) then
+                said, after = dissect_polls(tvb, at, polled, tree, is_shown)
+            end
             if not said then
                 local size = high and LENGTH_FIELD + low + high * 0x100
-                local is_frame = step ~= "lost" and (not size or is_length(low, high))
+                local is_frame = step ~= "lost" and (not size or is_length(text, at))
                 if is_frame and code then
                     if at < joint and stream.may_gap then
                         local verdict = judge_split(text, at, accepts, joint, is_last)
@@ -7909,7 +7943,7 @@ do
     local function dissect_known(tvb, pinfo, tree)
         if is_control(pinfo) or captured_len(tvb) < HEADER_SIZE then return 0 end
         local low, high = byte(bytes_of(tvb, 0, LENGTH_FIELD), 1, LENGTH_FIELD)
-        if not is_length(low, high) then return dissect_other_report(tvb, low + high * 0x100, pinfo, tree) end
+        if not is_usual_length(low, high) then return dissect_other_report(tvb, low + high * 0x100, pinfo, tree) end
         return dissect_report(tvb, read_report(tvb), device_key(pinfo), pinfo, tree)
     end
 
@@ -7927,7 +7961,7 @@ do
         local sort, captured, message = REPORT_SIZES[tvb:reported_len()], captured_len(tvb), nil
         local low, high, _, _, code = byte(bytes_of(tvb, 0, math.min(captured, HEADER_SIZE)), 1, HEADER_SIZE)
         local type = MESSAGE_TYPES[code]
-        if sort and type and (sort == "computer" or type.carries == "daisy") and is_length(low, high)
+        if sort and type and (sort == "computer" or type.carries == "daisy") and is_usual_length(low, high)
             and frame_size(low, high) <= captured then
             message = read_report(tvb)
             -- Bricks in a chain send commands both ways. They are no computers, whose reports are larger.
@@ -8051,7 +8085,7 @@ do
     -- Whether the frame that begins with this text is not whole with it.
     local function is_part(text)
         local low, high = byte(text, 1, 2)
-        return not high or is_length(low, high) and frame_size(low, high) > #text
+        return not high or is_length(text, 0) and frame_size(low, high) > #text
     end
 
     -- Keeps the bytes of a stream from an offset on, of those that wait and the packet that came last; `list` are the
@@ -8106,7 +8140,7 @@ do
             if #text < HEADER_SIZE or part and #text < stream.look_at then return part end
             -- A frame that comes byte by byte is not looked at with each of them.
             stream.look_at = floor(#text * 1.25) + 1
-            if not is_length(byte(text, 1, 2)) then return false end
+            if not is_length(text, 0) then return false end
             return judge_split(text, 0, stream.accepts, joint) == PART
         end
         local place, is_open = find_step(text, 0, stream.accepts, true, 0)
@@ -8158,7 +8192,7 @@ do
     -- Whether a text is one frame, as nearly every packet is.
     local function is_frame(text)
         local low, high, _, _, code = byte(text, 1, HEADER_SIZE)
-        return code and frame_size(low, high) == #text and is_length(low, high) and MESSAGE_TYPES[code] ~= nil
+        return code and frame_size(low, high) == #text and is_length(text, 0) and MESSAGE_TYPES[code] ~= nil
     end
 
     local function dissect_rfcomm(tvb, pinfo, tree)
@@ -8430,7 +8464,7 @@ do
             -- Nearly always one frame is all there is.
             local low, high, _, _, code = byte(text, 1, HEADER_SIZE)
             if step ~= "lost" and done == 0 and code and LENGTH_FIELD + low + high * 0x100 == captured
-                and is_length(low, high) and MESSAGE_TYPES[code] then
+                and is_length(text, 0) and MESSAGE_TYPES[code] then
                 local place = place_of(number, offset)
                 show_line(pinfo, number, offset,
                     (dissect_message(tvb, 0, read_message(text), talk, place, pinfo, tree, is_shown)))

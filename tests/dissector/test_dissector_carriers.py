@@ -716,3 +716,39 @@ def shown(text: str) -> Iterator[str]:
     for line in text.splitlines():
         if line.startswith(("EV3: ", "    ")) and not re.match(r" *\[(Severity level|Group|no reply)", line):
             yield line
+
+
+def test_downloads_are_longer_than_all_other_frames(tshark: Tshark) -> None:
+    long = struct.pack("<HHBBB", 1105, 7, 0x01, 0x93, 0) + bytes(1100)
+    stream = voltage(1) + long + voltage(2)
+    capture = Capture(RAW_IP)
+    connection = Connection(capture)
+    connection.send(UNLOCK)
+    for at in range(0, len(stream), 1000):
+        connection.send(stream[at : at + 1000])
+    said = tshark.run(tshark.place(capture.data(), "long.pcap"), "-Y", "ev3", "-T", "fields", "-e", "_ws.col.Info")
+    lines = [line for text in said.splitlines()[1:] for line in text.split("; ")]
+    assert lines == ["UI_READ.GET_VBATT", "CONTINUE_DOWNLOAD 1100 bytes", "UI_READ.GET_VBATT"]
+    capture = Capture(HCI_WITH_DIRECTION)
+    port = SerialPort(capture)
+    for piece in (voltage(1), long[:600], long[600:], voltage(2)):
+        port.send(piece)
+    said = tshark.run(
+        tshark.place(capture.data(), "long-serial.pcap"), "-Y", "ev3.msg_len", "-T", "fields", "-e", "ev3.msg_len"
+    )
+    assert said.split() == ["8", "1105", "8"]
+
+
+@pytest.mark.parametrize("size", [1, 2, 3, 100])
+def test_polls_between_frames_are_passed_over(tshark: Tshark, size: int) -> None:
+    stream = voltage(1) + bytes(2) + voltage(2) + bytes(6) + voltage(3) + bytes(2)
+    capture = Capture(RAW_IP)
+    connection = Connection(capture)
+    connection.send(UNLOCK)
+    for at in range(0, len(stream), size):
+        connection.send(stream[at : at + size])
+    path = tshark.place(capture.data(), "polls.pcap")
+    assert tshark.run(path, "-Y", "ev3.msg_num", "-T", "fields", "-e", "ev3.msg_num").replace(
+        ",", "\n"
+    ).split() == list("123")
+    assert tshark.run(path, "-Y", "ev3.expert.no_boundary") == ""

@@ -256,6 +256,8 @@ def _system_command(command: SystemCommand) -> Table:
         named["transfer"] = command.transfer
     if command.bootloader:
         named["bootloader"] = True
+    if command.is_long:
+        named["is_long"] = True
     if command.statuses:
         named["statuses"] = Table(named={status.value: text for status, text in command.statuses})
     return Table([hexadecimal(command.number), command.name, command.text], named)

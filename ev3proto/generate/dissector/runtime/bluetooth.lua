@@ -77,7 +77,7 @@ do
     -- Whether the frame that begins with this text is not whole with it.
     local function is_part(text)
         local low, high = byte(text, 1, 2)
-        return not high or is_length(low, high) and frame_size(low, high) > #text
+        return not high or is_length(text, 0) and frame_size(low, high) > #text
     end
 
     -- Keeps the bytes of a stream from an offset on, of those that wait and the packet that came last; `list` are the
@@ -132,7 +132,7 @@ do
             if #text < HEADER_SIZE or part and #text < stream.look_at then return part end
             -- A frame that comes byte by byte is not looked at with each of them.
             stream.look_at = floor(#text * 1.25) + 1
-            if not is_length(byte(text, 1, 2)) then return false end
+            if not is_length(text, 0) then return false end
             return judge_split(text, 0, stream.accepts, joint) == PART
         end
         local place, is_open = find_step(text, 0, stream.accepts, true, 0)
@@ -184,7 +184,7 @@ do
     -- Whether a text is one frame, as nearly every packet is.
     local function is_frame(text)
         local low, high, _, _, code = byte(text, 1, HEADER_SIZE)
-        return code and frame_size(low, high) == #text and is_length(low, high) and MESSAGE_TYPES[code] ~= nil
+        return code and frame_size(low, high) == #text and is_length(text, 0) and MESSAGE_TYPES[code] ~= nil
     end
 
     local function dissect_rfcomm(tvb, pinfo, tree)

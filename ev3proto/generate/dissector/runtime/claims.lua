@@ -207,6 +207,8 @@ do
     local function count_chain(text, at)
         local count = 0
         while at < #text do
+            at = after_polls(text, at)
+            if at == #text then return count end
             if not may_start(text, at) then return nil end
             local size = frame_size(byte(text, at + 1, at + 2))
             if not size or at + size > #text then return count end
@@ -242,7 +244,7 @@ do
             local is_cut = reported > #text and stop == reported and #text - place >= LEAST_CUT
             local is_split = stop > #text and not is_cut or place < joint and joint < stop
             local is_chance = is_split and type.carries == "system" and has_data[byte(text, place + HEADER_SIZE + 1)]
-            if is_length(low, high) and accepts(type) and type.carries ~= "daisy" and not is_chance then
+            if is_length(text, place) and accepts(type) and type.carries ~= "daisy" and not is_chance then
                 if stop > #text and not is_cut then
                     if not (open and open < place) and may_become_flawless(text, place, accepts) then open = place end
                 elseif place == 0 or place == joint or stop >= #text or may_start(text, stop) then
@@ -262,7 +264,7 @@ do
             if not hit then return nil end
             local low, high = byte(text, hit - 1, hit)
             local stop = hit - 2 + frame_size(low, high)
-            if is_length(low, high) and stop <= #text and (count_chain(text, hit - 2) or 0) >= 2
+            if is_length(text, hit - 2) and stop <= #text and (count_chain(text, hit - 2) or 0) >= 2
                 and is_sensible(read_message(sub(text, hit - 1, stop))) then
                 return hit - 2
             end
@@ -280,7 +282,8 @@ do
     local function follow(text, at)
         local size, count = #text, 0
         while at < size and count < MOST_FOLLOWING do
-            if not may_start(text, at) then return nil end
+            at = after_polls(text, at)
+            if at < size and not may_start(text, at) then return nil end
             if size - at < HEADER_SIZE then break end
             at, count = stop_of(text, at), count + 1
         end
@@ -298,7 +301,7 @@ do
         while hit and trials < MOST_TRIALS do
             local place, low, high, _, _, code = hit - 2, byte(text, hit - 1, hit + 3)
             local stop = place + frame_size(low, high)
-            if is_length(low, high) and accepts(MESSAGE_TYPES[code]) then
+            if is_length(text, place) and accepts(MESSAGE_TYPES[code]) then
                 trials = trials + 1
                 if stop > #text then
                     if may_go_on and not open and may_become_flawless(text, place, accepts) then open = place end
@@ -342,7 +345,7 @@ do
             -- The next frame may be of an unknown type: then the one after it must start.
             local next_low, next_high = byte(text, stop + 1, stop + 2)
             local next_stop = next_high and stop + frame_size(next_low, next_high)
-            if not next_stop or not is_length(next_low, next_high) then return nil end
+            if not next_stop or not is_length(text, stop) then return nil end
             if next_stop < #text and not may_start(text, next_stop) then return nil end
             following = next_stop < #text and 1 or 0
         end

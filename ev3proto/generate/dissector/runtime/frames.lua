@@ -89,14 +89,31 @@ local function frame_size(low, high)
     return high and LENGTH_FIELD + low + high * 0x100
 end
 
-local function is_length(low, high)
+local function is_usual_length(low, high)
     local length = low + high * 0x100
     return length >= MIN_LENGTH and length <= MAX_LENGTH
+end
+
+-- Whether the length field at an offset can be a frame's. Downloads may be longer than all others; their header tells.
+local function is_length(text, at)
+    local low, high, _, _, code, number = byte(text, at + 1, at + HEADER_SIZE + 1)
+    if is_usual_length(low, high) then return true end
+    local type, command = MESSAGE_TYPES[code], SYSTEM_COMMANDS[number]
+    if low + high * 0x100 < MIN_LENGTH or not type or not type.is_command then return false end
+    return type.carries == "system" and (not number or command ~= nil and command.is_long == true)
 end
 
 -- Whether a frame may start at an offset, as far as its header goes.
 local function may_start(text, at)
     local low, high, _, _, type = byte(text, at + 1, at + HEADER_SIZE)
     if not high then return low ~= nil end
-    return is_length(low, high) and (not type or MESSAGE_TYPES[type] ~= nil)
+    return is_length(text, at) and (not type or MESSAGE_TYPES[type] ~= nil)
+end
+
+-- The offset after the polls at an offset: lengths of 0 between frames, which the brick passes over.
+local function after_polls(text, at)
+    while sub(text, at + 1, at + LENGTH_FIELD) == "\0\0" do
+        at = at + LENGTH_FIELD
+    end
+    return at
 end

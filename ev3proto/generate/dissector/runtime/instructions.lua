@@ -236,6 +236,7 @@ do
         local command = {
             name = row[2], text = row[3], request = row.request or {}, reply = row.reply or {},
             transfer = row.transfer, is_bootloader = row.bootloader, statuses = row.statuses or {},
+            is_long = row.is_long,
         }
         for _, side in ipairs({ command.request, command.reply }) do
             for _, declared in ipairs(side) do

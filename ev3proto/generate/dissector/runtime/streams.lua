@@ -34,7 +34,7 @@ do
         local after = at + #UNLOCK.answer
         if sub(text, at + 1, after) ~= UNLOCK.answer then return nil end
         local zero, next = byte(text, after + 1, after + 2)
-        if zero == 0 and not (next and is_length(zero, next)) then after = after + 1 end
+        if zero == 0 and not (next and is_length(text, after)) then after = after + 1 end
         if is_shown then
             local range = tvb(at, after - at)
             add_item(tree, range, "accepted"):add(field.accept, range)
@@ -74,7 +74,7 @@ do
         local next = at
         while next and next < #text do
             local low, high, _, _, type = byte(text, next + 1, next + HEADER_SIZE)
-            if not type or not is_length(low, high) or not MESSAGE_TYPES[type] then return nil end
+            if not type or not is_length(text, next) or not MESSAGE_TYPES[type] then return nil end
             next = next + frame_size(low, high)
         end
         return next == #text and at or nil
@@ -138,9 +138,10 @@ do
 
     -- Whether a frame may start at an offset, though perhaps of an unknown type: then the next one must.
     local function may_follow(text, at)
-        if may_start(text, at) then return true end
+        at = after_polls(text, at)
+        if at == #text or may_start(text, at) then return true end
         local low, high = byte(text, at + 1, at + 2)
-        if not is_length(low, high) then return false end
+        if not is_length(text, at) then return false end
         local stop = at + frame_size(low, high)
         return stop >= #text or may_start(text, stop)
     end
@@ -160,6 +161,14 @@ do
         end
         if stop <= captured and is_flawless(read_message(sub(text, at + 1, stop))) then return false end
         return not is_chained or captured > HEADER_SIZE and has_frame_inside(text, at, stop)
+    end
+
+    local function dissect_polls(tvb, at, after, tree, is_shown)
+        if is_shown then
+            local range = tvb(at, after - at)
+            add_item(tree, range, "poll"):add(field.padding, range)
+        end
+        return "poll", after
     end
 
     -- The frames and texts in a piece of a stream: the offset after the last one that is whole; how many bytes the
@@ -186,9 +195,13 @@ do
                 if said then step = "sure" end
                 if said and talk and not talk.is_sure then claiming.begin(talk, true) end
             end
+            local polled = low == 0 and high == 0 and step ~= "lost" and after_polls(text, at)
+            if polled and (polled == captured or may_start(text, polled)) then
+                said, after = dissect_polls(tvb, at, polled, tree, is_shown)
+            end
             if not said then
                 local size = high and LENGTH_FIELD + low + high * 0x100
-                local is_frame = step ~= "lost" and (not size or is_length(low, high))
+                local is_frame = step ~= "lost" and (not size or is_length(text, at))
                 if is_frame and code then
                     if at < joint and stream.may_gap then
                         local verdict = judge_split(text, at, accepts, joint, is_last)

@@ -90,7 +90,7 @@ do
     local function dissect_known(tvb, pinfo, tree)
         if is_control(pinfo) or captured_len(tvb) < HEADER_SIZE then return 0 end
         local low, high = byte(bytes_of(tvb, 0, LENGTH_FIELD), 1, LENGTH_FIELD)
-        if not is_length(low, high) then return dissect_other_report(tvb, low + high * 0x100, pinfo, tree) end
+        if not is_usual_length(low, high) then return dissect_other_report(tvb, low + high * 0x100, pinfo, tree) end
         return dissect_report(tvb, read_report(tvb), device_key(pinfo), pinfo, tree)
     end
 
@@ -108,7 +108,7 @@ do
         local sort, captured, message = REPORT_SIZES[tvb:reported_len()], captured_len(tvb), nil
         local low, high, _, _, code = byte(bytes_of(tvb, 0, math.min(captured, HEADER_SIZE)), 1, HEADER_SIZE)
         local type = MESSAGE_TYPES[code]
-        if sort and type and (sort == "computer" or type.carries == "daisy") and is_length(low, high)
+        if sort and type and (sort == "computer" or type.carries == "daisy") and is_usual_length(low, high)
             and frame_size(low, high) <= captured then
             message = read_report(tvb)
             -- Bricks in a chain send commands both ways. They are no computers, whose reports are larger.

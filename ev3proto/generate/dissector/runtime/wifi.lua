@@ -186,7 +186,7 @@ do
             -- Nearly always one frame is all there is.
             local low, high, _, _, code = byte(text, 1, HEADER_SIZE)
             if step ~= "lost" and done == 0 and code and LENGTH_FIELD + low + high * 0x100 == captured
-                and is_length(low, high) and MESSAGE_TYPES[code] then
+                and is_length(text, 0) and MESSAGE_TYPES[code] then
                 local place = place_of(number, offset)
                 show_line(pinfo, number, offset,
                     (dissect_message(tvb, 0, read_message(text), talk, place, pinfo, tree, is_shown)))

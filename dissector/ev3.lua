@@ -237,7 +237,7 @@ local FORMAT_TYPES = {
 --
 -- Opcode, name, what it does; then either parameters or, for a family, its commands, which have those. A
 -- parameter is its name, direction, type and meaning. Parameters are text, which is read when an operation
--- is first met.
+-- is first seen.
 
 local OPERATIONS = {
     { 0x00, "ERROR", "Ends the program with a failure; never valid on the wire", [[]] },
@@ -5513,7 +5513,7 @@ end
 -- The instruction set, made ready -----------------------------------------------------------------------------------
 --
 -- The tables above are written to be read. Here each parameter becomes what the reading of an argument needs. Wireshark
--- wants all fields at the start; an operation gets its parameters when it is first met, as a capture has few of them
+-- wants all fields at the start; an operation gets its parameters when it is first seen, as a capture has few of them
 -- and the collector goes through all that Lua holds again and again.
 
 -- A table whose entries are made when they are first asked for; where there is none, it is asked for again.
@@ -5684,7 +5684,7 @@ do
         return operation
     end
 
-    -- Adds the parameters to an operation that is met for the first time. A list of values is not among them, but is
+    -- Adds the parameters to an operation that is seen for the first time. A list of values is not among them, but is
     -- the operation's `list`. An operation that is not one of a family has no `cmd_name`.
     function prepare_operation(operation)
         local name, at = operation.name, operation.first_field
@@ -6235,7 +6235,7 @@ end
 -- and later passes only look it up.
 
 local read_message
-local forget_dialogues, talk_of, talk_if_any, take_note, request_of, reply_to, transfer_at
+local forget_dialogues, conversation_of, known_conversation, take_note, request_of, reply_to, transfer_at
 do
     -- Commands with one counter that are remembered, for senders who never change it.
     local MOST_PER_COUNTER = 4
@@ -6250,10 +6250,10 @@ do
     -- that it took, and the command's frame, in one text; of a message on a file what is known of that.
     local replies, requests, transfers
 
-    local talks
+    local conversations
 
     function forget_dialogues()
-        replies, requests, transfers, talks = new_notes(), new_notes(), {}, {}
+        replies, requests, transfers, conversations = new_notes(), new_notes(), {}, {}
     end
     forget_dialogues()
 
@@ -6278,18 +6278,18 @@ do
 
     -- All that is known of the messages between one computer and one brick, who have that key: the newest commands that
     -- wait for replies, by counter, and those `before` them; transfers `begun` by counter, and `open` by handle.
-    function talk_of(key)
-        local talk = talks[key]
-        if not talk then
-            talk = { key = key, waiting = {}, waiting_count = 0, waiting_before = {}, begun = {}, open = {} }
-            talks[key] = talk
+    function conversation_of(key)
+        local conversation = conversations[key]
+        if not conversation then
+            conversation = { key = key, waiting = {}, waiting_count = 0, waiting_before = {}, begun = {}, open = {} }
+            conversations[key] = conversation
         end
-        return talk
+        return conversation
     end
 
     -- The same, where anything is known of them.
-    function talk_if_any(key)
-        return talks[key]
+    function known_conversation(key)
+        return conversations[key]
     end
 
     -- What a reply has in common with the command it answers.
@@ -6298,34 +6298,35 @@ do
     end
 
     -- The newest command that waits under a key; each knows the one before it.
-    local function newest(talk, key)
-        return talk.waiting[key] or talk.waiting_before[key]
+    local function newest(conversation, key)
+        return conversation.waiting[key] or conversation.waiting_before[key]
     end
 
     -- `command` is the newest one now, if there is any.
-    local function put_newest(talk, key, command)
+    local function put_newest(conversation, key, command)
         if not command then
-            talk.waiting[key], talk.waiting_before[key] = nil, nil
+            conversation.waiting[key], conversation.waiting_before[key] = nil, nil
             return
         end
-        if not talk.waiting[key] then
-            if talk.waiting_count == MOST_WAITING then
-                talk.waiting_before, talk.waiting, talk.waiting_count = talk.waiting, {}, 0
+        if not conversation.waiting[key] then
+            if conversation.waiting_count == MOST_WAITING then
+                conversation.waiting_before = conversation.waiting
+                conversation.waiting, conversation.waiting_count = {}, 0
             end
-            talk.waiting_count = talk.waiting_count + 1
+            conversation.waiting_count = conversation.waiting_count + 1
         end
-        talk.waiting[key] = command
+        conversation.waiting[key] = command
     end
 
-    local function remember(talk, place, message, pinfo)
+    local function remember(conversation, place, message, pinfo)
         local key = pending_key(message)
-        local command = { place = place, time = pinfo.rel_ts, message = message, earlier = newest(talk, key) }
+        local command = { place = place, time = pinfo.rel_ts, message = message, earlier = newest(conversation, key) }
         local oldest = command
         for _ = 2, MOST_PER_COUNTER do
             oldest = oldest and oldest.earlier
         end
         if oldest then oldest.earlier = nil end
-        put_newest(talk, key, command)
+        put_newest(conversation, key, command)
     end
 
     local function can_answer(message, command)
@@ -6351,9 +6352,9 @@ do
 
     -- The command that a reply answers: of those with its counter the newest of the right size, else the newest. The
     -- newest, because a sender comes back to a counter only after it gave up on the one before.
-    local function answered(talk, message)
+    local function answered(conversation, message)
         local key = pending_key(message)
-        local command, later = newest(talk, key), nil
+        local command, later = newest(conversation, key), nil
         local best, later_than_best
         while command do
             if can_answer(message, command) then
@@ -6367,16 +6368,16 @@ do
         if later_than_best then
             later_than_best.earlier = best.earlier
         else
-            put_newest(talk, key, best.earlier)
+            put_newest(conversation, key, best.earlier)
         end
         return best
     end
 
     -- Adds a piece to a file and returns that. One that is complete takes no more, as the brick has closed it: then the
     -- handle stands for another one, of which the beginning is missing in the capture, and nothing is known.
-    local function add_piece(talk, handle, transfer, piece)
+    local function add_piece(conversation, handle, transfer, piece)
         if #piece > 0 and transfer.size and transfer.done >= transfer.size then
-            talk.open[handle] = nil
+            conversation.open[handle] = nil
             return nil
         end
         transfer.done = transfer.done + #piece
@@ -6384,16 +6385,16 @@ do
     end
 
     -- The file that a system command is about, as far as it is now.
-    local function follow_request(talk, message)
+    local function follow_request(conversation, message)
         local command, values = message.command, message.fields
         if command.transfer == "begin" then
             local transfer = { path = values.path or "", size = values.size, done = #(values.data or "") }
-            talk.begun[message.counter] = transfer
+            conversation.begun[message.counter] = transfer
             return transfer
         end
-        local transfer = talk.open[values.handle]
+        local transfer = conversation.open[values.handle]
         if not transfer or not values.data then return transfer end
-        return add_piece(talk, values.handle, transfer, values.data)
+        return add_piece(conversation, values.handle, transfer, values.data)
     end
 
     -- The handle that a command for an open file has as its first field.
@@ -6402,50 +6403,50 @@ do
     end
 
     -- The same for a reply. `request` is the command that it answers, where that was seen.
-    local function follow_reply(talk, message, request)
+    local function follow_reply(conversation, message, request)
         local command, values = message.command, message.fields
         local failed = message.type.is_error or STATUS.fails[message.status] ~= false
         local handle, transfer = values.handle or asked_handle(request), nil
         if command.transfer == "begin" then
-            transfer = talk.begun[message.counter]
-            talk.begun[message.counter] = nil
+            transfer = conversation.begun[message.counter]
+            conversation.begun[message.counter] = nil
             if failed or not values.handle then return transfer end
             -- Where the command was not seen, the handle stands for another file than before all the same.
-            talk.open[handle] = transfer
+            conversation.open[handle] = transfer
         else
-            transfer = handle and talk.open[handle]
+            transfer = handle and conversation.open[handle]
             -- The brick takes a handle back when a file is closed, complete or in trouble.
             if handle and (command.transfer == "close" or failed or message.status == STATUS.end_of_file) then
-                talk.open[handle] = nil
+                conversation.open[handle] = nil
             end
         end
         if not transfer then return nil end
         transfer.size = values.size or values.list_size or transfer.size
-        return add_piece(talk, handle, transfer, values.data or values.list or "")
+        return add_piece(conversation, handle, transfer, values.data or values.list or "")
     end
 
     -- What becomes known of a message when it is seen for the first time, in the conversation it belongs to.
-    function take_note(place, talk, message, pinfo)
+    function take_note(place, conversation, message, pinfo)
         local type = message.type
         local is_on_file = message.command and message.command.transfer
         if not type or message.is_overwritten then return end
         if type.is_command and not type.wants_reply and not is_on_file then return end
         local transfer
         if type.is_command then
-            if type.wants_reply then remember(talk, place, message, pinfo) end
-            transfer = is_on_file and follow_request(talk, message)
+            if type.wants_reply then remember(conversation, place, message, pinfo) end
+            transfer = is_on_file and follow_request(conversation, message)
         else
-            local request = answered(talk, message)
+            local request = answered(conversation, message)
             if request then
                 local text = request.message.text
                 request.delay, message.request = pinfo.rel_ts - request.time, request
-                talk.is_answered = talk.is_answered or is_proof(message, request)
+                conversation.is_answered = conversation.is_answered or is_proof(message, request)
                 replies.put(request.place, format("%d", number_of(place)))
                 -- Of a system command its number is enough.
                 if message.command then text = sub(text, 1, HEADER_SIZE + 1) end
                 requests.put(place, Struct.pack("dd", request.place, request.delay) .. text)
             end
-            transfer = is_on_file and follow_reply(talk, message, request)
+            transfer = is_on_file and follow_reply(conversation, message, request)
         end
         if transfer then
             transfers[place] = { path = transfer.path, done = transfer.done, size = transfer.size }
@@ -7158,17 +7159,16 @@ end
 -- What is done for conversations that may be others': further below.
 local claiming = {}
 
--- A message in a buffer: `talk` is what is known of its conversation, needed the first time only; `said` is said of it
--- instead of what it says itself. Returns the line for the info column and, if there is a tree, the message's item in
--- it.
-local function dissect_message(tvb, at, message, talk, place, pinfo, tree, is_shown, said)
-    if talk then
-        take_note(place, talk, message, pinfo)
-        claiming.meet(talk, message)
+-- A message in a buffer: `conversation` is what is known of its conversation, needed the first time only; `said` is the
+-- line on it in place of its own. Returns the line for the info column and, if there is a tree, the message's item.
+local function dissect_message(tvb, at, message, conversation, place, pinfo, tree, is_shown, said)
+    if conversation then
+        take_note(place, conversation, message, pinfo)
+        claiming.note(conversation, message)
     end
     -- Before 4.6 the protocol alone does not count as looked at, yet the protocol hierarchy counts its items.
     if not is_shown and tree.text then tree:add(ev3, tvb(at, message.stop)) end
-    return show_message(message, place, tvb, at, tree, is_shown, said, talk)
+    return show_message(message, place, tvb, at, tree, is_shown, said, conversation)
 end
 
 -- Bytes of the frame that starts with these two; nil where its length is not here. Where each packet comes by, it is
@@ -7358,35 +7358,37 @@ do
     end
 
     -- Takes a conversation for ours from now on; with `is_sure` whatever is said in it.
-    function claiming.begin(talk, is_sure)
-        talk.is_claimed, talk.is_sure, talk.is_answered = true, is_sure, false
-        talk.strange, talk.unread, talk.has_frame, talk.is_good = 0, 0, false, false
-        talk.claims = (talk.claims or 0) + 1
+    function claiming.begin(conversation, is_sure)
+        conversation.is_claimed, conversation.is_sure, conversation.is_answered = true, is_sure, false
+        conversation.strange, conversation.unread, conversation.has_frame, conversation.is_good = 0, 0, false, false
+        conversation.claims = (conversation.claims or 0) + 1
     end
 
     -- Looks at a message of a conversation that is claimed, when it is seen for the first time.
-    function claiming.meet(talk, message)
-        if not talk.is_claimed or talk.is_sure then return end
-        talk.has_frame = true
-        talk.is_good = talk.is_good or not talk.is_answered and is_sensible(message)
+    function claiming.note(conversation, message)
+        if not conversation.is_claimed or conversation.is_sure then return end
+        conversation.has_frame = true
+        conversation.is_good = conversation.is_good or not conversation.is_answered and is_sensible(message)
     end
 
     -- Counts a packet of a claimed conversation, of which so many bytes are in no frame: whether it is claimed still.
-    function claiming.count(talk, size, number)
-        local is_good, has_frame = talk.is_good, talk.has_frame
-        talk.is_good, talk.has_frame = false, false
-        if talk.is_sure or not has_frame and size == 0 then return true end
-        if is_good or talk.is_answered and has_frame then
-            talk.strange, talk.unread, talk.counted = 0, 0, number
+    function claiming.count(conversation, size, number)
+        local is_good, has_frame = conversation.is_good, conversation.has_frame
+        conversation.is_good, conversation.has_frame = false, false
+        if conversation.is_sure or not has_frame and size == 0 then return true end
+        if is_good or conversation.is_answered and has_frame then
+            conversation.strange, conversation.unread, conversation.counted = 0, 0, number
             return true
         end
         -- A packet counts once, though it be handed over in parts.
-        if talk.counted ~= number then talk.strange = talk.strange + 1 end
-        talk.unread, talk.counted = talk.unread + size, number
+        if conversation.counted ~= number then conversation.strange = conversation.strange + 1 end
+        conversation.unread, conversation.counted = conversation.unread + size, number
         -- Of a dialogue what is left of a frame may come in many packets.
-        local is_over = talk.strange >= CLAIMS.strange_packets
-            and (not talk.is_answered or talk.unread > LENGTH_FIELD + MAX_LENGTH)
-        if is_over then talk.is_claimed, talk.is_answered, talk.has_ended = false, false, true end
+        local is_over = conversation.strange >= CLAIMS.strange_packets
+            and (not conversation.is_answered or conversation.unread > LENGTH_FIELD + MAX_LENGTH)
+        if is_over then
+            conversation.is_claimed, conversation.is_answered, conversation.has_ended = false, false, true
+        end
         return not is_over
     end
 
@@ -7771,7 +7773,7 @@ do
     --   joint      where in the piece the newest packet starts; `first` is 0 where a packet starts with the piece, too
     --   may_gap    nothing tells of gaps between the packets
     --   accepts    tells which types go its way, if that is known
-    function dissect_stream(tvb, text, stream, talk, number, pinfo, tree, is_shown)
+    function dissect_stream(tvb, text, stream, conversation, number, pinfo, tree, is_shown)
         local at, captured, lost, start = stream.start or 0, #text, 0, tvb:offset()
         local reported, is_last, accepts = stream.reported, stream.is_last, stream.accepts
         local step, joint = stream.step, stream.joint
@@ -7782,7 +7784,7 @@ do
                 said, after = dissect_text(tvb, text, at, tree, is_shown)
                 if not said and not is_last and is_part_of_text(text, at) then return at, nil, lost, step end
                 if said then step = "sure" end
-                if said and talk and not talk.is_sure then claiming.begin(talk, true) end
+                if said and conversation and not conversation.is_sure then claiming.begin(conversation, true) end
             end
             local polled = low == 0 and high == 0 and step ~= "lost" and after_polls(text, at)
             if polled and (polled == captured or may_start(text, polled)) then
@@ -7841,7 +7843,7 @@ do
                     after = math.min(at + size, captured)
                     local frame = at == 0 and after == captured and text or sub(text, at + 1, after)
                     local place = place_of(number, start + at)
-                    said = dissect_message(tvb, at, read_message(frame), talk, place, pinfo, tree, is_shown)
+                    said = dissect_message(tvb, at, read_message(frame), conversation, place, pinfo, tree, is_shown)
                 end
             end
             if said then say(said) end
@@ -7870,18 +7872,18 @@ do
         return pinfo.src_port == 0 or pinfo.dst_port == 0
     end
 
-    -- The endpoint that was met last, by whether the host sends: its address and its device. To write an address takes
+    -- The endpoint that was seen last, by whether the host sends: its address and its device. To write an address takes
     -- longer than to compare it.
-    local met
+    local last_seen
 
     -- The device that a report comes from or goes to, whichever of its endpoints.
     local function device_key(pinfo)
         local is_out = is_from_host(pinfo)
-        local address, known = is_out and pinfo.dst or pinfo.src, met[is_out]
+        local address, known = is_out and pinfo.dst or pinfo.src, last_seen[is_out]
         if known and known.address == address then return known.device end
         local text = tostring(address)
-        met[is_out] = { address = address, device = text:match("^(.*)%.%d+$") or text }
-        return met[is_out].device
+        last_seen[is_out] = { address = address, device = text:match("^(.*)%.%d+$") or text }
+        return last_seen[is_out].device
     end
 
     -- A known fault of the bootloader: its reply comes with the request written over its first bytes.
@@ -7897,7 +7899,7 @@ do
     local marked
 
     local function forget_devices()
-        taken, met, marked = {}, {}, nil
+        taken, last_seen, marked = {}, {}, nil
     end
     forget_devices()
 
@@ -7914,9 +7916,10 @@ do
             message.is_overwritten = true
             line = "bootloader fault: reply to " .. command.name .. " overwritten by its request"
         end
-        local stop, talk = message.stop, not pinfo.visited and talk_of(device)
+        local stop, conversation = message.stop, not pinfo.visited and conversation_of(device)
         brick = is_shown and device
-        local said, item = dissect_message(tvb, 0, message, talk, place_of(number, offset), pinfo, tree, is_shown, line)
+        local place = place_of(number, offset)
+        local said, item = dissect_message(tvb, 0, message, conversation, place, pinfo, tree, is_shown, line)
         if line then
             local reason = "a known fault of the EV3's bootloader on USB 3 ports: the reply to %s with the request"
                 .. " written over its first bytes"
@@ -7968,13 +7971,13 @@ do
             if sort == "daisy" or is_overwritten(message, pinfo) then return is_sensible(message) and message or nil end
         end
         if not message or (type.is_command == true) ~= is_from_host(pinfo) then
-            local talk = talk_if_any(key)
-            if talk and talk.is_claimed then claiming.count(talk, captured, pinfo.number) end
+            local conversation = known_conversation(key)
+            if conversation and conversation.is_claimed then claiming.count(conversation, captured, pinfo.number) end
             return nil
         end
-        local talk = talk_of(key)
-        if not talk.is_claimed and claiming.is_plausible(message) then claiming.begin(talk) end
-        return talk.is_claimed and message or nil
+        local conversation = conversation_of(key)
+        if not conversation.is_claimed and claiming.is_plausible(message) then claiming.begin(conversation) end
+        return conversation.is_claimed and message or nil
     end
 
     -- Reports of a known brick, or of a device whose product is not in the capture, as in most captures that began
@@ -7990,8 +7993,9 @@ do
         end
         if not message then return false end
         dissect_report(tvb, message, device, pinfo, tree)
-        if not pinfo.visited and talk_of(device).is_claimed then claiming.count(talk_of(device), 0, number) end
-        free_unused()
+        local conversation = not pinfo.visited and conversation_of(device)
+        if conversation and conversation.is_claimed then claiming.count(conversation, 0, number) end
+        if has_tree(tree) then free_unused() end
         return true
     end
 
@@ -8025,26 +8029,27 @@ do
 
     -- The directions in which packets went last, by channel and what the capture tells of the direction: their
     -- addresses with what is known of them. To write addresses takes longer than to compare them.
-    local met
+    local last_seen
 
     local function forget_streams()
-        streams, is_ours, continued, earlier, waiting, begun, steps, starts, met = {}, {}, {}, {}, {}, {}, {}, {}, {}
+        streams, is_ours, continued, earlier, waiting = {}, {}, {}, {}, {}
+        begun, steps, starts, last_seen = {}, {}, {}, {}
     end
     forget_streams()
 
     -- What is known of a channel, and the direction in it that a packet has, by what is written of its ends.
     local function stream_between(from, to, channel, direction)
-        local talk = talk_of((from < to and from .. " " .. to or to .. " " .. from) .. " " .. channel)
-        talk.sides = talk.sides or {}
+        local conversation = conversation_of((from < to and from .. " " .. to or to .. " " .. from) .. " " .. channel)
+        conversation.sides = conversation.sides or {}
         -- A capture begun after the connection has no addresses, but mostly tells what was sent and what received.
         local key = from .. " > " .. to .. " " .. channel .. " " .. direction
         local stream = streams[key]
         if not stream then
             stream = { left = "", look_at = 0 }
             streams[key] = stream
-            table.insert(talk.sides, stream)
+            table.insert(conversation.sides, stream)
         end
-        return talk, stream
+        return conversation, stream
     end
 
     -- The same of a packet. Devices go by the addresses of their hardware: to the others Wireshark adds a device's name
@@ -8052,13 +8057,13 @@ do
     local function channel_of(pinfo)
         local from, to, dlci, direction = pinfo.dl_src, pinfo.dl_dst, pinfo.match_uint, pinfo.p2p_dir
         local place = dlci * 4 + direction
-        local known = met[place]
+        local known = last_seen[place]
         if not known or known.from ~= from or known.to ~= to then
-            local talk, stream = stream_between(tostring(from), tostring(to), floor(dlci / 2), direction)
-            known = { from = from, to = to, talk = talk, stream = stream }
-            met[place] = known
+            local conversation, stream = stream_between(tostring(from), tostring(to), floor(dlci / 2), direction)
+            known = { from = from, to = to, conversation = conversation, stream = stream }
+            last_seen[place] = known
         end
-        return known.talk, known.stream
+        return known.conversation, known.stream
     end
 
     local function is_command(type)
@@ -8075,8 +8080,8 @@ do
     end
 
     -- Nothing is known of what a channel's sides said so far.
-    local function clear_sides(talk)
-        for _, stream in ipairs(talk.sides) do
+    local function clear_sides(conversation)
+        for _, stream in ipairs(conversation.sides) do
             clear(stream)
             stream.step = nil
         end
@@ -8105,7 +8110,7 @@ do
 
     -- A packet of a channel that is not known to be ours: all of the command that makes it ours, nil where none does.
     -- What may still become a command is kept: whoever types a text sends it letter by letter.
-    local function claim(talk, stream, piece, missing, number)
+    local function claim(conversation, stream, piece, missing, number)
         local left = stream.left
         local text = left .. piece
         local place, is_whole = claiming.find_command(text, #left, is_command, #text + missing)
@@ -8115,9 +8120,9 @@ do
         end
         keep(stream, text, place, number)
         if not is_whole then return nil end
-        claiming.begin(talk)
+        claiming.begin(conversation)
         local list, joint = stream.list, #left
-        clear_sides(talk)
+        clear_sides(conversation)
         if place >= joint then
             starts[number] = place - joint
             return piece
@@ -8199,18 +8204,18 @@ do
         local piece, number = bytes_of(tvb), pinfo.number
         if piece == "" then return 0 end
         local is_first = not pinfo.visited
-        local talk, stream, text, may_be_whole
+        local conversation, stream, text, may_be_whole
         if is_first then
-            talk, stream = channel_of(pinfo)
-            local is_begun = not talk.is_claimed
+            conversation, stream = channel_of(pinfo)
+            local is_begun = not conversation.is_claimed
             if is_begun then
-                text, may_be_whole = claim(talk, stream, piece, tvb:reported_len() - #piece, number), true
+                text, may_be_whole = claim(conversation, stream, piece, tvb:reported_len() - #piece, number), true
                 if not text then return 0 end
                 -- It is claimed by a command, so this packet goes to the brick.
-                talk.name, talk.to_brick = tostring(pinfo.dl_dst), stream
+                conversation.name, conversation.to_brick = tostring(pinfo.dl_dst), stream
                 steps[number] = "sure"
             end
-            stream.accepts = stream == talk.to_brick and is_command or is_from_brick
+            stream.accepts = stream == conversation.to_brick and is_command or is_from_brick
             if not is_begun then text, may_be_whole = join(stream, piece, number) end
             is_ours[number] = stream.accepts
             if stream.step == "lost" then steps[number] = "lost" end
@@ -8225,9 +8230,9 @@ do
         if may_be_whole and text == piece and not steps[number] and is_frame(text) then
             if is_first then stream.step = "likely" end
             local place = place_of(number, offset)
-            local said = dissect_message(tvb, 0, read_message(text), talk, place, pinfo, tree, is_shown)
+            local said = dissect_message(tvb, 0, read_message(text), conversation, place, pinfo, tree, is_shown)
             show_line(pinfo, number, offset, said)
-            if is_first and not claiming.count(talk, 0, number) then clear_sides(talk) end
+            if is_first and not claiming.count(conversation, 0, number) then clear_sides(conversation) end
             return size
         end
         start_line(number, offset)
@@ -8247,7 +8252,7 @@ do
                 may_gap = true,
                 accepts = is_ours[number],
             }
-            local after, _, lost, step = dissect_stream(whole, text, state, talk, number, pinfo, tree, is_shown)
+            local after, _, lost, step = dissect_stream(whole, text, state, conversation, number, pinfo, tree, is_shown)
             size = #text - after
             if is_first and size > 0 then
                 stream.left, stream.list = sub(text, after + 1), { number }
@@ -8255,7 +8260,7 @@ do
             end
             if is_first then
                 stream.step = step
-                if not claiming.count(talk, lost, number) then clear_sides(talk) end
+                if not claiming.count(conversation, lost, number) then clear_sides(conversation) end
             end
         end
         if size > 0 then
@@ -8331,10 +8336,10 @@ do
         local from, to, ends = pinfo.src, pinfo.dst, pinfo.src_port * 0x10000 + pinfo.dst_port
         local known = connections[ends]
         if not known or known.from ~= from or known.to ~= to then
-            known = { from = from, to = to, talk = talk_of(conversation_key(pinfo)) }
+            known = { from = from, to = to, conversation = conversation_of(conversation_key(pinfo)) }
             connections[ends] = known
         end
-        return known.talk, known
+        return known.conversation, known
     end
 
     local function forget_wifi()
@@ -8351,8 +8356,8 @@ do
     end
 
     -- Whether a packet goes to the end that its connection is named after.
-    local function is_to_named(talk, pinfo)
-        return talk.name == tostring(pinfo.dst) .. ":" .. pinfo.dst_port
+    local function is_to_named(conversation, pinfo)
+        return conversation.name == tostring(pinfo.dst) .. ":" .. pinfo.dst_port
     end
 
     -- How many bytes a frame wants that was asked for segment by segment, where Wireshark gave one byte of the next one
@@ -8377,9 +8382,9 @@ do
     local dissect_claimed
     do
         -- Which types go the way of a packet, where the port or the data said which end is the brick.
-        local function types_of(pinfo, talk)
-            talk = talk or connection_of(pinfo)
-            if talk.is_by_name then return is_to_named(talk, pinfo) and is_command or is_reply end
+        local function types_of(pinfo, conversation)
+            conversation = conversation or connection_of(pinfo)
+            if conversation.is_by_name then return is_to_named(conversation, pinfo) and is_command or is_reply end
             if ports[pinfo.dst_port] then return is_command end
             return ports[pinfo.src_port] and is_reply or nil
         end
@@ -8454,21 +8459,22 @@ do
         end
 
         -- A buffer of a connection that is ours; `start` is where that begins, if it does in this one.
-        function dissect_claimed(tvb, text, pinfo, tree, number, talk, known, start)
+        function dissect_claimed(tvb, text, pinfo, tree, number, conversation, known, start)
             local captured, offset, is_shown = #text, offset_of(tvb), has_tree(tree)
-            if known and known.claims ~= talk.claims then
-                known.claims, known.pending, known.step, known.number, known.offset = talk.claims, nil, nil, nil, nil
+            if known and known.claims ~= conversation.claims then
+                known.claims, known.pending, known.step = conversation.claims, nil, nil
+                known.number, known.offset = nil, nil
             end
             local step, joint, done = step_of(known, text, offset, number, pinfo, start)
-            brick = is_shown and (talk or connection_of(pinfo)).name
+            brick = is_shown and (conversation or connection_of(pinfo)).name
             -- Nearly always one frame is all there is.
             local low, high, _, _, code = byte(text, 1, HEADER_SIZE)
             if step ~= "lost" and done == 0 and code and LENGTH_FIELD + low + high * 0x100 == captured
                 and is_length(text, 0) and MESSAGE_TYPES[code] then
                 local place = place_of(number, offset)
                 show_line(pinfo, number, offset,
-                    (dissect_message(tvb, 0, read_message(text), talk, place, pinfo, tree, is_shown)))
-                if known then claiming.count(talk, 0, number) end
+                    (dissect_message(tvb, 0, read_message(text), conversation, place, pinfo, tree, is_shown)))
+                if known then claiming.count(conversation, 0, number) end
             else
                 start_line(number, offset)
                 local reported = tvb:reported_len()
@@ -8479,10 +8485,10 @@ do
                     start = done,
                     joint = joint,
                     first = 0,
-                    accepts = types_of(pinfo, talk),
+                    accepts = types_of(pinfo, conversation),
                 }
                 local after, wanted, lost, step_after =
-                    dissect_stream(tvb, text, stream, talk, number, pinfo, tree, is_shown)
+                    dissect_stream(tvb, text, stream, conversation, number, pinfo, tree, is_shown)
                 if after < captured then
                     if not wanted and known and after == 0 and step_after == "likely" then
                         wanted = rest_of(text, joint, known.offset, pinfo)
@@ -8493,7 +8499,7 @@ do
                 if known then
                     known.pending = after < captured and sub(text, after + 1) or nil
                     known.step, known.done = step_after, after
-                    claiming.count(talk, lost, number)
+                    claiming.count(conversation, lost, number)
                 end
                 show(pinfo)
             end
@@ -8507,12 +8513,12 @@ do
     end
 
     -- A connection is named after the end of it that is the brick.
-    local function name_brick(talk, pinfo, to_brick)
+    local function name_brick(conversation, pinfo, to_brick)
         local address, port = pinfo.src, pinfo.src_port
         if to_brick then
             address, port = pinfo.dst, pinfo.dst_port
         end
-        talk.name = tostring(address) .. ":" .. port
+        conversation.name = tostring(address) .. ":" .. port
     end
 
     local dissect_first
@@ -8543,35 +8549,35 @@ do
 
         -- A buffer of a connection that is not ours so far, when it is seen for the first time: whether it is, with the
         -- offset where that begins, or whether more is needed to tell, from an offset on.
-        local function claim(talk, known, text, reported, pinfo)
+        local function claim(conversation, known, text, reported, pinfo)
             local to_brick = is_to_brick(pinfo) == true
             if not to_brick and not is_from_brick(pinfo) then return nil end
             local verdict, place = judge_text(text), 0
             if verdict == OURS or has_two_named(pinfo) then
                 local is_told = tells_brick(text, verdict ~= nil, pinfo)
-                talk.is_by_name = has_two_named(pinfo) or is_told ~= to_brick
+                conversation.is_by_name = has_two_named(pinfo) or is_told ~= to_brick
                 to_brick = is_told
             end
             if verdict == PART then return PART, 0 end
             local joint = known.waits or 0
             if verdict == OURS or is_sure(pinfo, to_brick) then
-                claiming.begin(talk, true)
+                claiming.begin(conversation, true)
             elseif to_brick then
                 local is_whole
                 place, is_whole = claiming.find_command(text, joint, is_command, reported)
                 -- Others have their packets at once, unless a command may begin with one.
-                local is_waited = place and not is_whole and (talk.has_ended or place == 0 or place == joint)
+                local is_waited = place and not is_whole and (conversation.has_ended or place == 0 or place == joint)
                 if not is_whole then return is_waited and PART or nil, place end
-                claiming.begin(talk)
+                claiming.begin(conversation)
             else
                 local count = claiming.count_replies(text)
-                talk.replies = count > 0 and (talk.replies or 0) + count or 0
-                if talk.replies < CLAIMS.replies then return nil end
-                claiming.begin(talk)
-                talk.replies = 0
+                conversation.replies = count > 0 and (conversation.replies or 0) + count or 0
+                if conversation.replies < CLAIMS.replies then return nil end
+                claiming.begin(conversation)
+                conversation.replies = 0
             end
-            talk.claimed_in = pinfo.number
-            name_brick(talk, pinfo, to_brick)
+            conversation.claimed_in = pinfo.number
+            name_brick(conversation, pinfo, to_brick)
             return OURS, place
         end
 
@@ -8585,19 +8591,21 @@ do
         end
 
         function dissect_first(tvb, text, pinfo, tree, number)
-            local talk, known = connection_of(pinfo)
+            local conversation, known = connection_of(pinfo)
             -- What was left to others comes again, where Wireshark knows which end is the server.
             local place = place_of(number, offset_of(tvb))
             if declined[place] then return 0 end
             local port = pinfo.match_uint
-            if not talk.name and not ports[port] then
-                name_brick(talk, pinfo, pinfo.dst_port == port)
-                talk.is_by_name = ports[pinfo.src_port] or ports[pinfo.dst_port]
-                claiming.begin(talk, true)
+            if not conversation.name and not ports[port] then
+                name_brick(conversation, pinfo, pinfo.dst_port == port)
+                conversation.is_by_name = ports[pinfo.src_port] or ports[pinfo.dst_port]
+                claiming.begin(conversation, true)
             end
-            if talk.is_claimed then return dissect_claimed(tvb, text, pinfo, tree, number, talk, known) end
+            if conversation.is_claimed then
+                return dissect_claimed(tvb, text, pinfo, tree, number, conversation, known)
+            end
             if offset_of(tvb) > 0 then known.waits = 0 end
-            local verdict, at = claim(talk, known, text, tvb:reported_len(), pinfo)
+            local verdict, at = claim(conversation, known, text, tvb:reported_len(), pinfo)
             if verdict == PART and #text == tvb:reported_len() and pinfo.can_desegment > 0 then
                 ask_for_more(known, text, at, offset_of(tvb), pinfo)
                 asked[place] = at
@@ -8608,7 +8616,7 @@ do
                 declined[place] = true
                 return 0
             end
-            return dissect_claimed(tvb, text, pinfo, tree, number, talk, known, at)
+            return dissect_claimed(tvb, text, pinfo, tree, number, conversation, known, at)
         end
     end
 
@@ -8622,8 +8630,8 @@ do
             return #text
         end
         if has_found then
-            local talk = connection_of(pinfo)
-            if talk.is_found and number < talk.claimed_in then return 0 end
+            local conversation = connection_of(pinfo)
+            if conversation.is_found and number < conversation.claimed_in then return 0 end
         end
         return dissect_claimed(tvb, text, pinfo, tree, number)
     end
@@ -8643,12 +8651,12 @@ do
             if verdict ~= OURS then return false end
             to_brick = true
         end
-        local talk, known = connection_of(pinfo)
+        local conversation, known = connection_of(pinfo)
         pinfo.conversation = ev3
-        claiming.begin(talk, true)
-        talk.is_found, talk.claimed_in, has_found = true, pinfo.number, true
-        name_brick(talk, pinfo, to_brick)
-        dissect_claimed(tvb, bytes_of(tvb), pinfo, tree, pinfo.number, talk, known)
+        claiming.begin(conversation, true)
+        conversation.is_found, conversation.claimed_in, has_found = true, pinfo.number, true
+        name_brick(conversation, pinfo, to_brick)
+        dissect_claimed(tvb, bytes_of(tvb), pinfo, tree, pinfo.number, conversation, known)
         return true
     end
 

@@ -53,7 +53,7 @@ def _sections() -> Iterator[tuple[str, str, Iterator[str]]]:
         "Operations",
         "Opcode, name, what it does; then either parameters or, for a family, its commands, which have those. A\n"
         "-- parameter is its name, direction, type and meaning. Parameters are text, which is read when an operation\n"
-        "-- is first met.",
+        "-- is first seen.",
         _operations(),
     )
     yield (

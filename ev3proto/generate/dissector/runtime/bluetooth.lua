@@ -17,26 +17,27 @@ do
 
     -- The directions in which packets went last, by channel and what the capture tells of the direction: their
     -- addresses with what is known of them. To write addresses takes longer than to compare them.
-    local met
+    local last_seen
 
     local function forget_streams()
-        streams, is_ours, continued, earlier, waiting, begun, steps, starts, met = {}, {}, {}, {}, {}, {}, {}, {}, {}
+        streams, is_ours, continued, earlier, waiting = {}, {}, {}, {}, {}
+        begun, steps, starts, last_seen = {}, {}, {}, {}
     end
     forget_streams()
 
     -- What is known of a channel, and the direction in it that a packet has, by what is written of its ends.
     local function stream_between(from, to, channel, direction)
-        local talk = talk_of((from < to and from .. " " .. to or to .. " " .. from) .. " " .. channel)
-        talk.sides = talk.sides or {}
+        local conversation = conversation_of((from < to and from .. " " .. to or to .. " " .. from) .. " " .. channel)
+        conversation.sides = conversation.sides or {}
         -- A capture begun after the connection has no addresses, but mostly tells what was sent and what received.
         local key = from .. " > " .. to .. " " .. channel .. " " .. direction
         local stream = streams[key]
         if not stream then
             stream = { left = "", look_at = 0 }
             streams[key] = stream
-            table.insert(talk.sides, stream)
+            table.insert(conversation.sides, stream)
         end
-        return talk, stream
+        return conversation, stream
     end
 
     -- The same of a packet. Devices go by the addresses of their hardware: to the others Wireshark adds a device's name
@@ -44,13 +45,13 @@ do
     local function channel_of(pinfo)
         local from, to, dlci, direction = pinfo.dl_src, pinfo.dl_dst, pinfo.match_uint, pinfo.p2p_dir
         local place = dlci * 4 + direction
-        local known = met[place]
+        local known = last_seen[place]
         if not known or known.from ~= from or known.to ~= to then
-            local talk, stream = stream_between(tostring(from), tostring(to), floor(dlci / 2), direction)
-            known = { from = from, to = to, talk = talk, stream = stream }
-            met[place] = known
+            local conversation, stream = stream_between(tostring(from), tostring(to), floor(dlci / 2), direction)
+            known = { from = from, to = to, conversation = conversation, stream = stream }
+            last_seen[place] = known
         end
-        return known.talk, known.stream
+        return known.conversation, known.stream
     end
 
     local function is_command(type)
@@ -67,8 +68,8 @@ do
     end
 
     -- Nothing is known of what a channel's sides said so far.
-    local function clear_sides(talk)
-        for _, stream in ipairs(talk.sides) do
+    local function clear_sides(conversation)
+        for _, stream in ipairs(conversation.sides) do
             clear(stream)
             stream.step = nil
         end
@@ -97,7 +98,7 @@ do
 
     -- A packet of a channel that is not known to be ours: all of the command that makes it ours, nil where none does.
     -- What may still become a command is kept: whoever types a text sends it letter by letter.
-    local function claim(talk, stream, piece, missing, number)
+    local function claim(conversation, stream, piece, missing, number)
         local left = stream.left
         local text = left .. piece
         local place, is_whole = claiming.find_command(text, #left, is_command, #text + missing)
@@ -107,9 +108,9 @@ do
         end
         keep(stream, text, place, number)
         if not is_whole then return nil end
-        claiming.begin(talk)
+        claiming.begin(conversation)
         local list, joint = stream.list, #left
-        clear_sides(talk)
+        clear_sides(conversation)
         if place >= joint then
             starts[number] = place - joint
             return piece
@@ -191,18 +192,18 @@ do
         local piece, number = bytes_of(tvb), pinfo.number
         if piece == "" then return 0 end
         local is_first = not pinfo.visited
-        local talk, stream, text, may_be_whole
+        local conversation, stream, text, may_be_whole
         if is_first then
-            talk, stream = channel_of(pinfo)
-            local is_begun = not talk.is_claimed
+            conversation, stream = channel_of(pinfo)
+            local is_begun = not conversation.is_claimed
             if is_begun then
-                text, may_be_whole = claim(talk, stream, piece, tvb:reported_len() - #piece, number), true
+                text, may_be_whole = claim(conversation, stream, piece, tvb:reported_len() - #piece, number), true
                 if not text then return 0 end
                 -- It is claimed by a command, so this packet goes to the brick.
-                talk.name, talk.to_brick = tostring(pinfo.dl_dst), stream
+                conversation.name, conversation.to_brick = tostring(pinfo.dl_dst), stream
                 steps[number] = "sure"
             end
-            stream.accepts = stream == talk.to_brick and is_command or is_from_brick
+            stream.accepts = stream == conversation.to_brick and is_command or is_from_brick
             if not is_begun then text, may_be_whole = join(stream, piece, number) end
             is_ours[number] = stream.accepts
             if stream.step == "lost" then steps[number] = "lost" end
@@ -217,9 +218,9 @@ do
         if may_be_whole and text == piece and not steps[number] and is_frame(text) then
             if is_first then stream.step = "likely" end
             local place = place_of(number, offset)
-            local said = dissect_message(tvb, 0, read_message(text), talk, place, pinfo, tree, is_shown)
+            local said = dissect_message(tvb, 0, read_message(text), conversation, place, pinfo, tree, is_shown)
             show_line(pinfo, number, offset, said)
-            if is_first and not claiming.count(talk, 0, number) then clear_sides(talk) end
+            if is_first and not claiming.count(conversation, 0, number) then clear_sides(conversation) end
             return size
         end
         start_line(number, offset)
@@ -239,7 +240,7 @@ do
                 may_gap = true,
                 accepts = is_ours[number],
             }
-            local after, _, lost, step = dissect_stream(whole, text, state, talk, number, pinfo, tree, is_shown)
+            local after, _, lost, step = dissect_stream(whole, text, state, conversation, number, pinfo, tree, is_shown)
             size = #text - after
             if is_first and size > 0 then
                 stream.left, stream.list = sub(text, after + 1), { number }
@@ -247,7 +248,7 @@ do
             end
             if is_first then
                 stream.step = step
-                if not claiming.count(talk, lost, number) then clear_sides(talk) end
+                if not claiming.count(conversation, lost, number) then clear_sides(conversation) end
             end
         end
         if size > 0 then

@@ -150,35 +150,37 @@ do
     end
 
     -- Takes a conversation for ours from now on; with `is_sure` whatever is said in it.
-    function claiming.begin(talk, is_sure)
-        talk.is_claimed, talk.is_sure, talk.is_answered = true, is_sure, false
-        talk.strange, talk.unread, talk.has_frame, talk.is_good = 0, 0, false, false
-        talk.claims = (talk.claims or 0) + 1
+    function claiming.begin(conversation, is_sure)
+        conversation.is_claimed, conversation.is_sure, conversation.is_answered = true, is_sure, false
+        conversation.strange, conversation.unread, conversation.has_frame, conversation.is_good = 0, 0, false, false
+        conversation.claims = (conversation.claims or 0) + 1
     end
 
     -- Looks at a message of a conversation that is claimed, when it is seen for the first time.
-    function claiming.meet(talk, message)
-        if not talk.is_claimed or talk.is_sure then return end
-        talk.has_frame = true
-        talk.is_good = talk.is_good or not talk.is_answered and is_sensible(message)
+    function claiming.note(conversation, message)
+        if not conversation.is_claimed or conversation.is_sure then return end
+        conversation.has_frame = true
+        conversation.is_good = conversation.is_good or not conversation.is_answered and is_sensible(message)
     end
 
     -- Counts a packet of a claimed conversation, of which so many bytes are in no frame: whether it is claimed still.
-    function claiming.count(talk, size, number)
-        local is_good, has_frame = talk.is_good, talk.has_frame
-        talk.is_good, talk.has_frame = false, false
-        if talk.is_sure or not has_frame and size == 0 then return true end
-        if is_good or talk.is_answered and has_frame then
-            talk.strange, talk.unread, talk.counted = 0, 0, number
+    function claiming.count(conversation, size, number)
+        local is_good, has_frame = conversation.is_good, conversation.has_frame
+        conversation.is_good, conversation.has_frame = false, false
+        if conversation.is_sure or not has_frame and size == 0 then return true end
+        if is_good or conversation.is_answered and has_frame then
+            conversation.strange, conversation.unread, conversation.counted = 0, 0, number
             return true
         end
         -- A packet counts once, though it be handed over in parts.
-        if talk.counted ~= number then talk.strange = talk.strange + 1 end
-        talk.unread, talk.counted = talk.unread + size, number
+        if conversation.counted ~= number then conversation.strange = conversation.strange + 1 end
+        conversation.unread, conversation.counted = conversation.unread + size, number
         -- Of a dialogue what is left of a frame may come in many packets.
-        local is_over = talk.strange >= CLAIMS.strange_packets
-            and (not talk.is_answered or talk.unread > LENGTH_FIELD + MAX_LENGTH)
-        if is_over then talk.is_claimed, talk.is_answered, talk.has_ended = false, false, true end
+        local is_over = conversation.strange >= CLAIMS.strange_packets
+            and (not conversation.is_answered or conversation.unread > LENGTH_FIELD + MAX_LENGTH)
+        if is_over then
+            conversation.is_claimed, conversation.is_answered, conversation.has_ended = false, false, true
+        end
         return not is_over
     end
 

@@ -5,7 +5,7 @@
 -- and later passes only look it up.
 
 local read_message
-local forget_dialogues, talk_of, talk_if_any, take_note, request_of, reply_to, transfer_at
+local forget_dialogues, conversation_of, known_conversation, take_note, request_of, reply_to, transfer_at
 do
     -- Commands with one counter that are remembered, for senders who never change it.
     local MOST_PER_COUNTER = 4
@@ -20,10 +20,10 @@ do
     -- that it took, and the command's frame, in one text; of a message on a file what is known of that.
     local replies, requests, transfers
 
-    local talks
+    local conversations
 
     function forget_dialogues()
-        replies, requests, transfers, talks = new_notes(), new_notes(), {}, {}
+        replies, requests, transfers, conversations = new_notes(), new_notes(), {}, {}
     end
     forget_dialogues()
 
@@ -48,18 +48,18 @@ do
 
     -- All that is known of the messages between one computer and one brick, who have that key: the newest commands that
     -- wait for replies, by counter, and those `before` them; transfers `begun` by counter, and `open` by handle.
-    function talk_of(key)
-        local talk = talks[key]
-        if not talk then
-            talk = { key = key, waiting = {}, waiting_count = 0, waiting_before = {}, begun = {}, open = {} }
-            talks[key] = talk
+    function conversation_of(key)
+        local conversation = conversations[key]
+        if not conversation then
+            conversation = { key = key, waiting = {}, waiting_count = 0, waiting_before = {}, begun = {}, open = {} }
+            conversations[key] = conversation
         end
-        return talk
+        return conversation
     end
 
     -- The same, where anything is known of them.
-    function talk_if_any(key)
-        return talks[key]
+    function known_conversation(key)
+        return conversations[key]
     end
 
     -- What a reply has in common with the command it answers.
@@ -68,34 +68,35 @@ do
     end
 
     -- The newest command that waits under a key; each knows the one before it.
-    local function newest(talk, key)
-        return talk.waiting[key] or talk.waiting_before[key]
+    local function newest(conversation, key)
+        return conversation.waiting[key] or conversation.waiting_before[key]
     end
 
     -- `command` is the newest one now, if there is any.
-    local function put_newest(talk, key, command)
+    local function put_newest(conversation, key, command)
         if not command then
-            talk.waiting[key], talk.waiting_before[key] = nil, nil
+            conversation.waiting[key], conversation.waiting_before[key] = nil, nil
             return
         end
-        if not talk.waiting[key] then
-            if talk.waiting_count == MOST_WAITING then
-                talk.waiting_before, talk.waiting, talk.waiting_count = talk.waiting, {}, 0
+        if not conversation.waiting[key] then
+            if conversation.waiting_count == MOST_WAITING then
+                conversation.waiting_before = conversation.waiting
+                conversation.waiting, conversation.waiting_count = {}, 0
             end
-            talk.waiting_count = talk.waiting_count + 1
+            conversation.waiting_count = conversation.waiting_count + 1
         end
-        talk.waiting[key] = command
+        conversation.waiting[key] = command
     end
 
-    local function remember(talk, place, message, pinfo)
+    local function remember(conversation, place, message, pinfo)
         local key = pending_key(message)
-        local command = { place = place, time = pinfo.rel_ts, message = message, earlier = newest(talk, key) }
+        local command = { place = place, time = pinfo.rel_ts, message = message, earlier = newest(conversation, key) }
         local oldest = command
         for _ = 2, MOST_PER_COUNTER do
             oldest = oldest and oldest.earlier
         end
         if oldest then oldest.earlier = nil end
-        put_newest(talk, key, command)
+        put_newest(conversation, key, command)
     end
 
     local function can_answer(message, command)
@@ -121,9 +122,9 @@ do
 
     -- The command that a reply answers: of those with its counter the newest of the right size, else the newest. The
     -- newest, because a sender comes back to a counter only after it gave up on the one before.
-    local function answered(talk, message)
+    local function answered(conversation, message)
         local key = pending_key(message)
-        local command, later = newest(talk, key), nil
+        local command, later = newest(conversation, key), nil
         local best, later_than_best
         while command do
             if can_answer(message, command) then
@@ -137,16 +138,16 @@ do
         if later_than_best then
             later_than_best.earlier = best.earlier
         else
-            put_newest(talk, key, best.earlier)
+            put_newest(conversation, key, best.earlier)
         end
         return best
     end
 
     -- Adds a piece to a file and returns that. One that is complete takes no more, as the brick has closed it: then the
     -- handle stands for another one, of which the beginning is missing in the capture, and nothing is known.
-    local function add_piece(talk, handle, transfer, piece)
+    local function add_piece(conversation, handle, transfer, piece)
         if #piece > 0 and transfer.size and transfer.done >= transfer.size then
-            talk.open[handle] = nil
+            conversation.open[handle] = nil
             return nil
         end
         transfer.done = transfer.done + #piece
@@ -154,16 +155,16 @@ do
     end
 
     -- The file that a system command is about, as far as it is now.
-    local function follow_request(talk, message)
+    local function follow_request(conversation, message)
         local command, values = message.command, message.fields
         if command.transfer == "begin" then
             local transfer = { path = values.path or "", size = values.size, done = #(values.data or "") }
-            talk.begun[message.counter] = transfer
+            conversation.begun[message.counter] = transfer
             return transfer
         end
-        local transfer = talk.open[values.handle]
+        local transfer = conversation.open[values.handle]
         if not transfer or not values.data then return transfer end
-        return add_piece(talk, values.handle, transfer, values.data)
+        return add_piece(conversation, values.handle, transfer, values.data)
     end
 
     -- The handle that a command for an open file has as its first field.
@@ -172,50 +173,50 @@ do
     end
 
     -- The same for a reply. `request` is the command that it answers, where that was seen.
-    local function follow_reply(talk, message, request)
+    local function follow_reply(conversation, message, request)
         local command, values = message.command, message.fields
         local failed = message.type.is_error or STATUS.fails[message.status] ~= false
         local handle, transfer = values.handle or asked_handle(request), nil
         if command.transfer == "begin" then
-            transfer = talk.begun[message.counter]
-            talk.begun[message.counter] = nil
+            transfer = conversation.begun[message.counter]
+            conversation.begun[message.counter] = nil
             if failed or not values.handle then return transfer end
             -- Where the command was not seen, the handle stands for another file than before all the same.
-            talk.open[handle] = transfer
+            conversation.open[handle] = transfer
         else
-            transfer = handle and talk.open[handle]
+            transfer = handle and conversation.open[handle]
             -- The brick takes a handle back when a file is closed, complete or in trouble.
             if handle and (command.transfer == "close" or failed or message.status == STATUS.end_of_file) then
-                talk.open[handle] = nil
+                conversation.open[handle] = nil
             end
         end
         if not transfer then return nil end
         transfer.size = values.size or values.list_size or transfer.size
-        return add_piece(talk, handle, transfer, values.data or values.list or "")
+        return add_piece(conversation, handle, transfer, values.data or values.list or "")
     end
 
     -- What becomes known of a message when it is seen for the first time, in the conversation it belongs to.
-    function take_note(place, talk, message, pinfo)
+    function take_note(place, conversation, message, pinfo)
         local type = message.type
         local is_on_file = message.command and message.command.transfer
         if not type or message.is_overwritten then return end
         if type.is_command and not type.wants_reply and not is_on_file then return end
         local transfer
         if type.is_command then
-            if type.wants_reply then remember(talk, place, message, pinfo) end
-            transfer = is_on_file and follow_request(talk, message)
+            if type.wants_reply then remember(conversation, place, message, pinfo) end
+            transfer = is_on_file and follow_request(conversation, message)
         else
-            local request = answered(talk, message)
+            local request = answered(conversation, message)
             if request then
                 local text = request.message.text
                 request.delay, message.request = pinfo.rel_ts - request.time, request
-                talk.is_answered = talk.is_answered or is_proof(message, request)
+                conversation.is_answered = conversation.is_answered or is_proof(message, request)
                 replies.put(request.place, format("%d", number_of(place)))
                 -- Of a system command its number is enough.
                 if message.command then text = sub(text, 1, HEADER_SIZE + 1) end
                 requests.put(place, Struct.pack("dd", request.place, request.delay) .. text)
             end
-            transfer = is_on_file and follow_reply(talk, message, request)
+            transfer = is_on_file and follow_reply(conversation, message, request)
         end
         if transfer then
             transfers[place] = { path = transfer.path, done = transfer.done, size = transfer.size }

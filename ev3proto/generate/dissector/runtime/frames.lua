@@ -70,17 +70,16 @@ end
 -- What is done for conversations that may be others': further below.
 local claiming = {}
 
--- A message in a buffer: `talk` is what is known of its conversation, needed the first time only; `said` is said of it
--- instead of what it says itself. Returns the line for the info column and, if there is a tree, the message's item in
--- it.
-local function dissect_message(tvb, at, message, talk, place, pinfo, tree, is_shown, said)
-    if talk then
-        take_note(place, talk, message, pinfo)
-        claiming.meet(talk, message)
+-- A message in a buffer: `conversation` is what is known of its conversation, needed the first time only; `said` is the
+-- line on it in place of its own. Returns the line for the info column and, if there is a tree, the message's item.
+local function dissect_message(tvb, at, message, conversation, place, pinfo, tree, is_shown, said)
+    if conversation then
+        take_note(place, conversation, message, pinfo)
+        claiming.note(conversation, message)
     end
     -- Before 4.6 the protocol alone does not count as looked at, yet the protocol hierarchy counts its items.
     if not is_shown and tree.text then tree:add(ev3, tvb(at, message.stop)) end
-    return show_message(message, place, tvb, at, tree, is_shown, said, talk)
+    return show_message(message, place, tvb, at, tree, is_shown, said, conversation)
 end
 
 -- Bytes of the frame that starts with these two; nil where its length is not here. Where each packet comes by, it is

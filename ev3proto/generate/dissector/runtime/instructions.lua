@@ -1,7 +1,7 @@
 -- The instruction set, made ready -----------------------------------------------------------------------------------
 --
 -- The tables above are written to be read. Here each parameter becomes what the reading of an argument needs. Wireshark
--- wants all fields at the start; an operation gets its parameters when it is first met, as a capture has few of them
+-- wants all fields at the start; an operation gets its parameters when it is first seen, as a capture has few of them
 -- and the collector goes through all that Lua holds again and again.
 
 -- A table whose entries are made when they are first asked for; where there is none, it is asked for again.
@@ -172,7 +172,7 @@ do
         return operation
     end
 
-    -- Adds the parameters to an operation that is met for the first time. A list of values is not among them, but is
+    -- Adds the parameters to an operation that is seen for the first time. A list of values is not among them, but is
     -- the operation's `list`. An operation that is not one of a family has no `cmd_name`.
     function prepare_operation(operation)
         local name, at = operation.name, operation.first_field

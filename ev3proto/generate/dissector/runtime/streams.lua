@@ -182,7 +182,7 @@ do
     --   joint      where in the piece the newest packet starts; `first` is 0 where a packet starts with the piece, too
     --   may_gap    nothing tells of gaps between the packets
     --   accepts    tells which types go its way, if that is known
-    function dissect_stream(tvb, text, stream, talk, number, pinfo, tree, is_shown)
+    function dissect_stream(tvb, text, stream, conversation, number, pinfo, tree, is_shown)
         local at, captured, lost, start = stream.start or 0, #text, 0, tvb:offset()
         local reported, is_last, accepts = stream.reported, stream.is_last, stream.accepts
         local step, joint = stream.step, stream.joint
@@ -193,7 +193,7 @@ do
                 said, after = dissect_text(tvb, text, at, tree, is_shown)
                 if not said and not is_last and is_part_of_text(text, at) then return at, nil, lost, step end
                 if said then step = "sure" end
-                if said and talk and not talk.is_sure then claiming.begin(talk, true) end
+                if said and conversation and not conversation.is_sure then claiming.begin(conversation, true) end
             end
             local polled = low == 0 and high == 0 and step ~= "lost" and after_polls(text, at)
             if polled and (polled == captured or may_start(text, polled)) then
@@ -252,7 +252,7 @@ do
                     after = math.min(at + size, captured)
                     local frame = at == 0 and after == captured and text or sub(text, at + 1, after)
                     local place = place_of(number, start + at)
-                    said = dissect_message(tvb, at, read_message(frame), talk, place, pinfo, tree, is_shown)
+                    said = dissect_message(tvb, at, read_message(frame), conversation, place, pinfo, tree, is_shown)
                 end
             end
             if said then say(said) end

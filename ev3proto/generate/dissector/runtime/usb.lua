@@ -17,18 +17,18 @@ do
         return pinfo.src_port == 0 or pinfo.dst_port == 0
     end
 
-    -- The endpoint that was met last, by whether the host sends: its address and its device. To write an address takes
+    -- The endpoint that was seen last, by whether the host sends: its address and its device. To write an address takes
     -- longer than to compare it.
-    local met
+    local last_seen
 
     -- The device that a report comes from or goes to, whichever of its endpoints.
     local function device_key(pinfo)
         local is_out = is_from_host(pinfo)
-        local address, known = is_out and pinfo.dst or pinfo.src, met[is_out]
+        local address, known = is_out and pinfo.dst or pinfo.src, last_seen[is_out]
         if known and known.address == address then return known.device end
         local text = tostring(address)
-        met[is_out] = { address = address, device = text:match("^(.*)%.%d+$") or text }
-        return met[is_out].device
+        last_seen[is_out] = { address = address, device = text:match("^(.*)%.%d+$") or text }
+        return last_seen[is_out].device
     end
 
     -- A known fault of the bootloader: its reply comes with the request written over its first bytes.
@@ -44,7 +44,7 @@ do
     local marked
 
     local function forget_devices()
-        taken, met, marked = {}, {}, nil
+        taken, last_seen, marked = {}, {}, nil
     end
     forget_devices()
 
@@ -61,9 +61,10 @@ do
             message.is_overwritten = true
             line = "bootloader fault: reply to " .. command.name .. " overwritten by its request"
         end
-        local stop, talk = message.stop, not pinfo.visited and talk_of(device)
+        local stop, conversation = message.stop, not pinfo.visited and conversation_of(device)
         brick = is_shown and device
-        local said, item = dissect_message(tvb, 0, message, talk, place_of(number, offset), pinfo, tree, is_shown, line)
+        local place = place_of(number, offset)
+        local said, item = dissect_message(tvb, 0, message, conversation, place, pinfo, tree, is_shown, line)
         if line then
             local reason = "a known fault of the EV3's bootloader on USB 3 ports: the reply to %s with the request"
                 .. " written over its first bytes"
@@ -115,13 +116,13 @@ do
             if sort == "daisy" or is_overwritten(message, pinfo) then return is_sensible(message) and message or nil end
         end
         if not message or (type.is_command == true) ~= is_from_host(pinfo) then
-            local talk = talk_if_any(key)
-            if talk and talk.is_claimed then claiming.count(talk, captured, pinfo.number) end
+            local conversation = known_conversation(key)
+            if conversation and conversation.is_claimed then claiming.count(conversation, captured, pinfo.number) end
             return nil
         end
-        local talk = talk_of(key)
-        if not talk.is_claimed and claiming.is_plausible(message) then claiming.begin(talk) end
-        return talk.is_claimed and message or nil
+        local conversation = conversation_of(key)
+        if not conversation.is_claimed and claiming.is_plausible(message) then claiming.begin(conversation) end
+        return conversation.is_claimed and message or nil
     end
 
     -- Reports of a known brick, or of a device whose product is not in the capture, as in most captures that began
@@ -137,8 +138,9 @@ do
         end
         if not message then return false end
         dissect_report(tvb, message, device, pinfo, tree)
-        if not pinfo.visited and talk_of(device).is_claimed then claiming.count(talk_of(device), 0, number) end
-        free_unused()
+        local conversation = not pinfo.visited and conversation_of(device)
+        if conversation and conversation.is_claimed then claiming.count(conversation, 0, number) end
+        if has_tree(tree) then free_unused() end
         return true
     end
 

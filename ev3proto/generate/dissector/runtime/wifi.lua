@@ -53,10 +53,10 @@ do
         local from, to, ends = pinfo.src, pinfo.dst, pinfo.src_port * 0x10000 + pinfo.dst_port
         local known = connections[ends]
         if not known or known.from ~= from or known.to ~= to then
-            known = { from = from, to = to, talk = talk_of(conversation_key(pinfo)) }
+            known = { from = from, to = to, conversation = conversation_of(conversation_key(pinfo)) }
             connections[ends] = known
         end
-        return known.talk, known
+        return known.conversation, known
     end
 
     local function forget_wifi()
@@ -73,8 +73,8 @@ do
     end
 
     -- Whether a packet goes to the end that its connection is named after.
-    local function is_to_named(talk, pinfo)
-        return talk.name == tostring(pinfo.dst) .. ":" .. pinfo.dst_port
+    local function is_to_named(conversation, pinfo)
+        return conversation.name == tostring(pinfo.dst) .. ":" .. pinfo.dst_port
     end
 
     -- How many bytes a frame wants that was asked for segment by segment, where Wireshark gave one byte of the next one
@@ -99,9 +99,9 @@ do
     local dissect_claimed
     do
         -- Which types go the way of a packet, where the port or the data said which end is the brick.
-        local function types_of(pinfo, talk)
-            talk = talk or connection_of(pinfo)
-            if talk.is_by_name then return is_to_named(talk, pinfo) and is_command or is_reply end
+        local function types_of(pinfo, conversation)
+            conversation = conversation or connection_of(pinfo)
+            if conversation.is_by_name then return is_to_named(conversation, pinfo) and is_command or is_reply end
             if ports[pinfo.dst_port] then return is_command end
             return ports[pinfo.src_port] and is_reply or nil
         end
@@ -176,21 +176,22 @@ do
         end
 
         -- A buffer of a connection that is ours; `start` is where that begins, if it does in this one.
-        function dissect_claimed(tvb, text, pinfo, tree, number, talk, known, start)
+        function dissect_claimed(tvb, text, pinfo, tree, number, conversation, known, start)
             local captured, offset, is_shown = #text, offset_of(tvb), has_tree(tree)
-            if known and known.claims ~= talk.claims then
-                known.claims, known.pending, known.step, known.number, known.offset = talk.claims, nil, nil, nil, nil
+            if known and known.claims ~= conversation.claims then
+                known.claims, known.pending, known.step = conversation.claims, nil, nil
+                known.number, known.offset = nil, nil
             end
             local step, joint, done = step_of(known, text, offset, number, pinfo, start)
-            brick = is_shown and (talk or connection_of(pinfo)).name
+            brick = is_shown and (conversation or connection_of(pinfo)).name
             -- Nearly always one frame is all there is.
             local low, high, _, _, code = byte(text, 1, HEADER_SIZE)
             if step ~= "lost" and done == 0 and code and LENGTH_FIELD + low + high * 0x100 == captured
                 and is_length(text, 0) and MESSAGE_TYPES[code] then
                 local place = place_of(number, offset)
                 show_line(pinfo, number, offset,
-                    (dissect_message(tvb, 0, read_message(text), talk, place, pinfo, tree, is_shown)))
-                if known then claiming.count(talk, 0, number) end
+                    (dissect_message(tvb, 0, read_message(text), conversation, place, pinfo, tree, is_shown)))
+                if known then claiming.count(conversation, 0, number) end
             else
                 start_line(number, offset)
                 local reported = tvb:reported_len()
@@ -201,10 +202,10 @@ do
                     start = done,
                     joint = joint,
                     first = 0,
-                    accepts = types_of(pinfo, talk),
+                    accepts = types_of(pinfo, conversation),
                 }
                 local after, wanted, lost, step_after =
-                    dissect_stream(tvb, text, stream, talk, number, pinfo, tree, is_shown)
+                    dissect_stream(tvb, text, stream, conversation, number, pinfo, tree, is_shown)
                 if after < captured then
                     if not wanted and known and after == 0 and step_after == "likely" then
                         wanted = rest_of(text, joint, known.offset, pinfo)
@@ -215,7 +216,7 @@ do
                 if known then
                     known.pending = after < captured and sub(text, after + 1) or nil
                     known.step, known.done = step_after, after
-                    claiming.count(talk, lost, number)
+                    claiming.count(conversation, lost, number)
                 end
                 show(pinfo)
             end
@@ -229,12 +230,12 @@ do
     end
 
     -- A connection is named after the end of it that is the brick.
-    local function name_brick(talk, pinfo, to_brick)
+    local function name_brick(conversation, pinfo, to_brick)
         local address, port = pinfo.src, pinfo.src_port
         if to_brick then
             address, port = pinfo.dst, pinfo.dst_port
         end
-        talk.name = tostring(address) .. ":" .. port
+        conversation.name = tostring(address) .. ":" .. port
     end
 
     local dissect_first
@@ -265,35 +266,35 @@ do
 
         -- A buffer of a connection that is not ours so far, when it is seen for the first time: whether it is, with the
         -- offset where that begins, or whether more is needed to tell, from an offset on.
-        local function claim(talk, known, text, reported, pinfo)
+        local function claim(conversation, known, text, reported, pinfo)
             local to_brick = is_to_brick(pinfo) == true
             if not to_brick and not is_from_brick(pinfo) then return nil end
             local verdict, place = judge_text(text), 0
             if verdict == OURS or has_two_named(pinfo) then
                 local is_told = tells_brick(text, verdict ~= nil, pinfo)
-                talk.is_by_name = has_two_named(pinfo) or is_told ~= to_brick
+                conversation.is_by_name = has_two_named(pinfo) or is_told ~= to_brick
                 to_brick = is_told
             end
             if verdict == PART then return PART, 0 end
             local joint = known.waits or 0
             if verdict == OURS or is_sure(pinfo, to_brick) then
-                claiming.begin(talk, true)
+                claiming.begin(conversation, true)
             elseif to_brick then
                 local is_whole
                 place, is_whole = claiming.find_command(text, joint, is_command, reported)
                 -- Others have their packets at once, unless a command may begin with one.
-                local is_waited = place and not is_whole and (talk.has_ended or place == 0 or place == joint)
+                local is_waited = place and not is_whole and (conversation.has_ended or place == 0 or place == joint)
                 if not is_whole then return is_waited and PART or nil, place end
-                claiming.begin(talk)
+                claiming.begin(conversation)
             else
                 local count = claiming.count_replies(text)
-                talk.replies = count > 0 and (talk.replies or 0) + count or 0
-                if talk.replies < CLAIMS.replies then return nil end
-                claiming.begin(talk)
-                talk.replies = 0
+                conversation.replies = count > 0 and (conversation.replies or 0) + count or 0
+                if conversation.replies < CLAIMS.replies then return nil end
+                claiming.begin(conversation)
+                conversation.replies = 0
             end
-            talk.claimed_in = pinfo.number
-            name_brick(talk, pinfo, to_brick)
+            conversation.claimed_in = pinfo.number
+            name_brick(conversation, pinfo, to_brick)
             return OURS, place
         end
 
@@ -307,19 +308,21 @@ do
         end
 
         function dissect_first(tvb, text, pinfo, tree, number)
-            local talk, known = connection_of(pinfo)
+            local conversation, known = connection_of(pinfo)
             -- What was left to others comes again, where Wireshark knows which end is the server.
             local place = place_of(number, offset_of(tvb))
             if declined[place] then return 0 end
             local port = pinfo.match_uint
-            if not talk.name and not ports[port] then
-                name_brick(talk, pinfo, pinfo.dst_port == port)
-                talk.is_by_name = ports[pinfo.src_port] or ports[pinfo.dst_port]
-                claiming.begin(talk, true)
+            if not conversation.name and not ports[port] then
+                name_brick(conversation, pinfo, pinfo.dst_port == port)
+                conversation.is_by_name = ports[pinfo.src_port] or ports[pinfo.dst_port]
+                claiming.begin(conversation, true)
             end
-            if talk.is_claimed then return dissect_claimed(tvb, text, pinfo, tree, number, talk, known) end
+            if conversation.is_claimed then
+                return dissect_claimed(tvb, text, pinfo, tree, number, conversation, known)
+            end
             if offset_of(tvb) > 0 then known.waits = 0 end
-            local verdict, at = claim(talk, known, text, tvb:reported_len(), pinfo)
+            local verdict, at = claim(conversation, known, text, tvb:reported_len(), pinfo)
             if verdict == PART and #text == tvb:reported_len() and pinfo.can_desegment > 0 then
                 ask_for_more(known, text, at, offset_of(tvb), pinfo)
                 asked[place] = at
@@ -330,7 +333,7 @@ do
                 declined[place] = true
                 return 0
             end
-            return dissect_claimed(tvb, text, pinfo, tree, number, talk, known, at)
+            return dissect_claimed(tvb, text, pinfo, tree, number, conversation, known, at)
         end
     end
 
@@ -344,8 +347,8 @@ do
             return #text
         end
         if has_found then
-            local talk = connection_of(pinfo)
-            if talk.is_found and number < talk.claimed_in then return 0 end
+            local conversation = connection_of(pinfo)
+            if conversation.is_found and number < conversation.claimed_in then return 0 end
         end
         return dissect_claimed(tvb, text, pinfo, tree, number)
     end
@@ -365,12 +368,12 @@ do
             if verdict ~= OURS then return false end
             to_brick = true
         end
-        local talk, known = connection_of(pinfo)
+        local conversation, known = connection_of(pinfo)
         pinfo.conversation = ev3
-        claiming.begin(talk, true)
-        talk.is_found, talk.claimed_in, has_found = true, pinfo.number, true
-        name_brick(talk, pinfo, to_brick)
-        dissect_claimed(tvb, bytes_of(tvb), pinfo, tree, pinfo.number, talk, known)
+        claiming.begin(conversation, true)
+        conversation.is_found, conversation.claimed_in, has_found = true, pinfo.number, true
+        name_brick(conversation, pinfo, to_brick)
+        dissect_claimed(tvb, bytes_of(tvb), pinfo, tree, pinfo.number, conversation, known)
         return true
     end
 

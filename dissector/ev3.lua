@@ -5367,8 +5367,11 @@ local CARRIERS = {
 
 -- What unlocks the brick over WiFi, and its answer. No frame has a length that starts like one of them.
 local UNLOCK = {
-    pattern = "^GET /target%?sn=([%w_:]*) ?VMTP1%.0(\r?\n)Protocol: EV3()", request = "GET /target?sn=",
-    most_bytes = 128, endings = 2, answer = "Accept:EV340\r\n\r\n",
+    patterns = {
+        "^GET /target%?sn=([%w_:]*) ?VMTP1%.0(\r?\n)Protocol: ?EV3()",
+        "^GET /target%?sn=([%w_:]*) ?(\r?\n)Protocol: ?EV3()",
+    },
+    request = "GET /target?sn=", most_bytes = 128, endings = 2, answer = "Accept:EV340\r\n\r\n",
     starts = { [71] = true, [65] = true },
 }
 
@@ -7598,7 +7601,10 @@ local dissect_stream, dissect_no_frame, judge_text
 do
     -- The text by which a host unlocks the brick's port: the offset after it, and the serial number.
     local function match_unlock(text, at)
-        local serial, newline, after = text:match(UNLOCK.pattern, at + 1)
+        local serial, newline, after
+        for _, pattern in ipairs(UNLOCK.patterns) do
+            if not serial then serial, newline, after = text:match(pattern, at + 1) end
+        end
         if not serial then return nil end
         for _ = 1, UNLOCK.endings do
             if sub(text, after, after + #newline - 1) == newline then after = after + #newline end

@@ -121,16 +121,20 @@ class Beacon:
 class Unlock:
     r"""What a host sends first on the TCP connection. The brick looks only for `ET /target?sn=`, so senders differ.
 
-    serial      serial number of the brick, as its beacon gave it, or with colons
-    space       whether a space stands before the protocol's version
+    serial      serial number of the brick, as its beacon gave it, or with colons; empty where the sender knows none
+    space       a space follows the serial number
     newline     how lines end, "\r\n" or "\n"
-    endings     how many line ends stand after the last line, 0 to 2 (2: an empty line ends the text)
+    endings     how many line ends follow the last line, 0 to 2 (2: an empty line ends the text)
+    version     the first line ends with the protocol's version
+    gap         a space precedes the name of the protocol
     """
 
     serial: str
     space: bool = True
     newline: str = "\r\n"
     endings: int = 2
+    version: bool = True
+    gap: bool = True
 
     @classmethod
     def parse(cls, text: bytes) -> Unlock:
@@ -149,8 +153,8 @@ class UnlockSchema(Bytewise):
     """The schema of the unlock text."""
 
     FORM = re.compile(
-        rf"{re.escape(UNLOCK_REQUEST)}([\w:]*?)( ?){re.escape(UNLOCK_VERSION)}(\r?\n)"
-        rf"{re.escape(UNLOCK_PROTOCOL)}((?:\3){{0,{UNLOCK_ENDINGS}}})".encode()
+        rf"{re.escape(UNLOCK_REQUEST)}([\w:]*?)( ?)((?:{re.escape(UNLOCK_VERSION)})?)(\r?\n)"
+        rf"{re.escape(UNLOCK_PROTOCOL)}( ?){PROTOCOL}((?:\4){{0,{UNLOCK_ENDINGS}}})".encode()
     )
 
     def read(self, data: bytes, at: int) -> tuple[Unlock, int]:
@@ -158,8 +162,9 @@ class UnlockSchema(Bytewise):
         found = self.FORM.match(data, at)
         if found is None:
             raise DecodeError(at, "an unlock text reads 'GET /target?sn=... VMTP1.0' and, on a line, 'Protocol: EV3'")
-        serial, space, newline, ending = found.groups()
-        return Unlock(serial.decode(), bool(space), newline.decode(), len(ending) // len(newline)), found.end()
+        serial, space, version, newline, gap, ending = found.groups()
+        endings = len(ending) // len(newline)
+        return Unlock(serial.decode(), bool(space), newline.decode(), endings, bool(version), bool(gap)), found.end()
 
     def write(self, value: Any) -> bytes:
         """The text. Raises BuildError."""
@@ -171,8 +176,9 @@ class UnlockSchema(Bytewise):
             raise BuildError(
                 f"an unlock text has 0 to {UNLOCK_ENDINGS} line ends after its last line, not {value.endings!r}"
             )
-        request = f"{UNLOCK_REQUEST}{value.serial}{' ' * bool(value.space)}{UNLOCK_VERSION}{value.newline}"
-        text = f"{request}{UNLOCK_PROTOCOL}{value.newline * value.endings}"
+        version = " " * bool(value.space) + UNLOCK_VERSION * bool(value.version)
+        protocol = UNLOCK_PROTOCOL + " " * bool(value.gap) + PROTOCOL
+        text = f"{UNLOCK_REQUEST}{value.serial}{version}{value.newline}{protocol}{value.newline * value.endings}"
         try:
             found = self.FORM.fullmatch(text.encode(STRING_CODING))
         except UnicodeEncodeError:

@@ -16,10 +16,10 @@ UNLOCK_REQUEST = "GET /target?sn="
 """What the host's first line begins with; the brick's serial number follows."""
 
 UNLOCK_VERSION = "VMTP1.0"
-"""What the host's first line ends with, after a space that some senders omit."""
+"""What the host's first line ends with, after a space that some senders omit; some omit all of it."""
 
-UNLOCK_PROTOCOL = f"Protocol: {PROTOCOL}"
-"""The host's second line."""
+UNLOCK_PROTOCOL = "Protocol:"
+"""What the host's second line begins with; after a space, which some senders omit, comes the name of the protocol."""
 
 MOST_UNLOCK = 128
 """Bytes that an unlock text surely stays below: a serial number has 12."""

@@ -48,6 +48,19 @@ def records(packets: Packets) -> list[Record]:
     return [event for event in events if isinstance(event, Record)]
 
 
+def test_other_programs_of_a_brick_are_left_alone() -> None:
+    """Pybricks, and network gadgets: the brick's product number, and bulk endpoints."""
+    packets = Packets(USBMON)
+    for device in (Device(packets), Device(packets, 8)):
+        if device.number == 8:
+            device.enumerate(LEGO, EV3)
+        device.kind = Device.BULK
+        for data in (VOLTAGE, CUT_OFF, VOLTS):
+            device.send(data)
+            device.receive(data)
+    assert records(packets) == []
+
+
 def test_a_command_and_its_reply() -> None:
     packets = Packets(USBMON)
     device = Device(packets)

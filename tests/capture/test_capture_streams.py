@@ -176,7 +176,12 @@ def test_requests_latencies_and_values() -> None:
 # Texts
 
 
-@pytest.mark.parametrize("text", [UNLOCK, UNLOCK[:-2], UNLOCK[:-4], UNLOCK.replace(b"\r", b"")])
+WITHOUT_VERSION, WITHOUT_GAP = UNLOCK.replace(b" VMTP1.0", b""), UNLOCK.replace(b": ", b":")
+
+
+@pytest.mark.parametrize(
+    "text", [UNLOCK, UNLOCK[:-2], UNLOCK[:-4], UNLOCK.replace(b"\r", b""), WITHOUT_VERSION, WITHOUT_GAP]
+)
 @pytest.mark.parametrize("frame", [voltage(1), tone(2), led(3)])
 def test_an_unlock_text_is_cut_anywhere(text: bytes, frame: bytes) -> None:
     """The frame after it may start with the byte of a line end."""

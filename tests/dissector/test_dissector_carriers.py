@@ -258,6 +258,9 @@ UNLOCKS = [
     b"GET /target?sn=06165300000a VMTP1.0\nProtocol: EV3\n\n",
     b"GET /target?sn=06165300000aVMTP1.0\nProtocol: EV3",
     b"GET /target?sn=06165300000a VMTP1.0\r\nProtocol: EV3\r\n\r\n",
+    b"GET /target?sn=06165300000a\r\nProtocol: EV3\r\n\r\n",
+    b"GET /target?sn=06165300000a VMTP1.0\r\nProtocol:EV3\r\n\r\n",
+    b"GET /target?sn=06165300000a\nProtocol:EV3\n",
 ]
 
 

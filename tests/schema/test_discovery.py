@@ -74,6 +74,9 @@ def test_what_is_taken_for_a_beacon(datagram: bytes, is_whole: bool, is_cut: boo
         ),
         (b"GET /target?sn=1 VMTP1.0\nProtocol: EV3", Unlock("1", newline="\n", endings=0)),
         (b"GET /target?sn=VMTP1.0\nProtocol: EV3\n\n", Unlock("", space=False, newline="\n", endings=2)),
+        (b"GET /target?sn=\r\nProtocol: EV3\r\n\r\n", Unlock("", space=False, version=False)),
+        (b"GET /target?sn=0016533f0c1e \nProtocol:EV3\n", Unlock("0016533f0c1e", True, "\n", 1, False, False)),
+        (b"GET /target?sn=1 VMTP1.0\r\nProtocol:EV3\r\n\r\n", Unlock("1", gap=False)),
     ],
 )
 def test_unlock_texts_both_ways(text: bytes, unlock: Unlock) -> None:

@@ -232,7 +232,8 @@ class _Client(asyncio.Protocol):
             del self._said[:-_MOST_SAID]
             if _UNLOCK in self._text + piece:
                 self._wait(data[at + _FIRST_READ :])
-                if piece.partition(UNLOCK_PROTOCOL.encode())[2].strip(b"\r\n\0"):
+                rest = piece.partition(UNLOCK_PROTOCOL.encode())[2].lstrip(b" ").removeprefix(PROTOCOL.encode())
+                if rest.strip(b"\r\n\0"):
                     self._host.say_once(
                         f"what a client sends right after the unlock text is lost with it, within {_FIRST_READ} bytes,"
                         " as on the real brick: wait for its answer"

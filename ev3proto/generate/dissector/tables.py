@@ -337,13 +337,15 @@ def _claims() -> Iterator[str]:
 
 
 def _unlock() -> Iterator[str]:
-    pattern = (
-        f"^{_plain(discovery.UNLOCK_REQUEST)}([%w_:]*) ?{_plain(discovery.UNLOCK_VERSION)}"
-        f"(\r?\n){_plain(discovery.UNLOCK_PROTOCOL)}()"
-    )
+    # Lua's patterns have no optional groups: the version is there, or not.
+    patterns = [
+        f"^{_plain(discovery.UNLOCK_REQUEST)}([%w_:]*) ?{version}(\r?\n)"
+        f"{_plain(discovery.UNLOCK_PROTOCOL)} ?{discovery.PROTOCOL}()"
+        for version in (_plain(discovery.UNLOCK_VERSION), "")
+    ]
     first = {ord(discovery.UNLOCK_REQUEST[0]): True, discovery.ACCEPT[0]: True}
     texts: dict[Any, object] = {
-        "pattern": pattern,
+        "patterns": Table(patterns),
         "request": discovery.UNLOCK_REQUEST,
         "most_bytes": discovery.MOST_UNLOCK,
         "endings": discovery.UNLOCK_ENDINGS,

@@ -7,7 +7,10 @@ local dissect_stream, dissect_no_frame, judge_text
 do
     -- The text by which a host unlocks the brick's port: the offset after it, and the serial number.
     local function match_unlock(text, at)
-        local serial, newline, after = text:match(UNLOCK.pattern, at + 1)
+        local serial, newline, after
+        for _, pattern in ipairs(UNLOCK.patterns) do
+            if not serial then serial, newline, after = text:match(pattern, at + 1) end
+        end
         if not serial then return nil end
         for _ = 1, UNLOCK.endings do
             if sub(text, after, after + #newline - 1) == newline then after = after + #newline end

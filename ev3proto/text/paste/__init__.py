@@ -19,7 +19,6 @@ from collections.abc import Iterable, Iterator
 from typing import Literal
 
 from ev3proto.text.paste.fitting import bare_reason, is_flawless, with_header, without_length
-from ev3proto.text.paste.mistakes import broken
 from ev3proto.text.paste.pieces import MAX_LINE, MAX_TEXT, Pasted, check_text, short
 from ev3proto.text.paste.reader import Reader, bytes_in
 
@@ -67,6 +66,8 @@ def read_argument(text: str) -> Pasted:
     found = list(read_text(lines))
     pieces = [piece for piece in found if not piece.unread]
     if not any(piece.problem is None for piece in pieces) and len(text) <= MAX_LINE:
+        from ev3proto.text.paste.mistakes import broken  # takes 4 ms, which a frame has no use for
+
         # Hex may be wrapped at the end of the line.
         sure = broken([" ".join(lines)], 1, is_sure=True)
         pieces = sure if len(lines) == 1 or (sure and sure[0].problem is None) else pieces

@@ -44,30 +44,34 @@ def _each(pattern: str, replacement: str) -> Callable[[re.Match[str]], str]:
     return lambda found: re.sub(pattern, replacement, found[0])
 
 
-_REWRITES: tuple[tuple[str, re.Pattern[str], str | Callable[[re.Match[str]], str]], ...] = (
-    ("\x1b", re.compile(r"\x1b\[[0-9;?]{0,20}[A-Za-z]"), " "),
-    (".:-/", re.compile(_FOREIGN, re.ASCII), OTHER),
-    ("'<\t", re.compile(_BESIDE), " "),
-    ("<", re.compile(r"</?(?![0-9a-fA-F]{2}>)[A-Za-z_][\w:.-]{0,60}\s?/?>"), " "),
-    ("&", re.compile(r"&(?:quot|apos|nbsp|lt|gt|#3[49]|#x2[27]|#160);"), " "),
-    ("C", re.compile(r"^\s*Columns? \d{1,5} (?:through|and) \d{1,5}:?\s*$"), " "),
-    ("('s", re.compile(_CAST), " "),
+_BLANKED = _each(".", " ")
+_REWRITES: tuple[tuple[str, str, str | Callable[[re.Match[str]], str]], ...] = (
+    ("\x1b", r"\x1b\[[0-9;?]{0,20}[A-Za-z]", _BLANKED),
+    (".:-/", f"(?a:{_FOREIGN})", _each(".", OTHER)),
+    ("'<\t", _BESIDE, _BLANKED),
+    ("<", r"</?(?![0-9a-fA-F]{2}>)[A-Za-z_][\w:.-]{0,60}\s?/?>", _BLANKED),
+    ("&", r"&(?:quot|apos|nbsp|lt|gt|#3[49]|#x2[27]|#160);", _BLANKED),
+    ("C", r"^\s*Columns? \d{1,5} (?:through|and) \d{1,5}:?\s*$", _BLANKED),
+    ("('s", _CAST, _BLANKED),
     # Pairs of digits with a mark in front of each or between them: 0x0f0x00, %0F%00, =0F=00, 0f.00, 0f_00, 0f00.2a00.
-    ("xX", re.compile(rf"(?<![\w.])0[xX]{_HEX}{{2}}(?:0[xX]{_HEX}{{2}})+(?!\w)"), _each("0[xX](..)", r"\1  ")),
-    ("%=", re.compile(rf"(?:%{_HEX}{{2}}){{5,}}|(?:=[0-9A-F]{{2}}){{2,}}=?(?!\w)"), _each("[%=](..)?", r"\1 ")),
-    ("_.", re.compile(rf"(?<![\w.]){_HEX}{{2}}(?:[_.]{_HEX}{{2}}){{4,}}(?!\w)"), _each("[_.]", " ")),
-    (".", re.compile(rf"(?<![\w.]){_HEX}{{4}}(?:\.{_HEX}{{4}}){{2,}}(?:\.{_HEX}{{2}})?(?![\w.])"), _each(r"\.", " ")),
-    ("#", re.compile(rf"(?:#(?:\$?{_HEX}{{2}}|\d{{1,3}})){{5,}}(?!\w)"), _each(r"#(\$?\w+)", r"\1 ")),
+    ("xX", rf"(?<![\w.])0[xX]{_HEX}{{2}}(?:0[xX]{_HEX}{{2}})+(?!\w)", _each("0[xX](..)", r"\1  ")),
+    ("%=", rf"(?:%{_HEX}{{2}}){{5,}}|(?:=[0-9A-F]{{2}}){{2,}}=?(?!\w)", _each("[%=](..)?", r"\1 ")),
+    ("_.", rf"(?<![\w.]){_HEX}{{2}}(?:[_.]{_HEX}{{2}}){{4,}}(?!\w)", _each("[_.]", " ")),
+    (".", rf"(?<![\w.]){_HEX}{{4}}(?:\.{_HEX}{{4}}){{2,}}(?:\.{_HEX}{{2}})?(?![\w.])", _each(r"\.", " ")),
+    ("#", rf"(?:#(?:\$?{_HEX}{{2}}|\d{{1,3}})){{5,}}(?!\w)", _each(r"#(\$?\w+)", r"\1 ")),
     # Marks that mean 0x: 8'h0f, &H0F, 16#0F#, 16r0F, #x0F.
     (
         "'#r&",
-        re.compile(rf"(?<!\w)(?:\d{{1,2}}'[hH]|&[hH]|16[#r]|#[xX])(?={_HEX}{{1,2}}(?![^\W#&]))"),
+        rf"(?<!\w)(?:\d{{1,2}}'[hH]|&[hH]|16[#r]|#[xX])(?={_HEX}{{1,2}}(?![^\W#&]))",
         lambda found: "0x".rjust(len(found[0])),
     ),
     # What replaces an unknown counter in a frame without blanks.
-    ("xXmM", re.compile(rf"(?<![\w.])({_HEX}{{4}})(?:[xX]{{4}}|[mM]{{4}})(?={_HEX}{{2,}}(?!\w))"), r"\g<1>0000"),
+    ("xXmM", rf"(?<![\w.])({_HEX}{{4}})(?:[xX]{{4}}|[mM]{{4}})(?={_HEX}{{2,}}(?!\w))", r"\g<1>0000"),
 )
-"""What is rewritten: characters one of which is in the line, the pattern, what replaces it or each character of it."""
+"""What is rewritten: characters one of which is in the line, the pattern, what replaces it or each character of it.
+
+Compiled when first needed, as few lines have any of them: all of them take 5 ms.
+"""
 
 # Frames of tables, blanks that do not break, smart quotes, dashes.
 _LOOKALIKES = str.maketrans(
@@ -104,7 +108,7 @@ def clean(line: str, *, has_cells: bool = False) -> str:
         return " " * 7 + _CELL.sub(lambda cell: f"\\{_code(*cell.groups()):03o}", cells.lstrip()[7:])
     for marks, pattern, new in _REWRITES:
         if any(map(line.__contains__, marks)):
-            line = pattern.sub((lambda found, new=new: new * len(found[0])) if new in (" ", OTHER) else new, line)
+            line = re.sub(pattern, new, line)
     return line
 
 

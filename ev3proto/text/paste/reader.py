@@ -18,7 +18,6 @@ from ev3proto.text.paste.cleaning import clean, without_marks, without_remarks
 from ev3proto.text.paste.columns import repeated_rows, without_columns
 from ev3proto.text.paste.fitting import HASHES, bare_reason, is_one_frame, may_begin, reason
 from ev3proto.text.paste.head import NO_HEAD, Direction, Head, announced, direction_of, head_before
-from ev3proto.text.paste.mistakes import broken
 from ev3proto.text.paste.pieces import LEAST, MAX_COLLECTED, MAX_LINE, MAX_TEXT, Pasted, check_text, short
 from ev3proto.text.paste.readings import Stretch, boundaries, changes_in, likely_bytes, readings, tried, whole_bytes
 from ev3proto.text.paste.values import Run, Style, Value, listed, runs, without_indexes
@@ -382,6 +381,8 @@ class Reader:
                 return
         if not rows:
             return
+        from ev3proto.text.paste.mistakes import broken  # takes 4 ms, which texts of nothing but frames have no use for
+
         first = rows[0]
         found = broken([row.line for row in rows], first.number, is_sure=False, is_array=is_array)
         gap = next((row.number for row in rows if row.line.strip() == "*"), None)

@@ -15,13 +15,11 @@ from typing import Any, TypeVar
 
 from ev3proto.link import file_moves, questions
 from ev3proto.link.channel import Ticket
-from ev3proto.link.commands import Prepared, Result, counter_bytes, counter_of, system
-from ev3proto.link.ev3 import EV3, system_reply
+from ev3proto.link.commands import Prepared, Result, SyncMode, counter_bytes, counter_of, system
+from ev3proto.link.ev3 import EV3, read_source, system_reply
 from ev3proto.link.file_moves import File, Listing, Progress, Task, nothing_moved
-from ev3proto.link.modes import SyncMode
 from ev3proto.link.printing import RECEIVED, SENT
 from ev3proto.link.questions import Battery, Memory, Network, Question, Sensors, System
-from ev3proto.link.source_file import read_source
 from ev3proto.link.verbs import Verbs
 from ev3proto.messages import Message, SystemReply
 from ev3proto.whole_files import write_whole

@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from enum import StrEnum
 
 from ev3proto.checking.checking import check
 from ev3proto.compose import Draft, Label, command
 from ev3proto.errors import BuildError
 from ev3proto.link.errors import DirectCommandError, SystemCommandError
-from ev3proto.link.modes import SyncMode, plan
 from ev3proto.messages import DirectCommand, Message, Operation, SystemCommand, SystemReply
 from ev3proto.schema.frame import parse
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, write_memory
@@ -26,6 +26,27 @@ Operations = bytes | bytearray | Draft | Operation | DirectCommand | Iterable[Dr
 
 Result = bytes | list[Value]
 """What sending gives: for bytes, bytes; for operations and messages, the values of the reply."""
+
+
+class SyncMode(StrEnum):
+    """How commands and program go together.
+
+    STD    asks for a reply where there is global memory, and waits for it
+    ASYNC  asks for a reply where there is global memory, and waits only when the program asks for it
+    SYNC   asks for a reply always, and waits for it: the brick has done everything when the program goes on
+    """
+
+    STD = "STD"
+    ASYNC = "ASYNC"
+    SYNC = "SYNC"
+
+    @classmethod
+    def of(cls, name: str) -> SyncMode:
+        """The mode of that name. Raises ValueError for any other."""
+        try:
+            return cls(name)
+        except ValueError:
+            raise ValueError(f"sync_mode must be one of {', '.join(cls)}, not {name!r}") from None
 
 
 @dataclass(frozen=True, slots=True)
@@ -119,9 +140,8 @@ def direct(operations: Operations, local_mem: int, global_mem: int, mode: SyncMo
 def _direct(body: bytes, has_globals: bool, mode: SyncMode, *, is_named: bool, dialect: str) -> Prepared:
     if len(body) == COMMAND_HEADER_SIZE - HEADER_SIZE:
         raise BuildError("a command needs an operation: the brick refuses an empty one")
-    asks, waits = plan(mode, has_globals)
-    kind = DIRECT_COMMAND_TYPES[bool(asks)]
-    return Prepared(kind, body, waits, is_named, dialect)
+    asks = has_globals or mode is SyncMode.SYNC
+    return Prepared(DIRECT_COMMAND_TYPES[asks], body, asks and mode is not SyncMode.ASYNC, is_named, dialect)
 
 
 def _listed(operations: object) -> tuple[Draft | Operation | Label, ...]:

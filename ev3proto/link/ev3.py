@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import threading
 import weakref
 from collections.abc import Callable
@@ -13,12 +14,10 @@ from ev3proto.link import file_moves, questions
 from ev3proto.link.carriers import open_wire
 from ev3proto.link.carriers.opening import CONNECT_TIMEOUT
 from ev3proto.link.channel import Channel, Ticket, known_timeout
-from ev3proto.link.commands import Prepared, Result, counter_bytes, counter_of, system
-from ev3proto.link.file_moves import File, Listing, Progress, Task, nothing_moved
-from ev3proto.link.modes import SyncMode
+from ev3proto.link.commands import Prepared, Result, SyncMode, counter_bytes, counter_of, system
+from ev3proto.link.file_moves import MOST_FILE, File, Listing, Progress, Task, nothing_moved
 from ev3proto.link.printing import RECEIVED, SENT, frame_printer, known_verbosity
 from ev3proto.link.questions import Battery, Memory, Network, Question, Sensors, System
-from ev3proto.link.source_file import read_source
 from ev3proto.link.targets import Target, chosen_target
 from ev3proto.link.verbs import Verbs
 from ev3proto.messages import Message, SystemReply
@@ -367,3 +366,22 @@ def system_reply(frame: bytes) -> SystemReply:
     message = parse(frame, strict=False)
     assert isinstance(message, SystemReply)
     return message
+
+
+def read_source(path: str | Path) -> bytes:
+    """The contents of a file that goes to a brick.
+
+    Args:
+        path: Any file of this computer, a device as well, which may never end.
+
+    Returns:
+        Its bytes, `MOST_FILE` at most.
+
+    Raises:
+        OSError: It cannot be read, or has more bytes than that.
+    """
+    with Path(path).open("rb") as stream:
+        data = stream.read(MOST_FILE + 1)
+    if len(data) > MOST_FILE:
+        raise OSError(errno.EFBIG, f"more than {MOST_FILE >> 20} MiB, for which no brick has room", str(path))
+    return data

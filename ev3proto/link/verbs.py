@@ -7,8 +7,7 @@ from collections.abc import Callable, Iterable
 from typing import Any, Generic, TypeVar, overload
 
 from ev3proto.compose import Draft, Label
-from ev3proto.link.commands import Operations, Prepared, direct, system
-from ev3proto.link.modes import SyncMode
+from ev3proto.link.commands import Operations, Prepared, SyncMode, direct, system
 from ev3proto.messages import DirectCommand, Operation, SystemCommand
 
 Bytes = TypeVar("Bytes")

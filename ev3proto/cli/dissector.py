@@ -8,7 +8,7 @@ from pathlib import Path
 import click
 
 from ev3proto.cli.commands import Group
-from ev3proto.cli.output import binary_output, complain, say
+from ev3proto.cli.output import complain, put, say
 from ev3proto.generate.dissector.build import FILE_NAME, build
 from ev3proto.generate.dissector.install import (
     Folders,
@@ -21,7 +21,6 @@ from ev3proto.generate.dissector.install import (
     install_profile,
     uninstall,
 )
-from ev3proto.whole_files import write_whole
 
 
 @click.group(cls=Group)
@@ -48,19 +47,7 @@ def build_command(output: Path | None, check: bool) -> None:
     """  # noqa: D301 - the mark by which click leaves lines as they are
     if check and output is None:
         raise click.UsageError("--check needs -o: the file to check")
-    data = build().encode()
-    if output is None:
-        with binary_output() as stream:
-            stream.write(data)
-        return
-    try:
-        if not check:
-            write_whole(output, data)
-        elif output.read_bytes() != data:
-            complain(f"{output} is out of date: run ev3proto dissector build -o {output}")
-            sys.exit(1)
-    except OSError as error:
-        complain(f"{output}: cannot be {'read' if check else 'written'}: {error.strerror or error}")
+    if not put(build().encode(), output, check=check):
         sys.exit(1)
 
 

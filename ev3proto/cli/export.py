@@ -12,7 +12,7 @@ import click
 from ev3proto.capture.text_log import Clock
 from ev3proto.cli.captures import CaptureSource
 from ev3proto.cli.commands import FiniteRange, Group
-from ev3proto.cli.output import binary_output, complain, is_terminal
+from ev3proto.cli.output import binary_output, complain, is_terminal, put
 from ev3proto.cli.reading import CaptureOptions, Piece, reading_options
 from ev3proto.cli.sources import Source, SourceReader, sources
 from ev3proto.errors import BuildError
@@ -24,7 +24,7 @@ from ev3proto.generate.tables_json import build as tables
 from ev3proto.tables.carriers import CARRIERS, DEFAULT_CARRIER
 from ev3proto.tables.declaration import DIALECTS
 from ev3proto.text.paste import Pasted
-from ev3proto.whole_files import whole_file, write_whole
+from ev3proto.whole_files import whole_file
 
 F = TypeVar("F", bound=Callable[..., object])
 
@@ -59,33 +59,11 @@ def _file_options(command: F) -> F:
 
 
 def _write(text: str, output: Path | None, *, check: bool) -> None:
-    """The text of a file to where it belongs; or whether it is there already, as the exit status."""
+    """Writes the text of a file; with `check` says whether it is there already. Ends the program where it is not."""
     if check and output is None:
         raise click.UsageError("--check needs -o: the file to check")
-    if output is None:
-        with binary_output() as stream:
-            stream.write(text.encode())
-    elif not (_is_current(text, output) if check else _is_written(text, output)):
+    if not put(text.encode(), output, check=check):
         sys.exit(1)
-
-
-def _is_written(text: str, output: Path) -> bool:
-    try:
-        write_whole(output, text.encode())
-    except OSError as error:
-        complain(f"{output}: cannot be written: {error.strerror or error}")
-        return False
-    return True
-
-
-def _is_current(text: str, output: Path) -> bool:
-    try:
-        if output.read_bytes() == text.encode():
-            return True
-        complain(f"{output} is out of date: write it anew, without --check")
-    except OSError as error:
-        complain(f"{output}: cannot be read: {error.strerror or error}")
-    return False
 
 
 @export.command("c-header")
@@ -170,8 +148,7 @@ def everything(folder: Path, check: bool) -> None:
         except OSError as error:
             complain(f"{folder}: cannot be made: {error.strerror or error}")
             sys.exit(1)
-    act = _is_current if check else _is_written
-    outcomes = [act(text, folder / name) for name, text in texts.items()]
+    outcomes = [put(text.encode(), folder / name, check=check) for name, text in texts.items()]
     sys.exit(0 if all(outcomes) else 1)
 
 

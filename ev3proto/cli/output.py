@@ -14,6 +14,7 @@ import sys
 import time
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import AbstractContextManager, contextmanager, nullcontext, suppress
+from pathlib import Path
 from typing import TYPE_CHECKING, BinaryIO, TextIO, cast
 
 import click
@@ -193,6 +194,38 @@ def binary_output() -> Iterator[BinaryIO]:
     stream = _Bytes(sys.stdout.buffer)
     yield cast(BinaryIO, stream)
     stream.flush()
+
+
+def put(data: bytes, path: Path | None, *, check: bool = False) -> bool:
+    """Writes what a file is to have: whole, or not at all. Complains where that fails.
+
+    Args:
+        data: Its contents.
+        path: The file; None for standard output.
+        check: Write nothing, and compare.
+
+    Returns:
+        Whether the file has them now.
+
+    Raises:
+        OutputError: Standard output cannot be written.
+    """
+    if path is None:
+        with binary_output() as stream:
+            stream.write(data)
+        return True
+    from ev3proto.whole_files import write_whole  # takes 2 ms, which commands that print have no use for
+
+    try:
+        if not check:
+            write_whole(path, data)
+        elif path.read_bytes() != data:
+            complain(f"{path} is out of date: write it anew, without --check")
+            return False
+    except OSError as error:
+        complain(f"{path}: cannot be {'read' if check else 'written'}: {error.strerror or error}")
+        return False
+    return True
 
 
 class _Bytes(io.BufferedIOBase):

@@ -11,7 +11,7 @@ from typing import Any
 import click
 
 from ev3proto.checking.codes import Code
-from ev3proto.cli.output import Printer, binary_output, complain, is_terminal
+from ev3proto.cli.output import Printer, complain, is_terminal, put
 from ev3proto.cli.reading import is_image
 from ev3proto.cli.sources import Source
 from ev3proto.errors import DecodeError, counted
@@ -24,7 +24,6 @@ from ev3proto.text.assembly.errors import AssemblyError, SourceWarning
 from ev3proto.text.diagnostics import ROLES
 from ev3proto.text.phrases import NOTATIONS, spaced_hex
 from ev3proto.text.spans import Line, Role
-from ev3proto.whole_files import write_whole
 
 SOURCE_CODE = "source"
 """What stands in place of a code where a source cannot be assembled, or is assembled with a warning."""
@@ -150,15 +149,8 @@ def encode_program(
         complain_of(label, error)
         return 1
     complain_of_warnings(label, made.warnings)
-    if path is None:
-        with binary_output() as stream:
-            stream.write(made.image)
-    else:
-        try:
-            write_whole(Path(path), made.image)
-        except OSError as error:
-            complain(f"{path}: cannot be written: {error.strerror or error}")
-            return 1
+    if not put(made.image, None if path is None else Path(path)):
+        return 1
     written = {"strict": "the strict dialect", "lego": "LEGO's dialect"}.get(made.dialect, "EV3 Basic's dialect")
     size, objects = counted(len(made.image), "byte"), counted(len(made.program.objects), "object")
     complain(f"{path or 'the image'}: {size}, {objects}, from a source in {written}")

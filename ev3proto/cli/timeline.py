@@ -10,10 +10,10 @@ from pathlib import Path
 import click
 
 from ev3proto.capture import Event
-from ev3proto.capture.timeline import Form, MissingLibraryError, Timeline, Window, collect, require_library, write
+from ev3proto.capture.timeline import Form, MissingLibraryError, Window, collect, render, require_library
 from ev3proto.cli.captures import CaptureSource
 from ev3proto.cli.commands import FiniteRange
-from ev3proto.cli.output import complain, say
+from ev3proto.cli.output import complain, put, say
 from ev3proto.cli.reading import CaptureOptions, reading_options
 
 MOST_SECONDS = 1e9
@@ -50,7 +50,8 @@ def timeline(
       ev3proto timeline robot.pcapng -o start.png --from 5 --to 5.5
     """  # noqa: D301 - the mark by which click leaves lines as they are
     try:
-        if Form.of(output) is not Form.JSON:
+        form = Form.of(output)
+        if form is not Form.JSON:
             require_library()
     except (ValueError, MissingLibraryError) as error:
         raise click.UsageError(str(error)) from None
@@ -75,7 +76,8 @@ def timeline(
         sys.exit(1)
     for source in found:
         source.expect_frames()
-    _write(drawn, output, names)
+    if not put(render(drawn, form, names), output):
+        sys.exit(1)
     say(f"{output}: written")
     sys.exit(max(source.status for source in found))
 
@@ -94,11 +96,3 @@ def _nothing(names: str, first: float | None, last: float | None, *, is_timed: b
     ]
     where = f" {' '.join(limits)}" if limits else ""
     return f"{names}: there is nothing to draw{where}: no frame was found"
-
-
-def _write(drawn: Timeline, output: Path, title: str) -> None:
-    try:
-        write(drawn, output, title)
-    except OSError as error:
-        complain(f"{output}: cannot be written: {error.strerror or error}")
-        sys.exit(1)

@@ -16,12 +16,11 @@ from ev3proto.capture.plot import draw
 from ev3proto.capture.series import MOST_CELLS, Cell, Row, Series, series_of
 from ev3proto.capture.timeline import MissingLibraryError
 from ev3proto.cli.captures import CaptureSource
-from ev3proto.cli.output import complain, say
+from ev3proto.cli.output import complain, put, say
 from ev3proto.cli.reading import CaptureOptions, reading_options
 from ev3proto.cli.tables import Tables
 from ev3proto.errors import counted
 from ev3proto.text.spans import visible
-from ev3proto.whole_files import write_whole
 
 MOST_SHOWN = 50
 """Columns of a table, lines of a picture: nobody reads more."""
@@ -166,10 +165,9 @@ _PRINTERS = {"csv": _print_csv, "json": _print_json}
 
 def _draw(found: Series, path: Path, title: str, start_ns: int) -> None:
     try:
-        write_whole(path, draw(found, path.suffix, Path(title).name, start_ns))
+        data = draw(found, path.suffix, Path(title).name, start_ns)
     except (ValueError, MissingLibraryError) as error:
         raise click.UsageError(str(error)) from None
-    except OSError as error:
-        complain(f"{path}: cannot be written: {error.strerror or error}")
+    if not put(data, path):
         sys.exit(1)
     say(f"{path}: written")

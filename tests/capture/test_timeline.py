@@ -39,7 +39,6 @@ from ev3proto.capture.timeline import (
     Window,
     collect,
     render,
-    write,
 )
 from ev3proto.capture.timeline.chart import MOST_ROWS, WIDTH, specification, summary
 from ev3proto.capture.timeline.collecting import (
@@ -597,16 +596,6 @@ def test_counts_are_drawn_in_all_forms(form: Form) -> None:
     assert len(data) > 10_000
     if form is Form.SVG:
         assert b"marks in 5 ms" in data
-
-
-def test_files_are_written_whole(drawn: Timeline, tmp_path: Path) -> None:
-    target = tmp_path / "robot.svg"
-    write(drawn, target, "robot.pcapng")
-    assert target.read_bytes() == render(drawn, Form.SVG, "robot.pcapng")
-    target.chmod(0o600)
-    write(drawn, target, "robot.pcapng")
-    assert target.stat().st_mode & 0o777 == 0o600
-    assert list(tmp_path.iterdir()) == [target]
 
 
 def test_without_the_library(drawn: Timeline, monkeypatch: pytest.MonkeyPatch) -> None:

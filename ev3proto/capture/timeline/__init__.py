@@ -3,13 +3,13 @@
     with ev3proto.capture.read("robot.pcapng") as capture:
         timeline = collect(capture.events())
     if timeline is not None:
-        write(timeline, Path("robot.html"), "robot.pcapng")
+        page = render(timeline, Form.HTML, "robot.pcapng")
 
 `marks` and `collecting` say what is drawn, `chart`, `page` and `chart_files` how. What draws is imported when
 something is drawn.
 """
 
-from ev3proto.capture.timeline.chart_files import Form, MissingLibraryError, render, require_library, write
+from ev3proto.capture.timeline.chart_files import Form, MissingLibraryError, render, require_library
 from ev3proto.capture.timeline.collecting import Window, collect
 from ev3proto.capture.timeline.marks import Cell, Lane, LaneKind, Mark, MarkState, Tally, Timeline
 
@@ -27,5 +27,4 @@ __all__ = [
     "collect",
     "render",
     "require_library",
-    "write",
 ]

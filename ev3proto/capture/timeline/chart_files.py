@@ -15,7 +15,6 @@ from ev3proto.capture.timeline.collecting import clean
 from ev3proto.capture.timeline.marks import Timeline
 from ev3proto.capture.timeline.page import page
 from ev3proto.extras import install_command
-from ev3proto.whole_files import write_whole
 
 LIBRARY = "vl_convert"
 """The library that draws; an extra."""
@@ -117,19 +116,3 @@ def _javascript() -> str:
 
     script: str = vl_convert.javascript_bundle("window.vegaEmbed = vegaEmbed;", vl_version=VERSION)
     return script
-
-
-def write(timeline: Timeline, path: Path, title: str) -> None:
-    """Writes the picture of a timeline to a file: whole, or not at all.
-
-    Args:
-        timeline: What to draw.
-        path: The file, whose suffix is that of a Form.
-        title: Text above the picture: the name of the capture.
-
-    Raises:
-        ValueError: The suffix is that of no form.
-        OSError: The file cannot be written.
-        MissingLibraryError: The library that draws is not installed.
-    """
-    write_whole(path, render(timeline, Form.of(path), title))

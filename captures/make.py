@@ -20,6 +20,7 @@ def main(folder: Path) -> None:
     """Writes them all."""
     write_pcapng(folder / "wifi.pcapng", wifi.whole(), ETHERNET)
     write_pcapng(folder / "conformance.pcapng", conformance.whole(), ETHERNET)
+    write_pcapng(folder / "wifi-long.pcapng", wifi.long_downloads(), ETHERNET)
     write_pcap(folder / "wifi-reordered.pcap", wifi.reordered(), ETHERNET, nano=True)
     write_pcapng(folder / "usb.pcapng", usb.plugged_in(), USBMON_MAPPED)
     write_pcap(folder / "usb-plugged.pcap", usb.among_others(), USBMON)

@@ -204,6 +204,16 @@ def download(host: Host, path: str, data: bytes, piece: int = 1017) -> list[Exch
     return found
 
 
+def long_download(host: Host, path: str, data: bytes, first: int) -> list[Exchange]:
+    """A file to the brick: its first bytes with its name, all the others in one frame."""
+    begin: dict[str, FieldValue] = {"size": len(data), "path": path, "data": data[:first]}
+    found = [host.system("BEGIN_DOWNLOAD", {"handle": HANDLE}, status_at(first, len(data)), **begin)]
+    if data[first:]:
+        status = SystemStatus.END_OF_FILE
+        found.append(host.system("CONTINUE_DOWNLOAD", {"handle": HANDLE}, status, handle=HANDLE, data=data[first:]))
+    return found
+
+
 def illegal_download(host: Host) -> Exchange:
     """A file that the brick will not take."""
     return host.system(

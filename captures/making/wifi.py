@@ -199,6 +199,30 @@ def whole() -> Wire:
     return wire
 
 
+def long_downloads() -> Wire:
+    """Files in one frame each, as some libraries send them, and polls between frames."""
+    wire = Wire()
+    connection = Connection(wire)
+    host = Host(0x4000)
+    computer, brick = connection.host, connection.brick
+    connection.open()
+    connection.unlock()
+    # All of the file after its beginning, in one frame of 2500 bytes; then the zeros of a poll.
+    begin, rest = dialogue.long_download(host, "../prjs/log/first.rbf", IMAGE, 3)
+    connection.exchange(begin)
+    connection.write(computer, rest.command + bytes(2))
+    connection.write(brick, rest.reply)
+    # All of the file with its name.
+    (whole,) = dialogue.long_download(host, "../prjs/log/hello.rtf", b"hello", 5)
+    connection.send(computer, bytes(4) + whole.command)
+    connection.send(brick, whole.reply)
+    (whole,) = dialogue.long_download(host, "../prjs/log/values.rtf", CONTENTS, len(CONTENTS))
+    connection.exchange(whole)
+    connection.exchange(dialogue.voltage(host))
+    connection.close()
+    return wire
+
+
 def reordered() -> Wire:
     """A connection with a segment sent twice and two that arrive in the wrong order."""
     wire = Wire()

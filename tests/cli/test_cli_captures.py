@@ -134,7 +134,7 @@ def test_every_capture_of_the_repository(name: str, frames: int) -> None:
 
 
 def test_there_is_no_other_capture() -> None:
-    assert len(EVERY) == 11
+    assert len(EVERY) == 12
 
 
 def test_beacons_and_unlocking() -> None:

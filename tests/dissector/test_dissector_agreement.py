@@ -152,6 +152,7 @@ CARRIERS = {
     "usb-plugged.pcap": Carrier(over_usb('usb.data_len == 1024 && usb.addr == "1.7.1"'), 9),
     "usb-windows.pcap": Carrier(over_usb("usb.data_len == 1024"), 15),
     "usb.pcapng": Carrier(over_usb("usb.data_len == 1024"), 25),
+    "wifi-long.pcapng": Carrier(over_tcp, 10),
     "wifi-reordered.pcap": Carrier(over_tcp, 14, ("-o", "tcp.reassemble_out_of_order:TRUE")),
     "wifi.pcapng": Carrier(over_tcp, 42),
 }

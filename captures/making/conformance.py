@@ -98,8 +98,8 @@ def _texts() -> Iterator[str]:
     yield "DATAS x 20\nSTRINGS(DUPLICATE, 'myEV3', x)"
     yield "DATAS x 20\nSTRINGS(STRIP, ' a b ', x)"
     yield "DATAS x 20\nSTRINGS(SUB, 'myEV3', 'EV', x)"
-    yield "DATAS x 20\nSTRINGS(VALUE_FORMATTED, 2.5F, '%6.2f', 10, x)"
-    yield "DATAS x 20\nSTRINGS(NUMBER_FORMATTED, 255, '%04x', 10, x)"
+    yield "DATAS x 10\nSTRINGS(VALUE_FORMATTED, 2.5F, '%6.2f', 10, x)"
+    yield "DATAS x 10\nSTRINGS(NUMBER_FORMATTED, 255, '%04x', 10, x)"
     for note in ("C4", "A4", "D#5", "H9"):
         yield f"DATA16 x\nNOTE_TO_FREQ('{note}', x)"
 
@@ -187,7 +187,7 @@ def _transfers() -> Iterator[Message]:
     """System commands, most of which are refused."""
     for path in ("../prjs/", "../sys/", "/none/"):
         yield system.list_files(path)
-    for path in ("/none/x.rbf", "../prjs/none.rbf", "../prjs/*.rbf", f"../prjs/{'x' * 40}.rbf"):
+    for path in ("/none/x.rbf", "../prjs/none.rbf", "../prjs/*.rbf", "../none/x.rtf"):
         yield system.begin_upload(path)
         yield system.begin_getfile(path)
     for handle in (63, 255):

@@ -216,8 +216,9 @@ class AsyncEV3(Verbs[Coroutine[Any, Any, bytes], Coroutine[Any, Any, Any]]):
                 except StopIteration as end:
                     result: T = end.value
                     return result
+                patience = self._patience(None)
                 ticket = await self._sent(system(command, True), None)
-                reply = system_reply(await self._reply(ticket, None, self._patience(None), keep=False))
+                reply = system_reply(await self._reply(ticket, None, patience, keep=False))
 
 
 def _looked_at(reply: asyncio.Future[bytes]) -> None:

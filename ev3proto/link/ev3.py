@@ -357,8 +357,9 @@ class EV3(Verbs[bytes, Any]):
                 except StopIteration as end:
                     result: T = end.value
                     return result
+                patience = self._patience(None)
                 ticket = self.channel.send(system(command, True), self.printer(SENT, None))
-                reply = system_reply(self._reply(ticket, None, self._patience(None), keep=False))
+                reply = system_reply(self._reply(ticket, None, patience, keep=False))
 
 
 def system_reply(frame: bytes) -> SystemReply:

@@ -186,7 +186,8 @@ def _whole(line: str, start: int, *, is_sure: bool) -> Iterator[Found]:
         is_short = len(strange) == 1 and strange[0].isalnum() and len(strange[0]) < LEAST
         size = sum((len(group) + 1) // 2 for group in groups)
         is_slip = is_short and len(found.data) >= LENGTH_FIELD and abs(frame_size(found.data) - size) <= LENGTH_FIELD
-        is_log = head.is_log and sum(map(line[first:stop].count, "0123456789abcdefABCDEF")) >= 8
+        is_number = any("." in group for group in strange)
+        is_log = head.is_log and not is_number and sum(map(line[first:stop].count, "0123456789abcdefABCDEF")) >= 8
         if _WORD.search(line, first, stop) is not None or not (is_slip or is_log):
             return
         found = found._replace(is_marked=is_slip)

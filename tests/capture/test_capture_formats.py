@@ -19,7 +19,7 @@ from support.files import BEGIN_NS, RAW_IP, Blocks, Timed, btsnoop, pcap, timed
 from support.packets import Capture as Packets
 from support.packets import Connection, SerialPort, packets_of
 
-from ev3proto.capture import Capture, CaptureError, Skipped, read
+from ev3proto.capture import Capture, CaptureError, read
 
 COMMANDS = [struct.pack("<HHB", 8, counter, 0x00) + bytes.fromhex("0400 81 01 60") for counter in range(5)]
 """UI_READ.GET_VBATT, 10 bytes each."""
@@ -175,14 +175,18 @@ def test_unknown_blocks_are_passed_over() -> None:
 
 def test_simple_packets_are_cut_where_their_interface_says() -> None:
     blocks = Blocks()
-    blocks.interface(RAW_IP, most=46)
-    whole = segments()[0]
-    blocks.simple_packet(whole[:46], len(whole))
+    blocks.interface(RAW_IP, most=56)
+    connection = Connection(Packets(RAW_IP))
+    for commands in (COMMANDS[0], COMMANDS[1] + COMMANDS[2]):
+        packet = connection.segment(True, commands)
+        blocks.simple_packet(packet[:56], len(packet))
     with read(io.BytesIO(blocks.data())) as capture:
-        reasons = [event.reason for event in capture.events() if isinstance(event, Skipped)]
-    assert reasons[0] == "the rest of the frame is not in the capture"
-    assert reasons[1].startswith("4 bytes are missing")
-    assert (capture.account.captured, capture.account.cut) == (46, 1)
+        records = list(capture)
+    assert [record.frame for record in records] == [*COMMANDS[:2], COMMANDS[2][:6]]
+    fault = records[-1].message.fault
+    assert fault is not None
+    assert fault.reason == "the frame is cut off: its length field says 8 bytes follow, 4 do"
+    assert (capture.account.captured, capture.account.cut) == (50 + 56, 1)
     assert capture.account.balance == 0
 
 

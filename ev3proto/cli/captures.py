@@ -22,6 +22,7 @@ from ev3proto.cli.reading import (
     hex_lines,
     is_binary,
     is_image,
+    kind_of,
     pieces,
     raw_frames,
     text_lines,
@@ -162,11 +163,14 @@ class CaptureSource:
         start = self.file.contents.peek(START)[:START]
         if is_image(start):
             raise CaptureError("this is a program image (.rbf) and no capture: ev3proto decode shows it")
-        if not is_binary(start):
+        kind = kind_of(self.name, start)
+        if kind is None and not is_binary(start):
             self.lines = text_lines(self.file.contents)
-        else:
-            raw = raw_frames(self.file.contents, self.options.dialect)
-            self.lines = None if raw is None else hex_lines(raw)
+            return
+        raw = raw_frames(self.file.contents, self.options.dialect)
+        if raw is None and kind is not None:
+            raise CaptureError(kind)
+        self.lines = None if raw is None else hex_lines(raw)
 
     def _pieces(self, lines: Iterator[str]) -> Iterator[Pasted]:
         """What there is in the text; what cannot be read of it is complained about."""

@@ -118,7 +118,8 @@ class Proxy:
             PortInUseError: The port is not to be had.
         """
         self.lost: ConnectionLostError | None = None
-        self.records = Records(wire.carrier, peer, options.dialect)
+        packets = None if recording is None else lambda: recording.packets
+        self.records = Records(wire.carrier, peer, options.dialect, packets)
         self._wire = wire
         self._options = options
         self._show = show

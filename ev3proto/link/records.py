@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Callable
 
 from ev3proto.capture.dialogues import is_error
 from ev3proto.capture.record import HOST, Answered, Direction, Record, Route
@@ -11,16 +12,20 @@ from ev3proto.tables.carriers import Carrier
 
 
 class Records:
-    """Makes records of one connection, numbered in their order."""
+    """Makes records of one connection, numbered in their order, or by the packets of what records it."""
 
-    def __init__(self, carrier: Carrier, peer: str, dialect: str = "official") -> None:
+    def __init__(
+        self, carrier: Carrier, peer: str, dialect: str = "official", packets: Callable[[], int] | None = None
+    ) -> None:
         """Starts at number 1.
 
         Args:
             carrier: What carries the frames.
             peer: Which brick.
             dialect: The firmware whose instruction set to read by.
+            packets: Tells how many packets were recorded, the one with the frame included.
         """
+        self._packets = packets
         self.start_ns = time.time_ns()
         self._sent = Route(carrier, HOST, peer, Direction.SENT, None, peer)
         self._received = Route(carrier, peer, HOST, Direction.RECEIVED, None, peer)
@@ -42,7 +47,8 @@ class Records:
 
     def _record(self, frame: bytes, route: Route, request: Record | None) -> Record:
         self._count += 1
-        record = Record(frame, (self._count,), time.time_ns(), route, self._schema, request)
+        number = self._packets() if self._packets is not None else self._count
+        record = Record(frame, (number,), time.time_ns(), route, self._schema, request)
         if request is not None:
             request.answered = Answered(record.time_ns, failed=is_error(record.message))
         return record

@@ -210,18 +210,23 @@ class Standing:
 
     def __init__(self, target: str, recording: Recording | None = None, **options: Any) -> None:
         self.shown: list[str] = []
+        self.numbers: list[int] = []
         self.said: list[str] = []
         self.wire = open_wire(Target.parse(target))
         self.proxy = Proxy(
             self.wire,
             target,
             ProxyOptions(**options),
-            show=lambda pair: self.shown.append(line_of(pair)),
+            show=self._show,
             say=self.said.append,
             recording=recording,
         )
         self.thread = threading.Thread(target=self.proxy.serve)
         self.thread.start()
+
+    def _show(self, pair: RequestReply) -> None:
+        self.shown.append(line_of(pair))
+        self.numbers += [record.number for record in pair if record is not None]
 
 
 @contextlib.contextmanager
@@ -262,6 +267,8 @@ def test_what_goes_through_is_recorded(tmp_path: Path) -> None:
     assert [record.message.kind for record in records] == ["direct-command", "direct-command", "direct-reply"]
     assert records[2].values[0].value == "EV3"
     assert records[2].request is records[1]
+    # The numbers beside the dialogue are those of the packets.
+    assert found.numbers == [record.number for record in records]
 
 
 def test_read_only_lets_nothing_through_that_changes_the_brick() -> None:

@@ -5864,14 +5864,6 @@ end
 -- protocol, so that the byte at offset 0 is byte(text, 1). What cannot be read comes back as the offset and the reason:
 -- nothing here raises an error.
 
--- What follows a frame's header is its body. That of a direct command begins with the memory it asks for, that of a
--- daisy command with its sub-command and two layers.
-local MEMORY_FIELD, DAISY_PAYLOAD = COMMAND_HEADER_SIZE - HEADER_SIZE, 3
-
-local function body_of(message)
-    return sub(message.text, HEADER_SIZE + 1)
-end
-
 local ENCODINGS, READ_TYPE, unsigned16, utf8_text, select_operation, read_arguments, read_operation, read_fields
 do
     local unpack = Struct.unpack
@@ -6707,6 +6699,9 @@ do
     local add, add_le, set_generated = TreeItem.add, TreeItem.add_le, TreeItem.set_generated
     local set_len, set_text = TreeItem.set_len, TreeItem.set_text
     local new_range = Tvb.range
+
+    -- Bytes of a daisy command before its payload: the sub-command and two layers.
+    local DAISY_PAYLOAD = 3
 
     local report_field = {}
     for _, part in ipairs(DAISY.sensor_report) do
@@ -7575,19 +7570,19 @@ end
 --
 -- Each carrier is a part of its own further below, which adds itself here.
 
-local carriers, carrier_dissectors = {}, {}
+local carriers = { all = {}, dissectors = {} }
 
 -- It has `dissectors`, by what Wireshark calls the kind of a packet's ports, and `register`, which says where packets
 -- of the carrier are found. Some have `forget`, for what they know of the last capture, and `prefs_changed`.
-local function add_carrier(carrier)
-    carriers[#carriers + 1] = carrier
+function carriers.add(carrier)
+    table.insert(carriers.all, carrier)
     for kind, dissect in pairs(carrier.dissectors) do
-        carrier_dissectors[kind] = dissect
+        carriers.dissectors[kind] = dissect
     end
 end
 
-local function each_carrier(task)
-    for _, carrier in ipairs(carriers) do
+function carriers.each(task)
+    for _, carrier in ipairs(carriers.all) do
         if carrier[task] then carrier[task]() end
     end
 end
@@ -8013,7 +8008,7 @@ do
         ev3:register_heuristic("usb.interrupt", guess_usb)
     end
 
-    add_carrier({ dissectors = { [8] = mark_known }, forget = forget_devices, register = register })
+    carriers.add({ dissectors = { [8] = mark_known }, forget = forget_devices, register = register })
 end
 
 -- Bluetooth ---------------------------------------------------------------------------------------------------------
@@ -8284,7 +8279,7 @@ do
         channels:add(2 * CARRIERS.rfcomm_channel + 1, ev3)
     end
 
-    add_carrier({ dissectors = { [11] = dissect_rfcomm }, forget = forget_streams, register = register })
+    carriers.add({ dissectors = { [11] = dissect_rfcomm }, forget = forget_streams, register = register })
 end
 
 -- WiFi --------------------------------------------------------------------------------------------------------------
@@ -8823,7 +8818,7 @@ do
         ev3:register_heuristic("udp", guess_udp)
     end
 
-    add_carrier({
+    carriers.add({
         dissectors = { [2] = dissect_tcp, [3] = dissect_udp },
         forget = forget_wifi,
         prefs_changed = follow_ports,
@@ -8846,7 +8841,7 @@ do
 
     -- One protocol serves all carriers, so that "Decode As" offers it everywhere by one name.
     function ev3.dissector(tvb, pinfo, tree)
-        local dissect = carrier_dissectors[pinfo.port_type]
+        local dissect = carriers.dissectors[pinfo.port_type]
         local taken = dissect and dissect(tvb, pinfo, tree) or 0
         if has_tree(tree) then free_unused() end
         return taken
@@ -8854,10 +8849,10 @@ do
 
     function ev3.init()
         forget_dialogues()
-        each_carrier("forget")
+        carriers.each("forget")
     end
 
-    each_carrier("register")
+    carriers.each("register")
 
     local dialect_choices = {}
     for number, name in ipairs(DIALECTS) do
@@ -8869,7 +8864,7 @@ do
     ev3.prefs.bytes = Pref.bool("Bytes as a field", false, "Give all bytes of each frame in one field, for programs")
 
     function ev3.prefs_changed()
-        each_carrier("prefs_changed")
+        carriers.each("prefs_changed")
         gives_bytes = ev3.prefs.bytes
         dialect = DIALECTS[ev3.prefs.firmware]
         instructions = INSTRUCTION_SETS[dialect]

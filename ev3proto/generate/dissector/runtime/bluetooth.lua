@@ -266,5 +266,5 @@ do
         channels:add(2 * CARRIERS.rfcomm_channel + 1, ev3)
     end
 
-    add_carrier({ dissectors = { [11] = dissect_rfcomm }, forget = forget_streams, register = register })
+    carriers.add({ dissectors = { [11] = dissect_rfcomm }, forget = forget_streams, register = register })
 end

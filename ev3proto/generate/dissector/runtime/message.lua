@@ -11,6 +11,9 @@ do
     local set_len, set_text = TreeItem.set_len, TreeItem.set_text
     local new_range = Tvb.range
 
+    -- Bytes of a daisy command before its payload: the sub-command and two layers.
+    local DAISY_PAYLOAD = 3
+
     local report_field = {}
     for _, part in ipairs(DAISY.sensor_report) do
         local make = part.size == 1 and ProtoField.uint8 or ProtoField.bytes

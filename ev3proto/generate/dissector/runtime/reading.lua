@@ -4,14 +4,6 @@
 -- protocol, so that the byte at offset 0 is byte(text, 1). What cannot be read comes back as the offset and the reason:
 -- nothing here raises an error.
 
--- What follows a frame's header is its body. That of a direct command begins with the memory it asks for, that of a
--- daisy command with its sub-command and two layers.
-local MEMORY_FIELD, DAISY_PAYLOAD = COMMAND_HEADER_SIZE - HEADER_SIZE, 3
-
-local function body_of(message)
-    return sub(message.text, HEADER_SIZE + 1)
-end
-
 local ENCODINGS, READ_TYPE, unsigned16, utf8_text, select_operation, read_arguments, read_operation, read_fields
 do
     local unpack = Struct.unpack

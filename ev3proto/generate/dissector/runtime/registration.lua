@@ -13,7 +13,7 @@ do
 
     -- One protocol serves all carriers, so that "Decode As" offers it everywhere by one name.
     function ev3.dissector(tvb, pinfo, tree)
-        local dissect = carrier_dissectors[pinfo.port_type]
+        local dissect = carriers.dissectors[pinfo.port_type]
         local taken = dissect and dissect(tvb, pinfo, tree) or 0
         if has_tree(tree) then free_unused() end
         return taken
@@ -21,10 +21,10 @@ do
 
     function ev3.init()
         forget_dialogues()
-        each_carrier("forget")
+        carriers.each("forget")
     end
 
-    each_carrier("register")
+    carriers.each("register")
 
     local dialect_choices = {}
     for number, name in ipairs(DIALECTS) do
@@ -36,7 +36,7 @@ do
     ev3.prefs.bytes = Pref.bool("Bytes as a field", false, "Give all bytes of each frame in one field, for programs")
 
     function ev3.prefs_changed()
-        each_carrier("prefs_changed")
+        carriers.each("prefs_changed")
         gives_bytes = ev3.prefs.bytes
         dialect = DIALECTS[ev3.prefs.firmware]
         instructions = INSTRUCTION_SETS[dialect]

@@ -152,5 +152,5 @@ do
         ev3:register_heuristic("usb.interrupt", guess_usb)
     end
 
-    add_carrier({ dissectors = { [8] = mark_known }, forget = forget_devices, register = register })
+    carriers.add({ dissectors = { [8] = mark_known }, forget = forget_devices, register = register })
 end

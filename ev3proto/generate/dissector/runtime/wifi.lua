@@ -534,7 +534,7 @@ do
         ev3:register_heuristic("udp", guess_udp)
     end
 
-    add_carrier({
+    carriers.add({
         dissectors = { [2] = dissect_tcp, [3] = dissect_udp },
         forget = forget_wifi,
         prefs_changed = follow_ports,

@@ -52,7 +52,7 @@ def two(volume: int, frequency: int, duration: int) -> bytes:
 
 WORKS: dict[str, tuple[Callable[[int, int, int], bytes], float]] = {
     "plain": (plain, 1),
-    "direct_command(operation(...))": (direct, 8),
+    "direct_command(operation(...))": (direct, 10),
     "command of an operation": (one, 10),
     "command with an output": (two, 20),
 }

@@ -6,14 +6,14 @@ import re
 import warnings
 from collections.abc import Callable
 
-MOST_EXAMINED = 1024
-"""Characters of a text in which a pattern is looked for: the longest text in a frame of the usual size."""
+MOST_EXAMINED = 256
+"""Characters of a text in which a pattern is looked for: more than any name or path on a brick has."""
 
-MOST_OPEN = 3
+MOST_OPEN = 2
 """Repetitions without an end (`*`, `+`, `{2,}`) of a pattern: each multiplies the time by the text's length."""
 
-MOST_CHOICES = 10
-"""Repetitions such as `?` and `{1,2}` of a pattern: each multiplies the time by their number."""
+MOST_CHOICES = 4
+"""Repetitions and groups of alternatives together that a pattern may have: each multiplies the time by its number."""
 
 _PIECE = re.compile(
     r"""(?P<reference>\\[1-9] | \(\?P= | \(\?\()
@@ -63,6 +63,18 @@ def _refuse_slow(text: str, begin: int) -> None:
     groups: list[bool] = []
     closed = ""
     open_ended = choices = 0
+
+    def count(found: re.Match[str], *, is_open: bool) -> None:
+        nonlocal open_ended, choices
+        open_ended += is_open
+        choices += 1
+        if open_ended > MOST_OPEN or choices > MOST_CHOICES:
+            raise PatternError(
+                found.start(),
+                f"more than {MOST_OPEN} of * and +, or {MOST_CHOICES} of *, +, ?, {{ , }} and |, may take ages: like"
+                " takes * for any characters",
+            )
+
     for found in _PIECE.finditer(text, begin):
         match found.lastgroup:
             case "reference":
@@ -78,6 +90,8 @@ def _refuse_slow(text: str, begin: int) -> None:
                     groups[-1] = True
                 continue
             case "other":
+                if not groups or not groups[-1]:
+                    count(found, is_open=False)
                 if groups:
                     groups[-1] = True
             case "open" | "times":
@@ -89,12 +103,8 @@ def _refuse_slow(text: str, begin: int) -> None:
                     raise PatternError(
                         found.start(), f"{found[0]} repeats a group with *, +, ?, {{ }} or | in it, which may take ages"
                     )
-                open_ended += found.lastgroup == "open"
-                choices += found[0] == "?" or "," in found[0]
-                if open_ended > MOST_OPEN or choices > MOST_CHOICES:
-                    raise PatternError(
-                        found.start(), f"more than {MOST_OPEN} of *, + or {MOST_CHOICES} of ?, {{ , }} may take ages"
-                    )
+                if found.lastgroup == "open" or found[0] == "?" or "," in found[0]:
+                    count(found, is_open=found.lastgroup == "open")
                 if groups:
                     groups[-1] = True
                 closed = "times"

@@ -359,7 +359,8 @@ do
                 asked[place] = at
                 return #text
             end
-            known.waits = 0
+            -- The same packet may have been asked for more before.
+            known.waits, asked[place] = 0, nil
             if verdict ~= OURS then
                 declined[place] = true
                 return 0

@@ -33,6 +33,10 @@ def test_hidden_code(frame: str, found: Harm) -> None:
     assert found in harms(bytes.fromhex(frame))
 
 
+def test_a_command_of_the_operating_system() -> None:
+    assert harms(command(operation("SYSTEM", "reboot", LV(0)))) == {Harm.SHELL}
+
+
 HIDDEN = operation("STRINGS.GET_SIZE", "\xa6\x40\x0f\x40\x02", GV(0))
 """OUTPUT_START(LV(0), 15) and a jump over the rest stand in its text, three bytes after its start."""
 

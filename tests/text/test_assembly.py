@@ -321,6 +321,7 @@ ERRORS = [
     ),
     ("DATA8 a 3\nMOVE8_8(a[3], a)", 2, 11, "an index of a cannot be 3: it is a whole number from 0 to 2"),
     ("DATAS text\nNOP", 1, 11, "expected the number of elements of text, found the end of the line"),
+    ("DATAF vol@ts", 1, 10, "expected a number, a text or a name, found @"),
     ("local DATA32 many 16", 1, 14, "many would end 64 bytes into local memory, which has 63"),
     ("DATA8 a\nDATA8 a", 2, 7, "a is declared already, as a variable"),
     ("Loop:\nLoop:", 2, 1, "Loop is declared already, as a label"),

@@ -221,7 +221,8 @@ class Encoder:
                 return self.meaning(inner, parameter)
             case Element() | Offset():
                 return self._part(value)
-        raise SourceError(value.at, "expected a number, a text or a name")
+        found = value.sign if isinstance(value, Marked) else value.name if isinstance(value, Form) else "bytes"
+        raise SourceError(value.at, f"expected a number, a text or a name, found {found}")
 
     def whole(self, value: Value, what: str, low: int, high: int) -> int:
         """A whole number in a range. Raises SourceError, which says of what."""

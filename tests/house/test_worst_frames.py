@@ -26,8 +26,8 @@ BODY = 1017
 MOST = 12
 """Milliseconds that a face may take. Nearly everything takes less than seven."""
 
-MOST_FIXING = 20
-"""The same for fixes, which check the frame before and after. To fix lists of results takes fifteen of them."""
+MOST_FIXING = 30
+"""The same for fixes, which check the frame before and after, and after each try with fewer steps: four times here."""
 
 
 def _command(body: bytes, *, kind: int = 0, memory: int = 0) -> bytes:

@@ -435,6 +435,8 @@ def test_a_regular_expression_finds_what_python_finds(pattern: str) -> None:
         (".*a.*b.*c", 7, "more than 2 of * and +, or 4 of *, +, ?, { , } and |, may take ages: like takes * for any"),
         ("a?" * 5 + "a" * 5, 9, "more than 2 of * and +, or 4 of"),
         ("a?a?(a|ab)(b|c)(c|d)", 17, "more than 2 of * and +, or 4 of"),
+        ("a{0,256}" * 4 + "!", 17, "more than 2 of * and +, or 4 of"),
+        ("a{,99}a{1,99}a{4}a*", 18, "more than 2 of * and +, or 4 of"),
         (r"(a)\1", 3, r"\1 refers to a group, which may take ages"),
         ("(?P<x>a)(?P=x)", 8, "(?P= refers to a group"),
         ("(a)?(?(1)b|c)", 4, "(?( refers to a group"),
@@ -444,6 +446,7 @@ def test_a_regular_expression_finds_what_python_finds(pattern: str) -> None:
         ("(?-i)[z-a]", 6, "this is no regular expression: bad character range z-a"),
         ("\\", 0, "this is no regular expression: bad escape (end of pattern)"),
         ("x{99999999999999999999}", 0, "this is no regular expression"),
+        pytest.param("x{" + "9" * 5000 + "}", 0, "this is no regular expression", id="more digits than int takes"),
     ],
 )
 def test_what_is_no_regular_expression_or_may_take_ages(pattern: str, position: int, reason: str) -> None:
@@ -453,7 +456,9 @@ def test_what_is_no_regular_expression_or_may_take_ages(pattern: str, position: 
     assert caught.value.position == position
 
 
-@pytest.mark.parametrize("pattern", ["a+a+$", ".*.*c", "a?a?a*a*c", "a{2,}[ab]*(a|ab)b$", "(a|aa)(a|aa)a*a*c"])
+@pytest.mark.parametrize(
+    "pattern", ["a+a+$", ".*.*c", "a?a?a*a*c", "a{2,}[ab]*(a|ab)b$", "(a|aa)(a|aa)a*a*c", "a{0,256}a{1,99}a{0,3}!"]
+)
 def test_a_regular_expression_takes_no_ages(pattern: str) -> None:
     find = compile_pattern(pattern)
     assert milliseconds(lambda: find("a" * 60_000 + "b"), 2000) <= 2000

@@ -10,7 +10,11 @@ MOST_EXAMINED = 256
 """Characters of a text in which a pattern is looked for: more than any name or path on a brick has."""
 
 MOST_OPEN = 2
-"""Repetitions without an end (`*`, `+`, `{2,}`) of a pattern: each multiplies the time by the text's length."""
+"""Repetitions without an end (`*`, `+`, `{2,}`) or nearly so (`{0,256}`) of a pattern: each multiplies the time by the
+text's length."""
+
+MOST_TIMES = 3
+"""Times by which the ends of a repetition (`{2,5}`) may differ without counting as one that has no end."""
 
 MOST_CHOICES = 4
 """Repetitions and groups of alternatives together that a pattern may have: each multiplies the time by its number."""
@@ -18,7 +22,7 @@ MOST_CHOICES = 4
 _PIECE = re.compile(
     r"""(?P<reference>\\[1-9] | \(\?P= | \(\?\()
       | (?P<begin>\() | (?P<end>\)) | (?P<other>\|)
-      | (?P<open>[*+] | \{\d*,\}) | (?P<times>\? | \{\d+(?:,\d*)?\} | \{,\d+\})
+      | (?P<open>[*+] | \{\d*,\}) | (?P<times>\? | \{(?P<least>\d*),(?P<most>\d+)\} | \{\d+\})
       | \\. | \[\^?\]?(?:\\.|[^\]\\])*\] | .""",
     re.VERBOSE | re.DOTALL,
 )
@@ -51,7 +55,7 @@ def compile_pattern(text: str) -> Callable[[str], bool]:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # sets such as [[a] may mean something else in a later Python
             search = re.compile(text[begin:], re.DOTALL | (re.NOFLAG if is_exact else re.IGNORECASE)).search
-    except (re.error, OverflowError, RecursionError) as error:
+    except (re.error, ValueError, OverflowError, RecursionError) as error:
         position = getattr(error, "pos", None) or 0
         raise PatternError(begin + position, f"this is no regular expression: {getattr(error, 'msg', error)}") from None
     _refuse_slow(text, begin)
@@ -103,8 +107,9 @@ def _refuse_slow(text: str, begin: int) -> None:
                     raise PatternError(
                         found.start(), f"{found[0]} repeats a group with *, +, ?, {{ }} or | in it, which may take ages"
                     )
-                if found.lastgroup == "open" or found[0] == "?" or "," in found[0]:
-                    count(found, is_open=found.lastgroup == "open")
+                if found.lastgroup == "open" or found[0] == "?" or found["most"]:
+                    more = int(found["most"] or 0) - int(found["least"] or 0)
+                    count(found, is_open=found.lastgroup == "open" or more > MOST_TIMES)
                 if groups:
                     groups[-1] = True
                 closed = "times"

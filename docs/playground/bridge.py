@@ -21,6 +21,7 @@ from ev3proto.schema.header import frame_size
 from ev3proto.semantics.domain import facts
 from ev3proto.tables import OPCODES
 from ev3proto.tables.declaration import Declaration, declarations
+from ev3proto.text.assembly.recognising import OBJECT
 
 MOST_SHOWN = 200_000
 """Characters of an answer that are shown."""
@@ -47,9 +48,6 @@ _OFFSET = re.compile(r" +(\d+)  +\S")
 """How lines of the tree begin that are about bytes: with the offset of the first."""
 
 _FINDING = re.compile(r"^(?:error|warning|hint)\[(\w+)\]")
-_OBJECT = re.compile(r"^[ \t]*(?:vmthread|subcall|block)[ \t]+[A-Za-z_]", re.MULTILINE)
-"""An object of a program's source."""
-
 _FILE_NAME = re.compile(r"\w[\w .()-]{0,80}", re.ASCII)
 _CALL = re.compile(r"([A-Za-z_]\w*)\s*\(([^()]*)$")
 _WORD = re.compile(r"[A-Za-z_][\w.]*$")
@@ -133,7 +131,7 @@ def open_file(name: str, data: Any) -> str:
 def _typed(text: str) -> Input:
     if not text.strip():
         return Input()
-    if _OBJECT.search(text):
+    if OBJECT.search(text):
         _SOURCE.write_text(text, encoding="utf-8")
         return _source(_SOURCE)
     if "\n" in text.strip():

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import itertools
 import json
-import re
 import sys
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import ExitStack
@@ -27,7 +26,7 @@ from ev3proto.tables.frame import COUNTERS
 from ev3proto.text.assembly import AssemblyError
 from ev3proto.text.assembly.assembling import MAX_TEXT, assembled
 from ev3proto.text.assembly.disassembly import assembly
-from ev3proto.text.assembly.recognising import is_assembly
+from ev3proto.text.assembly.recognising import OBJECT, is_assembly
 from ev3proto.text.forms import as_c, as_hex, as_python
 from ev3proto.text.json_format.from_messages import record
 from ev3proto.text.json_format.to_messages import RecordError, frames_in, read_records
@@ -39,9 +38,6 @@ from ev3proto.whole_files import whole_file
 _START = 8
 RBF, SUFFIX = "rbf", ".rbf"
 """The form of programs: their images."""
-
-_OBJECT = re.compile(r"^[ \t]*(vmthread|subcall|block)[ \t]+[A-Za-z_]", re.MULTILINE)
-"""The start of an object of a program. A direct command may be written as one vmthread."""
 
 _SUBROUTINE = "subcall"
 
@@ -170,12 +166,12 @@ class Encoding(SourceReader):
         line = first[-1].strip() if first else ""
         whole = itertools.chain(first, lines)
         if self.reading.filter is not None:
-            if _is_record(line) or is_assembly(line) or _OBJECT.match(line):
+            if _is_record(line) or is_assembly(line) or OBJECT.match(line):
                 raise click.UsageError(f"--filter is for frames, and {source.label[:60]} has none yet")
             self._recorded(source, whole)
         elif _is_record(line):
             self._records(source, whole)
-        elif is_assembly(line) or _OBJECT.match(line):
+        elif is_assembly(line) or OBJECT.match(line):
             self._assembly(source, whole)
         else:
             self._frames(source, whole)
@@ -205,7 +201,7 @@ class Encoding(SourceReader):
                 self._output.write(message)
                 self._counter = (message.counter + 1) % COUNTERS
         except AssemblyError as error:
-            objects = _OBJECT.findall(text)
+            objects = OBJECT.findall(text)
             if len(objects) <= 1 and _SUBROUTINE not in objects:
                 self._tell(source, error)
             if objects:

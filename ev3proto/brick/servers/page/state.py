@@ -32,8 +32,8 @@ _NONE = TYPE.members["TYPE_NONE"]
 _NAMES = {number: name.removeprefix("TYPE_") for name, number in TYPE.members.items()}
 
 
-def facts() -> dict[str, Any]:
-    """What never changes: the devices there are, the names of the light's patterns, the buttons."""
+def _facts() -> dict[str, Any]:
+    """What never changes: the devices there are, the names of the light's patterns, the deviations."""
     types = [
         {
             "number": number,
@@ -71,7 +71,7 @@ class Changes:
         """What is new, by key; empty where nothing is."""
         now = _state(self._brick) | {"clients": list(self._clients())}
         last, self._last = self._last, now
-        new: dict[str, Any] = {} if last else {"facts": facts()}
+        new: dict[str, Any] = {} if last else {"facts": _facts()}
         new |= {key: value for key, value in now.items() if last.get(key, _UNSEEN) != value}
         talks = [talk.entry(self._brick.dialect) for talk in self._unshown.take(_MOST_TALKS)]
         if talks:

@@ -33,8 +33,8 @@ _SHORT_TYPES = {
 MOST_COLUMNS = 110
 """Width at which a table continues in a new band, and letters after which a meaning is cut."""
 
-_MOST_ROWS = 64
-"""The same for meanings from top to bottom."""
+_MOST_ROWS = 32
+"""Letters up to which an argument's meaning is written from top to bottom where it is wider than its bytes."""
 
 _MOST_BYTES = 12
 """Bytes shown in one cell; longer ones are cut in the middle of the text, not of the meaning."""
@@ -45,7 +45,7 @@ class Cell:
 
     label  what stands above the bytes
     hex    the bytes: `0E:00`
-    rows   what they say, row by row
+    rows   what they say, row by row, as wide as the cell
     width  columns it takes
     """
 
@@ -56,11 +56,11 @@ class Cell:
         self.hex = data[:_MOST_BYTES].hex(":").upper()
         if len(data) > _MOST_BYTES:
             self.hex += ":..."
-        most = _MOST_ROWS if upright else MOST_COLUMNS
-        if len(meaning) > most:
-            meaning = meaning[:most] + "..."
-        self.rows = list(meaning) if upright else [meaning]
+        if len(meaning) > MOST_COLUMNS:
+            meaning = meaning[:MOST_COLUMNS] + "..."
         self.width = max(len(self.hex), len(label), 0 if upright else len(meaning))
+        margin = " " * (self.width - 1)
+        self.rows = [letter + margin for letter in meaning] if upright else [meaning.ljust(self.width)]
 
 
 def table(exchange: Exchange, seen: Seen) -> Iterator[Line]:
@@ -102,13 +102,9 @@ def _draw(cells: list[Cell], first: bool) -> Iterator[Line]:
     yield [(f"{prefix}|" + "".join(f"{cell.hex.ljust(cell.width)}|" for cell in cells), Role.HEADING)]
     yield [(rule, Role.ASIDE)]
     height = max(len(cell.rows) for cell in cells)
-    columns: list[list[str]] = []
-    for cell in cells:
-        # A frame may have 100,000 letters from top to bottom: each is padded with one addition.
-        blank = " " * cell.width + "\\"
-        columns.append([row + blank[len(row) :] for row in cell.rows] + [blank] * (height - len(cell.rows)))
+    columns = [cell.rows + [" " * cell.width] * (height - len(cell.rows)) for cell in cells]
     for pieces in zip(*columns, strict=True):
-        yield [("  \\" + "".join(pieces), Role.VALUE)]
+        yield [("  \\" + "\\".join(pieces) + "\\", Role.VALUE)]
     yield [(rule, Role.ASIDE)]
 
 
@@ -168,6 +164,6 @@ def _operation(operation: Operation) -> Iterator[Cell]:
         raw, name = argument.raw, argument.name
         read += len(raw)
         meaning = argument.symbol or argument_value(argument)
-        yield Cell(name, raw, meaning, upright=len(meaning) > max(len(name), 3 * len(raw)))
+        yield Cell(name, raw, meaning, upright=max(len(name), 3 * len(raw)) < len(meaning) <= _MOST_ROWS)
     if read < operation.length:
         yield Cell("rest", operation.raw[read:])

@@ -10,7 +10,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 project = "ev3proto"
 release = version = VERSION
 html_title = f"ev3proto {VERSION}"
-extensions = ["myst_parser", "playground.build"]
+extensions = ["myst_parser", "playground.build", "search_index"]
 myst_heading_anchors = 3
 exclude_patterns: list[str] = []
 html_theme = "furo"

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import json
 import re
 import subprocess
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
+from selenium.webdriver import Chrome
 from selenium.webdriver.support.ui import WebDriverWait
 from support.browser import chromium
 from support.site import built_site
@@ -46,25 +49,47 @@ def built(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return built_site(tmp_path_factory)
 
 
-def test_the_search_finds_numbers_names_and_words(built: Path, tmp_path: Path) -> None:
+@pytest.fixture(scope="module")
+def searching(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Chrome]:
+    """A browser for all searches."""
+    with chromium(tmp_path_factory.mktemp("browser") / "profile") as browser:
+        yield browser
+
+
+@pytest.mark.parametrize(
+    ("words", "first"),
+    [
+        ("0x94", "sound.html#sound"),
+        ("SOUND", "sound.html#sound"),
+        ("tone", "sound.html#sound-tone"),
+        ("SOUND.TONE", "sound.html#sound-tone"),
+        ("LED_RED_FLASH", "ui.html#ui-write-led"),
+        ("TYPE_COLOR", "enumerations.html#type"),
+        ("0x9E", "input.html#input-readext"),
+        ("WRITEMAILBOX", "system-commands.html#writemailbox"),
+        ("BEGIN_DOWNLOAD", "system-commands.html#begin-download"),
+    ],
+)
+def test_the_first_place_that_a_search_finds_is_the_entry_itself(
+    searching: Chrome, built: Path, words: str, first: str
+) -> None:
     """In a browser, as people search."""
-    shown = "return [...document.querySelectorAll('#search-results li a')].map((link) => link.getAttribute('href'))"
-    with chromium(tmp_path / "profile") as browser:
+    searching.get(f"{(built / 'search.html').as_uri()}?q={words}")
+    shown = "return document.querySelector('#search-results li a')?.getAttribute('href')"
+    link = WebDriverWait(searching, 10, 0.1).until(lambda browser: browser.execute_script(shown))
+    assert link == f"reference/{first}"
+    page, _, place = link.partition("#")
+    assert f'id="{place}"' in (built / page).read_text(encoding="utf-8")
 
-        def finds(words: str, *pages: str) -> bool:
-            browser.get(f"{(built / 'search.html').as_uri()}?q={words}")
-            links: set[str] = set()
 
-            def is_there(_: Any) -> bool:
-                links.update(link.partition("#")[0] for link in browser.execute_script(shown))
-                return links >= {f"reference/{page}.html" for page in pages}
-
-            return bool(WebDriverWait(browser, 10, 0.1).until(is_there, f"{words} finds {links}"))
-
-        assert finds("0x94", "sound", "numbers")
-        assert finds("SOUND", "sound")
-        assert finds("tone", "sound")
-        assert finds("LED_RED_FLASH", "enumerations", "numbers")
+def test_every_place_that_the_search_knows_is_there(built: Path) -> None:
+    index = (built / "searchindex.js").read_text(encoding="utf-8")
+    known = json.loads(index.removeprefix("Search.setIndex(").removesuffix(")"))
+    places = {(known["docnames"][row[0]], row[3]) for rows in known["objects"].values() for row in rows}
+    assert len(places) > 500
+    for page in {name for name, _ in places}:
+        ids = set(re.findall(r'id="([^"]+)"', (built / f"{page}.html").read_text(encoding="utf-8")))
+        assert {place for name, place in places if name == page} - ids == set(), page
 
 
 def test_every_page_of_the_html_says_its_version(built: Path) -> None:
@@ -182,6 +207,7 @@ def test_every_system_command_has_all_that_the_tables_know() -> None:
             assert field.text.lower() in entry.lower()
         assert "```python\nsystem." in entry
         assert "```text" in entry
+        assert f'href="../playground/index.html#text={system_example(each).frame.hex()}"' in entry
 
 
 def test_an_entry_in_full() -> None:

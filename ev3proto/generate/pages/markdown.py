@@ -56,3 +56,9 @@ def table(titles: Sequence[str], rows: Iterable[Sequence[str]]) -> Iterator[str]
 def sentence(text: str) -> str:
     """A text of the tables as a sentence of a page."""
     return plain(f"{text[:1].upper()}{text[1:]}{'' if text.endswith('.') else '.'}")
+
+
+def try_it(frame: bytes) -> Iterator[str]:
+    """A link that opens the playground with a frame."""
+    yield f'<a href="../playground/index.html#text={frame.hex()}">Try it</a> in the playground.'
+    yield ""

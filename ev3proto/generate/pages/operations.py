@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ev3proto.generate.modules.source import FIRMWARES
 from ev3proto.generate.pages.areas import AREA_TITLES
 from ev3proto.generate.pages.examples import example_of, explained, is_accepted
-from ev3proto.generate.pages.markdown import block, code, link, page, plain, sentence, table
+from ev3proto.generate.pages.markdown import block, code, link, page, plain, sentence, table, try_it
 from ev3proto.schema.instructions import instruction_set
 from ev3proto.semantics.domain import element, facts
 from ev3proto.tables import AREAS
@@ -128,8 +128,7 @@ def _example(declaration: Declaration, dialect: str) -> Iterator[str]:
     yield from block("python", [example.call])
     yield from block("text", explained(example.frame, dialect))
     if dialect == DIALECTS[0]:
-        yield f'<a href="../playground/index.html#text={example.frame.hex()}">Try it</a> in the playground.'
-        yield ""
+        yield from try_it(example.frame)
     if not is_accepted(example, dialect):
         yield "The validator of the release of 2013 refuses this frame."
         yield ""

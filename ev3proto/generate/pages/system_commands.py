@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ev3proto.generate.dissector.names import filter_name
 from ev3proto.generate.pages.examples import explained, system_example
-from ev3proto.generate.pages.markdown import block, code, link, page, plain, sentence, table
+from ev3proto.generate.pages.markdown import block, code, link, page, plain, sentence, table, try_it
 from ev3proto.tables.system import SYSTEM, UNUSED_STATUSES, Field, SystemCommand, SystemStatus
 
 
@@ -22,7 +22,7 @@ def _lines() -> Iterator[str]:
     )
     yield ""
     rows = (
-        (f"0x{entry.number:02X}", link(entry.name, _heading(entry)), plain(entry.text), "bootloader" * entry.bootloader)
+        (f"0x{entry.number:02X}", link(entry.name, heading(entry)), plain(entry.text), "bootloader" * entry.bootloader)
         for entry in SYSTEM
     )
     yield from table(("number", "command", "what it does", ""), rows)
@@ -48,12 +48,13 @@ def _outcome(status: SystemStatus) -> str:
     return "the command failed" if status.is_failure else "the command worked"
 
 
-def _heading(entry: SystemCommand) -> str:
+def heading(entry: SystemCommand) -> str:
+    """The heading of a command, to which links lead."""
     return f"{entry.name} (bootloader)" if entry.bootloader else entry.name
 
 
 def _entry(entry: SystemCommand) -> Iterator[str]:
-    yield f"## {_heading(entry)}"
+    yield f"## {heading(entry)}"
     yield ""
     yield sentence(entry.text)
     yield ""
@@ -72,6 +73,7 @@ def _entry(entry: SystemCommand) -> Iterator[str]:
     example = system_example(entry)
     yield from block("python", [example.call])
     yield from block("text", explained(example.frame))
+    yield from try_it(example.frame)
 
 
 def _fields(title: str, entry: SystemCommand, fields: tuple[Field, ...]) -> Iterator[str]:

@@ -10,9 +10,18 @@ from typing import NamedTuple
 
 from ev3proto.schema.header import frame_size
 from ev3proto.tables.frame import LENGTH_FIELD
-from ev3proto.text.paste.fitting import is_nearly, may_begin
-from ev3proto.text.paste.head import NO_HEAD, Head, clean_head, head_before
-from ev3proto.text.paste.pieces import LEAST, MAX_TEXT, MOST_SHORT, Pasted, short
+from ev3proto.text.paste.pieces import (
+    LEAST,
+    MAX_TEXT,
+    MOST_SHORT,
+    NO_HEAD,
+    Head,
+    Pasted,
+    clean_head,
+    head_before,
+    short,
+)
+from ev3proto.text.paste.readings import is_nearly, may_begin
 from ev3proto.text.paste.values import literal
 
 _OPENING = re.compile(

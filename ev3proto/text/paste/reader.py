@@ -14,12 +14,36 @@ from typing import NamedTuple
 
 from ev3proto.schema.header import frame_size, may_have_length
 from ev3proto.tables.frame import MAX_FRAME
-from ev3proto.text.paste.cleaning import clean, without_marks, without_remarks
-from ev3proto.text.paste.columns import repeated_rows, without_columns
-from ev3proto.text.paste.fitting import HASHES, bare_reason, is_one_frame, may_begin, reason
-from ev3proto.text.paste.head import NO_HEAD, Direction, Head, announced, direction_of, head_before
-from ev3proto.text.paste.pieces import LEAST, MAX_COLLECTED, MAX_LINE, MAX_TEXT, Pasted, check_text, short
-from ev3proto.text.paste.readings import Stretch, boundaries, changes_in, likely_bytes, readings, tried, whole_bytes
+from ev3proto.text.paste.cleaning import clean, repeated_rows, without_columns, without_marks, without_remarks
+from ev3proto.text.paste.pieces import (
+    LEAST,
+    MAX_COLLECTED,
+    MAX_LINE,
+    MAX_TEXT,
+    NO_HEAD,
+    Direction,
+    Head,
+    Pasted,
+    announced,
+    check_text,
+    direction_of,
+    head_before,
+    short,
+)
+from ev3proto.text.paste.readings import (
+    HASHES,
+    Stretch,
+    bare_reason,
+    boundaries,
+    changes_in,
+    is_one_frame,
+    likely_bytes,
+    may_begin,
+    readings,
+    reason,
+    tried,
+    whole_bytes,
+)
 from ev3proto.text.paste.values import Run, Style, Value, listed, runs, without_indexes
 
 _MAY_HAVE = re.compile(r"^\s*[a-fA-F]\s*$|[0-9\\]|[A-Za-z0-9+/]{8}|\b[a-fA-F]{2}\b")

@@ -182,8 +182,6 @@ UNREAD = _code(
     _image("8D 1F 0A", ""),
     _FINE,
 )
-NOT_AS_WRITTEN = (NO_END, OTHER_CODE, NOTHING_TO_RUN, UNREAD)
-"""What the firmware accepts, and then does not do what the source says. `run` warns of it, too."""
 UNKNOWN_JUMP = _code(
     "W015",
     "a jump that may lead anywhere",

@@ -16,11 +16,10 @@ from ev3proto.brick.devices.display.braille import braille
 from ev3proto.brick.devices.display.canvas import WIDTH
 from ev3proto.brick.running_programs import FAIL, RUNNING, Program
 from ev3proto.brick.servers.server import Options, Running, ServerError, running
-from ev3proto.checking.program_codes import DAMAGED, NOT_AS_WRITTEN, REFUSED
 from ev3proto.cli.brick import folder, interrupted, read_script_file
 from ev3proto.cli.commands import FiniteRange
 from ev3proto.cli.output import complain, flush, is_terminal, say
-from ev3proto.cli.programs import complain_of
+from ev3proto.cli.programs import complain_of, complain_of_warnings
 from ev3proto.cli.reading import is_image
 from ev3proto.program import assemble, check_program
 from ev3proto.program.image import MAX_IMAGE
@@ -109,10 +108,12 @@ def _image(file: Path) -> bytes:
     if is_image(found):
         return found
     try:
-        return assemble(found).image
+        made = assemble(found)
     except AssemblyError as error:
         complain_of(label, error)
         sys.exit(1)
+    complain_of_warnings(label, made.warnings)
+    return made.image
 
 
 async def _run(image: bytes, name: str, options: Options, root: Path, limit: float | None) -> int:
@@ -146,15 +147,13 @@ async def _first(*events: asyncio.Event) -> None:
 
 
 def _start(brick: Brick, image: bytes, name: str) -> Program | None:
-    """Starts the program as PROGRAM_START would; None, and a sentence, for an image that the brick refuses."""
+    """Starts the program as PROGRAM_START would, after the findings of `check`; None where the brick refuses it."""
     report = check_program(image, dialect=brick.dialect)
-    told = NOT_AS_WRITTEN if report.accepted else (DAMAGED, REFUSED)
-    for finding in report.findings:
-        if finding.code in {code.code for code in told}:
-            complain(f"{finding.severity}[{finding.code}]: offset {finding.offset}: {finding.message}")
+    if report.findings:
+        complain(str(report))
     program = brick.start(image, name)
-    if program is None:
-        complain("the brick refuses the program" + (": it needs more memory than there is" if report.accepted else ""))
+    if program is None and report.accepted:
+        complain("the brick refuses the program: it needs more memory than there is")
     return program
 
 

@@ -25,7 +25,7 @@ from ev3proto.tables.program import RELEASE_VERSION, VERSIONS, ObjectKind
 from ev3proto.tables.source import BYTES, ESCAPES, PARAMETER_WORDS
 from ev3proto.text.assembly.macro_notation import in_macro
 from ev3proto.text.assembly.names import OBJECT_PARAMETER, firmware_names
-from ev3proto.text.assembly.notations import OF_BASIC, OF_EV3_G, OF_LEGO, Rules
+from ev3proto.text.assembly.notations import BASIC, OF_BASIC, OF_EV3_G, OF_LEGO, Rules
 from ev3proto.text.assembly.settings import GAP, MARK, OPEN, OWN
 from ev3proto.text.assembly.values import integer, single_bits, variable
 from ev3proto.text.assembly.writing import NO_LABELS, Labels, OperationWriter, end_of, goal_of, labels_of
@@ -147,8 +147,7 @@ class Writer(OperationWriter):
         rules = _RULES[self.rules]
         yield f"// by the rules of {rules}{f'; its version is that of {writer}' if writer else ''}"
         yield f"{MARK} version 0x{program.version:02X}"
-        if self.rules is not OF_LEGO:
-            yield f"{MARK} {self.rules.name}"
+        yield f"{MARK} {self.rules.name}"
         if defects.stated_size is not None:
             yield f"{MARK} size {defects.stated_size}"
         if defects.stated_count is not None:
@@ -293,7 +292,7 @@ class Writer(OperationWriter):
         if argument.is_variable:
             return self._variable(argument)
         if argument.kind == TEXT:
-            return _text(argument)
+            return _text(argument, _BASIC_ESCAPED if self.rules is OF_BASIC else _ESCAPED)
         if argument.form.handle or argument.form.address:
             return _bytes(raw)
         if isinstance(value, float):
@@ -339,13 +338,16 @@ def _declaration(variable: DeclaredVariable, name: str) -> str:
 
 _PLAIN = frozenset(range(0x20, 0x7F)) - {ord("'"), ord("\\")}
 _ESCAPED = {ord(character): escape for escape, character in ESCAPES}
+_BASIC_ESCAPED = {byte: escape for byte, escape in _ESCAPED.items() if (escape, chr(byte)) in (BASIC.escapes or ())}
 
 
-def _text(argument: Argument) -> str:
+def _text(argument: Argument, escapes: Mapping[int, str]) -> str:
+    """A text in single quotes where every dialect reads it alike, or else in double quotes, which only ours knows."""
     raw = argument.raw
     data = raw[1:-1]
-    if all(byte in _PLAIN or byte in _ESCAPED for byte in data):
-        body = "".join(_ESCAPED.get(byte, chr(byte)) for byte in data)
+    is_a_letter = len(data) == 2 and data[:1] == b"_"  # '_x' is a number in LEGO's dialect
+    if not is_a_letter and all(byte in _PLAIN or byte in escapes for byte in data):
+        body = "".join(escapes.get(byte, chr(byte)) for byte in data)
         text = f"'{body}'"
     else:
         text = json.dumps(data.decode(STRING_CODING))

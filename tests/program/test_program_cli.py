@@ -231,11 +231,25 @@ def test_programs_are_looked_for_in_captures_only(image: Path) -> None:
     assert run_ev3proto_text("decode", "--programs", image).returncode == 2
 
 
-def test_run_and_check_say_the_same(tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("code", "words"),
+    [
+        ("30 05 64 40 01 30 05 60 40 60 0A", "E007 E008 W015 W011"),
+        ("30 01 60", "W010"),
+        ("DF 0A", "E002 W011"),
+    ],
+)
+def test_run_and_check_say_the_same(tmp_path: Path, code: str, words: str) -> None:
     path = tmp_path / "x.rbf"
-    for code, word, status in (("30 01 60", "W010", 0), ("DF 0A", "E002", 1)):
-        path.write_bytes(image_of((0, 0, code), global_size=1))
-        assert f"[{word}]: offset 28: " in run_ev3proto_text("check", path).stdout
-        result = run_ev3proto_text("run", path, "--limit", "1")
-        assert f"[{word}]: offset 28: " in result.stderr
-        assert ("the brick refuses the program" in result.stderr) == bool(status)
+    path.write_bytes(image_of((0, 0, code), global_size=1) + (b"\xff" if "W011" in words else b""))
+    said = run_ev3proto_text("check", path).stdout
+    assert all(f"[{word}]: offset " in said for word in words.split()), said
+    assert run_ev3proto_text("run", path, "--limit", "1").stderr.startswith(said)
+
+
+def test_run_and_check_warn_of_the_same_in_a_source(tmp_path: Path) -> None:
+    path = tmp_path / "x.lms"
+    path.write_text("vmthread MAIN\n{\n  DATAF x\n  MOVEF_F(1, x)\n}\n")
+    said = run_ev3proto_text("check", path).stderr
+    assert "(warning)" in said
+    assert run_ev3proto_text("run", path).stderr == said

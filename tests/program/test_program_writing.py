@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from contextlib import suppress
 
 import pytest
 from hypothesis import given, settings
@@ -10,7 +11,10 @@ from hypothesis import strategies as st
 from support.programs import IMAGE, SHORTEST, image_of
 
 from ev3proto import program as programs
+from ev3proto.checking.program_codes import PROGRAM_CODES
 from ev3proto.program import assemble, source_of
+from ev3proto.program.sources import SourceDialect
+from ev3proto.text.assembly.errors import AssemblyError
 from ev3proto.text.assembly.names import firmware_names
 
 
@@ -48,6 +52,23 @@ def test_the_source_of_the_example_is_what_people_write() -> None:
         "UI_DRAW(TEXT, 1, 4, l14, p0)",
         "}",
     ]
+
+
+BASIC_TEXT = image_of((0, 0, "7D 05 80 27 0D 0A 00 60 40 83 01 00 00 00 01 0A"), global_size=8)
+"""By the rules of EV3 Basic, which has no escape for an apostrophe."""
+
+SIGNS = image_of((0, 0, "7D 05 80 5F 78 00 60 0A"), global_size=8)
+"""With a text that LEGO's assembler takes for the number of a letter, unless it is in double quotes."""
+
+
+@pytest.mark.parametrize("dialect", [None, *SourceDialect])
+def test_in_every_dialect_it_comes_back_or_is_refused(dialect: str | None) -> None:
+    examples = [image for code in PROGRAM_CODES.values() for image in (code.example, code.counterexample)]
+    refusals = [AssemblyError] if dialect in (SourceDialect.LEGO, SourceDialect.BASIC) else []
+    for image in [IMAGE, SHORTEST, SIGNS, BASIC_TEXT[:8] + b"\x68" + BASIC_TEXT[9:], *examples]:
+        source = source_of(programs.parse(image, strict=False))
+        with suppress(*refusals):
+            assert assemble(source, dialect=dialect).image == image, source
 
 
 def test_its_own_names_hide_none_of_the_firmwares() -> None:

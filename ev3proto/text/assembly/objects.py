@@ -36,7 +36,7 @@ from ev3proto.text.assembly.names import (
     is_object,
     suggestion,
 )
-from ev3proto.text.assembly.notations import OF_EV3_G, Notation, Rules
+from ev3proto.text.assembly.notations import OF_BASIC, OF_EV3_G, Notation, Rules
 from ev3proto.text.assembly.operations import parameters_of
 from ev3proto.text.assembly.parsing import Parser
 from ev3proto.text.assembly.settings import ObjectSettings, Settings, SettingsReader
@@ -141,8 +141,11 @@ class ProgramAssembler:
         self.warnings = parser.warnings
         self._notation = notation
         self._settings = SettingsReader(text, self.errors)
-        # Only EV3-G's and EV3 Basic's rules are asked for, and neither has a say where variables are.
-        self._rules = rules or self._settings.file.rules or notation.rules
+        # The rules that are asked for have no say where variables are: that is the notation's.
+        said = self._settings.file.rules
+        self._rules = rules or said or notation.rules
+        if said is not None and notation.folds and said is not OF_BASIC:
+            self._keep(SourceError(0, f"the source says {said.name}: it is not in EV3 Basic's dialect"))
         self._names = Names(notation, lambda define, _: self._encoder.meaning(define.value))
         self._encoder = Encoder(self._names, self._rules, self.warnings)
         self._globals = Memory(GLOBAL, notation, MAX_MEMORY)

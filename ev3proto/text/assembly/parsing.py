@@ -529,7 +529,7 @@ class Parser:
             raise self._unexpected("a value")
         text = text_of(token, self.notation, self._coding, self.warnings)
         self._next()
-        if self.notation.last_counts and len(text) == 2 and text[0] == "_":
+        if self.notation.last_counts and token.text.startswith("'_") and len(text) == 2:
             return Number(token.at, ord(text[1]) & 0xFF)
         return Text(token.at, text)
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 
 from ev3proto.tables.program import MAX_MEMORY, MAX_OBJECTS
 from ev3proto.text.assembly.errors import SourceError
-from ev3proto.text.assembly.notations import OF_BASIC, OF_EV3_G, Rules
+from ev3proto.text.assembly.notations import OF_BASIC, OF_EV3_G, OF_LEGO, Rules
 
 _SETTING = re.compile(r"^[ \t]*//[ \t]*ev3proto:[ \t]*(\w+)[ \t]*([^\r\n]*)", re.MULTILINE | re.ASCII)
 
@@ -34,7 +34,7 @@ OBJECT_NUMBERS = {
 }
 """Settings of the object that follows."""
 
-_RULES = {rules.name: rules for rules in (OF_EV3_G, OF_BASIC)}
+_RULES = {rules.name: rules for rules in (OF_LEGO, OF_EV3_G, OF_BASIC)}
 """The rules that a source can ask for by their names: `// ev3proto: shortest`."""
 
 

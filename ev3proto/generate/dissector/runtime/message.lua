@@ -53,8 +53,12 @@ do
         local sizes = unsigned16(message.text, HEADER_SIZE)
         local globals = sizes % (GLOBAL_MASK + 1)
         local locals = (sizes - globals) / (GLOBAL_MASK + 1)
-        local line, after, fault, outputs = show_operations(message.text, COMMAND_HEADER_SIZE, view, globals, locals)
-        message.fault, message.outputs = fault, outputs
+        if message.type.wants_reply then
+            message.outputs = {}
+            view.outputs = message.outputs
+        end
+        local line, after, fault = show_operations(message.text, COMMAND_HEADER_SIZE, view, globals, locals)
+        message.fault = fault
         if fault then add_rest(message, view, after) end
         if line ~= "" then return line end
         return fault and message.type.name or "no operations"

@@ -38,27 +38,29 @@ do
     -- many arguments, and each reads these faster here than in a table.
     local root, heading, buffer, base, globals, locals, operation, start, lengths, said, said_count, is_beyond, outputs
 
-    -- Tells what the brick refuses of a variable, or what is beyond the memory that the command asks for. Without a
-    -- tree one variable beyond that memory stands for all.
+    -- Tells that the brick refuses a variable for its index.
+    local function complain_of_index(item, parameter, encoding, index, alignment)
+        local reason = "%s: the index of a %s must be a multiple of %d, the brick refuses %s"
+        local sort = encoding.handle and "handle" or TYPE_NAMES[parameter.type]
+        local variable = argument_text(parameter, encoding, index)
+        complain(item or root, "misaligned", format(reason, parameter.name, sort, alignment, variable))
+    end
+
+    -- Checks the index of a variable, and that it is within the memory that the command asks for. Without a tree one
+    -- variable beyond that memory stands for all.
     local function check_variable(item, parameter, encoding, index)
-        local is_handle, size = encoding.handle, parameter.size
-        local alignment = is_handle and SIZE_OF[HANDLE] or parameter.alignment
-        if index % alignment ~= 0 then
-            local reason = "%s: the index of a %s must be a multiple of %d, the brick refuses %s"
-            local sort = is_handle and "handle" or TYPE_NAMES[parameter.type]
-            local variable = argument_text(parameter, encoding, index)
-            complain(item or root, "misaligned", format(reason, parameter.name, sort, alignment, variable))
+        local size, alignment = parameter.size, parameter.alignment
+        if encoding.handle then
+            size, alignment = SIZE_OF[HANDLE], SIZE_OF[HANDLE]
+        elseif encoding.address then
+            size = SIZE_OF[DATA32]
         end
+        if index % alignment ~= 0 then complain_of_index(item, parameter, encoding, index, alignment) end
         local is_global = encoding.kind == GLOBAL
         local asked = is_global and globals or locals
         if not asked or is_beyond and not item then return end
-        if is_handle then
-            size = SIZE_OF[HANDLE]
-        else
-            if encoding.address then size = SIZE_OF[DATA32] end
-            if parameter.length and parameter.is_output then
-                size = size * stated_length(parameter, lengths, 1)
-            end
+        if parameter.length and parameter.is_output and not encoding.handle then
+            size = size * stated_length(parameter, lengths, 1)
         end
         if index + size <= asked then return end
         is_beyond = true
@@ -102,7 +104,7 @@ do
         if encoding.scope then
             if root then check_variable(item, parameter, encoding, value) end
             -- At an address there is no value but where the value is.
-            if encoding.kind == GLOBAL and parameter.is_output and not encoding.address then
+            if outputs and encoding.kind == GLOBAL and parameter.is_output and not encoding.address then
                 note_output(parameter, encoding, value)
             end
         elseif parameter.tells_length and tells_length(parameter, encoding) then
@@ -124,13 +126,14 @@ do
 
     -- Reads the operations from an offset to the end of a frame. `view` has the `root` of the tree, where it is told
     -- what is wrong with variables, and, if somebody looks at the tree, the `item` to which all are added, with the
-    -- buffer `tvb` and the frame's `base` in it; the last two say what the command asks for, where that is known.
-    -- Returns the line on the operations, empty where there is none; the offset after what could be read; the fault,
-    -- where there is one; and the outputs, of which a reply has the values.
+    -- buffer `tvb` and the frame's `base` in it; a list of `outputs`, if a reply is to have their values, to which they
+    -- are added; the last two say what the command asks for, where that is known.
+    -- Returns the line on the operations, empty where there is none; the offset after what could be read; and the
+    -- fault, where there is one.
     function show_operations(text, at, view, asked_globals, asked_locals)
         local item, first, phrase, count, fault = view.item, nil, "", 0, nil
         root, heading, buffer, base = view.root, nil, view.tvb, view.base
-        globals, locals, is_beyond, outputs = asked_globals, asked_locals, false, {}
+        globals, locals, is_beyond, outputs = asked_globals, asked_locals, false, view.outputs
         while at < #text and not fault do
             if item then heading = add(item, OPCODE, new_range(buffer, base + at, 1)) end
             local selected, after, reason, kind = select_operation(text, at)
@@ -156,15 +159,19 @@ do
             count, at = count + 1, after
             if reason then fault = { at = offset, reason = reason, kind = kind } end
         end
-        if not first then return "", at, fault, outputs end
+        if not first then return "", at, fault end
         local line = first.name .. phrase
         if count > 1 then line = format("%s (+%s)", line, plural(count - 1, "operation")) end
-        return line, at, fault, outputs
+        return line, at, fault
     end
 
     -- The values in a direct reply to a command, as far as they are there.
     function read_outputs(command, reply)
-        local outputs = command.outputs or select(4, show_operations(command.text, COMMAND_HEADER_SIZE, {}))
+        local outputs = command.outputs
+        if not outputs then
+            outputs = {}
+            show_operations(command.text, COMMAND_HEADER_SIZE, { outputs = outputs })
+        end
         local memory, found = sub(reply.text, HEADER_SIZE + 1), {}
         for _, output in ipairs(outputs) do
             if read_output(output, outputs, memory) then found[#found + 1] = output end

@@ -41,14 +41,23 @@ from ev3proto.program.parameters import ProgramParameter, code_of, has_size, tab
 from ev3proto.schema import constructors
 from ev3proto.schema.argument import ENCODINGS, SHORT_VALUES
 from ev3proto.schema.frame import parse
-from ev3proto.schema.header import HEADER, HEADER_SIZE, MEMORY, MEMORY_SIZE
+from ev3proto.schema.header import HEADER, HEADER_SIZE, MEMORY_SIZE, build_frame, write_memory
 from ev3proto.schema.instructions import operation
 from ev3proto.tables import AREAS, area_of, check_dialect, daisy
 from ev3proto.tables import operations as operations_of
 from ev3proto.tables.declaration import LISTS, Declaration, Direction, Parameter, Type
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL, NAN_FLOAT, RANGES, STRING_CODING, TEXT
 from ev3proto.tables.enumerations import FORMAT_TYPES
-from ev3proto.tables.frame import COUNTERS, LENGTH_FIELD, MAX_FRAME, MAX_GLOBALS, MAX_LENGTH, MAX_LOCALS, MessageType
+from ev3proto.tables.frame import (
+    COUNTERS,
+    DIRECT_COMMAND_TYPES,
+    LENGTH_FIELD,
+    MAX_FRAME,
+    MAX_GLOBALS,
+    MAX_LENGTH,
+    MAX_LOCALS,
+    MessageType,
+)
 from ev3proto.tables.program import PARAMETER_CODES, ObjectKind, kind_of
 from ev3proto.tables.system import SYSTEM, SYSTEM_BY_NUMBER, Field, Kind, SystemStatus
 
@@ -486,10 +495,15 @@ def _types(name: str) -> list[MessageType]:
 def direct_commands(dialect: str = "official", chosen: Choice = ALL) -> SearchStrategy[DirectCommand]:
     """Direct commands of a few operations, built from values."""
     room = MAX_FRAME - HEADER_SIZE - MEMORY_SIZE
+
+    def made(found: list[Operation], counter: int, reply: bool, sizes: Mapping[str, int]) -> DirectCommand:
+        # Not by `direct_command`, which refuses an empty one.
+        code = b"".join(operation.raw for operation in _that_fit(found, room))
+        frame = build_frame(DIRECT_COMMAND_TYPES[reply], counter, write_memory(**sizes) + code)
+        return parse(frame, expect=DirectCommand, dialect=dialect)
+
     return st.builds(
-        lambda found, counter, reply, sizes: constructors.any_direct_command(
-            _that_fit(found, room), counter, reply, **sizes
-        ),
+        made,
         _several(operations(dialect, chosen.operations), chosen),
         _counters,
         _flags(chosen.of(*_DIRECT_COMMANDS), "wants_reply"),
@@ -639,8 +653,7 @@ def _raw_direct_commands(dialect: str, chosen: Choice) -> SearchStrategy[bytes]:
     room = MAX_FRAME - HEADER_SIZE - MEMORY_SIZE
 
     def frame(member: MessageType, counter: int, sizes: Mapping[str, int], found: list[bytes]) -> bytes:
-        memory = MEMORY.build({"globals": sizes["global_size"], "locals": sizes["local_size"]})
-        return _frame(member, counter, bytes(memory) + b"".join(_that_fit(found, room)))
+        return _frame(member, counter, write_memory(**sizes) + b"".join(_that_fit(found, room)))
 
     return st.builds(
         frame,

@@ -10,7 +10,7 @@ What is made of values (`operations`, `direct_commands`, ...) is built by ev3pro
 (`encoded_arguments`, `raw_operations`) is put together here, from the identification bytes alone, because ev3proto
 itself only ever builds the shortest encodings and a decoder has to read all of them.
 
-`frames` and `mutated_frames` take a `Choice`: only some operations, areas or message types.
+`frames`, `accepted_frames` and `mutated_frames` take a `Choice`: only some operations, areas or message types.
 
 Of the project only `ev3proto sample` imports this module: it needs hypothesis, which users of ev3proto need not have.
 """
@@ -18,11 +18,13 @@ Of the project only `ev3proto sample` imports this module: it needs hypothesis, 
 from __future__ import annotations
 
 import struct
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from functools import cache
 from typing import Any, NamedTuple
 
-from ev3proto.errors import near_misses
+from ev3proto.checking.checking import check
+from ev3proto.compose import Draft, Global, Label, Local, command
+from ev3proto.errors import BuildError, near_misses
 from ev3proto.messages import (
     DaisyCommand,
     DaisyReply,
@@ -41,23 +43,16 @@ from ev3proto.program.parameters import ProgramParameter, code_of, has_size, tab
 from ev3proto.schema import constructors
 from ev3proto.schema.argument import ENCODINGS, SHORT_VALUES
 from ev3proto.schema.frame import parse
-from ev3proto.schema.header import HEADER, HEADER_SIZE, MEMORY_SIZE, build_frame, write_memory
+from ev3proto.schema.header import HEADER, HEADER_SIZE, MEMORY, MEMORY_SIZE
 from ev3proto.schema.instructions import operation
+from ev3proto.semantics.domain import domain_of
+from ev3proto.semantics.drafts.functions import drafts
 from ev3proto.tables import AREAS, area_of, check_dialect, daisy
 from ev3proto.tables import operations as operations_of
-from ev3proto.tables.declaration import LISTS, Declaration, Direction, Parameter, Type
+from ev3proto.tables.declaration import LISTS, Declaration, Direction, Parameter, Role, Type
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL, NAN_FLOAT, RANGES, STRING_CODING, TEXT
 from ev3proto.tables.enumerations import FORMAT_TYPES
-from ev3proto.tables.frame import (
-    COUNTERS,
-    DIRECT_COMMAND_TYPES,
-    LENGTH_FIELD,
-    MAX_FRAME,
-    MAX_GLOBALS,
-    MAX_LENGTH,
-    MAX_LOCALS,
-    MessageType,
-)
+from ev3proto.tables.frame import COUNTERS, LENGTH_FIELD, MAX_FRAME, MAX_GLOBALS, MAX_LENGTH, MAX_LOCALS, MessageType
 from ev3proto.tables.program import PARAMETER_CODES, ObjectKind, kind_of
 from ev3proto.tables.system import SYSTEM, SYSTEM_BY_NUMBER, Field, Kind, SystemStatus
 
@@ -73,6 +68,7 @@ except ImportError as error:
 
 __all__ = [
     "Choice",
+    "accepted_frames",
     "choice",
     "daisy_messages",
     "direct_commands",
@@ -195,23 +191,28 @@ def _declarations(dialect: str, names: Names) -> SearchStrategy[Declaration]:
     return st.sampled_from(list(found.values()) if names is None else [found[name] for name in names])
 
 
-@st.composite
-def _operations(draw: DrawFn, dialect: str, names: Names) -> Operation:
-    declaration = draw(_declarations(dialect, names))
-    values: list[OperationValue] = []
+def _values(draw: DrawFn, declaration: Declaration, plain: Callable[[Parameter], SearchStrategy[Any]]) -> list[Any]:
+    """One value for each parameter; `plain` has those of one parameter, or of an element of a list."""
+    values: list[Any] = []
     announced: Type | None = None
     for parameter in declaration.parameters:
         if parameter.type in LISTS:
             element = _element_of(parameter, announced)
-            elements = draw(st.lists(_plain_values(element), max_size=_most(element)))
+            elements = draw(st.lists(plain(element), max_size=_most(element)))
             if parameter.type is Type.VALUES:
                 values[-1] = len(elements)
             values.append(elements)
         else:
-            values.append(draw(values_for(parameter)))
+            values.append(draw(plain(parameter)))
             if parameter.name == _teller(declaration):
                 announced = _announced(parameter, values[-1])
-    return operation(declaration.name, *values, dialect=dialect)
+    return values
+
+
+@st.composite
+def _operations(draw: DrawFn, dialect: str, names: Names) -> Operation:
+    declaration = draw(_declarations(dialect, names))
+    return operation(declaration.name, *_values(draw, declaration, _plain_values), dialect=dialect)
 
 
 @cache
@@ -495,15 +496,10 @@ def _types(name: str) -> list[MessageType]:
 def direct_commands(dialect: str = "official", chosen: Choice = ALL) -> SearchStrategy[DirectCommand]:
     """Direct commands of a few operations, built from values."""
     room = MAX_FRAME - HEADER_SIZE - MEMORY_SIZE
-
-    def made(found: list[Operation], counter: int, reply: bool, sizes: Mapping[str, int]) -> DirectCommand:
-        # Not by `direct_command`, which refuses an empty one.
-        code = b"".join(operation.raw for operation in _that_fit(found, room))
-        frame = build_frame(DIRECT_COMMAND_TYPES[reply], counter, write_memory(**sizes) + code)
-        return parse(frame, expect=DirectCommand, dialect=dialect)
-
     return st.builds(
-        made,
+        lambda found, counter, reply, sizes: constructors.any_direct_command(
+            _that_fit(found, room), counter, reply, **sizes
+        ),
         _several(operations(dialect, chosen.operations), chosen),
         _counters,
         _flags(chosen.of(*_DIRECT_COMMANDS), "wants_reply"),
@@ -653,7 +649,8 @@ def _raw_direct_commands(dialect: str, chosen: Choice) -> SearchStrategy[bytes]:
     room = MAX_FRAME - HEADER_SIZE - MEMORY_SIZE
 
     def frame(member: MessageType, counter: int, sizes: Mapping[str, int], found: list[bytes]) -> bytes:
-        return _frame(member, counter, write_memory(**sizes) + b"".join(_that_fit(found, room)))
+        memory = MEMORY.build({"globals": sizes["global_size"], "locals": sizes["local_size"]})
+        return _frame(member, counter, bytes(memory) + b"".join(_that_fit(found, room)))
 
     return st.builds(
         frame,
@@ -673,6 +670,88 @@ def frames(dialect: str = "official", chosen: Choice = ALL) -> SearchStrategy[by
     """
     built = messages(dialect, chosen).map(lambda message: message.build())
     return built | _raw_direct_commands(dialect, chosen) if chosen.of(*_DIRECT_COMMANDS) else built
+
+
+# Frames that the brick accepts
+
+_TEXT_ROOM = 32
+"""Bytes of a variable that holds a text or an array."""
+
+_END = Label("end")
+"""The target of all jumps in an accepted command: its end."""
+
+
+@cache
+def _accepted_values(parameter: Parameter) -> SearchStrategy[Any]:
+    """Legal constants of a parameter, and variables that `command` places in memory."""
+    if parameter.role is Role.JUMP:
+        return st.just(_END)
+    has_room = parameter.type is Type.STRING or parameter.length is not None or parameter.indexed_by is not None
+    size = st.just(_TEXT_ROOM if has_room else None)
+    variables = st.builds(Global, size) | st.builds(Local, size)
+    if parameter.is_output:
+        return variables
+    domain = domain_of(parameter)
+    if domain is None:
+        return _constants(parameter) | variables
+    constants: list[SearchStrategy[Any]] = [st.integers(low, high) for low, high in domain.spans]
+    if domain.singles:
+        constants.append(st.sampled_from(sorted(domain.singles)))
+    if parameter.length is not None:
+        constants.append(_texts)
+    return st.one_of(*constants, variables)
+
+
+def _is_accepted(frame: bytes, dialect: str) -> bool:
+    return not check(frame, dialect=dialect).errors
+
+
+def _command(operations: list[Draft], counter: int = 0, reply: bool | None = None) -> bytes:
+    """The frame of a direct command; empty where the operations do not fit into one."""
+    try:
+        return command(*operations, _END, counter=counter, reply=reply).build()
+    except BuildError:
+        return b""
+
+
+@st.composite
+def _accepted_operations(draw: DrawFn, dialect: str, names: Names) -> Draft | None:
+    """Drafts of operations; None where a command of it alone would not be accepted."""
+    declaration = draw(_declarations(dialect, names))
+    try:
+        found = drafts(dialect)[declaration.name].draft(_values(draw, declaration, _accepted_values), unchecked=False)
+    except BuildError:
+        return None
+    return found if _is_accepted(_command([found]), dialect) else None
+
+
+def accepted_frames(dialect: str = "official", chosen: Choice = ALL) -> SearchStrategy[bytes]:
+    """Commands that the brick accepts: `check` finds no errors in them, warnings and hints at most.
+
+    Jumps lead to the end of the command, arguments have their shortest encoding, variables their place from `command`.
+
+    Args:
+        dialect: "official", "xtended" or "compat": the firmware whose operations are drawn.
+        chosen: Which frames, as for `frames`; replies are left out.
+
+    Raises:
+        ValueError: Only replies were chosen.
+    """
+    ways: list[SearchStrategy[bytes]] = []
+    if chosen.of(*_DIRECT_COMMANDS):
+        operation = _accepted_operations(dialect, chosen.operations).filter(lambda found: found is not None)
+        several = st.lists(operation, min_size=1, max_size=MOST_OPERATIONS)
+        ways.append(st.builds(_command, several, _counters, _flags(chosen.of(*_DIRECT_COMMANDS), "wants_reply")))
+    if chosen.of(*_SYSTEM_COMMANDS):
+        ways.append(system_commands(chosen).map(lambda message: message.build()))
+    if chosen.of(*_DAISY_COMMANDS):
+        ways.append(_daisy_commands(dialect, chosen))
+    if not ways:
+        raise ValueError("the brick accepts commands only, and all messages that were chosen are replies")
+    return st.one_of(ways).filter(lambda frame: _is_accepted(frame, dialect))
+
+
+# Frames that are no longer right
 
 
 @st.composite

@@ -41,6 +41,7 @@ MOST_SEEDS = 1 << 64
     help=f"Only those of one area of the firmware: {', '.join(AREAS)}, system.",
 )
 @click.option("--type", "types", multiple=True, metavar="TYPE", help="Only DIRECT_REPLY, or all that is direct-reply.")
+@click.option("--accepted", is_flag=True, help="Only commands that the brick accepts: check finds no errors in them.")
 @click.option("--mutate", is_flag=True, help="Frames that are no longer right: changed, cut, lengthened.")
 @click.option(
     "--format", "style", type=click.Choice(["hex", "raw", *FORMATS]), default="hex", show_default=True, help="How."
@@ -52,22 +53,26 @@ def sample(
     names: tuple[str, ...],
     areas: tuple[str, ...],
     types: tuple[str, ...],
+    accepted: bool,
     mutate: bool,
     style: str,
     dialect: str,
 ) -> None:
     """Draws frames at random, from all that the tables have.
 
-    They are right as far as they can be read; `check` says whether a brick would run them. The options that
-    choose can be given several times; of --op, --area and --type together, all must hold. raw writes the bytes of one
-    frame after the other.
+    They can be read, but a brick would refuse many of them. With --accepted, it would not: `check` finds no errors,
+    warnings and hints at most. The options that choose can be given several times; of --op, --area and --type together,
+    all must hold. raw writes the bytes of one frame after the other.
 
     \b
       ev3proto sample --count 100 --seed 7 > frames.txt
+      ev3proto sample --accepted --area sound | ev3proto send virtual
       ev3proto sample --op SOUND --op UI_DRAW.LINE --format asm
       ev3proto sample --type system-reply --mutate --format raw | my_decoder
     """  # noqa: D301 - the mark by which click leaves lines as they are
-    frames = _frames(seed, names, areas, types, mutate, dialect)
+    if accepted and mutate:
+        raise click.UsageError("--accepted draws frames without errors, and --mutate adds some: give one or the other")
+    frames = _frames(seed, names, areas, types, accepted, mutate, dialect)
     write = _writer(style, dialect)
     written = 0
     for frame in islice(frames, min(count, sys.maxsize)):
@@ -78,21 +83,27 @@ def sample(
 
 
 def _frames(
-    seed: int, names: tuple[str, ...], areas: tuple[str, ...], types: tuple[str, ...], mutate: bool, dialect: str
+    seed: int,
+    names: tuple[str, ...],
+    areas: tuple[str, ...],
+    types: tuple[str, ...],
+    accepted: bool,
+    mutate: bool,
+    dialect: str,
 ) -> Iterator[bytes]:
     # Hypothesis keeps what it has worked out in a folder of its own, which nobody who asks for samples wants.
     os.environ.setdefault("HYPOTHESIS_STORAGE_DIRECTORY", os.devnull)
     try:
         from ev3proto.sampling import samples  # hypothesis is an extra
-        from ev3proto.testing import choice, frames, mutated_frames
+        from ev3proto.testing import accepted_frames, choice, frames, mutated_frames
     except ImportError:
         complain("samples are drawn with hypothesis, which is not installed or too old: " + install_command("sample"))
         sys.exit(1)
     try:
         chosen = choice(names=names, areas=areas, types=types, dialect=dialect)
+        return samples((mutated_frames if mutate else accepted_frames if accepted else frames)(dialect, chosen), seed)
     except ValueError as error:
         raise click.UsageError(str(error)) from None
-    return samples((mutated_frames if mutate else frames)(dialect, chosen), seed)
 
 
 def _writer(style: str, dialect: str) -> Callable[[bytes], None]:

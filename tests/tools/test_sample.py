@@ -11,16 +11,18 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner, Result
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from support.cli import run_ev3proto_text
+from support.effort import effort
 
 import ev3proto
 from ev3proto import DaisyCommand, DirectCommand, MessageType, SystemCommand, SystemReply
 from ev3proto.cli.sample import sample
 from ev3proto.extras import install_command
 from ev3proto.sampling import samples
-from ev3proto.tables import OPCODES, area_of
-from ev3proto.testing import choice, frames
+from ev3proto.tables import OPCODES, area_of, operations
+from ev3proto.testing import accepted_frames, choice, frames
 
 ROOT = Path(__file__).parents[2]
 AREA = {opcode.name: area_of(opcode) for opcode in OPCODES}
@@ -186,6 +188,42 @@ def test_other_dialects() -> None:
     assert "RECTANGLE" in done.stdout
 
 
+# What the brick accepts
+
+
+@pytest.mark.parametrize("dialect", ["official", "xtended", "compat"])
+@given(data=st.data())
+@settings(max_examples=effort(100, 1000))
+def test_accepted_frames_have_no_errors(dialect: str, data: st.DataObject) -> None:
+    report = ev3proto.check(data.draw(accepted_frames(dialect)), dialect=dialect)
+    assert report.accepted
+    assert report.errors == ()
+
+
+def test_accepted_frames_are_commands_of_every_kind() -> None:
+    messages = drawn("--accepted", "-n", "300")
+    assert {message.kind for message in messages} == {"direct-command", "system-command", "daisy-command"}
+    counts = {len(message.operations) for message in messages if isinstance(message, DirectCommand)}
+    assert counts == {1, 2, 3, 4, 5, 6}
+    for message in drawn("--accepted", "--area", "move", "-n", "20"):
+        assert isinstance(message, DirectCommand)
+        assert message.operations
+
+
+def test_accepted_frames_have_operations_of_every_name() -> None:
+    """All but those that the firmware of 2013 refuses."""
+    refused = {"ERROR", "UI_READ.GET_POWER", "UI_WRITE.ADDRESS"}
+    for name in operations("official"):
+        found = islice(samples(accepted_frames(chosen=choice(names=[name], types=["direct-command"])), 1), 1)
+        assert (next(found, None) is None) == (name in refused), name
+
+
+def test_check_counts_no_errors_in_accepted_frames() -> None:
+    done = run_ev3proto_text("check", "--quiet", stdin=run("--accepted", "-n", "200", "--seed", "7").stdout)
+    assert done.returncode == 0
+    assert done.stdout.startswith("200 frames: 0 errors, ")
+
+
 # Forms
 
 
@@ -227,6 +265,8 @@ def test_decode_reads_them() -> None:
             "nothing that was named is in the area timer or output: SOUND and LIST_FILES are of sound, system",
         ),
         (("--area", "none"), "'none' is not one of"),
+        (("--accepted", "--mutate"), "--accepted draws frames without errors, and --mutate adds some"),
+        (("--accepted", "--type", "direct-reply"), "the brick accepts commands only"),
         (("--count", "0"), "0 is not in the range x>=1"),
         (("--seed", "-1"), "-1 is not in the range"),
     ],

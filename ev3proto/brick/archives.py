@@ -1,4 +1,4 @@
-"""FILENAME PACK and UNPACK: archives of one file or folder. What is in an archive stays in the folder it is in."""
+"""FILENAME.PACK and UNPACK: archives of one file or folder. What is in an archive stays in the folder it is in."""
 
 from __future__ import annotations
 

@@ -12,7 +12,7 @@ DEVIATIONS: tuple[str, ...] = (
     "Memory that the firmware leaves as it was, such as new elements of arrays, is zero.",
     "MAILBOX_READ of a box that is not open skips its parameters; the firmware executes them.",
     "The remainder of an integer division by zero is 0; the firmware dies.",
-    "STRINGS STRING_TO_VALUE of a text without a number gives 0; the firmware gives any number.",
+    "STRINGS.STRING_TO_VALUE of a text without a number gives 0; the firmware gives any number.",
     f"A direct command that never ends is ended, with 0x04, after {MOST_OPERATIONS:,} operations,"
     f" {MOST_PROCESSOR_SECONDS:g} s of this computer's processor, or {MOST_SECONDS} s of waiting."
     " The real brick stays deaf.",

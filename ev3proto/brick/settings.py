@@ -19,7 +19,7 @@ class Settings:
     bluetooth_address    12 hexadecimal digits in lower case
     mode2                Bluetooth's mode for Apple devices
     wifi                 whether WiFi is on
-    network, mac, ip     of WiFi, as COM_GET GET_NETWORK says it; None: not connected
+    network, mac, ip     of WiFi, as COM_GET.GET_NETWORK says it; None: not connected
     errors               the log of errors, oldest first
     """
 

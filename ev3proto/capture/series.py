@@ -156,8 +156,8 @@ def _named(reply: Record) -> list[tuple[Value, str]]:
         number = used[key] = used.get(key, -1) + 1
         inputs = asked.get(key[:2], [])
         inside = inputs[number] if number < len(inputs) else ""
-        full_name = f"{value.op}.{value.command}" if value.command else value.op
-        named.append((value, f"{full_name}({inside}).{value.name}" if inside else f"{full_name}.{value.name}"))
+        arguments = f"({inside})" if inside else ""
+        named.append((value, f"{value.full_name}{arguments}.{value.name}"))
     return named
 
 

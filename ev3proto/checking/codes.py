@@ -651,7 +651,7 @@ NOT_SHOWN = _code(
     "W702",
     "a drawing that is not shown",
     """
-    Operations draw on a canvas. It becomes visible with UI_DRAW UPDATE (84:00), which does not come after this
+    Operations draw on a canvas. It becomes visible with UI_DRAW.UPDATE (84:00), which does not come after this
     one.
     """,
     _sized("2A:00|80|00:00|84:02:01:05:05"),

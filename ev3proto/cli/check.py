@@ -5,8 +5,9 @@ from __future__ import annotations
 import json
 import sys
 from collections import Counter
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from itertools import chain
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
@@ -18,8 +19,8 @@ from ev3proto.checking.program_codes import PROGRAM_CODES
 from ev3proto.checking.report import Finding, Fix, Report
 from ev3proto.cli.commands import given_options
 from ev3proto.cli.output import Printer, complain
-from ev3proto.cli.reading import SOURCE_SUFFIX, CaptureOptions, Piece, reading_options
-from ev3proto.cli.sources import Source, SourceReader, sources
+from ev3proto.cli.reading import SOURCE_SUFFIX, CaptureOptions, Piece, introduction, reading_options
+from ev3proto.cli.sources import Source, SourceReader, looks_like_assembly, sources
 from ev3proto.errors import counted, near_misses
 from ev3proto.tables.carriers import CARRIERS
 from ev3proto.text.diagnostics import diagnostics, explanation, fixed
@@ -125,11 +126,39 @@ class Checking(SourceReader):
             self.complain(f"{source.where(pasted)}: the text is cut off after {len(frame)} bytes: nobody can check it")
             return
         if source.is_frame:
-            place = Place("" if self._is_single else f"frame {self.frames + 1}", {})
+            self._typed(frame)
         else:
             facts = {"source": source.label, "line": pasted.line, "column": pasted.column}
-            place = Place(source.where(pasted), facts, is_among=True)
-        self._frame(frame, place, self._options.carrier)
+            self._frame(frame, Place(source.where(pasted), facts, is_among=True), self._options.carrier)
+
+    def text(self, source: Source, lines: Iterator[str]) -> None:
+        """A text. Its first line that is neither empty nor a comment says whether it is assembly."""
+        first = list(introduction(lines))
+        whole = chain(first, lines)
+        if first and self.reading.missing is None and looks_like_assembly(first[-1]):
+            self.assembly(source, whole)
+        else:
+            super().text(source, whole)
+
+    def assembly(self, source: Source, lines: Iterator[str]) -> None:
+        """Assembly, as `encode` and `send` take it; its values are left to the check."""
+        from ev3proto.cli.assembly import assembled_messages  # takes 5 ms, which frames have no use for
+
+        self._is_empty = False
+        dialect = self.reading.dialect
+        messages = assembled_messages(source, lines, self.complain, dialect=dialect, unchecked=True)
+        for number, message in enumerate(messages, 1):
+            if message.type is not None and not message.type.is_command:
+                self.replies += 1
+            elif source.is_frame:
+                self._typed(message.build())
+            else:
+                place = Place(f"{source.label}, frame {number}", {"source": source.label}, is_among=True)
+                self._frame(message.build(), place, self._options.carrier)
+
+    def _typed(self, frame: bytes) -> None:
+        """A frame of an argument."""
+        self._frame(frame, Place("" if self._is_single else f"frame {self.frames + 1}", {}), self._options.carrier)
 
     def capture(self, capture: CaptureSource) -> int:
         """The commands in a capture, each as what carried it takes it."""
@@ -360,12 +389,13 @@ def check(
 
     The verdict is that of the firmware itself, quirks included. Beside it stands what a careful sender would change:
     errors will not do what was meant, warnings may not, hints only could be done better. Frames come in every form that
-    decode reads; of logs and captures, the replies of the brick are passed over.
+    decode reads, or as assembly; of logs and captures, the replies of the brick are passed over.
 
     Exit status: 1 where the brick refuses a frame, where there are errors, and where the input cannot be read; else 0.
 
     \b
       ev3proto check 08 00 2a 00 80 00 00 81 01 60
+      ev3proto check 'UI_READ(GET_VBATT, GV0(0))'
       ev3proto check --fix "0x|09:00|2A:00|80|00:00|81|01|60|"
       ev3proto check --strict --no-hints robot.log
       ev3proto check robot.rbf

@@ -14,6 +14,7 @@ from typing import Any, BinaryIO, Protocol, Self
 
 import click
 
+from ev3proto.cli.assembly import assembled_messages
 from ev3proto.cli.captures import CaptureSource
 from ev3proto.cli.commands import given_options
 from ev3proto.cli.output import binary_output, complain, is_terminal, say
@@ -23,8 +24,6 @@ from ev3proto.dialogue import Dialogue
 from ev3proto.messages import Message
 from ev3proto.schema.frame import parse
 from ev3proto.tables.frame import COUNTERS
-from ev3proto.text.assembly import AssemblyError
-from ev3proto.text.assembly.assembling import MAX_TEXT, assembled
 from ev3proto.text.assembly.disassembly import assembly
 from ev3proto.text.assembly.recognising import OBJECT, is_assembly
 from ev3proto.text.forms import as_c, as_hex, as_python
@@ -38,8 +37,6 @@ from ev3proto.whole_files import whole_file
 _START = 8
 RBF, SUFFIX = "rbf", ".rbf"
 """The form of programs: their images."""
-
-_SUBROUTINE = "subcall"
 
 
 class Output:
@@ -189,32 +186,17 @@ class Encoding(SourceReader):
             self.complain(f"{source.label[:60]}, {error}")
 
     def _assembly(self, source: Source, lines: Iterable[str]) -> None:
-        text = _joined(lines, "\n" if source.is_frame else "", MAX_TEXT + 1)
-        try:
-            for message in assembled(
-                text,
-                dialect=self.reading.dialect,
-                counter=self._counter,
-                reply=self._reply,
-                unchecked=self._unchecked,
-            ):
-                self._output.write(message)
-                self._counter = (message.counter + 1) % COUNTERS
-        except AssemblyError as error:
-            objects = OBJECT.findall(text)
-            if len(objects) <= 1 and _SUBROUTINE not in objects:
-                self._tell(source, error)
-            if objects:
-                label = "this" if source.is_frame else source.label
-                self.complain(f"{label}: the source of a program fits no frame: give -o FILE.rbf to make its image")
-
-    def _tell(self, source: Source, error: AssemblyError) -> None:
-        """Every error with its line and, below that, a mark at the place."""
-        place = "" if source.is_frame else f"{source.label}, "
-        for one in (error, *error.others):
-            self.complain(f"{place}{one}")
-            if one.text.strip():
-                complain("\n".join(f"  {line}" for line in one.excerpt.split("\n")))
+        for message in assembled_messages(
+            source,
+            lines,
+            self.complain,
+            dialect=self.reading.dialect,
+            counter=self._counter,
+            reply=self._reply,
+            unchecked=self._unchecked,
+        ):
+            self._output.write(message)
+            self._counter = (message.counter + 1) % COUNTERS
 
     def _frames(self, source: Source, lines: Iterable[str]) -> None:
         found = [read_argument(source.name)] if source.is_frame else read_text(lines)
@@ -243,18 +225,6 @@ _EXPECTED = (
 def _is_record(line: str) -> bool:
     """Whether an object of JSON starts in a line; a brace alone is one too, arrays of C have a name before it."""
     return line == "{" or (line.startswith("{") and line[1:].lstrip().startswith('"'))
-
-
-def _joined(lines: Iterable[str], between: str, most: int) -> str:
-    """The lines as one text, of which nothing is read after so many characters."""
-    kept: list[str] = []
-    size = 0
-    for line in lines:
-        kept.append(line)
-        size += len(line) + len(between)
-        if size >= most:
-            break
-    return between.join(kept)
 
 
 class _Version(click.ParamType):

@@ -37,7 +37,7 @@ from ev3proto.text.spans import Line, Role
 def ops(words: tuple[str, ...], area: str | None, as_json: bool, dialect: str) -> None:
     """Lists the operations, searches them, or shows one in full.
 
-    WORDS is a name or number (sound.tone, "SOUND TONE", 0x94, 148), then it is shown in full; or anything else, then
+    WORDS is a name or number (sound.tone, 0x94, 148), then it is shown in full; or anything else, then
     every operation is listed that has all the words in its name, its meaning, its parameters or the names of their
     values. Those that have them in their name come first.
 
@@ -52,7 +52,7 @@ def ops(words: tuple[str, ...], area: str | None, as_json: bool, dialect: str) -
     exact = _exact(entries, words) if words else []
     found = exact or _ranked(entries, words)
     if not found:
-        hint = near_misses(".".join(words), [entry.name for entry in entries])
+        hint = near_misses(".".join(words), [entry.name for entry in entries]) or _near_words(entries, words)
         hint = hint or "; without words, ops lists all there are"
         complain(f"nothing has {' '.join(words)!r} in its name or meaning{hint}")
         sys.exit(1)
@@ -230,6 +230,17 @@ def _ranked(entries: list[Entry], words: tuple[str, ...]) -> list[Entry]:
         if len(known) == len(ranks):
             ranked.append((sum(known), entry))
     return [entry for _, entry in sorted(ranked, key=lambda pair: pair[0])]
+
+
+def _near_words(entries: list[Entry], words: tuple[str, ...]) -> str:
+    """`: did you mean battery?` for the first word that no entry has but a similar one; or nothing."""
+    known = {word for entry in entries for text in entry.texts for word in _words(text)}
+    for word in (word for each in words for word in _words(each)):
+        if not _has(list(known), word):
+            hint = near_misses(word, sorted(each.upper() for each in known)).lower()
+            if hint:
+                return hint
+    return ""
 
 
 def _words(text: str) -> list[str]:

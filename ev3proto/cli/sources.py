@@ -98,7 +98,7 @@ _HOW_FRAMES_ARE_WRITTEN = "frames are written in hex, such as 06:00|2A:00|80|00:
 _HOW_FRAMES_ARE_MADE = "`ev3proto encode` makes frames of it"
 
 
-def _looks_like_assembly(line: str) -> bool:
+def looks_like_assembly(line: str) -> bool:
     """Whether a line that has no frame is assembly; one with nothing but a label may as well be a heading."""
     from ev3proto.text.assembly.recognising import is_assembly  # takes 11 ms, which frames have no use for
 
@@ -149,12 +149,16 @@ class SourceReader(ABC):
             self.text(source, iter([source.name]))
             return
         pasted = read_argument(source.name)
-        if not pasted.data and _looks_like_assembly(source.name):
-            self.complain(
-                f"{source.name[:60]!r} is neither a file nor a frame, but looks like assembly: {_HOW_FRAMES_ARE_MADE}"
-            )
+        if not pasted.data and looks_like_assembly(source.name):
+            self.assembly(source, iter(source.name.split("\n")))
         else:
             self._pasted(pasted, source)
+
+    def assembly(self, source: Source, lines: Iterator[str]) -> None:  # noqa: ARG002 - for those that read it
+        """Takes assembly that was typed on the command line; unless overridden, suggests `encode`."""
+        self.complain(
+            f"{source.name[:60]!r} is neither a file nor a frame, but looks like assembly: {_HOW_FRAMES_ARE_MADE}"
+        )
 
     def text(self, source: Source, lines: Iterator[str]) -> None:
         """Takes the lines of a text, and complains about those that look like frames and are none."""
@@ -178,7 +182,7 @@ class SourceReader(ABC):
                 f"{label}a program's source has no frames: `ev3proto encode -o FILE.rbf` makes its image, which decode"
                 " shows"
             )
-        if _looks_like_assembly(self._first_line):
+        if looks_like_assembly(self._first_line):
             return f"{source.label}: there is no frame in it, but what looks like assembly: {_HOW_FRAMES_ARE_MADE}"
         return f"{label}there is no frame in {'the input' if is_alone else 'it'}: {_HOW_FRAMES_ARE_WRITTEN}"
 

@@ -150,14 +150,14 @@ def _outcome(message: Message) -> tuple[MessageType | None, int | None]:
 
 def _varies(value: Value) -> bool:
     """Whether another brick, or the same one later, answers another value: the time, the battery, names, sensors."""
-    declaration = operations().get(f"{value.op}.{value.command}" if value.command else value.op)
+    declaration = operations().get(value.full_name)
     effects = [entry.effects for entry in SYSTEM if entry.name == value.op] if declaration is None else []
     return Effect.VARIES in (declaration.effects if declaration is not None else chain(*effects))
 
 
 def firmware_of(reply: Record) -> str | None:
     """Returns the version of the firmware that a reply tells; None where it tells none."""
-    found = [value.value for value in reply.values if f"{value.op}.{value.command}" == _FIRMWARE]
+    found = [value.value for value in reply.values if value.full_name == _FIRMWARE]
     return str(found[0]) if found else None
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from ev3proto.errors import BuildError
 from ev3proto.messages import DirectCommand, DirectReply, FieldValue, Operation, SystemCommand, SystemReply
 from ev3proto.schema.fields import REPLIES, REQUESTS, Fields, system_entry
@@ -34,8 +36,16 @@ def direct_command(
     Raises:
         BuildError: There is no operation, or no frame can carry the command.
     """
+    made = any_direct_command(operations, counter, reply, global_size, local_size)
     if not operations:
         raise BuildError(EMPTY_COMMAND)
+    return made
+
+
+def any_direct_command(
+    operations: Sequence[Operation], counter: int, reply: bool, global_size: int, local_size: int
+) -> DirectCommand:
+    """Makes a direct command, an empty one too, which no brick runs but anybody may send. As `direct_command`."""
     for operation in operations:
         if not isinstance(operation, Operation):
             raise BuildError(

@@ -449,14 +449,33 @@ class InstructionSet(Bytewise):
         if not isinstance(operation, Mapping) or "name" not in operation:
             raise BuildError(f"{operation!r} is no operation: ev3proto.operation makes one")
         name = ".".join(filter(None, (operation["name"], operation.get("command"))))
-        return self.named(name).write(operation.get("arguments", ()))
+        return self._named(name).write(operation.get("arguments", ()))
 
-    def named(self, name: str) -> OperationSchema:
-        """Finds the schema of one operation, as `[]` does. Raises BuildError where there is none."""
+    def _named(self, name: str) -> OperationSchema:
         try:
             return self.by_name.get(name) or self[name]
         except KeyError as error:
             raise BuildError(error.args[0]) from None
+
+    def operation(self, name: str, *values: Any, **named: Any) -> Operation:
+        """Makes an operation of values.
+
+        Args:
+            name: `SOUND.TONE`, `UI_FLUSH`, in any case.
+            values: Values in the order of the parameters.
+            named: Values by the parameter's name, in place of `values`.
+
+        Returns:
+            The operation by itself, at offset 0.
+
+        Raises:
+            BuildError: There is no such operation, or it cannot have these values.
+
+        """
+        schema = self._named(name)
+        if values and named:
+            raise BuildError(f"{name}: give its values in order or by name, not both")
+        return schema.make(named or values)
 
 
 def _first(commands: dict[int, OperationSchema]) -> list[tuple[int, Any]]:
@@ -497,6 +516,4 @@ def operation(name: str, *values: Any, dialect: str = "official", **named: Any) 
             value and what would be right.
         ValueError: There is no such dialect.
     """
-    if values and named:
-        raise BuildError(f"{name}: give its values in order or by name, not both")
-    return instruction_set(dialect).named(name).make(named or values)
+    return instruction_set(dialect).operation(name, *values, **named)

@@ -56,6 +56,11 @@ class Value(NamedTuple):
     length: int = 0
 
     @property
+    def full_name(self) -> str:
+        """`UI_READ.GET_VBATT`, or the name of an opcode or system command alone."""
+        return f"{self.op}.{self.command}" if self.command else self.op
+
+    @property
     def number(self) -> float:
         """The value where it is a number. Raises TypeError for a text, bytes or a list: `value` has those."""
         if isinstance(self.value, int | float):

@@ -1,4 +1,4 @@
-"""The errors that the firmware logs, by number: what INFO GET_ERROR gives and INFO ERRORTEXT spells."""
+"""The errors that the firmware logs, by number: what INFO.GET_ERROR gives and INFO.ERRORTEXT spells."""
 
 ERRORS: tuple[str, ...] = (
     "TOO_MANY_ERRORS_TO_BUFFER",

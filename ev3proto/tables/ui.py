@@ -1,6 +1,6 @@
 """The brick's face: display, buttons, lights, debug terminal, battery and the rest of its state.
 
-Drawing goes to a canvas that UI_DRAW UPDATE makes visible. Dialogues (NOTIFICATION, QUESTION, KEYBOARD, BROWSE,
+Drawing goes to a canvas that UI_DRAW.UPDATE makes visible. Dialogues (NOTIFICATION, QUESTION, KEYBOARD, BROWSE,
 TEXTBOX, ...) keep the program or direct command waiting until somebody presses a button.
 """
 

@@ -13,7 +13,7 @@ import re
 from collections.abc import Iterable
 from typing import Final
 
-_HARMFUL = (
+_HARMFUL = re.compile(
     "[\x00-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2060-\u206f\ufeff\ud800-\udfff\ufff9-\ufffb\ufffe\uffff"
     "\U000e0000-\U000e007f]"
 )
@@ -31,7 +31,7 @@ def visible(text: str) -> str:
 
     """
     # Most texts are harmless, and this test takes a tenth of the time of the other.
-    return text if text.isprintable() else re.sub(_HARMFUL, _escaped, text)
+    return text if text.isprintable() else _HARMFUL.sub(_escaped, text)
 
 
 def visible_lines(text: str) -> str:

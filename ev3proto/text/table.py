@@ -70,8 +70,7 @@ def table(exchange: Exchange, seen: Seen) -> Iterator[Line]:
     for number, band in enumerate(_bands(list(_cells(message)))):
         yield from _draw(band, first=number == 0)
     for value in exchange.values if isinstance(message, DirectReply) else ():
-        operation = f"{value.op} {value.command}" if value.command else value.op
-        yield [(f"{operation} {value.name} = {value_text(value)}", Role.VALUE)]
+        yield [(f"{value.full_name} {value.name} = {value_text(value)}", Role.VALUE)]
     if isinstance(message, SystemCommand):
         for name, _, meaning in field_texts(message):
             if meaning:

@@ -57,11 +57,10 @@ def tree(exchange: Exchange, seen: Seen) -> Iterator[Line]:
 
 def operation_lines(operation: Operation) -> list[Line]:
     """The lines of one operation: what it is, and each argument with its encoding and meaning."""
-    name = operation.full_name.replace(".", " ", 1)
     lines: list[Line] = [
         [
             (f"  {operation.offset:4}  ", Role.ASIDE),
-            (name, Role.OPERATION),
+            (operation.full_name, Role.OPERATION),
             (f"  {operation.declaration.text}", Role.ASIDE),
         ]
     ]
@@ -90,10 +89,9 @@ def _values(exchange: Exchange) -> Iterator[Line]:
     message = exchange.message
     assert isinstance(message, DirectReply)
     for value in exchange.values:
-        operation = f"{value.op} {value.command}" if value.command else value.op
         yield [
             (f"  {value.offset:4}  ", Role.ASIDE),
-            (operation, Role.OPERATION),
+            (value.full_name, Role.OPERATION),
             (f" {value.name}", Role.NAME),
             (" = ", Role.PLAIN),
             (value_text(value), Role.VALUE),

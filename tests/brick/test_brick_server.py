@@ -539,7 +539,7 @@ def test_recorded_traffic_is_read_back(tmp_path: Path) -> None:
         assert first.ask(VOLUME) == HUNDRED
         assert second.ask(READ)[:4] == bytes.fromhex("04000700")
     done = run_ev3proto_text("decode", capture)
-    assert "INFO GET_VOLUME" in done.stdout
+    assert "INFO.GET_VOLUME" in done.stdout
     assert "VALUE = 100" in done.stdout
     assert "INPUT_READ" in done.stdout
     assert done.stderr == ""

@@ -115,7 +115,7 @@ def test_every_frame_of_the_lesson() -> None:
 def test_a_dialogue_in_a_log() -> None:
     log = "Sent 0x|08:00|01:00|00|04:00|81:01:60|\nRecv 0x|07:00|01:00|02|A4:70:FD:40|\n"
     done = run("decode", stdin=log)
-    assert "UI_READ GET_VBATT VALUE = 7.92 V" in done.stdout
+    assert "UI_READ.GET_VBATT VALUE = 7.92 V" in done.stdout
     assert done.returncode == 0
 
 
@@ -126,7 +126,7 @@ def test_lines_that_are_cut() -> None:
     )
     assert done.returncode == 0
     assert "22 bytes of 55: the text is cut here" in done.stdout
-    assert "UI_DRAW BMPFILE" in done.stdout
+    assert "UI_DRAW.BMPFILE" in done.stdout
     assert '"../app..."' in done.stdout
 
 
@@ -160,6 +160,7 @@ def test_formats() -> None:
         (("decode", "--format", "xml", TONE), 2, "xml"),
         (("decode", "--dialect", "lejos", TONE), 2, "lejos"),
         (("ops", "toen"), 1, "did you mean SOUND.TONE"),
+        (("ops", "battry"), 1, "did you mean battery"),
         (("nonsense",), 2, "nonsense"),
     ],
 )
@@ -236,18 +237,17 @@ def test_input_without_a_frame() -> None:
     assert "no frame in the input" in done.stderr
 
 
-def test_assembly_is_for_encode(tmp_path: Path) -> None:
+def test_decode_suggests_encode_for_assembly(tmp_path: Path) -> None:
     file = tmp_path / "tone.txt"
     file.write_text("// a tone\n\nSOUND(TONE, 1, 440, 1000)\n")
     advice = "`ev3proto encode` makes frames of it"
-    for command in ("decode", "check"):
-        done = run(command, "SOUND(TONE, 1, 440, 1000)")
-        said = "'SOUND(TONE, 1, 440, 1000)' is neither a file nor a frame, but looks like assembly"
-        assert (done.returncode, done.stdout, done.stderr) == (1, "", f"{said}: {advice}\n")
-        said = f"{file}: there is no frame in it, but what looks like assembly"
-        for words in ((str(file),), (str(file), TONE)):
-            done = run(command, *words)
-            assert (done.returncode, done.stderr) == (1, f"{said}: {advice}\n")
+    done = run("decode", "SOUND(TONE, 1, 440, 1000)")
+    said = "'SOUND(TONE, 1, 440, 1000)' is neither a file nor a frame, but looks like assembly"
+    assert (done.returncode, done.stdout, done.stderr) == (1, "", f"{said}: {advice}\n")
+    said = f"{file}: there is no frame in it, but what looks like assembly"
+    for words in ((str(file),), (str(file), TONE)):
+        done = run("decode", *words)
+        assert (done.returncode, done.stderr) == (1, f"{said}: {advice}\n")
     file.write_text("Results:\n")
     assert "assembly" not in run("decode", str(file)).stderr
     assert "assembly" not in run("decode", "--format", "asm", TONE).stderr

@@ -313,3 +313,39 @@ def test_replies_in_plain_hex_are_passed_over() -> None:
     done = run("-", stdin=b"07002a00020000d041\n08000100000400810160\n")
     assert done.returncode == 0
     assert "1 frame from the brick not checked" in done.stdout
+
+
+# Assembly
+
+
+def test_assembly_that_is_typed() -> None:
+    done = run("UI_READ(GET_VBATT, GV0(0))")
+    assert (done.returncode, done.stdout, done.stderr) == (0, "accepted: no findings\n", "")
+    done = run("--json", "UI_READ(GET_VBATT, GV0(1))")
+    assert done.returncode == 1
+    assert [finding["code"] for finding in json.loads(done.stdout)["findings"]] == ["E205"]
+
+
+def test_assembly_that_cannot_be_read_is_shown_as_send_shows_it() -> None:
+    done = run("UI_READ(..)")
+    assert (done.returncode, done.stdout) == (1, "")
+    sent = run_ev3proto_text("send", "virtual", "UI_READ(..)")
+    assert done.stderr == sent.stderr
+    assert done.stderr.startswith("line 1, column 9: ")
+
+
+def test_assembly_in_a_file(tmp_path: Path) -> None:
+    """Commands are checked one by one, and replies passed over, as in a log."""
+    file = tmp_path / "robot.asm"
+    file.write_text(
+        run_ev3proto_text("decode", "--format", "asm", "06002a0000000001", "03002a0002", "08000100000500810161").stdout
+    )
+    done = run("--json", str(file))
+    assert [json.loads(line)["accepted"] for line in done.stdout.splitlines()] == [True, False]
+    assert f"{file}, frame 3: the brick refuses it at offset 7" in run(str(file)).stdout
+
+
+def test_a_log_whose_first_line_looks_like_an_operation() -> None:
+    done = run(stdin="INFO(main): sent 0x|06:00|2A:00|00|00:00|01|\n")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "accepted" in done.stdout

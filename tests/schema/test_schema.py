@@ -689,18 +689,9 @@ def test_the_bootloader_fault_is_named() -> None:
         (lambda: ev3proto.operation("INIT_BYTES", LV(0), 3, [1, 2]), ["LENGTH", "3", "2 values follow"]),
         (lambda: ev3proto.operation("CALL", 1, [0] * 128), ["PARAMETERS", "128", "0 to 127"]),
         (lambda: ev3proto.operation("SOUND.TON", 1), ["SOUND.TON", "SOUND.TONE"]),
-        (
-            lambda: ev3proto.direct_command(ev3proto.operation("SOUND_READY"), local_size=64),
-            ["local_size", "64", "0 to 63"],
-        ),
-        (
-            lambda: ev3proto.direct_command(ev3proto.operation("SOUND_READY"), global_size=1024),
-            ["global_size", "1024", "0 to 1023"],
-        ),
-        (
-            lambda: ev3proto.direct_command(ev3proto.operation("SOUND_READY"), counter=65536),
-            ["counter", "65536", "0 to 65535"],
-        ),
+        (lambda: ev3proto.direct_command(local_size=64), ["local_size", "64", "0 to 63"]),
+        (lambda: ev3proto.direct_command(global_size=1024), ["global_size", "1024", "0 to 1023"]),
+        (lambda: ev3proto.direct_command(counter=65536), ["counter", "65536", "0 to 65535"]),
         (lambda: ev3proto.direct_command(*[ev3proto.operation("SOUND_READY")] * 1018), ["1025 bytes", "1024"]),
         (lambda: ev3proto.direct_reply(bytes(1020)), ["1025 bytes", "1024"]),
         (lambda: ev3proto.system_command("CREATE_DIR", path="a\0"), ["path", r"'a\x00'", "zero"]),

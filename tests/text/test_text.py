@@ -43,7 +43,7 @@ def drawn(frame: bytes) -> list[str]:
 def test_the_tree_of_a_command() -> None:
     assert shown(TONE, Seen("sent", "09:12:31.011558")) == [
         "09:12:31.011558 sent DIRECT_COMMAND_NO_REPLY, counter 42, 16 bytes",
-        "     7  SOUND TONE  Plays one tone and returns at once",
+        "     7  SOUND.TONE  Plays one tone and returns at once",
         "     9    VOLUME    = 1 %  LC0: how loud",
         "    10    FREQUENCY = 440 Hz  LC2: pitch; the driver moves others into the range",
         "    13    DURATION  = 1000 ms  LC2: how long, read without sign (-1 is 65535)",
@@ -53,7 +53,7 @@ def test_the_tree_of_a_command() -> None:
 def test_the_tree_of_a_reply_reads_its_memory() -> None:
     assert shown(ANSWER, before=ASK) == [
         "DIRECT_REPLY, counter 1, 9 bytes: ok",
-        "     5  UI_READ GET_VBATT VALUE = 7.92 V  DATAF",
+        "     5  UI_READ.GET_VBATT VALUE = 7.92 V  DATAF",
     ]
     assert shown(ANSWER) == [
         "DIRECT_REPLY, counter 1, 9 bytes: ok (the command it answers was not seen)",

@@ -1,6 +1,6 @@
 """The six buttons: who holds them down, and what the firmware remembers about each until a program asks.
 
-A button is held by a hand (`Brick.press`) or by the virtual finger of UI_BUTTON PRESS. The firmware looks at the
+A button is held by a hand (`Brick.press`) or by the virtual finger of UI_BUTTON.PRESS. The firmware looks at the
 buttons every 10 ms: what an operation presses shows later, or to the next command. What a hand presses shows at once.
 """
 

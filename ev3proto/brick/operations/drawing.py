@@ -229,7 +229,7 @@ def bmpfile(vm: Machine, color: int, x: int, y: int, name: Place) -> None:
 
 @handles("UI_DRAW.PICTURE")
 def picture(vm: Machine, color: int, x: int, y: int, address: int) -> None:
-    """A picture from memory, where FILE LOAD_IMAGE has put it; nothing for address 0."""
+    """A picture from memory, where FILE.LOAD_IMAGE has put it; nothing for address 0."""
     image = vm.images.get(address)
     if image is not None:
         _picture(vm, color, x, y, image.data)

@@ -116,7 +116,7 @@ class NamedFields:
 
     def _values(self, record: Record) -> Iterator[Held]:
         for value in record.values:
-            parameter = self.operations.get(value.op if value.command is None else f"{value.op}.{value.command}")
+            parameter = self.operations.get(value.full_name)
             if parameter is not None and self._is_meant(value.name, parameter):
                 for item in value.value if isinstance(value.value, list) else (value.value,):
                     yield Held(item, parameter.enum, parameter.unit)

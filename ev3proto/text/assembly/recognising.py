@@ -21,12 +21,17 @@ _STATEMENT = re.compile(
     re.VERBOSE | re.ASCII,
 )
 _NAME = re.compile(r"([A-Za-z_]\w*)(?:\.\w+)?\s*(?:\(|$)", re.ASCII)
+_LOG_LEVEL = re.compile(r"[A-Z]+\s*\([^)]*\)\s*:", re.ASCII)
+"""`INFO(main): sent ...`: a line of a log, though INFO is an operation, too."""
+
 _NAMES = {opcode.name for opcode in OPCODES} | {entry.name for entry in SYSTEM}
 
 
 def is_assembly(line: str) -> bool:
-    """Whether a line can only be assembly, rightly spelled or nearly so. A comment may stand after it."""
+    """Whether a line can only be assembly, rightly spelled or nearly so, perhaps with a comment behind it."""
     code = line.partition("//")[0].strip()
+    if _LOG_LEVEL.match(code):
+        return False
     if _STATEMENT.match(code):
         return True
     name = _NAME.match(code)

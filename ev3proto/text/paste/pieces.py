@@ -92,11 +92,6 @@ _BESIDE = (
     r"|bytearray|(?:\d{1,7}\s{1,4})?bytes?)\b"
 )
 _MARKS = r"[\s\[({\])}\"'`:;,|]+|[<>=-]"
-# Arrows that also mean other things count only right in front of a frame: not after a key or an index.
-_ARROW = (
-    r"(?:(?<![\w\]\"'<>=-])(?<![\d\]\"']\s)(?:(?P<out>=>|>>>)|(?:<=|<<<))"
-    r"|(?<!\S)(?:(?P<lone>>)|<)(?=\s))\s{0,4}(?:0[xX]\||[\[({\"'])?$"
-)
 
 
 class _Patterns(NamedTuple):
@@ -105,7 +100,6 @@ class _Patterns(NamedTuple):
     time: re.Pattern[str]
     direction: re.Pattern[str]
     part: re.Pattern[str]
-    arrow: re.Pattern[str]
 
 
 @cache
@@ -115,10 +109,14 @@ def _patterns() -> _Patterns:
         re.compile(_TIME, re.ASCII),
         re.compile(_DIRECTION, re.IGNORECASE),
         re.compile(rf"(?P<time>{_TIME})|{_DIRECTION}|(?P<beside>{_BESIDE})|{_MARKS}", re.IGNORECASE | re.ASCII),
-        re.compile(_ARROW),
     )
 
 
+# Arrows that also mean other things count only right in front of a frame: not after a key or an index.
+_ARROW = re.compile(
+    r"(?:(?<![\w\]\"'<>=-])(?<![\d\]\"']\s)(?:(?P<out>=>|>>>)|(?:<=|<<<))"
+    r"|(?<!\S)(?:(?P<lone>>)|<)(?=\s))\s{0,4}(?:0[xX]\||[\[({\"'])?$"
+)
 # What socat, hcidump and btmon print above the bytes, and nc in front of the offset.
 _WAY = re.compile(r"(?P<mark>[<>])\s(?:\d{4}/\d\d/\d\d\s|(?P<adapter>ACL\b)|[0-9a-fA-F]{8}\s[0-9a-fA-F]{2}\s)")
 _MOST_SAID = 200
@@ -218,7 +216,7 @@ def direction_of(data: bytes, line: str, start: int, head: Head, said: Head) -> 
         direction = _way(line)
     if direction is None:
         direction, is_arrow = said.direction, said.is_arrow
-    if direction is None and start and (found := _patterns().arrow.search(line, max(0, start - 8), start)):
+    if direction is None and (found := _ARROW.search(line, max(0, start - 8), start)):
         direction, is_arrow = "sent" if found["out"] or found["lone"] else "received", True
     if direction is None or not is_arrow or len(data) < HEADER_SIZE:
         return direction

@@ -121,8 +121,10 @@ _UNQUOTED = re.compile(
     rf"(?:\\(?:[xX]\{{?[{_HEX}]{{1,2}}\}}?|u00[{_HEX}]{{2}}|\d{{1,3}}|[abtnvfre\\\"' #])|[!#-&(-\[\]-~])*"
 )
 _CHARACTERS = {"a": "\a", "b": "\b", "t": "\t", "n": "\n", "v": "\v", "f": "\f", "r": "\r", "e": "\x1b"}
-_ESCAPE = rf"\\(?:[xXu]\{{([{_HEX}]{{1,2}})\}}|(?:[xX]|u00)([{_HEX}]{{1,2}})|([0-3]?[0-7]{{1,2}})|([A-Za-z\W]))"
-_DECIMAL_ESCAPE = _ESCAPE.replace("[0-3]?[0-7]{1,2}", r"\d{1,3}")
+_ESCAPE = re.compile(
+    rf"\\(?:[xXu]\{{([{_HEX}]{{1,2}})\}}|(?:[xX]|u00)([{_HEX}]{{1,2}})|([0-3]?[0-7]{{1,2}})|([A-Za-z\W]))"
+)
+_DECIMAL_ESCAPE = re.compile(_ESCAPE.pattern.replace("[0-3]?[0-7]{1,2}", r"\d{1,3}"))
 _MACRO = re.compile(r"(LC[0124SXF]|[LG]V[0124X]|LAB1)\s?\(\s*([^()]*?)\s*\)")
 _NUMBER = re.compile(r"-?(?:0[xX][0-9a-fA-F]{1,8}|0|[1-9]\d{0,9})")
 _GAP = re.compile(r"[\s,;:|+&/\\\"'`<>()\[\]{}_-]*")
@@ -316,7 +318,7 @@ def literal(body: str, *, is_decimal: bool = False) -> bytes | None:
         return chr(int(braced or digits, 16) if number is None else int(number, 10 if is_decimal else 8))
 
     try:
-        return re.sub(_DECIMAL_ESCAPE if is_decimal else _ESCAPE, character, body).encode("latin-1")
+        return (_DECIMAL_ESCAPE if is_decimal else _ESCAPE).sub(character, body).encode("latin-1")
     except UnicodeEncodeError:
         return None
 

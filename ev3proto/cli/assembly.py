@@ -1,0 +1,68 @@
+"""Assembly in the input of subcommands: its messages, and complaints with a mark below the place."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+
+from ev3proto.cli.output import complain
+from ev3proto.cli.sources import Source
+from ev3proto.messages import Message
+from ev3proto.text.assembly import AssemblyError
+from ev3proto.text.assembly.assembling import MAX_TEXT, assembled
+from ev3proto.text.assembly.recognising import OBJECT
+
+_SUBROUTINE = "subcall"
+
+
+def assembled_messages(
+    source: Source,
+    lines: Iterable[str],
+    complain_of: Callable[[str], None],
+    *,
+    dialect: str,
+    counter: int = 0,
+    reply: bool | None = None,
+    unchecked: bool = False,
+) -> Iterator[Message]:
+    """Yields the messages of a text in assembly.
+
+    Args:
+        source: Where the text comes from.
+        lines: Its lines; those of a file end in a newline.
+        complain_of: Takes a sentence about each error, with its line.
+        dialect: The firmware whose instruction set to write for.
+        counter: Of the first message that states none.
+        reply: Whether the brick is to answer; None for what the operations need.
+        unchecked: Take values that mean nothing to the brick.
+    """
+    text = _joined(lines, "\n" if source.is_frame else "", MAX_TEXT + 1)
+    try:
+        yield from assembled(text, dialect=dialect, counter=counter, reply=reply, unchecked=unchecked)
+    except AssemblyError as error:
+        objects = OBJECT.findall(text)
+        if len(objects) <= 1 and _SUBROUTINE not in objects:
+            _tell(source, error, complain_of)
+        if objects:
+            label = "this" if source.is_frame else source.label
+            complain_of(f"{label}: the source of a program fits no frame: give -o FILE.rbf to make its image")
+
+
+def _tell(source: Source, error: AssemblyError, complain_of: Callable[[str], None]) -> None:
+    """Every error with its line and, below that, a mark at the place."""
+    place = "" if source.is_frame else f"{source.label}, "
+    for one in (error, *error.others):
+        complain_of(f"{place}{one}")
+        if one.text.strip():
+            complain("\n".join(f"  {line}" for line in one.excerpt.split("\n")))
+
+
+def _joined(lines: Iterable[str], between: str, most: int) -> str:
+    """The lines as one text, of which nothing is read after this number of characters."""
+    kept: list[str] = []
+    size = 0
+    for line in lines:
+        kept.append(line)
+        size += len(line) + len(between)
+        if size >= most:
+            break
+    return between.join(kept)

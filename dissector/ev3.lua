@@ -241,18 +241,18 @@ local FORMAT_TYPES = {
 
 local OPERATIONS = {
     { 0x00, "ERROR", "Ends the program with a failure; never valid on the wire", [[]] },
-    { 0x01, "NOP", "Does nothing; a harmless way to see whether the brick answers", [[]] },
+    { 0x01, "NOP", "Does nothing; a harmless way to test whether the brick answers", [[]] },
     {
         0x02, "PROGRAM_STOP", "Stops the program of a slot",
         [[
             {
                 "PRGID", IN, DATA16, "program slot to stop", enum = ENUMERATIONS.SLOT,
-                special = { [0] = "all programs", [-1] = "the program that says so" },
+                special = { [0] = "all programs", [-1] = "the calling program" },
             },
         ]],
     },
     {
-        0x03, "PROGRAM_START", "Starts a loaded program; by direct command only while no user program runs",
+        0x03, "PROGRAM_START", "Starts a loaded program; a direct command can do this only while no user program runs",
         [[
             { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT },
             { "SIZE", IN, DATA32, "size of the image; read and ignored", unit = "bytes" },
@@ -265,11 +265,11 @@ local OPERATIONS = {
         ]],
     },
     {
-        0x04, "OBJECT_STOP", "Stops an object of the own program",
+        0x04, "OBJECT_STOP", "Stops an object of its own program",
         [[ { "OBJID", IN, DATA16, "object of the program, counted from 1" } ]],
     },
     {
-        0x05, "OBJECT_START", "Starts an object of the own program",
+        0x05, "OBJECT_START", "Starts an object of its own program",
         [[ { "OBJID", IN, DATA16, "object of the program, counted from 1" } ]],
     },
     {
@@ -282,17 +282,17 @@ local OPERATIONS = {
     },
     { 0x08, "RETURN", "Returns from a subroutine to its caller", [[]] },
     {
-        0x09, "CALL", "Calls a subroutine of the own program; waits while another thread is in it",
+        0x09, "CALL", "Calls a subroutine of its own program; waits while another thread runs it",
         [[
-            { "OBJID", IN, DATA16, "object that is the subroutine, counted from 1" },
+            { "OBJID", IN, DATA16, "object number of the subroutine, counted from 1" },
             {
                 "PARAMETERS", IN, COUNT,
-                "how many parameters follow; the subroutine declares their types and directions", element = DATA32,
+                "number of parameters follow; the subroutine declares their types and directions", element = DATA32,
                 elements = IN,
             },
         ]],
     },
-    { 0x0A, "OBJECT_END", "Ends the object; the firmware puts one after every direct command", [[]] },
+    { 0x0A, "OBJECT_END", "Ends the object; the firmware appends one to every direct command", [[]] },
     { 0x0B, "SLEEP", "Gives up the rest of the thread's time slice", [[]] },
     {
         0x0C, "PROGRAM_INFO", "Asks about a program or controls its objects",
@@ -319,7 +319,7 @@ local OPERATIONS = {
                 ]],
             },
             {
-                23, "GET_SPEED", "Asks how fast a program runs",
+                23, "GET_SPEED", "Asks for a program's speed",
                 [[
                     { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT },
                     { "DATA", OUT, DATA32, "speed since the program started", unit = "instructions/s" },
@@ -340,7 +340,7 @@ local OPERATIONS = {
                 26, "GET_PRGNAME", "Asks for the name of a program",
                 [[
                     { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT },
-                    { "NAME", OUT, STRING, "name of the program, ended by its zero" },
+                    { "NAME", OUT, STRING, "name of the program, zero-terminated" },
                 ]],
                 dialects = { "xtended", "compat" },
             },
@@ -355,16 +355,16 @@ local OPERATIONS = {
         [[
             { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT },
             { "OBJID", IN, DATA16, "object whose local memory to print", special = { [0] = "the global memory" } },
-            { "OFFSET", IN, DATA32, "where to begin", unit = "bytes" },
+            { "OFFSET", IN, DATA32, "first byte", unit = "bytes" },
             {
-                "SIZE", IN, DATA32, "how much to print", unit = "bytes",
+                "SIZE", IN, DATA32, "number of bytes to print", unit = "bytes",
                 special = { [0] = "all, 1024 at most" },
                 range = { 0, 1024 },
             },
         ]],
     },
     {
-        0x0F, "DO", "Runs byte code that is already in memory, ending what the slot ran before",
+        0x0F, "DO", "Runs byte code that is already in memory, ending the slot's previous program",
         [[
             { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT },
             { "IMAGE", IN, DATA32, "address of the byte code image" },
@@ -372,7 +372,7 @@ local OPERATIONS = {
         ]],
     },
     {
-        0x60, "SYSTEM", "Runs a shell command on the brick's Linux and waits for its end",
+        0x60, "SYSTEM", "Runs a shell command on the brick's Linux and waits until it ends",
         [[
             { "COMMAND", IN, STRING, "the command line" },
             {
@@ -388,7 +388,7 @@ local OPERATIONS = {
             { "Layer", OUT, DATA8, "position in the daisy chain", special = { [0] = "this brick" }, range = { 0, 3 } },
             { "Bitfield", OUT, DATA8, "motor ports as bits: A=1 B=2 C=4 D=8", range = { 0, 15 } },
             {
-                "Inverted", OUT, DATA8, "whether the first port comes after the second, as in C and A",
+                "Inverted", OUT, DATA8, "whether the first port comes after the second, as in CA",
                 special = { [0] = "no", [1] = "yes" },
                 range = { 0, 1 },
             },
@@ -399,25 +399,25 @@ local OPERATIONS = {
         [[
             { "PortIn", IN, DATA32, "three decimal digits: layer 1-4, any, port 1-4 (103: port 3)" },
             { "Layer", OUT, DATA8, "position in the daisy chain", special = { [0] = "this brick" }, range = { 0, 3 } },
-            { "PortOut", OUT, DATA8, "sensor port less one, as INPUT_* takes it", range = { 0, 3 } },
+            { "PortOut", OUT, DATA8, "sensor port minus one, as in INPUT_*", range = { 0, 3 } },
         ]],
     },
     {
         0x63, "NOTE_TO_FREQ", "Converts the name of a note to its frequency",
         [[
             { "NOTE", IN, STRING, "C4 to B6, sharps as C#4" },
-            { "FREQ", OUT, DATA16, "frequency; 440 for a note it does not know", unit = "Hz", range = { 262, 1976 } },
+            { "FREQ", OUT, DATA16, "frequency; 440 for an unknown note", unit = "Hz", range = { 262, 1976 } },
         ]],
     },
     {
         0x7C, "INFO", "Reads and sets the error log, the volume and the time to power off",
         commands = {
             {
-                1, "SET_ERROR", "Puts an error into the brick's error log",
+                1, "SET_ERROR", "Adds an error to the brick's error log",
                 [[ { "NUMBER", IN, DATA8, "number of the error", special = { [0] = "nothing is logged" } } ]],
             },
             {
-                2, "GET_ERROR", "Takes the oldest error out of the brick's error log",
+                2, "GET_ERROR", "Removes and returns the oldest error of the brick's error log",
                 [[ { "NUMBER", OUT, DATA8, "number of the error", special = { [0] = "the log is empty" } } ]],
             },
             {
@@ -425,38 +425,30 @@ local OPERATIONS = {
                 [[
                     { "NUMBER", IN, DATA8, "number of the error", special = { [0] = "gives an empty text" } },
                     {
-                        "LENGTH", IN, DATA8, "room for the text, with its zero", unit = "bytes",
+                        "LENGTH", IN, DATA8, "size of the text buffer, including the zero", unit = "bytes",
                         special = { [-1] = "no limit" },
                     },
-                    { "DESTINATION", OUT, STRING, "name of the error, less than 32 characters", length = "LENGTH" },
+                    { "DESTINATION", OUT, STRING, "name of the error, at most 31 characters", length = "LENGTH" },
                 ]],
             },
             {
                 4, "GET_VOLUME", "Reads the volume setting",
-                [[ { "VALUE", OUT, DATA8, "how loud", unit = "%", range = { 0, 100 } } ]],
+                [[ { "VALUE", OUT, DATA8, "volume", unit = "%", range = { 0, 100 } } ]],
             },
             {
                 5, "SET_VOLUME", "Changes the volume setting",
-                [[ { "VALUE", IN, DATA8, "how loud", unit = "%", range = { 0, 100 } } ]],
+                [[ { "VALUE", IN, DATA8, "volume", unit = "%", range = { 0, 100 } } ]],
             },
             {
-                6, "GET_MINUTES", "Reads after how long without use the brick powers off",
+                6, "GET_MINUTES", "Reads the idle time after which the brick powers off",
                 [[
-                    {
-                        "VALUE", OUT, DATA8, "time without use", unit = "min",
-                        special = { [0] = "never" },
-                        range = { 0, 120 },
-                    },
+                    { "VALUE", OUT, DATA8, "idle time", unit = "min", special = { [0] = "never" }, range = { 0, 120 } },
                 ]],
             },
             {
-                7, "SET_MINUTES", "Changes after how long without use the brick powers off",
+                7, "SET_MINUTES", "Changes the idle time after which the brick powers off",
                 [[
-                    {
-                        "VALUE", IN, DATA8, "time without use", unit = "min",
-                        special = { [0] = "never" },
-                        range = { 0, 120 },
-                    },
+                    { "VALUE", IN, DATA8, "idle time", unit = "min", special = { [0] = "never" }, range = { 0, 120 } },
                 ]],
             },
         },
@@ -465,10 +457,10 @@ local OPERATIONS = {
         0x7D, "STRINGS", "Works with texts: joins, compares, converts from and to numbers",
         commands = {
             {
-                1, "GET_SIZE", "Measures a text",
+                1, "GET_SIZE", "Reads the length of a text",
                 [[
                     { "SOURCE1", IN, STRING, "text to work on" },
-                    { "SIZE", OUT, DATA16, "its length without the zero", unit = "bytes" },
+                    { "SIZE", OUT, DATA16, "its length, not including the zero", unit = "bytes" },
                 ]],
             },
             {
@@ -476,16 +468,16 @@ local OPERATIONS = {
                 [[
                     { "SOURCE1", IN, STRING, "first part" },
                     { "SOURCE2", IN, STRING, "second part" },
-                    { "DESTINATION", OUT, STRING, "resulting text, ended by its zero" },
+                    { "DESTINATION", OUT, STRING, "resulting text, zero-terminated" },
                 ]],
             },
             {
-                3, "COMPARE", "Tells whether two texts are the same, upper and lower case kept apart",
+                3, "COMPARE", "Reports whether two texts are equal; case matters",
                 [[
                     { "SOURCE1", IN, STRING, "one text" },
                     { "SOURCE2", IN, STRING, "the other text" },
                     {
-                        "RESULT", OUT, DATA8, "whether they match",
+                        "RESULT", OUT, DATA8, "whether they are equal",
                         special = { [0] = "different", [1] = "the same" },
                         range = { 0, 1 },
                     },
@@ -495,16 +487,16 @@ local OPERATIONS = {
                 5, "DUPLICATE", "Copies a text",
                 [[
                     { "SOURCE1", IN, STRING, "text to work on" },
-                    { "DESTINATION", OUT, STRING, "resulting text, ended by its zero" },
+                    { "DESTINATION", OUT, STRING, "resulting text, zero-terminated" },
                 ]],
             },
             {
-                6, "VALUE_TO_STRING", "Writes a floating-point number as text, without zeros at its end",
+                6, "VALUE_TO_STRING", "Writes a floating-point number as text, without trailing zeros",
                 [[
                     { "VALUE", IN, DATAF, "number to write; NaN becomes ----" },
-                    { "FIGURES", IN, DATA8, "width with the point; negative aligns left", unit = "characters" },
+                    { "FIGURES", IN, DATA8, "width, including the point; negative aligns left", unit = "characters" },
                     { "DECIMALS", IN, DATA8, "digits after the point" },
-                    { "DESTINATION", OUT, STRING, "resulting text, ended by its zero" },
+                    { "DESTINATION", OUT, STRING, "resulting text, zero-terminated" },
                 ]],
             },
             {
@@ -518,23 +510,23 @@ local OPERATIONS = {
                 8, "STRIP", "Removes every space from a text",
                 [[
                     { "SOURCE1", IN, STRING, "text to work on" },
-                    { "DESTINATION", OUT, STRING, "resulting text, ended by its zero" },
+                    { "DESTINATION", OUT, STRING, "resulting text, zero-terminated" },
                 ]],
             },
             {
-                9, "NUMBER_TO_STRING", "Writes a whole number as text, with zeros in front",
+                9, "NUMBER_TO_STRING", "Writes a whole number as text, with leading zeros",
                 [[
                     { "VALUE", IN, DATA16, "number to write" },
                     { "FIGURES", IN, DATA8, "width of the text", unit = "characters" },
-                    { "DESTINATION", OUT, STRING, "resulting text, ended by its zero" },
+                    { "DESTINATION", OUT, STRING, "resulting text, zero-terminated" },
                 ]],
             },
             {
-                10, "SUB", "Takes from a text what comes after another text found in it",
+                10, "SUB", "Returns the part of a text after another text found in it",
                 [[
                     { "SOURCE1", IN, STRING, "text to search" },
-                    { "SOURCE2", IN, STRING, "text to find; it should be there" },
-                    { "DESTINATION", OUT, STRING, "resulting text, ended by its zero" },
+                    { "SOURCE2", IN, STRING, "text to find; must occur" },
+                    { "DESTINATION", OUT, STRING, "resulting text, zero-terminated" },
                 ]],
             },
             {
@@ -542,7 +534,7 @@ local OPERATIONS = {
                 [[
                     { "VALUE", IN, DATAF, "number to write" },
                     { "FORMAT", IN, STRING, "format, such as %5.2f" },
-                    { "SIZE", IN, DATA8, "room for the text, with its zero", unit = "bytes" },
+                    { "SIZE", IN, DATA8, "size of the text buffer, including the zero", unit = "bytes" },
                     { "DESTINATION", OUT, STRING, "resulting text", length = "SIZE" },
                 ]],
             },
@@ -551,7 +543,7 @@ local OPERATIONS = {
                 [[
                     { "VALUE", IN, DATA32, "number to write" },
                     { "FORMAT", IN, STRING, "format, such as %05d or %X" },
-                    { "SIZE", IN, DATA8, "room for the text, with its zero", unit = "bytes" },
+                    { "SIZE", IN, DATA8, "size of the text buffer, including the zero", unit = "bytes" },
                     { "DESTINATION", OUT, STRING, "resulting text", length = "SIZE" },
                 ]],
             },
@@ -560,7 +552,7 @@ local OPERATIONS = {
     { 0x88, "BP0", "Stops at breakpoint 0; BP_SET puts it over the instruction it replaces", [[]] },
     { 0x89, "BP1", "Stops at breakpoint 1; BP_SET puts it over the instruction it replaces", [[]] },
     { 0x8A, "BP2", "Stops at breakpoint 2; BP_SET puts it over the instruction it replaces", [[]] },
-    { 0x8B, "BP3", "Pulses test pin TP4 and goes on; BP_SET puts it over the instruction it replaces", [[]] },
+    { 0x8B, "BP3", "Pulses test pin TP4 and continues; BP_SET puts it over the instruction it replaces", [[]] },
     {
         0x8C, "BP_SET", "Sets or removes a breakpoint in a running program",
         [[
@@ -571,7 +563,7 @@ local OPERATIONS = {
                 range = { 0, 2 },
             },
             {
-                "ADDRESS", IN, DATA32, "where in the image", unit = "bytes",
+                "ADDRESS", IN, DATA32, "offset in the image", unit = "bytes",
                 special = { [0] = "remove the breakpoint" },
             },
         ]],
@@ -588,100 +580,100 @@ local OPERATIONS = {
     {
         0xF2, "DYNLOAD_ENTRY_0", "Calls entry point 0 of the additional virtual machine that is loaded",
         [[
-            { "CMD", IN, DATA8, "function to call, as that machine numbers them" },
-            { "LENGTH_IN", IN, DATA8, "how much data is handed over" },
-            { "LENGTH_OUT", OUT, DATA16, "how many elements came back" },
-            { "VALUE", OUT, ARRAY_TYPED, "what came back; the type depends on CMD", length = "LENGTH_OUT" },
+            { "CMD", IN, DATA8, "function to call, in that machine's numbering" },
+            { "LENGTH_IN", IN, DATA8, "amount of data passed" },
+            { "LENGTH_OUT", OUT, DATA16, "number of elements returned" },
+            { "VALUE", OUT, ARRAY_TYPED, "the returned elements; their type depends on CMD", length = "LENGTH_OUT" },
         ]],
         dialects = { "xtended", "compat" },
     },
     {
         0xF3, "DYNLOAD_ENTRY_1", "Calls entry point 1 of the additional virtual machine that is loaded",
         [[
-            { "CMD", IN, DATA8, "function to call, as that machine numbers them" },
-            { "LENGTH_IN", IN, DATA8, "how much data is handed over" },
-            { "LENGTH_OUT", OUT, DATA16, "how many elements came back" },
-            { "VALUE", OUT, ARRAY_TYPED, "what came back; the type depends on CMD", length = "LENGTH_OUT" },
+            { "CMD", IN, DATA8, "function to call, in that machine's numbering" },
+            { "LENGTH_IN", IN, DATA8, "amount of data passed" },
+            { "LENGTH_OUT", OUT, DATA16, "number of elements returned" },
+            { "VALUE", OUT, ARRAY_TYPED, "the returned elements; their type depends on CMD", length = "LENGTH_OUT" },
         ]],
         dialects = { "xtended", "compat" },
     },
     {
         0xF4, "DYNLOAD_ENTRY_2", "Calls entry point 2 of the additional virtual machine that is loaded",
         [[
-            { "CMD", IN, DATA8, "function to call, as that machine numbers them" },
-            { "LENGTH_IN", IN, DATA8, "how much data is handed over" },
-            { "LENGTH_OUT", OUT, DATA16, "how many elements came back" },
-            { "VALUE", OUT, ARRAY_TYPED, "what came back; the type depends on CMD", length = "LENGTH_OUT" },
+            { "CMD", IN, DATA8, "function to call, in that machine's numbering" },
+            { "LENGTH_IN", IN, DATA8, "amount of data passed" },
+            { "LENGTH_OUT", OUT, DATA16, "number of elements returned" },
+            { "VALUE", OUT, ARRAY_TYPED, "the returned elements; their type depends on CMD", length = "LENGTH_OUT" },
         ]],
         dialects = { "xtended", "compat" },
     },
     {
         0xF5, "DYNLOAD_ENTRY_3", "Calls entry point 3 of the additional virtual machine that is loaded",
         [[
-            { "CMD", IN, DATA8, "function to call, as that machine numbers them" },
-            { "LENGTH_IN", IN, DATA8, "how much data is handed over" },
-            { "LENGTH_OUT", OUT, DATA16, "how many elements came back" },
-            { "VALUE", OUT, ARRAY_TYPED, "what came back; the type depends on CMD", length = "LENGTH_OUT" },
+            { "CMD", IN, DATA8, "function to call, in that machine's numbering" },
+            { "LENGTH_IN", IN, DATA8, "amount of data passed" },
+            { "LENGTH_OUT", OUT, DATA16, "number of elements returned" },
+            { "VALUE", OUT, ARRAY_TYPED, "the returned elements; their type depends on CMD", length = "LENGTH_OUT" },
         ]],
         dialects = { "xtended", "compat" },
     },
     {
         0xF6, "DYNLOAD_ENTRY_4", "Calls entry point 4 of the additional virtual machine that is loaded",
         [[
-            { "CMD", IN, DATA8, "function to call, as that machine numbers them" },
-            { "LENGTH_IN", IN, DATA8, "how much data is handed over" },
-            { "LENGTH_OUT", OUT, DATA16, "how many elements came back" },
-            { "VALUE", OUT, ARRAY_TYPED, "what came back; the type depends on CMD", length = "LENGTH_OUT" },
+            { "CMD", IN, DATA8, "function to call, in that machine's numbering" },
+            { "LENGTH_IN", IN, DATA8, "amount of data passed" },
+            { "LENGTH_OUT", OUT, DATA16, "number of elements returned" },
+            { "VALUE", OUT, ARRAY_TYPED, "the returned elements; their type depends on CMD", length = "LENGTH_OUT" },
         ]],
         dialects = { "xtended", "compat" },
     },
     {
         0xF7, "DYNLOAD_ENTRY_5", "Calls entry point 5 of the additional virtual machine that is loaded",
         [[
-            { "CMD", IN, DATA8, "function to call, as that machine numbers them" },
-            { "LENGTH_IN", IN, DATA8, "how much data is handed over" },
-            { "LENGTH_OUT", OUT, DATA16, "how many elements came back" },
-            { "VALUE", OUT, ARRAY_TYPED, "what came back; the type depends on CMD", length = "LENGTH_OUT" },
+            { "CMD", IN, DATA8, "function to call, in that machine's numbering" },
+            { "LENGTH_IN", IN, DATA8, "amount of data passed" },
+            { "LENGTH_OUT", OUT, DATA16, "number of elements returned" },
+            { "VALUE", OUT, ARRAY_TYPED, "the returned elements; their type depends on CMD", length = "LENGTH_OUT" },
         ]],
         dialects = { "xtended", "compat" },
     },
     {
         0xF8, "DYNLOAD_ENTRY_6", "Calls entry point 6 of the additional virtual machine that is loaded",
         [[
-            { "CMD", IN, DATA8, "function to call, as that machine numbers them" },
-            { "LENGTH_IN", IN, DATA8, "how much data is handed over" },
-            { "LENGTH_OUT", OUT, DATA16, "how many elements came back" },
-            { "VALUE", OUT, ARRAY_TYPED, "what came back; the type depends on CMD", length = "LENGTH_OUT" },
+            { "CMD", IN, DATA8, "function to call, in that machine's numbering" },
+            { "LENGTH_IN", IN, DATA8, "amount of data passed" },
+            { "LENGTH_OUT", OUT, DATA16, "number of elements returned" },
+            { "VALUE", OUT, ARRAY_TYPED, "the returned elements; their type depends on CMD", length = "LENGTH_OUT" },
         ]],
         dialects = { "xtended", "compat" },
     },
     {
         0xF9, "DYNLOAD_ENTRY_7", "Calls entry point 7 of the additional virtual machine that is loaded",
         [[
-            { "CMD", IN, DATA8, "function to call, as that machine numbers them" },
-            { "LENGTH_IN", IN, DATA8, "how much data is handed over" },
-            { "LENGTH_OUT", OUT, DATA16, "how many elements came back" },
-            { "VALUE", OUT, ARRAY_TYPED, "what came back; the type depends on CMD", length = "LENGTH_OUT" },
+            { "CMD", IN, DATA8, "function to call, in that machine's numbering" },
+            { "LENGTH_IN", IN, DATA8, "amount of data passed" },
+            { "LENGTH_OUT", OUT, DATA16, "number of elements returned" },
+            { "VALUE", OUT, ARRAY_TYPED, "the returned elements; their type depends on CMD", length = "LENGTH_OUT" },
         ]],
         dialects = { "xtended", "compat" },
     },
     {
         0xFA, "DYNLOAD_ENTRY_8", "Calls entry point 8 of the additional virtual machine that is loaded",
         [[
-            { "CMD", IN, DATA8, "function to call, as that machine numbers them" },
-            { "LENGTH_IN", IN, DATA8, "how much data is handed over" },
-            { "LENGTH_OUT", OUT, DATA16, "how many elements came back" },
-            { "VALUE", OUT, ARRAY_TYPED, "what came back; the type depends on CMD", length = "LENGTH_OUT" },
+            { "CMD", IN, DATA8, "function to call, in that machine's numbering" },
+            { "LENGTH_IN", IN, DATA8, "amount of data passed" },
+            { "LENGTH_OUT", OUT, DATA16, "number of elements returned" },
+            { "VALUE", OUT, ARRAY_TYPED, "the returned elements; their type depends on CMD", length = "LENGTH_OUT" },
         ]],
         dialects = { "xtended", "compat" },
     },
     {
         0xFB, "DYNLOAD_ENTRY_9", "Calls entry point 9 of the additional virtual machine that is loaded",
         [[
-            { "CMD", IN, DATA8, "function to call, as that machine numbers them" },
-            { "LENGTH_IN", IN, DATA8, "how much data is handed over" },
-            { "LENGTH_OUT", OUT, DATA16, "how many elements came back" },
-            { "VALUE", OUT, ARRAY_TYPED, "what came back; the type depends on CMD", length = "LENGTH_OUT" },
+            { "CMD", IN, DATA8, "function to call, in that machine's numbering" },
+            { "LENGTH_IN", IN, DATA8, "amount of data passed" },
+            { "LENGTH_OUT", OUT, DATA16, "number of elements returned" },
+            { "VALUE", OUT, ARRAY_TYPED, "the returned elements; their type depends on CMD", length = "LENGTH_OUT" },
         ]],
         dialects = { "xtended", "compat" },
     },
@@ -697,9 +689,9 @@ local OPERATIONS = {
         dialects = { "xtended", "compat" },
     },
     {
-        0xFF, "TST", "Tests the hardware, as the factory does; all but TST_OPEN fail unless opened before",
+        0xFF, "TST", "Tests the hardware, as the factory does; all fail before TST_OPEN",
         commands = {
-            { 10, "TST_OPEN", "Allows test commands for 10 seconds; each one renews the time", [[]] },
+            { 10, "TST_OPEN", "Allows test commands for 10 seconds; each one restarts the timer", [[]] },
             { 11, "TST_CLOSE", "Ends the test mode", [[]] },
             {
                 12, "TST_READ_PINS", "Reads the pins of a connector",
@@ -708,7 +700,7 @@ local OPERATIONS = {
                         "PORT", IN, DATA8, "connector: 0..3 are sensor ports 1-4, 16..19 are motor ports A-D",
                         range = { 0, 19 },
                     },
-                    { "LENGTH", IN, DATA8, "how many pins to read, usually 5" },
+                    { "LENGTH", IN, DATA8, "number of pins to read, usually 5" },
                     { "STRING", OUT, DATA8, "one character per pin: 0 low, 1 high", length = "LENGTH" },
                 ]],
             },
@@ -719,9 +711,9 @@ local OPERATIONS = {
                         "PORT", IN, DATA8, "connector: 0..3 are sensor ports 1-4, 16..19 are motor ports A-D",
                         range = { 0, 19 },
                     },
-                    { "LENGTH", IN, DATA8, "how many pins to set, usually 5" },
+                    { "LENGTH", IN, DATA8, "number of pins to set, usually 5" },
                     {
-                        "STRING", IN, DATA8, "one character per pin: 0 low, 1 high, X floating, - as it is",
+                        "STRING", IN, DATA8, "one character per pin: 0 low, 1 high, X floating, - unchanged",
                         length = "LENGTH",
                     },
                 ]],
@@ -742,19 +734,19 @@ local OPERATIONS = {
                 ]],
             },
             {
-                15, "TST_WRITE_UART", "Sends bytes out of a sensor port's serial line",
+                15, "TST_WRITE_UART", "Sends bytes on a sensor port's serial line",
                 [[
-                    { "PORT", IN, DATA8, "sensor port less one", range = { 0, 3 } },
-                    { "LENGTH", IN, DATA8, "how many bytes to send", unit = "bytes", range = { 0, 63 } },
+                    { "PORT", IN, DATA8, "sensor port minus one", range = { 0, 3 } },
+                    { "LENGTH", IN, DATA8, "number of bytes to send", unit = "bytes", range = { 0, 63 } },
                     { "STRING", IN, DATA8, "the bytes", length = "LENGTH" },
                 ]],
             },
             {
-                16, "TST_READ_UART", "Reads bytes that arrived on a sensor port's serial line",
+                16, "TST_READ_UART", "Reads the bytes received on a sensor port's serial line",
                 [[
-                    { "PORT", IN, DATA8, "sensor port less one", range = { 0, 3 } },
-                    { "LENGTH", IN, DATA8, "how many bytes to read", unit = "bytes", range = { 0, 63 } },
-                    { "STRING", OUT, DATA8, "the bytes, filled up with zeros", length = "LENGTH" },
+                    { "PORT", IN, DATA8, "sensor port minus one", range = { 0, 3 } },
+                    { "LENGTH", IN, DATA8, "number of bytes to read", unit = "bytes", range = { 0, 63 } },
+                    { "STRING", OUT, DATA8, "the bytes, padded with zeros", length = "LENGTH" },
                 ]],
             },
             {
@@ -772,9 +764,9 @@ local OPERATIONS = {
                     },
                 ]],
             },
-            { 20, "TST_BOOT_MODE2", "Starts mode 2 of Bluetooth, the one for Apple's devices", [[]] },
+            { 20, "TST_BOOT_MODE2", "Starts Bluetooth mode 2, for Apple devices", [[]] },
             {
-                21, "TST_POLL_MODE2", "Asks how far the start of Bluetooth's mode 2 is",
+                21, "TST_POLL_MODE2", "Asks for the state of the start of Bluetooth mode 2",
                 [[
                     {
                         "STATUS", OUT, DATA8, "OK, BUSY (still starting) or FAIL", enum = ENUMERATIONS.RESULT,
@@ -782,9 +774,9 @@ local OPERATIONS = {
                     },
                 ]],
             },
-            { 22, "TST_CLOSE_MODE2", "Ends mode 2 of Bluetooth", [[]] },
+            { 22, "TST_CLOSE_MODE2", "Ends Bluetooth mode 2", [[]] },
             {
-                23, "TST_RAM_CHECK", "Asks how the memory test at power-on went",
+                23, "TST_RAM_CHECK", "Asks for the result of the memory test at power-on",
                 [[ { "STATUS", OUT, DATA8, "OK or FAIL", enum = ENUMERATIONS.RESULT, range = { 0, 2 } } ]],
             },
         },
@@ -990,26 +982,26 @@ local OPERATIONS = {
         ]],
     },
     {
-        0x2C, "RL8", "Shifts 8-bit values left; despite the name (rotate), bits leaving on the left are lost",
+        0x2C, "RL8", "Shifts 8-bit values left; despite the name (rotate), bits shifted out on the left are lost",
         [[
             { "SOURCE1", IN, DATA8, "value to shift" },
-            { "SOURCE2", IN, DATA8, "how many places", unit = "bits" },
+            { "SOURCE2", IN, DATA8, "number of places", unit = "bits" },
             { "DESTINATION", OUT, DATA8, "shifted value, filled up with zero bits" },
         ]],
     },
     {
-        0x2D, "RL16", "Shifts 16-bit values left; despite the name (rotate), bits leaving on the left are lost",
+        0x2D, "RL16", "Shifts 16-bit values left; despite the name (rotate), bits shifted out on the left are lost",
         [[
             { "SOURCE1", IN, DATA16, "value to shift" },
-            { "SOURCE2", IN, DATA16, "how many places", unit = "bits" },
+            { "SOURCE2", IN, DATA16, "number of places", unit = "bits" },
             { "DESTINATION", OUT, DATA16, "shifted value, filled up with zero bits" },
         ]],
     },
     {
-        0x2E, "RL32", "Shifts 32-bit values left; despite the name (rotate), bits leaving on the left are lost",
+        0x2E, "RL32", "Shifts 32-bit values left; despite the name (rotate), bits shifted out on the left are lost",
         [[
             { "SOURCE1", IN, DATA32, "value to shift" },
-            { "SOURCE2", IN, DATA32, "how many places", unit = "bits" },
+            { "SOURCE2", IN, DATA32, "number of places", unit = "bits" },
             { "DESTINATION", OUT, DATA32, "shifted value, filled up with zero bits" },
         ]],
     },
@@ -1022,7 +1014,7 @@ local OPERATIONS = {
                 [[
                     { "X", IN, DATAF, "number to divide" },
                     { "Y", IN, DATAF, "number to divide by" },
-                    { "R", OUT, DATAF, "what is left over, with the sign of X" },
+                    { "R", OUT, DATAF, "remainder, with the sign of X" },
                 ]],
             },
             {
@@ -1086,7 +1078,7 @@ local OPERATIONS = {
                 [[
                     { "X", IN, DATA8, "number to divide" },
                     { "Y", IN, DATA8, "number to divide by, not 0" },
-                    { "R", OUT, DATA8, "what is left over, with the sign of X" },
+                    { "R", OUT, DATA8, "remainder, with the sign of X" },
                 ]],
             },
             {
@@ -1094,7 +1086,7 @@ local OPERATIONS = {
                 [[
                     { "X", IN, DATA16, "number to divide" },
                     { "Y", IN, DATA16, "number to divide by, not 0" },
-                    { "R", OUT, DATA16, "what is left over, with the sign of X" },
+                    { "R", OUT, DATA16, "remainder, with the sign of X" },
                 ]],
             },
             {
@@ -1102,7 +1094,7 @@ local OPERATIONS = {
                 [[
                     { "X", IN, DATA32, "number to divide" },
                     { "Y", IN, DATA32, "number to divide by, not 0" },
-                    { "R", OUT, DATA32, "what is left over, with the sign of X" },
+                    { "R", OUT, DATA32, "remainder, with the sign of X" },
                 ]],
             },
             {
@@ -1117,7 +1109,7 @@ local OPERATIONS = {
                 21, "TRUNC", "Cuts off decimals without rounding",
                 [[
                     { "X", IN, DATAF, "number to work on" },
-                    { "P", IN, DATA8, "how many decimals to keep (more than 6 are not there)", range = { 0, 9 } },
+                    { "P", IN, DATA8, "number of decimals to keep (at most 6 are available)", range = { 0, 9 } },
                     { "R", OUT, DATAF, "result" },
                 ]],
             },
@@ -1132,10 +1124,10 @@ local OPERATIONS = {
         ]],
     },
     {
-        0x2F, "INIT_BYTES", "Fills consecutive bytes of memory with values given in place",
+        0x2F, "INIT_BYTES", "Fills consecutive bytes of memory with constant values",
         [[
             { "DESTINATION", OUT, DATA8, "first byte to fill", length = "LENGTH" },
-            { "LENGTH", IN, DATA32, "how many values follow; a negative count hangs the brick", unit = "bytes" },
+            { "LENGTH", IN, DATA32, "number of values follow; a negative count hangs the brick", unit = "bytes" },
             { "SOURCE", IN, VALUES, "the values, one per byte", element = DATA8 },
         ]],
     },
@@ -1204,7 +1196,7 @@ local OPERATIONS = {
         [[ { "SOURCE", IN, DATAF, "value to copy" }, { "DESTINATION", OUT, DATAF, "copy of the value" } ]],
     },
     {
-        0xC8, "READ8", "Takes one element out of an array of 8-bit values",
+        0xC8, "READ8", "Reads one element of an array of 8-bit values",
         [[
             { "SOURCE", IN, DATA8, "first element of the array, as a variable" },
             { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it", range = { 0, 127 } },
@@ -1212,7 +1204,7 @@ local OPERATIONS = {
         ]],
     },
     {
-        0xC9, "READ16", "Takes one element out of an array of 16-bit values",
+        0xC9, "READ16", "Reads one element of an array of 16-bit values",
         [[
             { "SOURCE", IN, DATA16, "first element of the array, as a variable" },
             { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it", range = { 0, 127 } },
@@ -1220,7 +1212,7 @@ local OPERATIONS = {
         ]],
     },
     {
-        0xCA, "READ32", "Takes one element out of an array of 32-bit values",
+        0xCA, "READ32", "Reads one element of an array of 32-bit values",
         [[
             { "SOURCE", IN, DATA32, "first element of the array, as a variable" },
             { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it", range = { 0, 127 } },
@@ -1228,7 +1220,7 @@ local OPERATIONS = {
         ]],
     },
     {
-        0xCB, "READF", "Takes one element out of an array of floating-point values",
+        0xCB, "READF", "Reads one element of an array of floating-point values",
         [[
             { "SOURCE", IN, DATAF, "first element of the array, as a variable" },
             { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it", range = { 0, 127 } },
@@ -1236,33 +1228,33 @@ local OPERATIONS = {
         ]],
     },
     {
-        0xCC, "WRITE8", "Sets one element of an array of 8-bit values",
+        0xCC, "WRITE8", "Writes one element of an array of 8-bit values",
         [[
-            { "SOURCE", IN, DATA8, "value to set" },
+            { "SOURCE", IN, DATA8, "value to write" },
             { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it", range = { 0, 127 } },
             { "DESTINATION", IN, DATA8, "first element of the array, as a variable; element INDEX is written" },
         ]],
     },
     {
-        0xCD, "WRITE16", "Sets one element of an array of 16-bit values",
+        0xCD, "WRITE16", "Writes one element of an array of 16-bit values",
         [[
-            { "SOURCE", IN, DATA16, "value to set" },
+            { "SOURCE", IN, DATA16, "value to write" },
             { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it", range = { 0, 127 } },
             { "DESTINATION", IN, DATA16, "first element of the array, as a variable; element INDEX is written" },
         ]],
     },
     {
-        0xCE, "WRITE32", "Sets one element of an array of 32-bit values",
+        0xCE, "WRITE32", "Writes one element of an array of 32-bit values",
         [[
-            { "SOURCE", IN, DATA32, "value to set" },
+            { "SOURCE", IN, DATA32, "value to write" },
             { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it", range = { 0, 127 } },
             { "DESTINATION", IN, DATA32, "first element of the array, as a variable; element INDEX is written" },
         ]],
     },
     {
-        0xCF, "WRITEF", "Sets one element of an array of floating-point values",
+        0xCF, "WRITEF", "Writes one element of an array of floating-point values",
         [[
-            { "SOURCE", IN, DATAF, "value to set" },
+            { "SOURCE", IN, DATAF, "value to write" },
             { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it", range = { 0, 127 } },
             { "DESTINATION", IN, DATAF, "first element of the array, as a variable; element INDEX is written" },
         ]],
@@ -1297,7 +1289,7 @@ local OPERATIONS = {
         ]],
     },
     {
-        0x43, "JR_NAN", "Jumps if a value is not a number, as a sensor without data gives",
+        0x43, "JR_NAN", "Jumps if a value is not a number, as read from a sensor without data",
         [[
             { "VALUE", IN, DATAF, "value to look at" },
             {
@@ -1571,246 +1563,342 @@ local OPERATIONS = {
         ]],
     },
     {
-        0x44, "CP_LT8", "Tells whether LEFT is less than RIGHT, as 8-bit numbers",
+        0x44, "CP_LT8", "Tests whether LEFT is less than RIGHT, as 8-bit numbers",
         [[
             { "LEFT", IN, DATA8, "left side of the comparison" },
             { "RIGHT", IN, DATA8, "right side of the comparison" },
-            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } },
+            {
+                "FLAG", OUT, DATA8, "result of the comparison",
+                special = { [0] = "false", [1] = "true" },
+                range = { 0, 1 },
+            },
         ]],
     },
     {
-        0x45, "CP_LT16", "Tells whether LEFT is less than RIGHT, as 16-bit numbers",
+        0x45, "CP_LT16", "Tests whether LEFT is less than RIGHT, as 16-bit numbers",
         [[
             { "LEFT", IN, DATA16, "left side of the comparison" },
             { "RIGHT", IN, DATA16, "right side of the comparison" },
-            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } },
+            {
+                "FLAG", OUT, DATA8, "result of the comparison",
+                special = { [0] = "false", [1] = "true" },
+                range = { 0, 1 },
+            },
         ]],
     },
     {
-        0x46, "CP_LT32", "Tells whether LEFT is less than RIGHT, as 32-bit numbers",
+        0x46, "CP_LT32", "Tests whether LEFT is less than RIGHT, as 32-bit numbers",
         [[
             { "LEFT", IN, DATA32, "left side of the comparison" },
             { "RIGHT", IN, DATA32, "right side of the comparison" },
-            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } },
+            {
+                "FLAG", OUT, DATA8, "result of the comparison",
+                special = { [0] = "false", [1] = "true" },
+                range = { 0, 1 },
+            },
         ]],
     },
     {
-        0x47, "CP_LTF", "Tells whether LEFT is less than RIGHT, as floating-point numbers",
+        0x47, "CP_LTF", "Tests whether LEFT is less than RIGHT, as floating-point numbers",
         [[
             { "LEFT", IN, DATAF, "left side of the comparison" },
             { "RIGHT", IN, DATAF, "right side of the comparison" },
-            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } },
+            {
+                "FLAG", OUT, DATA8, "result of the comparison",
+                special = { [0] = "false", [1] = "true" },
+                range = { 0, 1 },
+            },
         ]],
     },
     {
-        0x48, "CP_GT8", "Tells whether LEFT is greater than RIGHT, as 8-bit numbers",
+        0x48, "CP_GT8", "Tests whether LEFT is greater than RIGHT, as 8-bit numbers",
         [[
             { "LEFT", IN, DATA8, "left side of the comparison" },
             { "RIGHT", IN, DATA8, "right side of the comparison" },
-            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } },
+            {
+                "FLAG", OUT, DATA8, "result of the comparison",
+                special = { [0] = "false", [1] = "true" },
+                range = { 0, 1 },
+            },
         ]],
     },
     {
-        0x49, "CP_GT16", "Tells whether LEFT is greater than RIGHT, as 16-bit numbers",
+        0x49, "CP_GT16", "Tests whether LEFT is greater than RIGHT, as 16-bit numbers",
         [[
             { "LEFT", IN, DATA16, "left side of the comparison" },
             { "RIGHT", IN, DATA16, "right side of the comparison" },
-            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } },
+            {
+                "FLAG", OUT, DATA8, "result of the comparison",
+                special = { [0] = "false", [1] = "true" },
+                range = { 0, 1 },
+            },
         ]],
     },
     {
-        0x4A, "CP_GT32", "Tells whether LEFT is greater than RIGHT, as 32-bit numbers",
+        0x4A, "CP_GT32", "Tests whether LEFT is greater than RIGHT, as 32-bit numbers",
         [[
             { "LEFT", IN, DATA32, "left side of the comparison" },
             { "RIGHT", IN, DATA32, "right side of the comparison" },
-            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } },
+            {
+                "FLAG", OUT, DATA8, "result of the comparison",
+                special = { [0] = "false", [1] = "true" },
+                range = { 0, 1 },
+            },
         ]],
     },
     {
-        0x4B, "CP_GTF", "Tells whether LEFT is greater than RIGHT, as floating-point numbers",
+        0x4B, "CP_GTF", "Tests whether LEFT is greater than RIGHT, as floating-point numbers",
         [[
             { "LEFT", IN, DATAF, "left side of the comparison" },
             { "RIGHT", IN, DATAF, "right side of the comparison" },
-            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } },
+            {
+                "FLAG", OUT, DATA8, "result of the comparison",
+                special = { [0] = "false", [1] = "true" },
+                range = { 0, 1 },
+            },
         ]],
     },
     {
-        0x4C, "CP_EQ8", "Tells whether LEFT is equal to RIGHT, as 8-bit numbers",
+        0x4C, "CP_EQ8", "Tests whether LEFT is equal to RIGHT, as 8-bit numbers",
         [[
             { "LEFT", IN, DATA8, "left side of the comparison" },
             { "RIGHT", IN, DATA8, "right side of the comparison" },
-            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } },
+            {
+                "FLAG", OUT, DATA8, "result of the comparison",
+                special = { [0] = "false", [1] = "true" },
+                range = { 0, 1 },
+            },
         ]],
     },
     {
-        0x4D, "CP_EQ16", "Tells whether LEFT is equal to RIGHT, as 16-bit numbers",
+        0x4D, "CP_EQ16", "Tests whether LEFT is equal to RIGHT, as 16-bit numbers",
         [[
             { "LEFT", IN, DATA16, "left side of the comparison" },
             { "RIGHT", IN, DATA16, "right side of the comparison" },
-            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } },
+            {
+                "FLAG", OUT, DATA8, "result of the comparison",
+                special = { [0] = "false", [1] = "true" },
+                range = { 0, 1 },
+            },
         ]],
     },
     {
-        0x4E, "CP_EQ32", "Tells whether LEFT is equal to RIGHT, as 32-bit numbers",
+        0x4E, "CP_EQ32", "Tests whether LEFT is equal to RIGHT, as 32-bit numbers",
         [[
             { "LEFT", IN, DATA32, "left side of the comparison" },
             { "RIGHT", IN, DATA32, "right side of the comparison" },
-            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } },
+            {
+                "FLAG", OUT, DATA8, "result of the comparison",
+                special = { [0] = "false", [1] = "true" },
+                range = { 0, 1 },
+            },
         ]],
     },
     {
-        0x4F, "CP_EQF", "Tells whether LEFT is equal to RIGHT, as floating-point numbers",
+        0x4F, "CP_EQF", "Tests whether LEFT is equal to RIGHT, as floating-point numbers",
         [[
             { "LEFT", IN, DATAF, "left side of the comparison" },
             { "RIGHT", IN, DATAF, "right side of the comparison" },
-            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } },
+            {
+                "FLAG", OUT, DATA8, "result of the comparison",
+                special = { [0] = "false", [1] = "true" },
+                range = { 0, 1 },
+            },
         ]],
     },
     {
-        0x50, "CP_NEQ8", "Tells whether LEFT is different from RIGHT, as 8-bit numbers",
+        0x50, "CP_NEQ8", "Tests whether LEFT is different from RIGHT, as 8-bit numbers",
         [[
             { "LEFT", IN, DATA8, "left side of the comparison" },
             { "RIGHT", IN, DATA8, "right side of the comparison" },
-            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } },
+            {
+                "FLAG", OUT, DATA8, "result of the comparison",
+                special = { [0] = "false", [1] = "true" },
+                range = { 0, 1 },
+            },
         ]],
     },
     {
-        0x51, "CP_NEQ16", "Tells whether LEFT is different from RIGHT, as 16-bit numbers",
+        0x51, "CP_NEQ16", "Tests whether LEFT is different from RIGHT, as 16-bit numbers",
         [[
             { "LEFT", IN, DATA16, "left side of the comparison" },
             { "RIGHT", IN, DATA16, "right side of the comparison" },
-            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } },
+            {
+                "FLAG", OUT, DATA8, "result of the comparison",
+                special = { [0] = "false", [1] = "true" },
+                range = { 0, 1 },
+            },
         ]],
     },
     {
-        0x52, "CP_NEQ32", "Tells whether LEFT is different from RIGHT, as 32-bit numbers",
+        0x52, "CP_NEQ32", "Tests whether LEFT is different from RIGHT, as 32-bit numbers",
         [[
             { "LEFT", IN, DATA32, "left side of the comparison" },
             { "RIGHT", IN, DATA32, "right side of the comparison" },
-            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } },
+            {
+                "FLAG", OUT, DATA8, "result of the comparison",
+                special = { [0] = "false", [1] = "true" },
+                range = { 0, 1 },
+            },
         ]],
     },
     {
-        0x53, "CP_NEQF", "Tells whether LEFT is different from RIGHT, as floating-point numbers",
+        0x53, "CP_NEQF", "Tests whether LEFT is different from RIGHT, as floating-point numbers",
         [[
             { "LEFT", IN, DATAF, "left side of the comparison" },
             { "RIGHT", IN, DATAF, "right side of the comparison" },
-            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } },
+            {
+                "FLAG", OUT, DATA8, "result of the comparison",
+                special = { [0] = "false", [1] = "true" },
+                range = { 0, 1 },
+            },
         ]],
     },
     {
-        0x54, "CP_LTEQ8", "Tells whether LEFT is less than or equal to RIGHT, as 8-bit numbers",
+        0x54, "CP_LTEQ8", "Tests whether LEFT is less than or equal to RIGHT, as 8-bit numbers",
         [[
             { "LEFT", IN, DATA8, "left side of the comparison" },
             { "RIGHT", IN, DATA8, "right side of the comparison" },
-            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } },
+            {
+                "FLAG", OUT, DATA8, "result of the comparison",
+                special = { [0] = "false", [1] = "true" },
+                range = { 0, 1 },
+            },
         ]],
     },
     {
-        0x55, "CP_LTEQ16", "Tells whether LEFT is less than or equal to RIGHT, as 16-bit numbers",
+        0x55, "CP_LTEQ16", "Tests whether LEFT is less than or equal to RIGHT, as 16-bit numbers",
         [[
             { "LEFT", IN, DATA16, "left side of the comparison" },
             { "RIGHT", IN, DATA16, "right side of the comparison" },
-            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } },
+            {
+                "FLAG", OUT, DATA8, "result of the comparison",
+                special = { [0] = "false", [1] = "true" },
+                range = { 0, 1 },
+            },
         ]],
     },
     {
-        0x56, "CP_LTEQ32", "Tells whether LEFT is less than or equal to RIGHT, as 32-bit numbers",
+        0x56, "CP_LTEQ32", "Tests whether LEFT is less than or equal to RIGHT, as 32-bit numbers",
         [[
             { "LEFT", IN, DATA32, "left side of the comparison" },
             { "RIGHT", IN, DATA32, "right side of the comparison" },
-            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } },
+            {
+                "FLAG", OUT, DATA8, "result of the comparison",
+                special = { [0] = "false", [1] = "true" },
+                range = { 0, 1 },
+            },
         ]],
     },
     {
-        0x57, "CP_LTEQF", "Tells whether LEFT is less than or equal to RIGHT, as floating-point numbers",
+        0x57, "CP_LTEQF", "Tests whether LEFT is less than or equal to RIGHT, as floating-point numbers",
         [[
             { "LEFT", IN, DATAF, "left side of the comparison" },
             { "RIGHT", IN, DATAF, "right side of the comparison" },
-            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } },
+            {
+                "FLAG", OUT, DATA8, "result of the comparison",
+                special = { [0] = "false", [1] = "true" },
+                range = { 0, 1 },
+            },
         ]],
     },
     {
-        0x58, "CP_GTEQ8", "Tells whether LEFT is greater than or equal to RIGHT, as 8-bit numbers",
+        0x58, "CP_GTEQ8", "Tests whether LEFT is greater than or equal to RIGHT, as 8-bit numbers",
         [[
             { "LEFT", IN, DATA8, "left side of the comparison" },
             { "RIGHT", IN, DATA8, "right side of the comparison" },
-            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } },
+            {
+                "FLAG", OUT, DATA8, "result of the comparison",
+                special = { [0] = "false", [1] = "true" },
+                range = { 0, 1 },
+            },
         ]],
     },
     {
-        0x59, "CP_GTEQ16", "Tells whether LEFT is greater than or equal to RIGHT, as 16-bit numbers",
+        0x59, "CP_GTEQ16", "Tests whether LEFT is greater than or equal to RIGHT, as 16-bit numbers",
         [[
             { "LEFT", IN, DATA16, "left side of the comparison" },
             { "RIGHT", IN, DATA16, "right side of the comparison" },
-            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } },
+            {
+                "FLAG", OUT, DATA8, "result of the comparison",
+                special = { [0] = "false", [1] = "true" },
+                range = { 0, 1 },
+            },
         ]],
     },
     {
-        0x5A, "CP_GTEQ32", "Tells whether LEFT is greater than or equal to RIGHT, as 32-bit numbers",
+        0x5A, "CP_GTEQ32", "Tests whether LEFT is greater than or equal to RIGHT, as 32-bit numbers",
         [[
             { "LEFT", IN, DATA32, "left side of the comparison" },
             { "RIGHT", IN, DATA32, "right side of the comparison" },
-            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } },
+            {
+                "FLAG", OUT, DATA8, "result of the comparison",
+                special = { [0] = "false", [1] = "true" },
+                range = { 0, 1 },
+            },
         ]],
     },
     {
-        0x5B, "CP_GTEQF", "Tells whether LEFT is greater than or equal to RIGHT, as floating-point numbers",
+        0x5B, "CP_GTEQF", "Tests whether LEFT is greater than or equal to RIGHT, as floating-point numbers",
         [[
             { "LEFT", IN, DATAF, "left side of the comparison" },
             { "RIGHT", IN, DATAF, "right side of the comparison" },
-            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } },
+            {
+                "FLAG", OUT, DATA8, "result of the comparison",
+                special = { [0] = "false", [1] = "true" },
+                range = { 0, 1 },
+            },
         ]],
     },
     {
-        0x5C, "SELECT8", "Takes one of two 8-bit values, whichever the flag says",
+        0x5C, "SELECT8", "Selects one of two 8-bit values by a flag",
         [[
             {
-                "FLAG", IN, DATA8, "which to take: anything but 0 takes SOURCE1",
+                "FLAG", IN, DATA8, "which one: anything but 0 selects SOURCE1",
                 special = { [0] = "SOURCE2", [1] = "SOURCE1" },
             },
-            { "SOURCE1", IN, DATA8, "value taken if the flag is set" },
-            { "SOURCE2", IN, DATA8, "value taken if the flag is 0" },
-            { "RESULT", OUT, DATA8, "the value taken" },
+            { "SOURCE1", IN, DATA8, "value selected if the flag is set" },
+            { "SOURCE2", IN, DATA8, "value selected if the flag is 0" },
+            { "RESULT", OUT, DATA8, "the selected value" },
         ]],
     },
     {
-        0x5D, "SELECT16", "Takes one of two 16-bit values, whichever the flag says",
+        0x5D, "SELECT16", "Selects one of two 16-bit values by a flag",
         [[
             {
-                "FLAG", IN, DATA8, "which to take: anything but 0 takes SOURCE1",
+                "FLAG", IN, DATA8, "which one: anything but 0 selects SOURCE1",
                 special = { [0] = "SOURCE2", [1] = "SOURCE1" },
             },
-            { "SOURCE1", IN, DATA16, "value taken if the flag is set" },
-            { "SOURCE2", IN, DATA16, "value taken if the flag is 0" },
-            { "RESULT", OUT, DATA16, "the value taken" },
+            { "SOURCE1", IN, DATA16, "value selected if the flag is set" },
+            { "SOURCE2", IN, DATA16, "value selected if the flag is 0" },
+            { "RESULT", OUT, DATA16, "the selected value" },
         ]],
     },
     {
-        0x5E, "SELECT32", "Takes one of two 32-bit values, whichever the flag says",
+        0x5E, "SELECT32", "Selects one of two 32-bit values by a flag",
         [[
             {
-                "FLAG", IN, DATA8, "which to take: anything but 0 takes SOURCE1",
+                "FLAG", IN, DATA8, "which one: anything but 0 selects SOURCE1",
                 special = { [0] = "SOURCE2", [1] = "SOURCE1" },
             },
-            { "SOURCE1", IN, DATA32, "value taken if the flag is set" },
-            { "SOURCE2", IN, DATA32, "value taken if the flag is 0" },
-            { "RESULT", OUT, DATA32, "the value taken" },
+            { "SOURCE1", IN, DATA32, "value selected if the flag is set" },
+            { "SOURCE2", IN, DATA32, "value selected if the flag is 0" },
+            { "RESULT", OUT, DATA32, "the selected value" },
         ]],
     },
     {
-        0x5F, "SELECTF", "Takes one of two floating-point values, whichever the flag says",
+        0x5F, "SELECTF", "Selects one of two floating-point values by a flag",
         [[
             {
-                "FLAG", IN, DATA8, "which to take: anything but 0 takes SOURCE1",
+                "FLAG", IN, DATA8, "which one: anything but 0 selects SOURCE1",
                 special = { [0] = "SOURCE2", [1] = "SOURCE1" },
             },
-            { "SOURCE1", IN, DATAF, "value taken if the flag is set" },
-            { "SOURCE2", IN, DATAF, "value taken if the flag is 0" },
-            { "RESULT", OUT, DATAF, "the value taken" },
+            { "SOURCE1", IN, DATAF, "value selected if the flag is set" },
+            { "SOURCE2", IN, DATAF, "value selected if the flag is 0" },
+            { "RESULT", OUT, DATAF, "the selected value" },
         ]],
     },
-    { 0x80, "UI_FLUSH", "Sends what was written for the terminal and is still in its buffer", [[]] },
+    { 0x80, "UI_FLUSH", "Sends the contents of the terminal's output buffer", [[]] },
     {
         0x81, "UI_READ", "Reads the state of the brick or what the terminal received",
         commands = {
@@ -1820,7 +1908,7 @@ local OPERATIONS = {
                 3, "GET_OS_VERS", "Reads name and version of the operating system",
                 [[
                     {
-                        "LENGTH", IN, DATA8, "most bytes to return, the zero included", unit = "bytes",
+                        "LENGTH", IN, DATA8, "maximum number of bytes to return, including the zero", unit = "bytes",
                         special = { [-1] = "no limit" },
                         range = { 0, 127 },
                     },
@@ -1843,8 +1931,8 @@ local OPERATIONS = {
                 ]],
             },
             {
-                5, "GET_TBATT", "Reads how much the batteries have warmed up, as estimated from the current",
-                [[ { "VALUE", OUT, DATAF, "estimated rise of the temperature", unit = "°C" } ]],
+                5, "GET_TBATT", "Reads the rise in battery temperature, estimated from the current",
+                [[ { "VALUE", OUT, DATAF, "estimated rise in temperature", unit = "°C" } ]],
             },
             {
                 6, "GET_IINT", "Reads the battery current smoothed over time",
@@ -1858,7 +1946,8 @@ local OPERATIONS = {
                 8, "GET_STRING", "Waits for a line typed at the terminal and reads it",
                 [[
                     {
-                        "LENGTH", IN, DATA8, "most bytes to return; the zero comes on top", unit = "bytes",
+                        "LENGTH", IN, DATA8, "maximum number of bytes to return, not including the zero",
+                        unit = "bytes",
                         range = { 0, 127 },
                     },
                     { "DESTINATION", OUT, STRING, "the line", length = "LENGTH" },
@@ -1868,7 +1957,7 @@ local OPERATIONS = {
                 9, "GET_HW_VERS", "Reads the hardware version",
                 [[
                     {
-                        "LENGTH", IN, DATA8, "most bytes to return, the zero included", unit = "bytes",
+                        "LENGTH", IN, DATA8, "maximum number of bytes to return, including the zero", unit = "bytes",
                         special = { [-1] = "no limit" },
                         range = { 0, 127 },
                     },
@@ -1879,7 +1968,7 @@ local OPERATIONS = {
                 10, "GET_FW_VERS", "Reads the firmware version",
                 [[
                     {
-                        "LENGTH", IN, DATA8, "most bytes to return, the zero included", unit = "bytes",
+                        "LENGTH", IN, DATA8, "maximum number of bytes to return, including the zero", unit = "bytes",
                         special = { [-1] = "no limit" },
                         range = { 0, 127 },
                     },
@@ -1887,10 +1976,10 @@ local OPERATIONS = {
                 ]],
             },
             {
-                11, "GET_FW_BUILD", "Reads when the firmware was built",
+                11, "GET_FW_BUILD", "Reads the build time of the firmware",
                 [[
                     {
-                        "LENGTH", IN, DATA8, "most bytes to return, the zero included", unit = "bytes",
+                        "LENGTH", IN, DATA8, "maximum number of bytes to return, including the zero", unit = "bytes",
                         special = { [-1] = "no limit" },
                         range = { 0, 127 },
                     },
@@ -1898,10 +1987,10 @@ local OPERATIONS = {
                 ]],
             },
             {
-                12, "GET_OS_BUILD", "Reads when the operating system was built",
+                12, "GET_OS_BUILD", "Reads the build time of the operating system",
                 [[
                     {
-                        "LENGTH", IN, DATA8, "most bytes to return, the zero included", unit = "bytes",
+                        "LENGTH", IN, DATA8, "maximum number of bytes to return, including the zero", unit = "bytes",
                         special = { [-1] = "no limit" },
                         range = { 0, 127 },
                     },
@@ -1914,13 +2003,16 @@ local OPERATIONS = {
             },
             {
                 14, "GET_CODE",
-                "Waits for byte code typed as hex at the terminal and makes a program of it (debugging)",
+                "Waits for byte code typed as hex at the terminal and builds a program from it (debugging)",
                 [[
-                    { "LENGTH", IN, DATA32, "most bytes of the program, headers included", unit = "bytes" },
+                    {
+                        "LENGTH", IN, DATA32, "maximum number of bytes of the program, including headers",
+                        unit = "bytes",
+                    },
                     { "IMAGE", IN, DATA32, "address of the memory where the program is built" },
                     { "GLOBAL", OUT, DATA32, "address of the program's global variables" },
                     {
-                        "FLAG", OUT, DATA8, "whether the program can be started; 1 or left as it was",
+                        "FLAG", OUT, DATA8, "whether the program can be started; 1 or unchanged",
                         special = { [1] = "ready" },
                     },
                 ]],
@@ -1930,7 +2022,7 @@ local OPERATIONS = {
                 [[ { "VALUE", OUT, DATA8, "character code of the key", special = { [0] = "no key" } } ]],
             },
             {
-                16, "GET_SHUTDOWN", "Reads and clears the wish to shut down (used by the brick's own menus)",
+                16, "GET_SHUTDOWN", "Reads and clears the request to shut down (used by the brick's own menus)",
                 [[
                     {
                         "FLAG", OUT, DATA8, "whether the brick wants to shut down",
@@ -1940,7 +2032,7 @@ local OPERATIONS = {
                 ]],
             },
             {
-                17, "GET_WARNING", "Reads what the brick warns of",
+                17, "GET_WARNING", "Reads the brick's warnings",
                 [[
                     {
                         "WARNINGS", OUT, DATA8, "one bit for each warning", enum = ENUMERATIONS.WARNING,
@@ -1949,29 +2041,29 @@ local OPERATIONS = {
                 ]],
             },
             {
-                18, "GET_LBATT", "Reads how full the battery is, derived from its voltage",
+                18, "GET_LBATT", "Reads the battery level, derived from its voltage",
                 [[ { "PCT", OUT, DATA8, "battery level", unit = "%", range = { 0, 100 } } ]],
             },
             {
                 21, "TEXTBOX_READ", "Reads one line of the text of a text box",
                 [[
                     { "TEXT", IN, STRING, "whole text of the box, its lines separated by DEL" },
-                    { "SIZE", IN, DATA32, "bytes that the box has for its text, the zero included", unit = "bytes" },
+                    { "SIZE", IN, DATA32, "size of the box's text buffer, including the zero", unit = "bytes" },
                     { "DEL", IN, DATA8, "what separates the lines", enum = ENUMERATIONS.DEL },
                     {
-                        "LENGTH", IN, DATA8, "most bytes to return, the zero included", unit = "bytes",
+                        "LENGTH", IN, DATA8, "maximum number of bytes to return, including the zero", unit = "bytes",
                         special = { [-1] = "no limit" },
                         range = { 0, 127 },
                     },
                     { "LINE", IN, DATA16, "which line, counted from 1" },
-                    { "DESTINATION", OUT, STRING, "the line, empty where there is no such line", length = "LENGTH" },
+                    { "DESTINATION", OUT, STRING, "the line, empty if there is no such line", length = "LENGTH" },
                 ]],
             },
             {
-                26, "GET_VERSION", "Reads name, version and build date of the firmware in one",
+                26, "GET_VERSION", "Reads name, version and build date of the firmware in one string",
                 [[
                     {
-                        "LENGTH", IN, DATA8, "most bytes to return, the zero included", unit = "bytes",
+                        "LENGTH", IN, DATA8, "maximum number of bytes to return, including the zero", unit = "bytes",
                         special = { [-1] = "no limit" },
                         range = { 0, 127 },
                     },
@@ -1982,7 +2074,7 @@ local OPERATIONS = {
                 27, "GET_IP", "Reads the brick's IP address",
                 [[
                     {
-                        "LENGTH", IN, DATA8, "most bytes to return, the zero included", unit = "bytes",
+                        "LENGTH", IN, DATA8, "maximum number of bytes to return, including the zero", unit = "bytes",
                         special = { [-1] = "no limit" },
                         range = { 0, 127 },
                     },
@@ -1999,7 +2091,7 @@ local OPERATIONS = {
                 ]],
             },
             {
-                30, "GET_SDCARD", "Reads whether an SD card is in and its space",
+                30, "GET_SDCARD", "Reads whether an SD card is present, and its space",
                 [[
                     {
                         "STATE", OUT, DATA8, "whether one is present",
@@ -2011,7 +2103,7 @@ local OPERATIONS = {
                 ]],
             },
             {
-                31, "GET_USBSTICK", "Reads whether a USB stick is in and its space",
+                31, "GET_USBSTICK", "Reads whether a USB stick is present, and its space",
                 [[
                     {
                         "STATE", OUT, DATA8, "whether one is present",
@@ -2027,23 +2119,26 @@ local OPERATIONS = {
     {
         0x82, "UI_WRITE", "Writes to the terminal or sets lights and states of the brick",
         commands = {
-            { 1, "WRITE_FLUSH", "Sends what is still in the terminal's buffer, like UI_FLUSH", [[]] },
+            { 1, "WRITE_FLUSH", "Sends the contents of the terminal's output buffer, like UI_FLUSH", [[]] },
             {
                 2, "FLOATVALUE", "Writes a number in a fixed format to the terminal",
                 [[
                     { "VALUE", IN, DATAF, "number to write" },
-                    { "FIGURES", IN, DATA8, "characters in all, decimal point included; negative aligns left" },
+                    {
+                        "FIGURES", IN, DATA8,
+                        "total number of characters, including the decimal point; negative aligns left",
+                    },
                     { "DECIMALS", IN, DATA8, "digits after the decimal point" },
                 ]],
             },
             {
-                3, "STAMP", "Writes time, program, object, position and a remark to the terminal",
+                3, "STAMP", "Writes time, program, object, position and a comment to the terminal",
                 [[ { "VALUE", IN, STRING, "remark" } ]],
             },
             { 8, "PUT_STRING", "Writes text to the terminal", [[ { "STRING", IN, STRING, "text to write" } ]] },
             { 9, "VALUE8", "Writes a whole number to the terminal", [[ { "VALUE", IN, DATA8, "number to write" } ]] },
             {
-                10, "VALUE16", "Writes a whole number to the terminal, without its sign",
+                10, "VALUE16", "Writes an unsigned whole number to the terminal",
                 [[ { "VALUE", IN, DATA16, "number to write", range = { -32768, 65535 } } ]],
             },
             {
@@ -2052,19 +2147,19 @@ local OPERATIONS = {
             },
             { 12, "VALUEF", "Writes a number to the terminal", [[ { "VALUE", IN, DATAF, "number to write" } ]] },
             {
-                13, "ADDRESS", "Has a number but no code in the firmware: the program that runs it fails",
+                13, "ADDRESS", "Not implemented in the firmware: the program that runs it fails",
                 [[ { "VALUE", OUT, DATA32, "address; never written" } ]],
             },
             {
                 14, "CODE", "Writes bytes of memory as hex to the terminal",
                 [[
                     { "ARRAY", IN, DATA32, "address of the bytes", validated = DATA8 },
-                    { "LENGTH", IN, DATA32, "how many bytes", unit = "bytes" },
+                    { "LENGTH", IN, DATA32, "number of bytes", unit = "bytes" },
                 ]],
             },
             { 15, "DOWNLOAD_END", "Plays the sound of a finished download and refreshes the file browser", [[]] },
             {
-                16, "SCREEN_BLOCK", "Blocks or frees the display and the buttons for programs",
+                16, "SCREEN_BLOCK", "Blocks or unblocks the display and the buttons for programs",
                 [[
                     {
                         "STATUS", IN, DATA8, "whether drawing is ignored",
@@ -2074,7 +2169,7 @@ local OPERATIONS = {
                 ]],
             },
             {
-                17, "ALLOW_PULSE", "Selects the debug pulses that are shown (only in firmware built for it)",
+                17, "ALLOW_PULSE", "Selects the debug pulses that are shown (only in debug builds of the firmware)",
                 [[
                     {
                         "VALUE", IN, DATA8, "sum of bits",
@@ -2083,7 +2178,7 @@ local OPERATIONS = {
                 ]],
             },
             {
-                18, "SET_PULSE", "Raises debug pulses (only in firmware built for it)",
+                18, "SET_PULSE", "Raises debug pulses (only in debug builds of the firmware)",
                 [[
                     {
                         "VALUE", IN, DATA8, "sum of bits",
@@ -2095,7 +2190,7 @@ local OPERATIONS = {
                 21, "TEXTBOX_APPEND", "Appends a line to the text of a text box",
                 [[
                     { "TEXT", INOUT, STRING, "whole text of the box, its lines separated by DEL", length = "SIZE" },
-                    { "SIZE", IN, DATA32, "bytes that the box has for its text, the zero included", unit = "bytes" },
+                    { "SIZE", IN, DATA32, "size of the box's text buffer, including the zero", unit = "bytes" },
                     { "DEL", IN, DATA8, "what separates the lines", enum = ENUMERATIONS.DEL },
                     { "SOURCE", IN, STRING, "line to append" },
                 ]],
@@ -2127,10 +2222,10 @@ local OPERATIONS = {
                 [[ { "PATTERN", IN, DATA8, "colour and rhythm", enum = ENUMERATIONS.LEDPATTERN } ]],
             },
             {
-                29, "POWER", "Sets the power driver's flag for switching off when the firmware ends",
+                29, "POWER", "Sets the flag that makes the power driver switch off when the firmware ends",
                 [[ { "VALUE", IN, DATA8, "the flag", range = { 0, 1 } } ]],
             },
-            { 30, "GRAPH_SAMPLE", "Adds the present values to the graph that GRAPH_SETUP has set up", [[]] },
+            { 30, "GRAPH_SAMPLE", "Adds the current values to the graph of GRAPH_SETUP", [[]] },
             {
                 31, "TERMINAL", "Switches the debug terminal on or off",
                 [[
@@ -2147,7 +2242,7 @@ local OPERATIONS = {
         0x83, "UI_BUTTON", "Reads or simulates the buttons",
         commands = {
             {
-                1, "SHORTPRESS", "Tells whether a button was pressed since last asked, and forgets it",
+                1, "SHORTPRESS", "Reports whether a button was pressed since the last query, and clears the press",
                 [[
                     { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE },
                     {
@@ -2158,7 +2253,7 @@ local OPERATIONS = {
                 ]],
             },
             {
-                2, "LONGPRESS", "Tells whether a button was held for 3 s since last asked, and forgets it",
+                2, "LONGPRESS", "Reports whether a button was held for 3 s since the last query, and clears it",
                 [[
                     { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE },
                     {
@@ -2169,7 +2264,7 @@ local OPERATIONS = {
                 ]],
             },
             { 3, "WAIT_FOR_PRESS", "Waits until any button has been pressed, by hand or by PRESS", [[]] },
-            { 4, "FLUSH", "Forgets all presses that nobody has asked for", [[]] },
+            { 4, "FLUSH", "Clears all pending presses", [[]] },
             {
                 5, "PRESS", "Presses a button as if by hand and holds it until RELEASE",
                 [[ { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE } ]],
@@ -2179,7 +2274,7 @@ local OPERATIONS = {
                 [[ { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE } ]],
             },
             {
-                7, "GET_HORZ", "Reads the left and right buttons as one axis, and forgets their presses",
+                7, "GET_HORZ", "Reads the left and right buttons as one axis, and clears their presses",
                 [[
                     {
                         "VALUE", OUT, DATA16, "direction",
@@ -2189,7 +2284,7 @@ local OPERATIONS = {
                 ]],
             },
             {
-                8, "GET_VERT", "Reads the up and down buttons as one axis, and forgets their presses",
+                8, "GET_VERT", "Reads the up and down buttons as one axis, and clears their presses",
                 [[
                     {
                         "VALUE", OUT, DATA16, "direction",
@@ -2199,7 +2294,7 @@ local OPERATIONS = {
                 ]],
             },
             {
-                9, "PRESSED", "Tells whether a button is down at the moment",
+                9, "PRESSED", "Reports whether a button is down at the moment",
                 [[
                     { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE },
                     {
@@ -2210,7 +2305,7 @@ local OPERATIONS = {
                 ]],
             },
             {
-                10, "SET_BACK_BLOCK", "Sets whether the back button is kept from ending the running program",
+                10, "SET_BACK_BLOCK", "Blocks or unblocks the back button, which ends the running program",
                 [[
                     {
                         "BLOCKED", IN, DATA8, "whether the back button is blocked",
@@ -2220,7 +2315,7 @@ local OPERATIONS = {
                 ]],
             },
             {
-                11, "GET_BACK_BLOCK", "Tells whether the back button is kept from ending the running program",
+                11, "GET_BACK_BLOCK", "Reports whether the back button is blocked",
                 [[
                     {
                         "BLOCKED", OUT, DATA8, "whether the back button is blocked",
@@ -2230,7 +2325,8 @@ local OPERATIONS = {
                 ]],
             },
             {
-                12, "TESTSHORTPRESS", "Tells like SHORTPRESS whether a button was pressed, without forgetting it",
+                12, "TESTSHORTPRESS",
+                "Reports, like SHORTPRESS, whether a button was pressed, without clearing the press",
                 [[
                     { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE },
                     {
@@ -2241,7 +2337,7 @@ local OPERATIONS = {
                 ]],
             },
             {
-                13, "TESTLONGPRESS", "Tells like LONGPRESS whether a button was held for 3 s, without forgetting it",
+                13, "TESTLONGPRESS", "Reports, like LONGPRESS, whether a button was held for 3 s, without clearing it",
                 [[
                     { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE },
                     {
@@ -2252,7 +2348,8 @@ local OPERATIONS = {
                 ]],
             },
             {
-                14, "GET_BUMBED", "Tells whether a button was pressed and released since last asked, and forgets it",
+                14, "GET_BUMBED",
+                "Reports whether a button was pressed and released since the last query, and clears it",
                 [[
                     { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE },
                     {
@@ -2264,7 +2361,8 @@ local OPERATIONS = {
                 dialects = { "official", "xtended" },
             },
             {
-                14, "GET_BUMPED", "Tells whether a button was pressed and released since last asked, and forgets it",
+                14, "GET_BUMPED",
+                "Reports whether a button was pressed and released since the last query, and clears it",
                 [[
                     { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE },
                     {
@@ -2276,7 +2374,7 @@ local OPERATIONS = {
                 dialects = { "compat" },
             },
             {
-                15, "GET_CLICK", "Tells whether a key click is due because a press was handled, and forgets it",
+                15, "GET_CLICK", "Reports whether a key click is due for a handled press, and clears it",
                 [[
                     {
                         "CLICK", OUT, DATA8, "whether a click is due",
@@ -2290,8 +2388,8 @@ local OPERATIONS = {
     {
         0x84, "UI_DRAW", "Draws on the canvas of the display, or runs a dialogue on it",
         commands = {
-            { 0, "UPDATE", "Shows on the display what has been drawn, and returns to the normal font", [[]] },
-            { 1, "CLEAN", "Wipes the canvas white, and returns to the normal font", [[]] },
+            { 0, "UPDATE", "Shows on the display what has been drawn, and restores the normal font", [[]] },
+            { 1, "CLEAN", "Clears the canvas to white, and restores the normal font", [[]] },
             {
                 2, "PIXEL", "Draws one pixel",
                 [[
@@ -2332,7 +2430,7 @@ local OPERATIONS = {
                 ]],
             },
             {
-                5, "TEXT", "Draws text in the font that SELECT_FONT has chosen",
+                5, "TEXT", "Draws text in the font chosen by SELECT_FONT",
                 [[
                     {
                         "COLOR", IN, DATA8, "colour to draw in",
@@ -2359,7 +2457,7 @@ local OPERATIONS = {
                 ]],
             },
             {
-                7, "PICTURE", "Draws a picture that is in memory",
+                7, "PICTURE", "Draws a picture from memory",
                 [[
                     {
                         "COLOR", IN, DATA8, "colour to draw in",
@@ -2382,7 +2480,10 @@ local OPERATIONS = {
                     { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 } },
                     { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 } },
                     { "VALUE", IN, DATAF, "number to draw" },
-                    { "FIGURES", IN, DATA8, "characters in all, decimal point included; negative aligns left" },
+                    {
+                        "FIGURES", IN, DATA8,
+                        "total number of characters, including the decimal point; negative aligns left",
+                    },
                     { "DECIMALS", IN, DATA8, "digits after the decimal point" },
                 ]],
             },
@@ -2454,7 +2555,7 @@ local OPERATIONS = {
                     },
                     { "STRING", IN, STRING, "text beside the icons; may be empty" },
                     {
-                        "STATE", INOUT, DATA8, "variable the dialogue keeps its progress in; set to 0 before",
+                        "STATE", INOUT, DATA8, "variable for the dialogue's progress; must be 0 at first",
                         special = { [0] = "start, or done", [1] = "being shown" },
                         range = { 0, 1 },
                     },
@@ -2480,13 +2581,13 @@ local OPERATIONS = {
                     },
                     { "STRING", IN, STRING, "text of the question (LEGO's firmware does not show it)" },
                     {
-                        "STATE", INOUT, DATA8, "variable the dialogue keeps its progress in; set to 0 before",
+                        "STATE", INOUT, DATA8, "variable for the dialogue's progress; must be 0 at first",
                         special = { [0] = "start, or done", [1] = "being shown" },
                         range = { 0, 1 },
                     },
                     {
-                        "OK", OUT, DATA8, "answer; what the variable holds before is selected first",
-                        special = { [0] = "no", [1] = "yes", [-1] = "left with the back button" },
+                        "OK", OUT, DATA8, "answer; the variable's previous value is selected at first",
+                        special = { [0] = "no", [1] = "yes", [-1] = "closed with the back button" },
                         range = { -1, 1 },
                     },
                 ]],
@@ -2503,7 +2604,7 @@ local OPERATIONS = {
                     { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 } },
                     { "ICON", IN, DATA8, "normal icon before the caption", enum = ENUMERATIONS.N_ICON_NO },
                     {
-                        "LENGTH", IN, DATA8, "most bytes to return, the zero included", unit = "bytes",
+                        "LENGTH", IN, DATA8, "maximum number of bytes to return, including the zero", unit = "bytes",
                         range = { 0, 127 },
                     },
                     {
@@ -2512,7 +2613,7 @@ local OPERATIONS = {
                     },
                     {
                         "CHARSET", INOUT, DATA8,
-                        "variable with the sum of what may be typed; becomes 0 once the keyboard shows",
+                        "variable with the sum of the allowed kinds of text; becomes 0 once the keyboard is shown",
                         special = {
                             [0] = "being shown", [1] = "brick name", [2] = "file name", [4] = "Bluetooth PIN",
                             [8] = "WiFi password", [16] = "WiFi name",
@@ -2520,7 +2621,7 @@ local OPERATIONS = {
                     },
                     {
                         "STRING", OUT, STRING,
-                        "text entered; what the variable holds before is edited, back button empties it",
+                        "entered text; the variable's previous text is edited, the back button empties it",
                         length = "LENGTH",
                     },
                 ]],
@@ -2528,21 +2629,21 @@ local OPERATIONS = {
             {
                 14, "BROWSE", "Shows files and folders and waits until one is chosen",
                 [[
-                    { "TYPE", IN, DATA8, "what is listed", enum = ENUMERATIONS.BROWSERTYPE },
+                    { "TYPE", IN, DATA8, "what to list", enum = ENUMERATIONS.BROWSERTYPE },
                     { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 } },
                     { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 } },
                     { "X1", IN, DATA16, "width", unit = "px", range = { 0, 178 } },
                     { "Y1", IN, DATA16, "height", unit = "px", range = { 0, 128 } },
                     {
-                        "LENGTH", IN, DATA8, "most bytes to return, the zero included", unit = "bytes",
+                        "LENGTH", IN, DATA8, "maximum number of bytes to return, including the zero", unit = "bytes",
                         range = { 0, 127 },
                     },
                     {
-                        "ITEM_TYPE", OUT, DATA8, "kind of what was chosen; set the variable to 0 before",
+                        "ITEM_TYPE", OUT, DATA8, "kind of the chosen entry; the variable must be 0 at first",
                         enum = ENUMERATIONS.FILETYPE,
                     },
                     {
-                        "STRING", OUT, STRING, "path of what was chosen; the variable holds the top folder before",
+                        "STRING", OUT, STRING, "path of the chosen entry; set the variable to the top folder first",
                         length = "LENGTH",
                     },
                 ]],
@@ -2574,7 +2675,7 @@ local OPERATIONS = {
                 ]],
             },
             {
-                17, "SELECT_FONT", "Chooses the font for text until UPDATE, CLEAN or FILLWINDOW",
+                17, "SELECT_FONT", "Chooses the font for text, until UPDATE, CLEAN or FILLWINDOW",
                 [[ { "TYPE", IN, DATA8, "font", enum = ENUMERATIONS.FONTTYPE, range = { 0, 3 } } ]],
             },
             {
@@ -2588,7 +2689,7 @@ local OPERATIONS = {
                 ]],
             },
             {
-                19, "FILLWINDOW", "Fills rows over the whole width, and returns to the normal font",
+                19, "FILLWINDOW", "Fills rows over the whole width, and restores the normal font",
                 [[
                     {
                         "COLOR", IN, DATA8, "colour to fill with; any other value makes a test pattern",
@@ -2596,7 +2697,7 @@ local OPERATIONS = {
                     },
                     { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 } },
                     {
-                        "Y1", IN, DATA16, "height; nothing is filled where Y0 and it make 128 or more", unit = "px",
+                        "Y1", IN, DATA16, "height; nothing is filled if Y0 plus it is 128 or more", unit = "px",
                         special = { [0] = "down to the bottom" },
                         range = { 0, 127 },
                     },
@@ -2604,7 +2705,7 @@ local OPERATIONS = {
             },
             {
                 20, "SCROLL", "Moves the canvas up",
-                [[ { "Y", IN, DATA16, "how far", unit = "px", range = { 1, 127 } } ]],
+                [[ { "Y", IN, DATA16, "distance", unit = "px", range = { 1, 127 } } ]],
             },
             {
                 21, "DOTLINE", "Draws a dashed line between two points",
@@ -2623,7 +2724,7 @@ local OPERATIONS = {
                 ]],
             },
             {
-                22, "VIEW_VALUE", "Draws a number centred in its place, with > instead of digits where it does not fit",
+                22, "VIEW_VALUE", "Draws a number centred in its place, or > instead of digits if it does not fit",
                 [[
                     {
                         "COLOR", IN, DATA8, "colour to draw in",
@@ -2633,7 +2734,7 @@ local OPERATIONS = {
                     { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 } },
                     { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 } },
                     { "VALUE", IN, DATAF, "number to draw" },
-                    { "FIGURES", IN, DATA8, "characters in all, decimal point included" },
+                    { "FIGURES", IN, DATA8, "total number of characters, including the decimal point" },
                     { "DECIMALS", IN, DATA8, "digits after the decimal point" },
                 ]],
             },
@@ -2648,10 +2749,10 @@ local OPERATIONS = {
                     { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 } },
                     { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 } },
                     { "VALUE", IN, DATAF, "number to draw" },
-                    { "FIGURES", IN, DATA8, "characters in all, decimal point included" },
+                    { "FIGURES", IN, DATA8, "total number of characters, including the decimal point" },
                     { "DECIMALS", IN, DATA8, "digits after the decimal point" },
                     {
-                        "LENGTH", IN, DATA8, "most bytes of the unit, the zero included", unit = "bytes",
+                        "LENGTH", IN, DATA8, "maximum number of bytes of the unit, including the zero", unit = "bytes",
                         range = { 0, 127 },
                     },
                     { "STRING", IN, STRING, "unit to draw after the number" },
@@ -2674,16 +2775,16 @@ local OPERATIONS = {
                 25, "STORE", "Keeps a copy of the canvas",
                 [[
                     {
-                        "NO", IN, DATA8, "memory for one screen; 0 holds the one from before the program ran",
+                        "NO", IN, DATA8, "slot for one screen; 0 holds the screen from before the program ran",
                         range = { 0, 2 },
                     },
                 ]],
             },
             {
-                26, "RESTORE", "Brings back a canvas kept by STORE",
+                26, "RESTORE", "Restores a canvas kept by STORE",
                 [[
                     {
-                        "NO", IN, DATA8, "memory for one screen; 0 holds the one from before the program ran",
+                        "NO", IN, DATA8, "slot for one screen; 0 holds the screen from before the program ran",
                         range = { 0, 2 },
                     },
                 ]],
@@ -2699,14 +2800,13 @@ local OPERATIONS = {
                     { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 } },
                     { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 } },
                     {
-                        "STATE", INOUT, DATA8, "variable the dialogue keeps its progress in; set to 0 before",
+                        "STATE", INOUT, DATA8, "variable for the dialogue's progress; must be 0 at first",
                         special = { [0] = "start, or done", [1] = "being shown" },
                         range = { 0, 1 },
                     },
                     {
-                        "ICONS", INOUT, DATA32,
-                        "bit n stands for large icon n: before those to show, then the one chosen",
-                        special = { [0] = "none: left with the back button" },
+                        "ICONS", INOUT, DATA32, "bit n is large icon n: first the icons to show, then the chosen one",
+                        special = { [0] = "none: closed with the back button" },
                     },
                 ]],
             },
@@ -2724,16 +2824,16 @@ local OPERATIONS = {
                 ]],
             },
             {
-                29, "POPUP", "Opens a window that only its opener draws on, or closes it and brings back the display",
-                [[ { "OPEN", IN, DATA8, "what to do", special = { [0] = "close", [1] = "open" }, range = { 0, 1 } } ]],
+                29, "POPUP", "Opens a window that only its opener can draw on, or closes it and restores the display",
+                [[ { "OPEN", IN, DATA8, "action", special = { [0] = "close", [1] = "open" }, range = { 0, 1 } } ]],
             },
             {
                 30, "GRAPH_SETUP",
-                "Sets up a graph of up to 8 curves; their arrays must outlive it, so useless in direct commands",
+                "Sets up a graph of up to 8 curves; useless in direct commands, since the arrays must outlive it",
                 [[
                     { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 } },
                     { "X1", IN, DATA16, "width", unit = "px", range = { 0, 178 } },
-                    { "ITEMS", IN, DATA8, "how many curves", range = { 0, 8 }, validated = DATA16 },
+                    { "ITEMS", IN, DATA8, "number of curves", range = { 0, 8 }, validated = DATA16 },
                     {
                         "OFFSET", IN, DATA16, "top edge of each curve", unit = "px",
                         range = { 0, 127 },
@@ -2747,7 +2847,7 @@ local OPERATIONS = {
                     { "MIN", IN, DATAF, "value at the bottom of each curve", length = "ITEMS", validated = DATA16 },
                     { "MAX", IN, DATAF, "value at the top of each curve", length = "ITEMS", validated = DATA16 },
                     {
-                        "SAMPLE", IN, DATAF, "present value of each curve, read anew at each GRAPH_SAMPLE",
+                        "SAMPLE", IN, DATAF, "current value of each curve, read again at each GRAPH_SAMPLE",
                         length = "ITEMS", validated = DATA16,
                     },
                 ]],
@@ -2759,7 +2859,7 @@ local OPERATIONS = {
                         "VIEW", IN, DATA8, "curve to draw, counted from 0; any other value draws all and measures none",
                         special = { [-1] = "all" },
                     },
-                    { "ACTUAL", OUT, DATAF, "latest value, not a number where there is none" },
+                    { "ACTUAL", OUT, DATAF, "latest value, NaN if there is none" },
                     { "LOWEST", OUT, DATAF, "lowest value in the graph" },
                     { "HIGHEST", OUT, DATAF, "highest value in the graph" },
                     { "AVERAGE", OUT, DATAF, "mean of the values in the graph" },
@@ -2773,11 +2873,11 @@ local OPERATIONS = {
                     { "X1", IN, DATA16, "width", unit = "px", range = { 0, 178 } },
                     { "Y1", IN, DATA16, "height", unit = "px", range = { 0, 128 } },
                     { "TEXT", IN, STRING, "whole text of the box, its lines separated by DEL" },
-                    { "SIZE", IN, DATA32, "bytes that the box has for its text, the zero included", unit = "bytes" },
+                    { "SIZE", IN, DATA32, "size of the box's text buffer, including the zero", unit = "bytes" },
                     { "DEL", IN, DATA8, "what separates the lines", enum = ENUMERATIONS.DEL },
                     {
-                        "LINE", INOUT, DATA16, "variable, set to -1 before; then the line chosen, counted from 1",
-                        special = { [-1] = "start, or left with the back button", [0] = "being shown" },
+                        "LINE", INOUT, DATA16, "variable, must be -1 at first; then the chosen line, counted from 1",
+                        special = { [-1] = "start, or closed with the back button", [0] = "being shown" },
                         validated = DATA8,
                     },
                 ]],
@@ -2785,27 +2885,27 @@ local OPERATIONS = {
         },
     },
     {
-        0x90, "KEEP_ALIVE", "Restarts the time after which the idle brick switches off, and reads it",
+        0x90, "KEEP_ALIVE", "Restarts the timer that switches off an idle brick, and reads its time",
         [[ { "MINUTES", OUT, DATA8, "idle time before switching off", unit = "min", special = { [0] = "never" } } ]],
     },
     {
-        0x85, "TIMER_WAIT", "Notes when a wait will be over and returns at once; TIMER_READY does the waiting",
+        0x85, "TIMER_WAIT", "Stores the end of a wait and returns at once; TIMER_READY does the waiting",
         [[
-            { "TIME", IN, DATA32, "how long to wait", unit = "ms", range = { 0, 2147483647 } },
+            { "TIME", IN, DATA32, "duration of the wait", unit = "ms", range = { 0, 2147483647 } },
             { "TIMER", OUT, DATA32, "variable that gets the end of the wait, on the brick's millisecond clock" },
         ]],
     },
     {
-        0x86, "TIMER_READY", "Waits until the time that TIMER_WAIT noted has come",
+        0x86, "TIMER_READY", "Waits until the time that TIMER_WAIT stored",
         [[ { "TIMER", IN, DATA32, "variable that TIMER_WAIT has set" } ]],
     },
     {
-        0x87, "TIMER_READ", "Reads the time since the program or direct command that asks was started",
+        0x87, "TIMER_READ", "Reads the time since the start of the program or direct command that asks",
         [[ { "TIME", OUT, DATA32, "time since the start", unit = "ms" } ]],
     },
     {
         0x8F, "TIMER_READ_US", "Reads the free-running microsecond clock, for differences only",
-        [[ { "TIME", OUT, DATA32, "low 32 bits of the clock, back to 0 every 71.6 minutes", unit = "us" } ]],
+        [[ { "TIME", OUT, DATA32, "low 32 bits of the clock, wraps every 71.6 minutes", unit = "us" } ]],
     },
     {
         0x94, "SOUND", "Plays or stops a sound",
@@ -2814,13 +2914,13 @@ local OPERATIONS = {
             {
                 1, "TONE", "Plays one tone and returns at once",
                 [[
-                    { "VOLUME", IN, DATA8, "how loud", unit = "%", special = { [0] = "silent" }, range = { 0, 100 } },
+                    { "VOLUME", IN, DATA8, "volume", unit = "%", special = { [0] = "silent" }, range = { 0, 100 } },
                     {
-                        "FREQUENCY", IN, DATA16, "pitch; the driver moves others into the range", unit = "Hz",
+                        "FREQUENCY", IN, DATA16, "pitch; the driver clamps it to the range", unit = "Hz",
                         range = { 250, 10000 },
                     },
                     {
-                        "DURATION", IN, DATA16, "how long, read without sign (-1 is 65535)", unit = "ms",
+                        "DURATION", IN, DATA16, "duration, read unsigned (-1 is 65535)", unit = "ms",
                         special = { [0] = "until BREAK or the next sound" },
                         range = { -32768, 65535 },
                     },
@@ -2829,7 +2929,7 @@ local OPERATIONS = {
             {
                 2, "PLAY", "Plays a sound file once and returns at once",
                 [[
-                    { "VOLUME", IN, DATA8, "how loud", unit = "%", special = { [0] = "silent" }, range = { 0, 100 } },
+                    { "VOLUME", IN, DATA8, "volume", unit = "%", special = { [0] = "silent" }, range = { 0, 100 } },
                     {
                         "NAME", IN, STRING,
                         "sound file without its extension .rsf, absolute or relative to /home/root/lms2012/sys",
@@ -2839,18 +2939,18 @@ local OPERATIONS = {
             {
                 3, "REPEAT", "Plays a sound file over and over until BREAK and returns at once",
                 [[
-                    { "VOLUME", IN, DATA8, "how loud", unit = "%", special = { [0] = "silent" }, range = { 0, 100 } },
+                    { "VOLUME", IN, DATA8, "volume", unit = "%", special = { [0] = "silent" }, range = { 0, 100 } },
                     {
                         "NAME", IN, STRING,
                         "sound file without its extension .rsf, absolute or relative to /home/root/lms2012/sys",
                     },
                 ]],
             },
-            { 4, "SERVICE", "Does nothing here: the firmware itself feeds its sound driver by this number", [[]] },
+            { 4, "SERVICE", "Does nothing; the number is used inside the firmware to feed the sound driver", [[]] },
         },
     },
     {
-        0x95, "SOUND_TEST", "Tells whether a sound is playing",
+        0x95, "SOUND_TEST", "Reports whether a sound is playing",
         [[
             {
                 "BUSY", OUT, DATA8, "whether a sound is playing",
@@ -2859,28 +2959,28 @@ local OPERATIONS = {
             },
         ]],
     },
-    { 0x96, "SOUND_READY", "Waits until the sound has ended (for ever after REPEAT or a tone without end)", [[]] },
+    { 0x96, "SOUND_READY", "Waits until the sound has ended (forever after REPEAT or an endless tone)", [[]] },
     {
         0x97, "INPUT_SAMPLE", "Reads one SI value of each of several devices, sampled in the background",
         [[
             { "TIME", IN, DATA32, "time between two samples", unit = "ms" },
-            { "SAMPLES", IN, DATA16, "how many devices the arrays list" },
+            { "SAMPLES", IN, DATA16, "number of devices the arrays list" },
             { "INIT", IN, DATA16, "place in the sample buffer of each device, -1 starts it anew", length = "SAMPLES" },
             { "DEVICES", IN, DATA8, "ports, 0 to 3 for sensors, 4 to 7 for motors A to D", length = "SAMPLES" },
             {
-                "TYPES", IN, DATA8, "type each device shall have", enum = ENUMERATIONS.TYPE,
+                "TYPES", IN, DATA8, "type to set for each device", enum = ENUMERATIONS.TYPE,
                 range = { 50, 98 },
                 length = "SAMPLES",
             },
-            { "MODES", IN, DATA8, "mode each device shall have", length = "SAMPLES" },
-            { "DATASETS", IN, DATA8, "which of its values to read from each device, from 0", length = "SAMPLES" },
-            { "VALUES", OUT, DATAF, "one value per device, NaN where there is none", length = "SAMPLES" },
+            { "MODES", IN, DATA8, "mode to set for each device", length = "SAMPLES" },
+            { "DATASETS", IN, DATA8, "index of the value to read from each device, from 0", length = "SAMPLES" },
+            { "VALUES", OUT, DATAF, "one value per device, NaN if there is none", length = "SAMPLES" },
         ]],
     },
     {
         0x98, "INPUT_DEVICE_LIST", "Lists the types of all devices, sensor ports of each layer first, then motor ports",
         [[
-            { "LENGTH", IN, DATA8, "room in the array, 32 takes the whole daisy chain" },
+            { "LENGTH", IN, DATA8, "size of the array; 32 holds the whole daisy chain" },
             {
                 "ARRAY", OUT, DATA8, "type of device at each port", enum = ENUMERATIONS.TYPE,
                 range = { 50, 98 },
@@ -2912,7 +3012,7 @@ local OPERATIONS = {
                 ]],
             },
             {
-                2, "GET_FORMAT", "Tells the shape of a device's values in its present mode",
+                2, "GET_FORMAT", "Describes the values of a device in its current mode",
                 [[
                     {
                         "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
@@ -2926,13 +3026,13 @@ local OPERATIONS = {
                         },
                         range = { 0, 19 },
                     },
-                    { "DATASETS", OUT, DATA8, "how many values one reading has" },
+                    { "DATASETS", OUT, DATA8, "number of values in one reading" },
                     {
                         "FORMAT", OUT, DATA8, "type of one raw value", enum = ENUMERATIONS.DATA_FORMAT,
                         range = { 0, 3 },
                     },
-                    { "MODES", OUT, DATA8, "how many modes the device has", range = { 1, 8 } },
-                    { "VIEWS", OUT, DATA8, "how many of the modes are shown to users", range = { 1, 8 } },
+                    { "MODES", OUT, DATA8, "number of modes of the device", range = { 1, 8 } },
+                    { "VIEWS", OUT, DATA8, "number of modes shown to users", range = { 1, 8 } },
                 ]],
             },
             {
@@ -2948,7 +3048,7 @@ local OPERATIONS = {
                 ]],
             },
             {
-                4, "CAL_DEFAULT", "Goes back to the built-in scaling of a type and mode",
+                4, "CAL_DEFAULT", "Restores the built-in scaling of a type and mode",
                 [[
                     {
                         "TYPE", IN, DATA8, "type of device the calibration is for", enum = ENUMERATIONS.TYPE,
@@ -2958,7 +3058,7 @@ local OPERATIONS = {
                 ]],
             },
             {
-                5, "GET_TYPEMODE", "Tells which device is at a port and in which mode",
+                5, "GET_TYPEMODE", "Reports the device at a port and its mode",
                 [[
                     {
                         "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
@@ -2977,7 +3077,7 @@ local OPERATIONS = {
                 ]],
             },
             {
-                6, "GET_SYMBOL", "Reads the symbol of the unit of the present mode",
+                6, "GET_SYMBOL", "Reads the symbol of the unit of the current mode",
                 [[
                     {
                         "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
@@ -2992,10 +3092,10 @@ local OPERATIONS = {
                         range = { 0, 19 },
                     },
                     {
-                        "LENGTH", IN, DATA8, "room for the text with its zero", unit = "bytes",
-                        special = { [-1] = "as long as it is (handles only)" },
+                        "LENGTH", IN, DATA8, "size of the text buffer, including the zero", unit = "bytes",
+                        special = { [-1] = "unlimited (handles only)" },
                     },
-                    { "DESTINATION", OUT, STRING, "symbol, filled up with blanks", length = "LENGTH" },
+                    { "DESTINATION", OUT, STRING, "symbol, padded with blanks", length = "LENGTH" },
                 ]],
             },
             {
@@ -3021,7 +3121,7 @@ local OPERATIONS = {
                 ]],
             },
             {
-                9, "SETUP", "Writes to an I2C sensor and reads its answer, again and again if asked to",
+                9, "SETUP", "Writes to an I2C sensor and reads its answer, repeatedly if requested",
                 [[
                     {
                         "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
@@ -3032,16 +3132,16 @@ local OPERATIONS = {
                         special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" },
                         range = { 0, 3 },
                     },
-                    { "REPEAT", IN, DATA8, "how often to write and read", special = { [0] = "without end" } },
+                    { "REPEAT", IN, DATA8, "number of repeats", special = { [0] = "endless" } },
                     {
                         "TIME", IN, DATA16, "time between repeats", unit = "ms",
                         special = { [0] = "10 ms" },
                         range = { 10, 1000 },
                     },
-                    { "WRITE_LEN", IN, DATA8, "how many bytes to write", unit = "bytes", range = { 0, 32 } },
+                    { "WRITE_LEN", IN, DATA8, "number of bytes to write", unit = "bytes", range = { 0, 32 } },
                     { "WRITE_DATA", IN, DATA8, "bytes to write: I2C address, register, data", length = "WRITE_LEN" },
                     {
-                        "READ_LEN", IN, DATA8, "how many bytes to read, negative: in reverse order", unit = "bytes",
+                        "READ_LEN", IN, DATA8, "number of bytes to read, negative: in reverse order", unit = "bytes",
                         range = { -32, 32 },
                     },
                     { "READ_DATA", OUT, DATA8, "bytes read", length = "READ_LEN" },
@@ -3072,11 +3172,11 @@ local OPERATIONS = {
                         },
                         range = { 0, 19 },
                     },
-                    { "VALUE", OUT, DATA32, "raw value, NaN where there is none" },
+                    { "VALUE", OUT, DATA32, "raw value, NaN if there is none" },
                 ]],
             },
             {
-                12, "GET_CONNECTION", "Tells how the device at a port is connected",
+                12, "GET_CONNECTION", "Reports how the device at a port is connected",
                 [[
                     {
                         "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
@@ -3106,10 +3206,10 @@ local OPERATIONS = {
             {
                 14, "SET_TYPEMODE", "Renumbers an entry of the table of device types, third party types only",
                 [[
-                    { "TYPE", IN, DATA8, "type the entry has", enum = ENUMERATIONS.TYPE, range = { 50, 98 } },
-                    { "MODE", IN, DATA8, "mode the entry has", range = { 0, 7 } },
-                    { "NEWTYPE", IN, DATA8, "type the entry shall have", enum = ENUMERATIONS.TYPE, range = { 50, 98 } },
-                    { "NEWMODE", IN, DATA8, "mode the entry shall have", range = { 0, 7 } },
+                    { "TYPE", IN, DATA8, "type of the entry", enum = ENUMERATIONS.TYPE, range = { 50, 98 } },
+                    { "MODE", IN, DATA8, "mode of the entry", range = { 0, 7 } },
+                    { "NEWTYPE", IN, DATA8, "new type of the entry", enum = ENUMERATIONS.TYPE, range = { 50, 98 } },
+                    { "NEWMODE", IN, DATA8, "new mode of the entry", range = { 0, 7 } },
                     {
                         "ERROR", OUT, DATA8, "whether it failed",
                         special = { [0] = "done", [1] = "failed or not found" },
@@ -3118,7 +3218,7 @@ local OPERATIONS = {
                 ]],
             },
             {
-                15, "READY_IIC", "Writes to an I2C sensor once, waits for its answer and tells how it went",
+                15, "READY_IIC", "Writes to an I2C sensor once, waits for its answer and reports the result",
                 [[
                     {
                         "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
@@ -3129,10 +3229,10 @@ local OPERATIONS = {
                         special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" },
                         range = { 0, 3 },
                     },
-                    { "WRLNG", IN, DATA8, "how many bytes to write", unit = "bytes", range = { 0, 32 } },
+                    { "WRLNG", IN, DATA8, "number of bytes to write", unit = "bytes", range = { 0, 32 } },
                     { "WRDATA", IN, DATA8, "bytes to write: I2C address, register, data", length = "WRLNG" },
                     {
-                        "RDLNG", IN, DATA8, "how many bytes to read, negative: in reverse order", unit = "bytes",
+                        "RDLNG", IN, DATA8, "number of bytes to read, negative: in reverse order", unit = "bytes",
                         range = { -32, 32 },
                     },
                     { "RDDATA", OUT, DATA8, "bytes read", length = "RDLNG" },
@@ -3140,7 +3240,7 @@ local OPERATIONS = {
                 ]],
             },
             {
-                21, "GET_NAME", "Reads the name of a device in its present mode, such as TOUCH or COL-REFLECT",
+                21, "GET_NAME", "Reads the name of a device in its current mode, such as TOUCH or COL-REFLECT",
                 [[
                     {
                         "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
@@ -3155,10 +3255,10 @@ local OPERATIONS = {
                         range = { 0, 19 },
                     },
                     {
-                        "LENGTH", IN, DATA8, "room for the text with its zero", unit = "bytes",
-                        special = { [-1] = "as long as it is (handles only)" },
+                        "LENGTH", IN, DATA8, "size of the text buffer, including the zero", unit = "bytes",
+                        special = { [-1] = "unlimited (handles only)" },
                     },
-                    { "DESTINATION", OUT, STRING, "name, filled up with blanks", length = "LENGTH" },
+                    { "DESTINATION", OUT, STRING, "name, padded with blanks", length = "LENGTH" },
                 ]],
             },
             {
@@ -3178,14 +3278,14 @@ local OPERATIONS = {
                     },
                     { "MODE", IN, DATA8, "mode to name", range = { 0, 7 } },
                     {
-                        "LENGTH", IN, DATA8, "room for the text with its zero", unit = "bytes",
-                        special = { [-1] = "as long as it is (handles only)" },
+                        "LENGTH", IN, DATA8, "size of the text buffer, including the zero", unit = "bytes",
+                        special = { [-1] = "unlimited (handles only)" },
                     },
-                    { "DESTINATION", OUT, STRING, "name, filled up with blanks", length = "LENGTH" },
+                    { "DESTINATION", OUT, STRING, "name, padded with blanks", length = "LENGTH" },
                 ]],
             },
             {
-                23, "SET_RAW", "Pretends that a device has read this raw value",
+                23, "SET_RAW", "Simulates a raw value of a device",
                 [[
                     {
                         "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
@@ -3200,15 +3300,15 @@ local OPERATIONS = {
                         range = { 0, 19 },
                     },
                     {
-                        "TYPE", IN, DATA8, "type the device shall have", enum = ENUMERATIONS.TYPE,
+                        "TYPE", IN, DATA8, "type to set", enum = ENUMERATIONS.TYPE,
                         special = { [0] = "keep the type" },
                         range = { 50, 98 },
                     },
-                    { "VALUE", IN, DATA32, "raw value to pretend" },
+                    { "VALUE", IN, DATA32, "raw value to simulate" },
                 ]],
             },
             {
-                24, "GET_FIGURES", "Tells how many digits a value of the present mode needs",
+                24, "GET_FIGURES", "Reports the number of digits that a value of the current mode needs",
                 [[
                     {
                         "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
@@ -3222,12 +3322,12 @@ local OPERATIONS = {
                         },
                         range = { 0, 19 },
                     },
-                    { "FIGURES", OUT, DATA8, "characters in all, with point and decimals" },
+                    { "FIGURES", OUT, DATA8, "total number of characters, with point and decimals" },
                     { "DECIMALS", OUT, DATA8, "digits after the point" },
                 ]],
             },
             {
-                25, "GET_CHANGES", "Reads how often a touch sensor changed in positive direction since CLR_CHANGES",
+                25, "GET_CHANGES", "Reads how often a touch sensor changed to pressed since CLR_CHANGES",
                 [[
                     {
                         "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
@@ -3277,16 +3377,15 @@ local OPERATIONS = {
                         range = { 0, 19 },
                     },
                     {
-                        "TYPE", IN, DATA8, "type the device shall have", enum = ENUMERATIONS.TYPE,
+                        "TYPE", IN, DATA8, "type to set", enum = ENUMERATIONS.TYPE,
                         special = { [0] = "keep the type" },
                         range = { 50, 98 },
                     },
+                    { "MODE", IN, DATA8, "mode to set", special = { [-1] = "keep the mode" }, range = { 0, 7 } },
                     {
-                        "MODE", IN, DATA8, "mode the device shall have",
-                        special = { [-1] = "keep the mode" },
-                        range = { 0, 7 },
+                        "VALUES", IN, COUNT, "number of values follow, each in percent", element = DATA8,
+                        elements = OUT,
                     },
-                    { "VALUES", IN, COUNT, "how many values follow, each in percent", element = DATA8, elements = OUT },
                 ]],
             },
             {
@@ -3305,16 +3404,12 @@ local OPERATIONS = {
                         range = { 0, 19 },
                     },
                     {
-                        "TYPE", IN, DATA8, "type the device shall have", enum = ENUMERATIONS.TYPE,
+                        "TYPE", IN, DATA8, "type to set", enum = ENUMERATIONS.TYPE,
                         special = { [0] = "keep the type" },
                         range = { 50, 98 },
                     },
-                    {
-                        "MODE", IN, DATA8, "mode the device shall have",
-                        special = { [-1] = "keep the mode" },
-                        range = { 0, 7 },
-                    },
-                    { "VALUES", IN, COUNT, "how many raw values follow", element = DATA32, elements = OUT },
+                    { "MODE", IN, DATA8, "mode to set", special = { [-1] = "keep the mode" }, range = { 0, 7 } },
+                    { "VALUES", IN, COUNT, "number of raw values follow", element = DATA32, elements = OUT },
                 ]],
             },
             {
@@ -3333,23 +3428,19 @@ local OPERATIONS = {
                         range = { 0, 19 },
                     },
                     {
-                        "TYPE", IN, DATA8, "type the device shall have", enum = ENUMERATIONS.TYPE,
+                        "TYPE", IN, DATA8, "type to set", enum = ENUMERATIONS.TYPE,
                         special = { [0] = "keep the type" },
                         range = { 50, 98 },
                     },
+                    { "MODE", IN, DATA8, "mode to set", special = { [-1] = "keep the mode" }, range = { 0, 7 } },
                     {
-                        "MODE", IN, DATA8, "mode the device shall have",
-                        special = { [-1] = "keep the mode" },
-                        range = { 0, 7 },
-                    },
-                    {
-                        "VALUES", IN, COUNT, "how many values follow, each in SI units", element = DATAF,
+                        "VALUES", IN, COUNT, "number of values follow, each in SI units", element = DATAF,
                         elements = OUT,
                     },
                 ]],
             },
             {
-                30, "GET_MINMAX", "Tells between which SI values the present mode moves",
+                30, "GET_MINMAX", "Reports the range of SI values of the current mode",
                 [[
                     {
                         "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
@@ -3368,7 +3459,7 @@ local OPERATIONS = {
                 ]],
             },
             {
-                31, "GET_BUMPS", "Reads how often a touch sensor changed in negative direction since CLR_CHANGES",
+                31, "GET_BUMPS", "Reads how often a touch sensor changed to released since CLR_CHANGES",
                 [[
                     {
                         "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
@@ -3403,16 +3494,16 @@ local OPERATIONS = {
                 range = { 0, 19 },
             },
             {
-                "TYPE", IN, DATA8, "type the device shall have", enum = ENUMERATIONS.TYPE,
+                "TYPE", IN, DATA8, "type to set", enum = ENUMERATIONS.TYPE,
                 special = { [0] = "keep the type" },
                 range = { 50, 98 },
             },
-            { "MODE", IN, DATA8, "mode the device shall have", special = { [-1] = "keep the mode" }, range = { 0, 7 } },
-            { "PCT", OUT, DATA8, "value, NaN where there is none", unit = "%" },
+            { "MODE", IN, DATA8, "mode to set", special = { [-1] = "keep the mode" }, range = { 0, 7 } },
+            { "PCT", OUT, DATA8, "value, NaN if there is none", unit = "%" },
         ]],
     },
     {
-        0x9B, "INPUT_TEST", "Tells whether a device is still changing type or mode",
+        0x9B, "INPUT_TEST", "Reports whether a device is still changing type or mode",
         [[
             {
                 "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
@@ -3462,12 +3553,12 @@ local OPERATIONS = {
                 range = { 0, 19 },
             },
             {
-                "TYPE", IN, DATA8, "type the device shall have", enum = ENUMERATIONS.TYPE,
+                "TYPE", IN, DATA8, "type to set", enum = ENUMERATIONS.TYPE,
                 special = { [0] = "keep the type" },
                 range = { 50, 98 },
             },
-            { "MODE", IN, DATA8, "mode the device shall have", special = { [-1] = "keep the mode" }, range = { 0, 7 } },
-            { "SI", OUT, DATAF, "value in the mode's unit, NaN where there is none" },
+            { "MODE", IN, DATA8, "mode to set", special = { [-1] = "keep the mode" }, range = { 0, 7 } },
+            { "SI", OUT, DATAF, "value in the mode's unit, NaN if there is none" },
         ]],
     },
     {
@@ -3486,13 +3577,13 @@ local OPERATIONS = {
                 range = { 0, 19 },
             },
             {
-                "TYPE", IN, DATA8, "type the device shall have", enum = ENUMERATIONS.TYPE,
+                "TYPE", IN, DATA8, "type to set", enum = ENUMERATIONS.TYPE,
                 special = { [0] = "keep the type" },
                 range = { 50, 98 },
             },
-            { "MODE", IN, DATA8, "mode the device shall have", special = { [-1] = "keep the mode" }, range = { 0, 7 } },
-            { "FORMAT", IN, DATA8, "DATA_PCT, DATA_RAW or DATA_SI, others give NaN", enum = ENUMERATIONS.DATA_FORMAT },
-            { "VALUES", IN, COUNT, "how many values follow, each in FORMAT", element = "FORMAT", elements = OUT },
+            { "MODE", IN, DATA8, "mode to set", special = { [-1] = "keep the mode" }, range = { 0, 7 } },
+            { "FORMAT", IN, DATA8, "DATA_PCT, DATA_RAW or DATA_SI; others give NaN", enum = ENUMERATIONS.DATA_FORMAT },
+            { "VALUES", IN, COUNT, "number of values follow, each in FORMAT", element = "FORMAT", elements = OUT },
         ]],
     },
     {
@@ -3507,7 +3598,7 @@ local OPERATIONS = {
                 special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" },
                 range = { 0, 3 },
             },
-            { "BYTES", IN, DATA8, "how many bytes to send", unit = "bytes", range = { 1, 32 } },
+            { "BYTES", IN, DATA8, "number of bytes to send", unit = "bytes", range = { 1, 32 } },
             { "DATA", IN, DATA8, "bytes to send", length = "BYTES" },
         ]],
     },
@@ -3542,14 +3633,14 @@ local OPERATIONS = {
                 special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" },
                 range = { 0, 3 },
             },
-            { "RDLNG", IN, DATA8, "how many bytes to read", unit = "bytes", range = { 0, 32 } },
+            { "RDLNG", IN, DATA8, "number of bytes to read", unit = "bytes", range = { 0, 32 } },
             { "RDDATA", OUT, DATA8, "bytes read", length = "RDLNG" },
             { "RESULT", OUT, DATA8, "OK or FAIL", enum = ENUMERATIONS.RESULT },
         ]],
         dialects = { "xtended", "compat" },
     },
     {
-        0xE2, "INPUT_IIC_STATUS", "Tells the state of the I2C bus of a port",
+        0xE2, "INPUT_IIC_STATUS", "Reports the state of the I2C bus of a port",
         [[
             {
                 "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
@@ -3565,7 +3656,7 @@ local OPERATIONS = {
         dialects = { "xtended", "compat" },
     },
     {
-        0xE3, "INPUT_IIC_WRITE", "Sends bytes to an I2C sensor once and does not wait for its answer",
+        0xE3, "INPUT_IIC_WRITE", "Sends bytes to an I2C sensor once, without waiting for its answer",
         [[
             {
                 "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
@@ -3576,9 +3667,9 @@ local OPERATIONS = {
                 special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" },
                 range = { 0, 3 },
             },
-            { "WRLNG", IN, DATA8, "how many bytes to write", unit = "bytes", range = { 0, 32 } },
+            { "WRLNG", IN, DATA8, "number of bytes to write", unit = "bytes", range = { 0, 32 } },
             { "WRDATA", IN, DATA8, "bytes to write: I2C address, register, data", length = "WRLNG" },
-            { "RDLNG", IN, DATA8, "how many bytes the sensor will answer", unit = "bytes", range = { 0, 32 } },
+            { "RDLNG", IN, DATA8, "number of bytes in the sensor's answer", unit = "bytes", range = { 0, 32 } },
             { "RESULT", OUT, DATA8, "state of the bus after the request", enum = ENUMERATIONS.RESULT },
         ]],
         dialects = { "xtended", "compat" },
@@ -3600,7 +3691,7 @@ local OPERATIONS = {
         dialects = { "xtended", "compat" },
     },
     {
-        0xA0, "OUTPUT_GET_TYPE", "Tells the type of motor at a port: documented, and never implemented by any firmware",
+        0xA0, "OUTPUT_GET_TYPE", "Reports the type of motor at a port; documented, but not implemented by any firmware",
         [[
             {
                 "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
@@ -3672,7 +3763,7 @@ local OPERATIONS = {
         ]],
     },
     {
-        0xA4, "OUTPUT_POWER", "Sets the power of motors, OUTPUT_START makes them run",
+        0xA4, "OUTPUT_POWER", "Sets the power of motors, which run at the next OUTPUT_START",
         [[
             {
                 "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
@@ -3687,11 +3778,11 @@ local OPERATIONS = {
                 },
                 range = { 0, 15 },
             },
-            { "POWER", IN, DATA8, "unregulated power, negative: backward", unit = "%", range = { -100, 100 } },
+            { "POWER", IN, DATA8, "unregulated power; negative: backward", unit = "%", range = { -100, 100 } },
         ]],
     },
     {
-        0xA5, "OUTPUT_SPEED", "Sets the speed of motors, OUTPUT_START makes them run",
+        0xA5, "OUTPUT_SPEED", "Sets the speed of motors, which run at the next OUTPUT_START",
         [[
             {
                 "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
@@ -3706,7 +3797,7 @@ local OPERATIONS = {
                 },
                 range = { 0, 15 },
             },
-            { "SPEED", IN, DATA8, "regulated speed, negative: backward", unit = "%", range = { -100, 100 } },
+            { "SPEED", IN, DATA8, "regulated speed; negative: backward", unit = "%", range = { -100, 100 } },
         ]],
     },
     {
@@ -3745,7 +3836,7 @@ local OPERATIONS = {
             },
             {
                 "POL", IN, DATA8, "direction",
-                special = { [-1] = "backward", [0] = "opposite of the present one", [1] = "forward" },
+                special = { [-1] = "backward", [0] = "opposite of the current one", [1] = "forward" },
                 range = { -1, 1 },
             },
         ]],
@@ -3762,12 +3853,12 @@ local OPERATIONS = {
                 special = { [0] = "A", [1] = "B", [2] = "C", [3] = "D" },
                 range = { 0, 3 },
             },
-            { "SPEED", OUT, DATA8, "present speed", unit = "%", range = { -100, 100 } },
+            { "SPEED", OUT, DATA8, "current speed", unit = "%", range = { -100, 100 } },
             { "TACHO", OUT, DATA32, "angle since OUTPUT_RESET", unit = "degrees" },
         ]],
     },
     {
-        0xA9, "OUTPUT_TEST", "Tells whether one of the motors is still in a move that ends by itself",
+        0xA9, "OUTPUT_TEST", "Reports whether one of the motors is still in a move that ends by itself",
         [[
             {
                 "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
@@ -3786,7 +3877,7 @@ local OPERATIONS = {
         ]],
     },
     {
-        0xAA, "OUTPUT_READY", "Waits until the moves of the motors have ended, OUTPUT_START does not count",
+        0xAA, "OUTPUT_READY", "Waits until the moves of the motors have ended; ignores those from OUTPUT_START",
         [[
             {
                 "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
@@ -3804,7 +3895,7 @@ local OPERATIONS = {
         ]],
     },
     {
-        0xAB, "OUTPUT_POSITION", "Tells the position of motors: documented, and never implemented by any firmware",
+        0xAB, "OUTPUT_POSITION", "Reports the position of motors; documented, but not implemented by any firmware",
         [[
             {
                 "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
@@ -3839,7 +3930,7 @@ local OPERATIONS = {
                 },
                 range = { 0, 15 },
             },
-            { "POWER", IN, DATA8, "unregulated power, negative: backward", unit = "%", range = { -100, 100 } },
+            { "POWER", IN, DATA8, "unregulated power; negative: backward", unit = "%", range = { -100, 100 } },
             { "STEP1", IN, DATA32, "angle of the ramp up", unit = "degrees", range = { 0, 2147483647 } },
             { "STEP2", IN, DATA32, "angle at constant drive", unit = "degrees", range = { 0, 2147483647 } },
             { "STEP3", IN, DATA32, "angle of the ramp down", unit = "degrees", range = { 0, 2147483647 } },
@@ -3866,7 +3957,7 @@ local OPERATIONS = {
                 },
                 range = { 0, 15 },
             },
-            { "POWER", IN, DATA8, "unregulated power, negative: backward", unit = "%", range = { -100, 100 } },
+            { "POWER", IN, DATA8, "unregulated power; negative: backward", unit = "%", range = { -100, 100 } },
             { "TIME1", IN, DATA32, "time of the ramp up", unit = "ms", range = { 0, 2147483647 } },
             { "TIME2", IN, DATA32, "time at constant drive", unit = "ms", range = { 0, 2147483647 } },
             { "TIME3", IN, DATA32, "time of the ramp down", unit = "ms", range = { 0, 2147483647 } },
@@ -3893,7 +3984,7 @@ local OPERATIONS = {
                 },
                 range = { 0, 15 },
             },
-            { "SPEED", IN, DATA8, "regulated speed, negative: backward", unit = "%", range = { -100, 100 } },
+            { "SPEED", IN, DATA8, "regulated speed; negative: backward", unit = "%", range = { -100, 100 } },
             { "STEP1", IN, DATA32, "angle of the ramp up", unit = "degrees", range = { 0, 2147483647 } },
             { "STEP2", IN, DATA32, "angle at constant drive", unit = "degrees", range = { 0, 2147483647 } },
             { "STEP3", IN, DATA32, "angle of the ramp down", unit = "degrees", range = { 0, 2147483647 } },
@@ -3920,7 +4011,7 @@ local OPERATIONS = {
                 },
                 range = { 0, 15 },
             },
-            { "SPEED", IN, DATA8, "regulated speed, negative: backward", unit = "%", range = { -100, 100 } },
+            { "SPEED", IN, DATA8, "regulated speed; negative: backward", unit = "%", range = { -100, 100 } },
             { "TIME1", IN, DATA32, "time of the ramp up", unit = "ms", range = { 0, 2147483647 } },
             { "TIME2", IN, DATA32, "time at constant drive", unit = "ms", range = { 0, 2147483647 } },
             { "TIME3", IN, DATA32, "time of the ramp down", unit = "ms", range = { 0, 2147483647 } },
@@ -3947,18 +4038,18 @@ local OPERATIONS = {
                 },
                 range = { 0, 15 },
             },
-            { "SPEED", IN, DATA8, "regulated speed, negative: backward", unit = "%", range = { -100, 100 } },
+            { "SPEED", IN, DATA8, "regulated speed; negative: backward", unit = "%", range = { -100, 100 } },
             {
                 "TURN", IN, DATA16, "how tight the turn is, positive slows the higher port, negative the lower",
                 special = {
-                    [-200] = "spin, lower port runs backward", [-100] = "lower port stands", [0] = "straight",
-                    [100] = "higher port stands", [200] = "spin, higher port runs backward",
+                    [-200] = "spin, lower port runs backward", [-100] = "lower port stands still", [0] = "straight",
+                    [100] = "higher port stands still", [200] = "spin, higher port runs backward",
                 },
                 range = { -200, 200 },
             },
             {
                 "STEP", IN, DATA32, "angle of the faster motor", unit = "degrees",
-                special = { [0] = "no end" },
+                special = { [0] = "endless" },
                 range = { 0, 2147483647 },
             },
             {
@@ -3984,18 +4075,18 @@ local OPERATIONS = {
                 },
                 range = { 0, 15 },
             },
-            { "SPEED", IN, DATA8, "regulated speed, negative: backward", unit = "%", range = { -100, 100 } },
+            { "SPEED", IN, DATA8, "regulated speed; negative: backward", unit = "%", range = { -100, 100 } },
             {
                 "TURN", IN, DATA16, "how tight the turn is, positive slows the higher port, negative the lower",
                 special = {
-                    [-200] = "spin, lower port runs backward", [-100] = "lower port stands", [0] = "straight",
-                    [100] = "higher port stands", [200] = "spin, higher port runs backward",
+                    [-200] = "spin, lower port runs backward", [-100] = "lower port stands still", [0] = "straight",
+                    [100] = "higher port stands still", [200] = "spin, higher port runs backward",
                 },
                 range = { -200, 200 },
             },
             {
                 "TIME", IN, DATA32, "how long to run", unit = "ms",
-                special = { [0] = "no end" },
+                special = { [0] = "endless" },
                 range = { 0, 2147483647 },
             },
             {
@@ -4006,7 +4097,7 @@ local OPERATIONS = {
         ]],
     },
     {
-        0xB2, "OUTPUT_CLR_COUNT", "Sets the tacho counts that motors have as sensors to zero",
+        0xB2, "OUTPUT_CLR_COUNT", "Sets the tacho counts of motors read as sensors to zero",
         [[
             {
                 "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
@@ -4024,7 +4115,7 @@ local OPERATIONS = {
         ]],
     },
     {
-        0xB3, "OUTPUT_GET_COUNT", "Reads the tacho count that a motor has as a sensor",
+        0xB3, "OUTPUT_GET_COUNT", "Reads the tacho count of a motor read as a sensor",
         [[
             {
                 "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
@@ -4051,7 +4142,7 @@ local OPERATIONS = {
                 special = { [0] = "the program's global memory" },
             },
             { "OFFSET", IN, DATA32, "first byte in that memory", unit = "bytes", range = { 0, 2147483647 } },
-            { "SIZE", IN, DATA32, "how many bytes", unit = "bytes", range = { 0, 2147483647 } },
+            { "SIZE", IN, DATA32, "number of bytes", unit = "bytes", range = { 0, 2147483647 } },
             { "ARRAY", IN, DATA8, "the bytes; those beyond the end of the memory are dropped", length = "SIZE" },
         ]],
     },
@@ -4067,7 +4158,7 @@ local OPERATIONS = {
                 special = { [0] = "the program's global memory" },
             },
             { "OFFSET", IN, DATA32, "first byte in that memory", unit = "bytes", range = { 0, 2147483647 } },
-            { "SIZE", IN, DATA32, "how many bytes", unit = "bytes", range = { 0, 2147483647 } },
+            { "SIZE", IN, DATA32, "number of bytes", unit = "bytes", range = { 0, 2147483647 } },
             { "ARRAY", OUT, DATA8, "the bytes, zeros beyond the end of the memory", length = "SIZE" },
         ]],
     },
@@ -4075,42 +4166,42 @@ local OPERATIONS = {
         0xC0, "FILE", "Works on files, folders, data logs, program images and the list of recent files",
         commands = {
             {
-                0, "OPEN_APPEND", "Opens a file to write at its end, creates it where there is none",
+                0, "OPEN_APPEND", "Opens a file for appending; creates it if it does not exist",
                 [[
                     { "NAME", IN, STRING, "path of the file; a bare name is taken from the program's own folder" },
-                    { "HANDLE", OUT, HANDLE, "what names the file from now on" },
+                    { "HANDLE", OUT, HANDLE, "handle of the opened file" },
                 ]],
             },
             {
-                1, "OPEN_READ", "Opens a file to read",
+                1, "OPEN_READ", "Opens a file for reading",
                 [[
                     { "NAME", IN, STRING, "path of the file; a bare name is taken from the program's own folder" },
-                    { "HANDLE", OUT, HANDLE, "what names the file from now on" },
+                    { "HANDLE", OUT, HANDLE, "handle of the opened file" },
                     { "SIZE", OUT, DATA32, "size of the file", unit = "bytes", special = { [0] = "not found" } },
                 ]],
             },
             {
-                2, "OPEN_WRITE", "Creates a file or empties the one there is, and opens it to write",
+                2, "OPEN_WRITE", "Creates or truncates a file and opens it for writing",
                 [[
                     { "NAME", IN, STRING, "path of the file; a bare name is taken from the program's own folder" },
-                    { "HANDLE", OUT, HANDLE, "what names the file from now on" },
+                    { "HANDLE", OUT, HANDLE, "handle of the opened file" },
                 ]],
             },
             {
                 3, "READ_VALUE", "Reads the text up to the next delimiter and turns it into a number",
                 [[
                     { "HANDLE", IN, HANDLE, "the open file" },
-                    { "DEL", IN, DATA8, "what stands between two values in the file", enum = ENUMERATIONS.DEL },
-                    { "VALUE", OUT, DATAF, "the number, 0 where the text is none" },
+                    { "DEL", IN, DATA8, "separator between two values in the file", enum = ENUMERATIONS.DEL },
+                    { "VALUE", OUT, DATAF, "the number, 0 if the text is not a number" },
                 ]],
             },
             {
                 4, "WRITE_VALUE", "Writes a number as text, and a delimiter after it",
                 [[
                     { "HANDLE", IN, HANDLE, "the open file" },
-                    { "DEL", IN, DATA8, "what stands between two values in the file", enum = ENUMERATIONS.DEL },
+                    { "DEL", IN, DATA8, "separator between two values in the file", enum = ENUMERATIONS.DEL },
                     { "VALUE", IN, DATAF, "the number" },
-                    { "FIGURES", IN, DATA8, "least width in characters, the decimal point included" },
+                    { "FIGURES", IN, DATA8, "minimum width in characters, including the decimal point" },
                     { "DECIMALS", IN, DATA8, "digits after the decimal point" },
                 ]],
             },
@@ -4118,13 +4209,13 @@ local OPERATIONS = {
                 5, "READ_TEXT", "Reads text up to the next delimiter",
                 [[
                     { "HANDLE", IN, HANDLE, "the open file" },
-                    { "DEL", IN, DATA8, "what stands between two values in the file", enum = ENUMERATIONS.DEL },
+                    { "DEL", IN, DATA8, "separator between two values in the file", enum = ENUMERATIONS.DEL },
                     {
-                        "LENGTH", IN, DATA16, "most bytes to read; LEGO's firmware keeps the low 8 bits, so 127",
-                        unit = "bytes",
+                        "LENGTH", IN, DATA16,
+                        "maximum number of bytes to read; LEGO's firmware keeps the low 8 bits, so 127", unit = "bytes",
                     },
                     {
-                        "TEXT", OUT, STRING, "the text, without a zero at its end when it fills all the room",
+                        "TEXT", OUT, STRING, "the text, without a zero at its end if it fills the whole buffer",
                         length = "LENGTH",
                     },
                 ]],
@@ -4133,11 +4224,11 @@ local OPERATIONS = {
                 6, "WRITE_TEXT", "Writes text without its zero, and a delimiter after it",
                 [[
                     { "HANDLE", IN, HANDLE, "the open file" },
-                    { "DEL", IN, DATA8, "what stands between two values in the file", enum = ENUMERATIONS.DEL },
+                    { "DEL", IN, DATA8, "separator between two values in the file", enum = ENUMERATIONS.DEL },
                     { "TEXT", IN, STRING, "the text" },
                 ]],
             },
-            { 7, "CLOSE", "Closes a file and gives its handle back", [[ { "HANDLE", IN, HANDLE, "the open file" } ]] },
+            { 7, "CLOSE", "Closes a file and frees its handle", [[ { "HANDLE", IN, HANDLE, "the open file" } ]] },
             {
                 8, "LOAD_IMAGE", "Loads a program file into a stopped slot, for PROGRAM_START to run",
                 [[
@@ -4147,10 +4238,7 @@ local OPERATIONS = {
                         "path of the program, relative to /home/root/lms2012/sys; .rbf may be omitted",
                     },
                     { "SIZE", OUT, DATA32, "size of the program", unit = "bytes", special = { [0] = "not loaded" } },
-                    {
-                        "IP", OUT, DATA32, "where it was loaded, to be handed to PROGRAM_START",
-                        special = { [0] = "not loaded" },
-                    },
+                    { "IP", OUT, DATA32, "where it was loaded, for PROGRAM_START", special = { [0] = "not loaded" } },
                 ]],
             },
             {
@@ -4159,28 +4247,28 @@ local OPERATIONS = {
                     { "NAME", IN, STRING, "path of the file; a bare name is taken from the program's own folder" },
                     { "HANDLE", OUT, HANDLE, "the open file", special = { [-1] = "not open" } },
                     {
-                        "WRITE", OUT, DATA8, "whether it is open to write or append",
+                        "WRITE", OUT, DATA8, "whether it is open for writing or appending",
                         special = { [0] = "no", [1] = "yes" },
                     },
                 ]],
             },
             {
-                10, "MAKE_FOLDER", "Creates a folder unless it is there",
+                10, "MAKE_FOLDER", "Creates a folder unless it exists",
                 [[
                     { "NAME", IN, STRING, "path of the folder, relative to /home/root/lms2012/sys" },
-                    { "SUCCESS", OUT, DATA8, "whether the folder is there now", special = { [0] = "no", [1] = "yes" } },
+                    { "SUCCESS", OUT, DATA8, "whether the folder exists now", special = { [0] = "no", [1] = "yes" } },
                 ]],
             },
             {
                 11, "GET_POOL", "Reserves a block of memory for the program",
                 [[
                     { "SIZE", IN, DATA32, "how much memory", unit = "bytes", range = { 0, 2147483647 } },
-                    { "HANDLE", OUT, HANDLE, "what names the block from now on" },
+                    { "HANDLE", OUT, HANDLE, "handle of the block" },
                     { "IP", OUT, DATA32, "address of the block" },
                 ]],
             },
             {
-                12, "SET_LOG_SYNC_TIME", "Stores the time and tick by which data logs are lined up",
+                12, "SET_LOG_SYNC_TIME", "Stores the time and tick to which data logs are aligned",
                 [[
                     { "TIME", IN, DATA32, "the common time" },
                     { "TICK", IN, DATA32, "the brick's tick at that time" },
@@ -4190,24 +4278,24 @@ local OPERATIONS = {
                 13, "GET_FOLDERS", "Counts the entries of a folder, without hidden ones",
                 [[
                     { "NAME", IN, STRING, "path of the folder with its closing slash, such as ../prjs/" },
-                    { "ITEMS", OUT, DATA8, "how many entries there are" },
+                    { "ITEMS", OUT, DATA8, "number of entries" },
                 ]],
             },
             {
-                14, "GET_LOG_SYNC_TIME", "Tells the time and tick by which data logs are lined up",
+                14, "GET_LOG_SYNC_TIME", "Reads the time and tick to which data logs are aligned",
                 [[
                     { "TIME", OUT, DATA32, "the common time" },
                     { "TICK", OUT, DATA32, "the brick's tick at that time" },
                 ]],
             },
             {
-                15, "GET_SUBFOLDER_NAME", "Tells the name of one entry of a folder",
+                15, "GET_SUBFOLDER_NAME", "Reads the name of one entry of a folder",
                 [[
                     { "NAME", IN, STRING, "path of the folder with its closing slash, such as ../prjs/" },
                     { "ITEM", IN, DATA8, "which entry of the folder, the first is 1", range = { 1, 127 } },
-                    { "LENGTH", IN, DATA8, "room for the string, its zero included", unit = "bytes" },
+                    { "LENGTH", IN, DATA8, "size of the string's buffer, including the zero", unit = "bytes" },
                     {
-                        "STRING", OUT, STRING, "its name without extension, empty where there is no such entry",
+                        "STRING", OUT, STRING, "its name without extension, empty if there is no such entry",
                         length = "LENGTH",
                     },
                 ]],
@@ -4217,12 +4305,12 @@ local OPERATIONS = {
                 [[
                     { "HANDLE", IN, HANDLE, "the open data log" },
                     { "TIME", IN, DATA32, "time of the samples since the log began", unit = "ms" },
-                    { "ITEMS", IN, DATA8, "how many samples; with 0 nothing is written", range = { 0, 127 } },
+                    { "ITEMS", IN, DATA8, "number of samples; with 0 nothing is written", range = { 0, 127 } },
                     { "VALUES", IN, DATAF, "the samples, in one array", length = "ITEMS" },
                 ]],
             },
             {
-                17, "CLOSE_LOG", "Writes a data log to its end and closes it",
+                17, "CLOSE_LOG", "Writes the rest of a data log and closes it",
                 [[
                     { "HANDLE", IN, HANDLE, "the open data log" },
                     { "NAME", IN, STRING, "path of the log as given to OPEN_LOG; .rdf may be omitted" },
@@ -4243,7 +4331,7 @@ local OPERATIONS = {
                     { "NAME", IN, STRING, "path of the folder with its closing slash, such as ../prjs/" },
                     { "STRING", IN, STRING, "name to look for, without extension" },
                     {
-                        "ITEM", OUT, DATA8, "which entry it is, the first is 1",
+                        "ITEM", OUT, DATA8, "number of the entry; the first is 1",
                         special = { [0] = "not found" },
                         range = { 1, 127 },
                     },
@@ -4251,23 +4339,23 @@ local OPERATIONS = {
             },
             {
                 20, "GET_CACHE_FILES", "Counts the recently run files",
-                [[ { "ITEMS", OUT, DATA8, "how many there are, 10 at most" } ]],
+                [[ { "ITEMS", OUT, DATA8, "number of files, at most 10" } ]],
             },
             {
                 21, "PUT_CACHE_FILE", "Puts a file first in the list of recently run files",
                 [[ { "STRING", IN, STRING, "path of the file" } ]],
             },
             {
-                22, "GET_CACHE_FILE", "Tells the path of one recently run file",
+                22, "GET_CACHE_FILE", "Reads the path of one recently run file",
                 [[
                     { "ITEM", IN, DATA8, "which one, 1 is the latest", range = { 1, 10 } },
-                    { "LENGTH", IN, DATA8, "room for the string, its zero included", unit = "bytes" },
-                    { "STRING", OUT, STRING, "path of the file, empty where there is none", length = "LENGTH" },
+                    { "LENGTH", IN, DATA8, "size of the string's buffer, including the zero", unit = "bytes" },
+                    { "STRING", OUT, STRING, "path of the file, empty if there is none", length = "LENGTH" },
                 ]],
             },
             {
-                23, "DEL_CACHE_FILE", "Takes a file off the list of recently run files",
-                [[ { "STRING", IN, STRING, "path of the file, as PUT_CACHE_FILE got it" } ]],
+                23, "DEL_CACHE_FILE", "Removes a file from the list of recently run files",
+                [[ { "STRING", IN, STRING, "path of the file, as given to PUT_CACHE_FILE" } ]],
             },
             {
                 24, "DEL_SUBFOLDER", "Deletes one entry of a folder together with the files in it",
@@ -4277,10 +4365,10 @@ local OPERATIONS = {
                 ]],
             },
             {
-                25, "GET_LOG_NAME", "Tells the path of the data log that is open",
+                25, "GET_LOG_NAME", "Reads the path of the open data log",
                 [[
-                    { "LENGTH", IN, DATA8, "room for the string, its zero included", unit = "bytes" },
-                    { "NAME", OUT, STRING, "path of the log, empty where none is open", length = "LENGTH" },
+                    { "LENGTH", IN, DATA8, "size of the string's buffer, including the zero", unit = "bytes" },
+                    { "NAME", OUT, STRING, "path of the log, empty if none is open", length = "LENGTH" },
                 ]],
             },
             {
@@ -4290,34 +4378,34 @@ local OPERATIONS = {
                         "NAME", IN, STRING,
                         "path of the log; .rdf may be omitted; with an empty one it stays in memory",
                     },
-                    { "syncedTime", IN, DATA32, "the common time, as GET_LOG_SYNC_TIME tells it" },
+                    { "syncedTime", IN, DATA32, "the common time, as GET_LOG_SYNC_TIME returns it" },
                     { "syncedTick", IN, DATA32, "the brick's tick at that time" },
                     { "nowTick", IN, DATA32, "the brick's tick at the start of the log" },
                     {
                         "sample_interval_in_ms", IN, DATA32, "time between samples; fast logs are kept in memory first",
                         unit = "ms",
                     },
-                    { "duration_in_ms", IN, DATA32, "how long the log is to run", unit = "ms" },
+                    { "duration_in_ms", IN, DATA32, "duration of the log", unit = "ms" },
                     { "SDATA", IN, STRING, "text that describes the sensors, copied into the header" },
-                    { "HANDLE", OUT, HANDLE, "what names the log from now on" },
+                    { "HANDLE", OUT, HANDLE, "handle of the log" },
                 ]],
             },
             {
-                28, "READ_BYTES", "Reads bytes from a file as they are",
+                28, "READ_BYTES", "Reads raw bytes from a file",
                 [[
                     { "HANDLE", IN, HANDLE, "the open file" },
-                    { "BYTES", IN, DATA16, "how many bytes", unit = "bytes", range = { 0, 32767 } },
+                    { "BYTES", IN, DATA16, "number of bytes", unit = "bytes", range = { 0, 32767 } },
                     {
-                        "DESTINATION", OUT, DATA8, "the bytes; a zero follows where the file ended early",
+                        "DESTINATION", OUT, DATA8, "the bytes; followed by a zero if the file ended early",
                         length = "BYTES",
                     },
                 ]],
             },
             {
-                29, "WRITE_BYTES", "Writes bytes to a file as they are",
+                29, "WRITE_BYTES", "Writes raw bytes to a file",
                 [[
                     { "HANDLE", IN, HANDLE, "the open file" },
-                    { "BYTES", IN, DATA16, "how many bytes", unit = "bytes", range = { 0, 32767 } },
+                    { "BYTES", IN, DATA16, "number of bytes", unit = "bytes", range = { 0, 32767 } },
                     { "SOURCE", IN, DATA8, "the bytes", length = "BYTES" },
                 ]],
             },
@@ -4326,60 +4414,60 @@ local OPERATIONS = {
                 [[ { "NAME", IN, STRING, "path of the file; a bare name is taken from the program's own folder" } ]],
             },
             {
-                31, "MOVE", "Copies a file or folder over whatever is at the destination; the source stays",
+                31, "MOVE", "Copies a file or folder and replaces the destination; the source is kept",
                 [[
                     { "SOURCE", IN, STRING, "path to copy from" },
-                    { "DEST", IN, STRING, "path to copy to; what is there is deleted first" },
+                    { "DEST", IN, STRING, "path to copy to; any existing one is deleted first" },
                 ]],
             },
         },
     },
     {
-        0xC1, "ARRAY", "Makes, fills, copies and resizes arrays",
+        0xC1, "ARRAY", "Creates, fills, copies and resizes arrays",
         commands = {
             {
-                0, "DELETE", "Deletes an array and gives its handle back",
+                0, "DELETE", "Deletes an array and frees its handle",
                 [[ { "HANDLE", IN, HANDLE, "the array" } ]],
                 dialects = { "official" },
             },
             {
-                0, "DESTROY", "Deletes an array and gives its handle back (LEGO's name for it is DELETE)",
+                0, "DESTROY", "Deletes an array and frees its handle (LEGO's name for it is DELETE)",
                 [[ { "HANDLE", IN, HANDLE, "the array" } ]],
                 dialects = { "xtended", "compat" },
             },
             {
                 1, "CREATE8", "Creates an array of DATA8 elements",
                 [[
-                    { "ELEMENTS", IN, DATA32, "how many elements it has at first", range = { 0, 2147483647 } },
-                    { "HANDLE", OUT, HANDLE, "what names the array from now on" },
+                    { "ELEMENTS", IN, DATA32, "initial number of elements", range = { 0, 2147483647 } },
+                    { "HANDLE", OUT, HANDLE, "handle of the new array" },
                 ]],
             },
             {
                 2, "CREATE16", "Creates an array of DATA16 elements",
                 [[
-                    { "ELEMENTS", IN, DATA32, "how many elements it has at first", range = { 0, 2147483647 } },
-                    { "HANDLE", OUT, HANDLE, "what names the array from now on" },
+                    { "ELEMENTS", IN, DATA32, "initial number of elements", range = { 0, 2147483647 } },
+                    { "HANDLE", OUT, HANDLE, "handle of the new array" },
                 ]],
             },
             {
                 3, "CREATE32", "Creates an array of DATA32 elements",
                 [[
-                    { "ELEMENTS", IN, DATA32, "how many elements it has at first", range = { 0, 2147483647 } },
-                    { "HANDLE", OUT, HANDLE, "what names the array from now on" },
+                    { "ELEMENTS", IN, DATA32, "initial number of elements", range = { 0, 2147483647 } },
+                    { "HANDLE", OUT, HANDLE, "handle of the new array" },
                 ]],
             },
             {
                 4, "CREATEF", "Creates an array of DATAF elements",
                 [[
-                    { "ELEMENTS", IN, DATA32, "how many elements it has at first", range = { 0, 2147483647 } },
-                    { "HANDLE", OUT, HANDLE, "what names the array from now on" },
+                    { "ELEMENTS", IN, DATA32, "initial number of elements", range = { 0, 2147483647 } },
+                    { "HANDLE", OUT, HANDLE, "handle of the new array" },
                 ]],
             },
             {
-                5, "RESIZE", "Changes how many elements an array has",
+                5, "RESIZE", "Changes the number of elements of an array",
                 [[
                     { "HANDLE", IN, HANDLE, "the array" },
-                    { "ELEMENTS", IN, DATA32, "how many elements it has from now on", range = { 0, 2147483647 } },
+                    { "ELEMENTS", IN, DATA32, "new number of elements", range = { 0, 2147483647 } },
                 ]],
             },
             {
@@ -4390,10 +4478,10 @@ local OPERATIONS = {
                 ]],
             },
             {
-                7, "COPY", "Copies the content of one array into another of the same type, which takes its size",
+                7, "COPY", "Copies the content of one array into another of the same type, which is resized to match",
                 [[
                     { "HSOURCE", IN, HANDLE, "array to copy from" },
-                    { "HDEST", IN, HANDLE, "array to copy into, which has to exist" },
+                    { "HDEST", IN, HANDLE, "array to copy into, which must exist" },
                 ]],
             },
             {
@@ -4401,7 +4489,7 @@ local OPERATIONS = {
                 [[
                     { "HANDLE", IN, HANDLE, "the array" },
                     { "INDEX", IN, DATA32, "first element to write, counted from 0", range = { 0, 2147483647 } },
-                    { "ELEMENTS", IN, DATA32, "how many values follow", range = { 0, 2147483647 } },
+                    { "ELEMENTS", IN, DATA32, "number of values follow", range = { 0, 2147483647 } },
                     { "VALUES", IN, VALUES, "the values, one parameter each", element = DATA8 },
                 ]],
             },
@@ -4410,7 +4498,7 @@ local OPERATIONS = {
                 [[
                     { "HANDLE", IN, HANDLE, "the array" },
                     { "INDEX", IN, DATA32, "first element to write, counted from 0", range = { 0, 2147483647 } },
-                    { "ELEMENTS", IN, DATA32, "how many values follow", range = { 0, 2147483647 } },
+                    { "ELEMENTS", IN, DATA32, "number of values follow", range = { 0, 2147483647 } },
                     { "VALUES", IN, VALUES, "the values, one parameter each", element = DATA16 },
                 ]],
             },
@@ -4419,7 +4507,7 @@ local OPERATIONS = {
                 [[
                     { "HANDLE", IN, HANDLE, "the array" },
                     { "INDEX", IN, DATA32, "first element to write, counted from 0", range = { 0, 2147483647 } },
-                    { "ELEMENTS", IN, DATA32, "how many values follow", range = { 0, 2147483647 } },
+                    { "ELEMENTS", IN, DATA32, "number of values follow", range = { 0, 2147483647 } },
                     { "VALUES", IN, VALUES, "the values, one parameter each", element = DATA32 },
                 ]],
             },
@@ -4428,28 +4516,28 @@ local OPERATIONS = {
                 [[
                     { "HANDLE", IN, HANDLE, "the array" },
                     { "INDEX", IN, DATA32, "first element to write, counted from 0", range = { 0, 2147483647 } },
-                    { "ELEMENTS", IN, DATA32, "how many values follow", range = { 0, 2147483647 } },
+                    { "ELEMENTS", IN, DATA32, "number of values follow", range = { 0, 2147483647 } },
                     { "VALUES", IN, VALUES, "the values, one parameter each", element = DATAF },
                 ]],
             },
             {
-                12, "SIZE", "Tells how many elements an array has",
+                12, "SIZE", "Counts the elements of an array",
                 [[
                     { "HANDLE", IN, HANDLE, "the array" },
-                    { "ELEMENTS", OUT, DATA32, "how many elements it has, 0 where there is no such array" },
+                    { "ELEMENTS", OUT, DATA32, "number of elements, 0 if there is no such array" },
                 ]],
                 dialects = { "official" },
             },
             {
-                12, "SET_SIZE", "Tells how many elements an array has (LEGO's name for it is SIZE)",
+                12, "SET_SIZE", "Counts the elements of an array (LEGO's name for it is SIZE)",
                 [[
                     { "HANDLE", IN, HANDLE, "the array" },
-                    { "ELEMENTS", OUT, DATA32, "how many elements it has, 0 where there is no such array" },
+                    { "ELEMENTS", OUT, DATA32, "number of elements, 0 if there is no such array" },
                 ]],
                 dialects = { "xtended", "compat" },
             },
             {
-                13, "READ_CONTENT", "Reads an array's content as bytes, of another program too",
+                13, "READ_CONTENT", "Reads an array's content as bytes, also of another program",
                 [[
                     { "PRGID", IN, DATA16, "slot of the program that owns the array", enum = ENUMERATIONS.SLOT },
                     { "HANDLE", IN, HANDLE, "the array" },
@@ -4457,12 +4545,12 @@ local OPERATIONS = {
                         "INDEX", IN, DATA32, "first byte in the array's content, whatever its elements",
                         range = { 0, 2147483647 },
                     },
-                    { "BYTES", IN, DATA32, "how many bytes", unit = "bytes", range = { 0, 2147483647 } },
+                    { "BYTES", IN, DATA32, "number of bytes", unit = "bytes", range = { 0, 2147483647 } },
                     { "ARRAY", OUT, DATA8, "the bytes, zeros beyond the end of the array", length = "BYTES" },
                 ]],
             },
             {
-                14, "WRITE_CONTENT", "Writes an array's content as bytes; the array then ends with them",
+                14, "WRITE_CONTENT", "Writes an array's content as bytes; the array then ends after them",
                 [[
                     { "PRGID", IN, DATA16, "slot of the program that owns the array", enum = ENUMERATIONS.SLOT },
                     { "HANDLE", IN, HANDLE, "the array" },
@@ -4470,16 +4558,16 @@ local OPERATIONS = {
                         "INDEX", IN, DATA32, "first byte in the array's content, whatever its elements",
                         range = { 0, 2147483647 },
                     },
-                    { "BYTES", IN, DATA32, "how many bytes", unit = "bytes", range = { 0, 2147483647 } },
+                    { "BYTES", IN, DATA32, "number of bytes", unit = "bytes", range = { 0, 2147483647 } },
                     { "ARRAY", IN, DATA8, "the bytes", length = "BYTES" },
                 ]],
             },
             {
-                15, "READ_SIZE", "Tells how many bytes an array's content has, of another program too",
+                15, "READ_SIZE", "Returns the size of an array's content, also of another program",
                 [[
                     { "PRGID", IN, DATA16, "slot of the program that owns the array", enum = ENUMERATIONS.SLOT },
                     { "HANDLE", IN, HANDLE, "the array" },
-                    { "BYTES", OUT, DATA32, "how many bytes, 0 where there is no such array", unit = "bytes" },
+                    { "BYTES", OUT, DATA32, "number of bytes, 0 if there is no such array", unit = "bytes" },
                 ]],
             },
         },
@@ -4505,37 +4593,40 @@ local OPERATIONS = {
         [[ { "HANDLE", IN, HANDLE, "the array" }, { "VALUE", IN, ARRAY_TYPED, "the value, of the array's type" } ]],
     },
     {
-        0xC5, "MEMORY_USAGE", "Tells how much memory for user files there is and how much of it is free",
+        0xC5, "MEMORY_USAGE", "Reports the total and free memory for user files",
         [[
-            { "TOTAL", OUT, DATA32, "all of it", unit = "KiB" },
-            { "FREE", OUT, DATA32, "what is free", unit = "KiB" },
+            { "TOTAL", OUT, DATA32, "total memory", unit = "KiB" },
+            { "FREE", OUT, DATA32, "free memory", unit = "KiB" },
         ]],
     },
     {
-        0xC6, "FILENAME", "Takes file names apart, checks them, and packs files",
+        0xC6, "FILENAME", "Splits and checks file names, and packs files",
         commands = {
             {
-                16, "EXIST", "Tells whether a file or folder is there",
+                16, "EXIST", "Reports whether a file or folder exists",
                 [[
                     { "NAME", IN, STRING, "path of the file; a bare name is taken from the program's own folder" },
-                    { "FLAG", OUT, DATA8, "whether it is there", special = { [0] = "no", [1] = "yes" } },
+                    { "FLAG", OUT, DATA8, "whether it exists", special = { [0] = "no", [1] = "yes" } },
                 ]],
             },
             {
-                17, "TOTALSIZE", "Tells how many files a folder has and their size",
+                17, "TOTALSIZE", "Reports the number of files in a folder and their size",
                 [[
                     { "NAME", IN, STRING, "path of the folder or file" },
-                    { "FILES", OUT, DATA32, "how many entries, with . and .. counted in; 0 for a file" },
+                    { "FILES", OUT, DATA32, "number of entries, including . and ..; 0 for a file" },
                     { "SIZE", OUT, DATA32, "size of all of them, rounded up", unit = "KiB" },
                 ]],
             },
             {
-                18, "SPLIT", "Takes a path apart into folder, name and extension",
+                18, "SPLIT", "Splits a path into folder, name and extension",
                 [[
                     { "FILENAME", IN, STRING, "the path" },
-                    { "LENGTH", IN, DATA8, "room for each of the three parts, its zero included", unit = "bytes" },
                     {
-                        "FOLDER", OUT, STRING, "the folder, on LEGO's firmware with its closing slash",
+                        "LENGTH", IN, DATA8, "buffer size for each of the three parts, including the zero",
+                        unit = "bytes",
+                    },
+                    {
+                        "FOLDER", OUT, STRING, "the folder, with its closing slash on LEGO's firmware",
                         length = "LENGTH",
                     },
                     { "NAME", OUT, STRING, "the name, without folder and extension", length = "LENGTH" },
@@ -4543,17 +4634,17 @@ local OPERATIONS = {
                 ]],
             },
             {
-                19, "MERGE", "Puts a path together from folder, name and extension",
+                19, "MERGE", "Builds a path from folder, name and extension",
                 [[
                     { "FOLDER", IN, STRING, "the folder, without a slash at its end" },
                     { "NAME", IN, STRING, "the name" },
                     { "EXT", IN, STRING, "the extension with its dot" },
-                    { "LENGTH", IN, DATA8, "room for the string, its zero included", unit = "bytes" },
+                    { "LENGTH", IN, DATA8, "size of the string's buffer, including the zero", unit = "bytes" },
                     { "FILENAME", OUT, STRING, "the path", length = "LENGTH" },
                 ]],
             },
             {
-                20, "CHECK", "Tells whether a path has allowed characters and lengths; the file need not exist",
+                20, "CHECK", "Reports whether a path's characters and lengths are allowed; the file need not exist",
                 [[
                     { "FILENAME", IN, STRING, "the path" },
                     {
@@ -4564,16 +4655,16 @@ local OPERATIONS = {
             },
             {
                 21, "PACK", "Packs a file or folder into a .raf archive beside it",
-                [[ { "FILENAME", IN, STRING, "path of what to pack" } ]],
+                [[ { "FILENAME", IN, STRING, "path of the file or folder" } ]],
             },
             {
                 22, "UNPACK", "Unpacks a .raf archive into the folder it is in",
-                [[ { "FILENAME", IN, STRING, "path of the archive; whatever its extension, .raf is taken" } ]],
+                [[ { "FILENAME", IN, STRING, "path of the archive; its extension is replaced by .raf" } ]],
             },
             {
-                23, "GET_FOLDERNAME", "Tells the program's own folder",
+                23, "GET_FOLDERNAME", "Reads the path of the program's own folder",
                 [[
-                    { "LENGTH", IN, DATA8, "room for the string, its zero included", unit = "bytes" },
+                    { "LENGTH", IN, DATA8, "size of the string's buffer, including the zero", unit = "bytes" },
                     { "FOLDERNAME", OUT, STRING, "path of the folder, without a slash at its end", length = "LENGTH" },
                 ]],
             },
@@ -4592,13 +4683,16 @@ local OPERATIONS = {
         0x91, "COM_READ", "Fetches direct commands, for the brick's own command program",
         commands = {
             {
-                14, "COMMAND", "Tells where the direct command received last lies in the brick's memory",
+                14, "COMMAND", "Returns the address of the last direct command received",
                 [[
-                    { "LENGTH", IN, DATA32, "most bytes of code, ignored by the firmware", unit = "bytes" },
+                    {
+                        "LENGTH", IN, DATA32, "maximum number of bytes of code, ignored by the firmware",
+                        unit = "bytes",
+                    },
                     { "IMAGE", OUT, DATA32, "address of the code" },
                     { "GLOBAL", OUT, DATA32, "address of its global memory" },
                     {
-                        "FLAG", OUT, DATA8, "whether a command waits",
+                        "FLAG", OUT, DATA8, "whether one is waiting",
                         special = { [0] = "none", [1] = "ready to run" },
                         range = { 0, 1 },
                     },
@@ -4615,7 +4709,7 @@ local OPERATIONS = {
                     { "IMAGE", IN, DATA32, "address of the code" },
                     { "GLOBAL", IN, DATA32, "address of its global memory" },
                     {
-                        "STATUS", IN, DATA8, "how it ended, all but OK give DIRECT_REPLY_ERROR",
+                        "STATUS", IN, DATA8, "how it ended; all but OK give DIRECT_REPLY_ERROR",
                         enum = ENUMERATIONS.RESULT,
                     },
                 ]],
@@ -4625,23 +4719,23 @@ local OPERATIONS = {
     {
         0xD0, "COM_READY", "Waits until nothing is being sent to a device",
         [[
-            { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+            { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
             { "NAME", IN, STRING, "name of the other device, empty: the brick's own adapter" },
         ]],
     },
     {
-        0xD1, "COM_READDATA", "Does nothing in the firmware, meant to receive data",
+        0xD1, "COM_READDATA", "Does nothing in the firmware; meant to receive data",
         [[
-            { "VALUE1", IN, DATA8, "which way to communicate, ignored", enum = ENUMERATIONS.HWTYPE },
+            { "VALUE1", IN, DATA8, "carrier, ignored", enum = ENUMERATIONS.HWTYPE },
             { "VALUE2", IN, DATA8, "name of the other device, ignored" },
             { "VALUE3", IN, DATA16, "number of bytes, ignored", unit = "bytes" },
             { "VALUE4", IN, DATA8, "the bytes, ignored" },
         ]],
     },
     {
-        0xD2, "COM_WRITEDATA", "Does nothing in the firmware, meant to send data",
+        0xD2, "COM_WRITEDATA", "Does nothing in the firmware; meant to send data",
         [[
-            { "VALUE1", IN, DATA8, "which way to communicate, ignored", enum = ENUMERATIONS.HWTYPE },
+            { "VALUE1", IN, DATA8, "carrier, ignored", enum = ENUMERATIONS.HWTYPE },
             { "VALUE2", IN, DATA8, "name of the other device, ignored" },
             { "VALUE3", IN, DATA16, "number of bytes, ignored", unit = "bytes" },
             { "VALUE4", IN, DATA8, "the bytes, ignored" },
@@ -4651,9 +4745,9 @@ local OPERATIONS = {
         0xD3, "COM_GET", "Asks about the brick's connections and the devices around it",
         commands = {
             {
-                1, "GET_ON_OFF", "Tells whether Bluetooth or WiFi is on",
+                1, "GET_ON_OFF", "Reports whether Bluetooth or WiFi is on",
                 [[
-                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
                     {
                         "ACTIVE", OUT, DATA8, "whether it is on",
                         special = { [0] = "off", [1] = "on" },
@@ -4662,9 +4756,9 @@ local OPERATIONS = {
                 ]],
             },
             {
-                2, "GET_VISIBLE", "Tells whether other devices can see the brick by Bluetooth",
+                2, "GET_VISIBLE", "Reports whether other devices can see the brick by Bluetooth",
                 [[
-                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
                     {
                         "VISIBLE", OUT, DATA8, "whether it is visible",
                         special = { [0] = "no", [1] = "yes" },
@@ -4673,9 +4767,9 @@ local OPERATIONS = {
                 ]],
             },
             {
-                4, "GET_RESULT", "Tells how a search or connection request is going",
+                4, "GET_RESULT", "Reports the state of a search or connection request",
                 [[
-                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
                     { "ITEM", IN, DATA8, "place in the list, ignored by the firmware" },
                     { "RESULT", OUT, DATA8, "state of the request", enum = ENUMERATIONS.RESULT },
                 ]],
@@ -4683,35 +4777,35 @@ local OPERATIONS = {
             {
                 5, "GET_PIN", "Reads the PIN for a device, always 1234",
                 [[
-                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
                     { "NAME", IN, STRING, "name of the other device or network" },
-                    { "LENGTH", IN, DATA8, "room for the PIN with its zero", unit = "bytes" },
+                    { "LENGTH", IN, DATA8, "size of the PIN's buffer, including the zero", unit = "bytes" },
                     { "PINCODE", OUT, STRING, "the PIN", length = "LENGTH" },
                 ]],
             },
             {
-                7, "LIST_STATE", "Reads a number that changes when a device enters or leaves a list",
+                7, "LIST_STATE", "Reads a counter that changes when a device enters or leaves a list",
                 [[
-                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
                     { "STATE", OUT, DATA16, "number to compare with the one of the last call" },
                 ]],
                 dialects = { "compat" },
             },
             {
-                8, "SEARCH_ITEMS", "Tells how many devices or networks a search found",
+                8, "SEARCH_ITEMS", "Counts the devices or networks that a search found",
                 [[
-                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
-                    { "ITEMS", OUT, DATA8, "how many the list has" },
+                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
+                    { "ITEMS", OUT, DATA8, "number of entries in the list" },
                 ]],
             },
             {
                 9, "SEARCH_ITEM", "Describes one device or network that a search found",
                 [[
-                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
                     { "ITEM", IN, DATA8, "place in the list, counted from 0" },
                     {
-                        "LENGTH", IN, DATA8, "room for the text with its zero", unit = "bytes",
-                        special = { [-1] = "as long as it gets (handles only)" },
+                        "LENGTH", IN, DATA8, "size of the text buffer, including the zero", unit = "bytes",
+                        special = { [-1] = "unlimited (handles only)" },
                     },
                     { "NAME", OUT, STRING, "name of the other device or network", length = "LENGTH" },
                     {
@@ -4730,27 +4824,27 @@ local OPERATIONS = {
                         special = { [0] = "WiFi, not encrypted", [1] = "WiFi, WPA2" },
                     },
                     {
-                        "VISIBLE", OUT, DATA8, "whether it is in sight",
+                        "VISIBLE", OUT, DATA8, "whether it is in range",
                         special = { [0] = "no", [1] = "yes" },
                         range = { 0, 1 },
                     },
                 ]],
             },
             {
-                10, "FAVOUR_ITEMS", "Tells how many devices are paired, in sight or not",
+                10, "FAVOUR_ITEMS", "Counts the paired devices, in range or not",
                 [[
-                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
-                    { "ITEMS", OUT, DATA8, "how many the list has" },
+                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
+                    { "ITEMS", OUT, DATA8, "number of entries in the list" },
                 ]],
             },
             {
                 11, "FAVOUR_ITEM", "Describes one paired device or known network",
                 [[
-                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
                     { "ITEM", IN, DATA8, "place in the list, counted from 0" },
                     {
-                        "LENGTH", IN, DATA8, "room for the text with its zero", unit = "bytes",
-                        special = { [-1] = "as long as it gets (handles only)" },
+                        "LENGTH", IN, DATA8, "size of the text buffer, including the zero", unit = "bytes",
+                        special = { [-1] = "unlimited (handles only)" },
                     },
                     { "NAME", OUT, STRING, "name of the other device or network", length = "LENGTH" },
                     {
@@ -4773,10 +4867,10 @@ local OPERATIONS = {
             {
                 12, "GET_ID", "Reads the brick's Bluetooth address",
                 [[
-                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
                     {
-                        "LENGTH", IN, DATA8, "room for the text with its zero", unit = "bytes",
-                        special = { [-1] = "as long as it gets (handles only)" },
+                        "LENGTH", IN, DATA8, "size of the text buffer, including the zero", unit = "bytes",
+                        special = { [-1] = "unlimited (handles only)" },
                     },
                     { "STRING", OUT, STRING, "12 hex digits", length = "LENGTH" },
                 ]],
@@ -4785,8 +4879,8 @@ local OPERATIONS = {
                 13, "GET_BRICKNAME", "Reads the brick's name",
                 [[
                     {
-                        "LENGTH", IN, DATA8, "room for the text with its zero", unit = "bytes",
-                        special = { [-1] = "as long as it gets (handles only)" },
+                        "LENGTH", IN, DATA8, "size of the text buffer, including the zero", unit = "bytes",
+                        special = { [-1] = "unlimited (handles only)" },
                     },
                     { "NAME", OUT, STRING, "name of the brick", length = "LENGTH" },
                 ]],
@@ -4794,10 +4888,11 @@ local OPERATIONS = {
             {
                 14, "GET_NETWORK", "Reads network name and addresses, WiFi only",
                 [[
-                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
                     {
-                        "LENGTH", IN, DATA8, "room for each of the three texts with its zero", unit = "bytes",
-                        special = { [-1] = "as long as it gets (handles only)" },
+                        "LENGTH", IN, DATA8, "buffer size for each of the three texts, including the zero",
+                        unit = "bytes",
+                        special = { [-1] = "unlimited (handles only)" },
                     },
                     { "NAME", OUT, STRING, "name of the network, NONE without one", length = "LENGTH" },
                     { "MAC", OUT, STRING, "MAC address of the brick, ?? when WiFi is off", length = "LENGTH" },
@@ -4805,63 +4900,63 @@ local OPERATIONS = {
                 ]],
             },
             {
-                15, "GET_PRESENT", "Tells whether the hardware is there, for WiFi a known dongle",
+                15, "GET_PRESENT", "Reports whether the hardware is present (for WiFi: a known dongle)",
                 [[
-                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
                     {
-                        "OK", OUT, DATA8, "whether it is there",
+                        "OK", OUT, DATA8, "whether it is present",
                         special = { [0] = "no", [1] = "yes" },
                         range = { 0, 1 },
                     },
                 ]],
             },
             {
-                16, "GET_ENCRYPT", "Tells the encryption of a network, WiFi only",
+                16, "GET_ENCRYPT", "Reports the encryption of a network, WiFi only",
                 [[
-                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
                     { "ITEM", IN, DATA8, "place in the list, counted from 0" },
                     {
-                        "TYPE", OUT, DATA8, "kind of encryption, the 2013 firmware says none",
+                        "TYPE", OUT, DATA8, "kind of encryption; always none in the 2013 firmware",
                         enum = ENUMERATIONS.ENCRYPT,
                     },
                 ]],
             },
             {
-                17, "CONNEC_ITEMS", "Tells how many devices are connected, Bluetooth only",
+                17, "CONNEC_ITEMS", "Counts the connected devices, Bluetooth only",
                 [[
-                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
-                    { "ITEMS", OUT, DATA8, "how many the list has" },
+                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
+                    { "ITEMS", OUT, DATA8, "number of entries in the list" },
                 ]],
             },
             {
                 18, "CONNEC_ITEM", "Describes one connected device, Bluetooth only",
                 [[
-                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
                     { "ITEM", IN, DATA8, "place in the list, counted from 0" },
                     {
-                        "LENGTH", IN, DATA8, "room for the text with its zero", unit = "bytes",
-                        special = { [-1] = "as long as it gets (handles only)" },
+                        "LENGTH", IN, DATA8, "size of the text buffer, including the zero", unit = "bytes",
+                        special = { [-1] = "unlimited (handles only)" },
                     },
                     { "NAME", OUT, STRING, "name of the device", length = "LENGTH" },
                     { "TYPE", OUT, DATA8, "kind of device", enum = ENUMERATIONS.BTTYPE },
                 ]],
             },
             {
-                19, "GET_INCOMING", "Tells which device asks for a connection, Bluetooth only",
+                19, "GET_INCOMING", "Reports which device asks for a connection, Bluetooth only",
                 [[
-                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
                     {
-                        "LENGTH", IN, DATA8, "room for the text with its zero", unit = "bytes",
-                        special = { [-1] = "as long as it gets (handles only)" },
+                        "LENGTH", IN, DATA8, "size of the text buffer, including the zero", unit = "bytes",
+                        special = { [-1] = "unlimited (handles only)" },
                     },
                     { "NAME", OUT, STRING, "name of the device", length = "LENGTH" },
                     { "TYPE", OUT, DATA8, "kind of device", enum = ENUMERATIONS.BTTYPE },
                 ]],
             },
             {
-                20, "GET_MODE2", "Tells whether Bluetooth is in its mode for Apple devices",
+                20, "GET_MODE2", "Reports whether Bluetooth is in its mode for Apple devices",
                 [[
-                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
                     {
                         "ACTIVE", OUT, DATA8, "whether it is on",
                         special = { [0] = "off", [1] = "on" },
@@ -4877,7 +4972,7 @@ local OPERATIONS = {
             {
                 1, "SET_ON_OFF", "Switches Bluetooth or WiFi on or off",
                 [[
-                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
                     {
                         "ACTIVE", IN, DATA8, "whether to switch it on",
                         special = { [0] = "off", [1] = "on" },
@@ -4888,9 +4983,9 @@ local OPERATIONS = {
             {
                 2, "SET_VISIBLE", "Makes the brick visible or invisible, Bluetooth only",
                 [[
-                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
                     {
-                        "VISIBLE", IN, DATA8, "whether other devices shall see it",
+                        "VISIBLE", IN, DATA8, "whether other devices can see it",
                         special = { [0] = "invisible", [1] = "visible" },
                         range = { 0, 1 },
                     },
@@ -4899,7 +4994,7 @@ local OPERATIONS = {
             {
                 3, "SET_SEARCH", "Starts or stops the search for devices or networks",
                 [[
-                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
                     {
                         "SEARCH", IN, DATA8, "whether to search",
                         special = { [0] = "stop (Bluetooth only)", [1] = "start" },
@@ -4910,7 +5005,7 @@ local OPERATIONS = {
             {
                 5, "SET_PIN", "Answers the request for a PIN (Bluetooth) or stores a network's password (WiFi)",
                 [[
-                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
                     { "NAME", IN, STRING, "name of the other device or network" },
                     { "PINCODE", IN, STRING, "PIN or password" },
                 ]],
@@ -4918,7 +5013,7 @@ local OPERATIONS = {
             {
                 6, "SET_PASSKEY", "Answers the request to confirm a passkey, Bluetooth only",
                 [[
-                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
                     {
                         "ACCEPT", IN, DATA8, "the answer",
                         special = { [0] = "reject", [1] = "accept" },
@@ -4929,7 +5024,7 @@ local OPERATIONS = {
             {
                 7, "SET_CONNECTION", "Connects a device or network, or ends a Bluetooth connection",
                 [[
-                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
                     { "NAME", IN, STRING, "name of the other device or network" },
                     {
                         "CONNECTION", IN, DATA8, "what to do",
@@ -4945,21 +5040,21 @@ local OPERATIONS = {
             {
                 9, "SET_MOVEUP", "Moves a network up in the list, WiFi only",
                 [[
-                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
                     { "ITEM", IN, DATA8, "place in the list, counted from 0" },
                 ]],
             },
             {
                 10, "SET_MOVEDOWN", "Moves a network down in the list, WiFi only",
                 [[
-                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
                     { "ITEM", IN, DATA8, "place in the list, counted from 0" },
                 ]],
             },
             {
                 11, "SET_ENCRYPT", "Sets the encryption of a network, WiFi only",
                 [[
-                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
                     { "ITEM", IN, STRING, "name of the network" },
                     { "ENCRYPT", IN, DATA8, "kind of encryption", enum = ENUMERATIONS.ENCRYPT },
                 ]],
@@ -4967,14 +5062,14 @@ local OPERATIONS = {
             {
                 12, "SET_SSID", "Adds a network to the end of the list, WiFi only",
                 [[
-                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
                     { "NAME", IN, STRING, "name of the network" },
                 ]],
             },
             {
                 13, "SET_MODE2", "Switches the Bluetooth mode for Apple devices on or off",
                 [[
-                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
                     {
                         "ACTIVE", IN, DATA8, "whether to switch it on",
                         special = { [0] = "off", [1] = "on" },
@@ -4985,9 +5080,9 @@ local OPERATIONS = {
         },
     },
     {
-        0xD5, "COM_TEST", "Tells whether something is still being sent to a device",
+        0xD5, "COM_TEST", "Reports whether something is still being sent to a device",
         [[
-            { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+            { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
             { "NAME", IN, STRING, "name of the other device, empty: the brick's own adapter" },
             { "BUSY", OUT, DATA8, "whether to wait", special = { [0] = "ready", [1] = "busy" }, range = { 0, 1 } },
         ]],
@@ -4995,14 +5090,14 @@ local OPERATIONS = {
     {
         0xD6, "COM_REMOVE", "Forgets a paired device or a known network",
         [[
-            { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+            { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
             { "REMOTE_NAME", IN, STRING, "name of the other device or network" },
         ]],
     },
     {
         0xD7, "COM_WRITEFILE", "Sends a file or a folder to another brick, Bluetooth only",
         [[
-            { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+            { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
             { "REMOTE_NAME", IN, STRING, "name of the other device or network" },
             { "FILE_NAME", IN, STRING, "path of the file or folder on this brick" },
             { "FILE_TYPE", IN, DATA8, "TYPE_FOLDER for a folder, else a file", enum = ENUMERATIONS.FILETYPE },
@@ -5029,7 +5124,7 @@ local OPERATIONS = {
             { "BOXNAME", IN, STRING, "name of the mailbox" },
             { "TYPE", IN, DATA8, "type of the values", enum = ENUMERATIONS.DATA_FORMAT },
             {
-                "VALUES", IN, COUNT, "how many values of TYPE follow, one only for a string", element = "TYPE",
+                "VALUES", IN, COUNT, "number of values of TYPE follow; exactly one for a string", element = "TYPE",
                 elements = IN,
             },
         ]],
@@ -5038,15 +5133,15 @@ local OPERATIONS = {
         0xDA, "MAILBOX_READ", "Reads the content of a mailbox and marks it read",
         [[
             { "NO", IN, DATA8, "number of the mailbox on this brick", range = { 0, 29 } },
-            { "LENGTH", IN, DATA8, "most bytes to read, ignored by the firmware", unit = "bytes" },
+            { "LENGTH", IN, DATA8, "maximum number of bytes to read, ignored by the firmware", unit = "bytes" },
             {
-                "VALUES", IN, COUNT, "how many values follow, of the type given to MAILBOX_OPEN", element = ARRAY_TYPED,
-                elements = OUT,
+                "VALUES", IN, COUNT, "number of values follow, of the type given to MAILBOX_OPEN",
+                element = ARRAY_TYPED, elements = OUT,
             },
         ]],
     },
     {
-        0xDB, "MAILBOX_TEST", "Tells whether a mailbox has an unread message",
+        0xDB, "MAILBOX_TEST", "Reports whether a mailbox has an unread message",
         [[
             { "NO", IN, DATA8, "number of the mailbox on this brick", range = { 0, 29 } },
             {
@@ -5065,7 +5160,7 @@ local OPERATIONS = {
         [[ { "NO", IN, DATA8, "number of the mailbox on this brick", range = { 0, 29 } } ]],
     },
     {
-        0xE5, "MAILBOX_SIZE", "Tells how many bytes the content of a mailbox has",
+        0xE5, "MAILBOX_SIZE", "Returns the size of a mailbox's content",
         [[
             { "NO", IN, DATA8, "number of the mailbox on this brick", range = { 0, 29 } },
             { "SIZE", OUT, DATA8, "size of the content", unit = "bytes" },
@@ -5084,7 +5179,7 @@ end
 
 local SYSTEM = {
     {
-        0x92, "BEGIN_DOWNLOAD", "Opens a file on the brick for writing and says how long it will be",
+        0x92, "BEGIN_DOWNLOAD", "Opens a file on the brick for writing and announces its size",
         request = {
             { "size", U32, "file_len", "Size" },
             { "path", TEXT, "file_name", "Path" },
@@ -5093,10 +5188,10 @@ local SYSTEM = {
         reply = { { "handle", U8, "handle", "Handle" } },
         transfer = "begin", is_long = true,
         statuses = {
-            [8] = "the file is complete: its size is 0, or all of it came with this frame",
-            [1] = "no such file can be made: it is a folder, or the file system refuses the name",
+            [8] = "the file is complete: its size is 0, or this frame held all of it",
+            [1] = "the file cannot be created: it is a folder, or the file system refuses the name",
             [9] = "there is not enough room for a file of that size, or the frame had more data than announced",
-            [4] = "all handles are in use: files were begun and never completed or closed",
+            [4] = "all handles are in use: earlier files were neither completed nor closed",
         },
     },
     {
@@ -5105,8 +5200,8 @@ local SYSTEM = {
         reply = { { "handle", U8, "handle", "Handle" } },
         transfer = "continue", is_long = true,
         statuses = {
-            [8] = "that was the rest, and the file is closed; bytes beyond its size are dropped",
-            [1] = "no file is open under that handle: it is complete, closed, or was never begun",
+            [8] = "the file is now complete and closed; bytes beyond its size are dropped",
+            [1] = "no file is open under that handle: it is complete, closed, or was never opened",
             [10] = "the handle is known, but its file is not open",
         },
     },
@@ -5119,9 +5214,7 @@ local SYSTEM = {
             { "data", BYTES, "data", "Data" },
         },
         transfer = "begin",
-        statuses = {
-            [8] = "all of the file is in this reply", [1] = "there is no such file", [4] = "all handles are in use",
-        },
+        statuses = { [8] = "this reply holds the whole file", [1] = "no such file", [4] = "all handles are in use" },
     },
     {
         0x95, "CONTINUE_UPLOAD", "Fetches the next piece of a file",
@@ -5129,7 +5222,7 @@ local SYSTEM = {
         reply = { { "handle", U8, "handle", "Handle" }, { "data", BYTES, "data", "Data" } },
         transfer = "continue",
         statuses = {
-            [8] = "that was the rest of the file", [2] = "the handle is known, but its file is not open",
+            [8] = "that was the last piece of the file", [2] = "the handle is known, but its file is not open",
             [1] = "no file is open under that handle",
         },
     },
@@ -5144,8 +5237,7 @@ local SYSTEM = {
         },
         transfer = "begin",
         statuses = {
-            [8] = "all that the file has so far is in this reply", [2] = "there is no such file",
-            [1] = "all handles are in use",
+            [8] = "this reply holds all that the file has so far", [2] = "no such file", [1] = "all handles are in use",
         },
     },
     {
@@ -5158,8 +5250,8 @@ local SYSTEM = {
         },
         transfer = "continue",
         statuses = {
-            [8] = "that was all that the file has so far", [2] = "the handle is known, but its file is not open",
-            [1] = "no file is open under that handle",
+            [8] = "that was the last of what the file has so far",
+            [2] = "the handle is known, but its file is not open", [1] = "no file is open under that handle",
         },
     },
     {
@@ -5178,26 +5270,24 @@ local SYSTEM = {
             { "list", LISTING, "list", "List" },
         },
         transfer = "begin",
-        statuses = {
-            [8] = "all of the listing is in this reply", [10] = "there is no such folder, or no handle is free",
-        },
+        statuses = { [8] = "this reply holds the whole listing", [10] = "no such folder, or no free handle" },
     },
     {
         0x9A, "CONTINUE_LIST_FILES", "Fetches the next piece of a listing",
         request = { { "handle", U8, "handle", "Handle" }, { "max_bytes", U16, "max_bytes", "Max bytes" } },
         reply = { { "handle", U8, "handle", "Handle" }, { "list", LISTING, "list", "List" } },
         transfer = "continue",
-        statuses = { [8] = "that was the rest of the listing", [10] = "the handle holds no listing" },
+        statuses = { [8] = "that was the last piece of the listing", [10] = "the handle holds no listing" },
     },
     {
-        0x9B, "CREATE_DIR", "Makes a folder",
+        0x9B, "CREATE_DIR", "Creates a folder",
         request = { { "path", TEXT, "path_name", "Path" } },
-        statuses = { [5] = "it cannot be made: it exists, its parent does not, or it is not allowed there" },
+        statuses = { [5] = "it cannot be created: it exists, its parent does not, or permission is denied" },
     },
     {
         0x9C, "DELETE_FILE", "Deletes a file or an empty folder",
         request = { { "path", TEXT, "path_name", "Path" } },
-        statuses = { [5] = "it cannot be removed: it does not exist, is not empty, or it is not allowed there" },
+        statuses = { [5] = "it cannot be removed: it does not exist, is not empty, or permission is denied" },
     },
     {
         0x9D, "LIST_OPEN_HANDLES", "Asks which file handles are in use",
@@ -5213,7 +5303,7 @@ local SYSTEM = {
         },
     },
     {
-        0x9F, "BLUETOOTHPIN", "Hands over the PIN for a Bluetooth device (USB only)",
+        0x9F, "BLUETOOTHPIN", "Sends the PIN for a Bluetooth device (USB only)",
         request = {
             { "mac_length", U8, "mac_length", "Mac length", counts = "mac" },
             { "mac", COUNTED_TEXT, "mac", "Mac" },
@@ -5230,15 +5320,15 @@ local SYSTEM = {
     },
     { 0xA0, "ENTERFWUPDATE", "Restarts the brick into its firmware updater" },
     {
-        0xA1, "SETBUNDLEID", "Sets the bundle identifier with which the brick shows itself to Apple devices",
+        0xA1, "SETBUNDLEID", "Sets the bundle identifier that the brick shows to Apple devices",
         request = { { "id", TEXT, "id", "Id" } },
     },
     {
-        0xA2, "SETBUNDLESEEDID", "Sets the bundle seed identifier with which the brick shows itself to Apple devices",
+        0xA2, "SETBUNDLESEEDID", "Sets the bundle seed identifier that the brick shows to Apple devices",
         request = { { "id", TEXT, "id", "Id" } },
     },
     {
-        0xF0, "BEGIN_DOWNLOAD_WITH_ERASE", "Erases a region of the flash memory and makes ready to write it",
+        0xF0, "BEGIN_DOWNLOAD_WITH_ERASE", "Erases a region of the flash memory and prepares to write it",
         request = {
             { "address", U32, "address", "Address", hexadecimal = true },
             { "image_size", U32, "image_size", "Image size" },
@@ -5246,7 +5336,7 @@ local SYSTEM = {
         bootloader = true,
     },
     {
-        0xF1, "BEGIN_DOWNLOAD", "Makes ready to write a region of the flash memory that is already erased",
+        0xF1, "BEGIN_DOWNLOAD", "Prepares to write a region of the flash memory that is already erased",
         request = {
             { "address", U32, "address", "Address", hexadecimal = true },
             { "image_size", U32, "image_size", "Image size" },

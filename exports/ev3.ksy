@@ -104,15 +104,15 @@ types:
             "system_code::bootloader_get_version": reply_bootloader_get_version
         if: not _io.eof
   request_begin_download:
-    doc: Opens a file on the brick for writing and says how long it will be
+    doc: Opens a file on the brick for writing and announces its size
     seq:
       - {id: size, type: u4, doc: bytes of the whole file}
-      - {id: path, type: strz, doc: "where the file or folder is, absolute or relative to /home/root/lms2012/sys"}
+      - {id: path, type: strz, doc: "path of the file or folder, absolute or relative to /home/root/lms2012/sys"}
       - {id: data, size-eos: true, if: not _io.eof, doc: "the first bytes of the file, usually none"}
   reply_begin_download:
-    doc: Opens a file on the brick for writing and says how long it will be
+    doc: Opens a file on the brick for writing and announces its size
     seq:
-      - {id: handle, type: u1, if: not _io.eof, doc: "the open file, for the messages that continue"}
+      - {id: handle, type: u1, if: not _io.eof, doc: "the open file, for the messages that follow"}
   request_continue_download:
     doc: "Writes the next piece of a file; the file closes itself when it is complete"
     seq:
@@ -121,49 +121,49 @@ types:
   reply_continue_download:
     doc: "Writes the next piece of a file; the file closes itself when it is complete"
     seq:
-      - {id: handle, type: u1, if: not _io.eof, doc: "the open file, for the messages that continue"}
+      - {id: handle, type: u1, if: not _io.eof, doc: "the open file, for the messages that follow"}
   request_begin_upload:
     doc: Opens a file on the brick for reading and fetches its first piece
     seq:
-      - {id: max_bytes, type: u2, doc: most bytes of contents that the reply may carry}
-      - {id: path, type: strz, doc: "where the file or folder is, absolute or relative to /home/root/lms2012/sys"}
+      - {id: max_bytes, type: u2, doc: maximum number of content bytes in the reply}
+      - {id: path, type: strz, doc: "path of the file or folder, absolute or relative to /home/root/lms2012/sys"}
   reply_begin_upload:
     doc: Opens a file on the brick for reading and fetches its first piece
     seq:
       - {id: size, type: u4, if: not _io.eof, doc: bytes of the whole file}
-      - {id: handle, type: u1, if: not _io.eof, doc: "the open file, for the messages that continue"}
+      - {id: handle, type: u1, if: not _io.eof, doc: "the open file, for the messages that follow"}
       - {id: data, size-eos: true, if: not _io.eof, doc: "a piece of the file's contents"}
   request_continue_upload:
     doc: Fetches the next piece of a file
     seq:
       - {id: handle, type: u1, doc: "the open file on the brick, as its reply to BEGIN_... gave it"}
-      - {id: max_bytes, type: u2, doc: most bytes of contents that the reply may carry}
+      - {id: max_bytes, type: u2, doc: maximum number of content bytes in the reply}
   reply_continue_upload:
     doc: Fetches the next piece of a file
     seq:
-      - {id: handle, type: u1, if: not _io.eof, doc: "the open file, for the messages that continue"}
+      - {id: handle, type: u1, if: not _io.eof, doc: "the open file, for the messages that follow"}
       - {id: data, size-eos: true, if: not _io.eof, doc: "a piece of the file's contents"}
   request_begin_getfile:
     doc: "Opens a file that may still be growing, such as a data log, and fetches its first piece"
     seq:
-      - {id: max_bytes, type: u2, doc: most bytes of contents that the reply may carry}
-      - {id: path, type: strz, doc: "where the file or folder is, absolute or relative to /home/root/lms2012/sys"}
+      - {id: max_bytes, type: u2, doc: maximum number of content bytes in the reply}
+      - {id: path, type: strz, doc: "path of the file or folder, absolute or relative to /home/root/lms2012/sys"}
   reply_begin_getfile:
     doc: "Opens a file that may still be growing, such as a data log, and fetches its first piece"
     seq:
       - {id: size, type: u4, if: not _io.eof, doc: bytes of the whole file}
-      - {id: handle, type: u1, if: not _io.eof, doc: "the open file, for the messages that continue"}
+      - {id: handle, type: u1, if: not _io.eof, doc: "the open file, for the messages that follow"}
       - {id: data, size-eos: true, if: not _io.eof, doc: "a piece of the file's contents"}
   request_continue_getfile:
     doc: Fetches the next piece of a file that may still be growing
     seq:
       - {id: handle, type: u1, doc: "the open file on the brick, as its reply to BEGIN_... gave it"}
-      - {id: max_bytes, type: u2, doc: most bytes of contents that the reply may carry}
+      - {id: max_bytes, type: u2, doc: maximum number of content bytes in the reply}
   reply_continue_getfile:
     doc: Fetches the next piece of a file that may still be growing
     seq:
       - {id: size, type: u4, if: not _io.eof, doc: bytes of the whole file}
-      - {id: handle, type: u1, if: not _io.eof, doc: "the open file, for the messages that continue"}
+      - {id: handle, type: u1, if: not _io.eof, doc: "the open file, for the messages that follow"}
       - {id: data, size-eos: true, if: not _io.eof, doc: "a piece of the file's contents"}
   request_close_filehandle:
     doc: Closes an open file before its end
@@ -177,13 +177,13 @@ types:
   request_list_files:
     doc: Lists a folder and fetches the first piece of the listing
     seq:
-      - {id: max_bytes, type: u2, doc: most bytes of contents that the reply may carry}
-      - {id: path, type: strz, doc: "where the file or folder is, absolute or relative to /home/root/lms2012/sys"}
+      - {id: max_bytes, type: u2, doc: maximum number of content bytes in the reply}
+      - {id: path, type: strz, doc: "path of the file or folder, absolute or relative to /home/root/lms2012/sys"}
   reply_list_files:
     doc: Lists a folder and fetches the first piece of the listing
     seq:
       - {id: list_size, type: u4, if: not _io.eof, doc: bytes of the whole listing}
-      - {id: handle, type: u1, if: not _io.eof, doc: "the open file, for the messages that continue"}
+      - {id: handle, type: u1, if: not _io.eof, doc: "the open file, for the messages that follow"}
       - id: list
         size-eos: true
         type: str
@@ -193,28 +193,28 @@ types:
     doc: Fetches the next piece of a listing
     seq:
       - {id: handle, type: u1, doc: "the open file on the brick, as its reply to BEGIN_... gave it"}
-      - {id: max_bytes, type: u2, doc: most bytes of contents that the reply may carry}
+      - {id: max_bytes, type: u2, doc: maximum number of content bytes in the reply}
   reply_continue_list_files:
     doc: Fetches the next piece of a listing
     seq:
-      - {id: handle, type: u1, if: not _io.eof, doc: "the open file, for the messages that continue"}
+      - {id: handle, type: u1, if: not _io.eof, doc: "the open file, for the messages that follow"}
       - id: list
         size-eos: true
         type: str
         if: not _io.eof
         doc: "a piece of the listing: lines with MD5, size and name, or a folder's name and /"
   request_create_dir:
-    doc: Makes a folder
+    doc: Creates a folder
     seq:
-      - {id: path, type: strz, doc: "where the file or folder is, absolute or relative to /home/root/lms2012/sys"}
+      - {id: path, type: strz, doc: "path of the file or folder, absolute or relative to /home/root/lms2012/sys"}
   request_delete_file:
     doc: Deletes a file or an empty folder
     seq:
-      - {id: path, type: strz, doc: "where the file or folder is, absolute or relative to /home/root/lms2012/sys"}
+      - {id: path, type: strz, doc: "path of the file or folder, absolute or relative to /home/root/lms2012/sys"}
   reply_list_open_handles:
     doc: Asks which file handles are in use
     seq:
-      - {id: handles, size-eos: true, if: not _io.eof, doc: "a bit for every handle, set while it is in use"}
+      - {id: handles, size-eos: true, if: not _io.eof, doc: "one bit per handle, set while it is in use"}
   request_writemailbox:
     doc: Puts a message into a mailbox of the program that runs on the brick
     seq:
@@ -225,36 +225,36 @@ types:
         size: payload_length
         doc: "the message: a text (with its zero), a number (a single), a logic value (one byte), or other bytes"
   request_bluetoothpin:
-    doc: Hands over the PIN for a Bluetooth device (USB only)
+    doc: Sends the PIN for a Bluetooth device (USB only)
     seq:
       - {id: mac_length, type: u1, doc: bytes of the MAC address}
       - {id: mac, type: counted_text(mac_length), doc: "MAC address of the other device, in hex"}
       - {id: pin_length, type: u1, doc: bytes of the PIN}
       - {id: pin, type: counted_text(pin_length), doc: the PIN}
   reply_bluetoothpin:
-    doc: Hands over the PIN for a Bluetooth device (USB only)
+    doc: Sends the PIN for a Bluetooth device (USB only)
     seq:
       - {id: mac_length, type: u1, if: not _io.eof, doc: bytes of the MAC address}
       - {id: mac, type: counted_text(mac_length), if: not _io.eof, doc: "MAC address of the other device, in hex"}
       - {id: pin_length, type: u1, if: not _io.eof, doc: bytes of the PIN}
       - {id: pin, type: counted_text(pin_length), if: not _io.eof, doc: the PIN}
   request_setbundleid:
-    doc: Sets the bundle identifier with which the brick shows itself to Apple devices
+    doc: Sets the bundle identifier that the brick shows to Apple devices
     seq:
       - {id: id, type: strz, doc: the identifier}
   request_setbundleseedid:
-    doc: Sets the bundle seed identifier with which the brick shows itself to Apple devices
+    doc: Sets the bundle seed identifier that the brick shows to Apple devices
     seq:
       - {id: id, type: strz, doc: the identifier}
   request_bootloader_begin_download_with_erase:
-    doc: Erases a region of the flash memory and makes ready to write it
+    doc: Erases a region of the flash memory and prepares to write it
     seq:
-      - {id: address, type: u4, doc: first byte of the flash memory meant}
+      - {id: address, type: u4, doc: address of the first byte in flash memory}
       - {id: image_size, type: u4, doc: bytes of the image or region}
   request_bootloader_begin_download:
-    doc: Makes ready to write a region of the flash memory that is already erased
+    doc: Prepares to write a region of the flash memory that is already erased
     seq:
-      - {id: address, type: u4, doc: first byte of the flash memory meant}
+      - {id: address, type: u4, doc: address of the first byte in flash memory}
       - {id: image_size, type: u4, doc: bytes of the image or region}
   request_bootloader_download_data:
     doc: Writes the next piece of the image
@@ -263,7 +263,7 @@ types:
   request_bootloader_get_checksum:
     doc: Asks for the checksum of a region of the flash memory
     seq:
-      - {id: address, type: u4, doc: first byte of the flash memory meant}
+      - {id: address, type: u4, doc: address of the first byte in flash memory}
       - {id: image_size, type: u4, doc: bytes of the image or region}
   reply_bootloader_get_checksum:
     doc: Asks for the checksum of a region of the flash memory
@@ -569,7 +569,7 @@ types:
         0: {id: obj_stop, doc: Stops an object of a running program}
         4: {id: obj_start, doc: Starts an object of a running program from its beginning}
         22: {id: get_status, doc: Asks whether a program runs}
-        23: {id: get_speed, doc: Asks how fast a program runs}
+        23: {id: get_speed, doc: "Asks for a program's speed"}
         24: {id: get_prgresult, doc: Asks how a program ended}
         25: {id: set_instr, doc: Sets how many instructions the calling thread may still run in its time slice}
   family_info:
@@ -591,13 +591,13 @@ types:
       cmd_name: {value: cmd.value, enum: cmd_info}
     enums:
       cmd_info:
-        1: {id: set_error, doc: "Puts an error into the brick's error log"}
-        2: {id: get_error, doc: "Takes the oldest error out of the brick's error log"}
+        1: {id: set_error, doc: "Adds an error to the brick's error log"}
+        2: {id: get_error, doc: "Removes and returns the oldest error of the brick's error log"}
         3: {id: errortext, doc: Converts the number of an error to its name}
         4: {id: get_volume, doc: Reads the volume setting}
         5: {id: set_volume, doc: Changes the volume setting}
-        6: {id: get_minutes, doc: Reads after how long without use the brick powers off}
-        7: {id: set_minutes, doc: Changes after how long without use the brick powers off}
+        6: {id: get_minutes, doc: Reads the idle time after which the brick powers off}
+        7: {id: set_minutes, doc: Changes the idle time after which the brick powers off}
   family_strings:
     doc: "Works with texts: joins, compares, converts from and to numbers"
     seq:
@@ -621,19 +621,19 @@ types:
       cmd_name: {value: cmd.value, enum: cmd_strings}
     enums:
       cmd_strings:
-        1: {id: get_size, doc: Measures a text}
+        1: {id: get_size, doc: Reads the length of a text}
         2: {id: add, doc: Joins two texts}
-        3: {id: compare, doc: "Tells whether two texts are the same, upper and lower case kept apart"}
+        3: {id: compare, doc: "Reports whether two texts are equal; case matters"}
         5: {id: duplicate, doc: Copies a text}
-        6: {id: value_to_string, doc: "Writes a floating-point number as text, without zeros at its end"}
+        6: {id: value_to_string, doc: "Writes a floating-point number as text, without trailing zeros"}
         7: {id: string_to_value, doc: Reads a number from a text}
         8: {id: strip, doc: Removes every space from a text}
-        9: {id: number_to_string, doc: "Writes a whole number as text, with zeros in front"}
-        10: {id: sub, doc: Takes from a text what comes after another text found in it}
+        9: {id: number_to_string, doc: "Writes a whole number as text, with leading zeros"}
+        10: {id: sub, doc: Returns the part of a text after another text found in it}
         11: {id: value_formatted, doc: "Writes a floating-point number as text in a format of C's printf"}
         12: {id: number_formatted, doc: "Writes a whole number as text in a format of C's printf"}
   family_tst:
-    doc: "Tests the hardware, as the factory does; all but TST_OPEN fail unless opened before"
+    doc: "Tests the hardware, as the factory does; all fail before TST_OPEN"
     seq:
       - {id: cmd, type: argument(false)}
       - id: parameters
@@ -653,20 +653,20 @@ types:
       cmd_name: {value: cmd.value, enum: cmd_tst}
     enums:
       cmd_tst:
-        10: {id: tst_open, doc: "Allows test commands for 10 seconds; each one renews the time"}
+        10: {id: tst_open, doc: "Allows test commands for 10 seconds; each one restarts the timer"}
         11: {id: tst_close, doc: Ends the test mode}
         12: {id: tst_read_pins, doc: Reads the pins of a connector}
         13: {id: tst_write_pins, doc: Sets the pins of a connector}
         14: {id: tst_read_adc, doc: Reads the analog converter}
-        15: {id: tst_write_uart, doc: "Sends bytes out of a sensor port's serial line"}
-        16: {id: tst_read_uart, doc: "Reads bytes that arrived on a sensor port's serial line"}
+        15: {id: tst_write_uart, doc: "Sends bytes on a sensor port's serial line"}
+        16: {id: tst_read_uart, doc: "Reads the bytes received on a sensor port's serial line"}
         17: {id: tst_enable_uart, doc: Switches the serial lines of all sensor ports on}
         18: {id: tst_disable_uart, doc: Switches the serial lines of all sensor ports off}
         19: {id: tst_accu_switch, doc: Reads the switch that senses the rechargeable battery}
-        20: {id: tst_boot_mode2, doc: "Starts mode 2 of Bluetooth, the one for Apple's devices"}
-        21: {id: tst_poll_mode2, doc: "Asks how far the start of Bluetooth's mode 2 is"}
-        22: {id: tst_close_mode2, doc: Ends mode 2 of Bluetooth}
-        23: {id: tst_ram_check, doc: Asks how the memory test at power-on went}
+        20: {id: tst_boot_mode2, doc: "Starts Bluetooth mode 2, for Apple devices"}
+        21: {id: tst_poll_mode2, doc: Asks for the state of the start of Bluetooth mode 2}
+        22: {id: tst_close_mode2, doc: Ends Bluetooth mode 2}
+        23: {id: tst_ram_check, doc: Asks for the result of the memory test at power-on}
   family_math:
     doc: Applies a mathematical function
     seq:
@@ -761,26 +761,28 @@ types:
         2: {id: get_ibatt, doc: Reads the battery current}
         3: {id: get_os_vers, doc: Reads name and version of the operating system}
         4: {id: get_event, doc: "Reads and clears the pending event (used by the brick's own menus)"}
-        5: {id: get_tbatt, doc: "Reads how much the batteries have warmed up, as estimated from the current"}
+        5: {id: get_tbatt, doc: "Reads the rise in battery temperature, estimated from the current"}
         6: {id: get_iint, doc: Reads the battery current smoothed over time}
         7: {id: get_imotor, doc: Reads the current of all motors together}
         8: {id: get_string, doc: Waits for a line typed at the terminal and reads it}
         9: {id: get_hw_vers, doc: Reads the hardware version}
         10: {id: get_fw_vers, doc: Reads the firmware version}
-        11: {id: get_fw_build, doc: Reads when the firmware was built}
-        12: {id: get_os_build, doc: Reads when the operating system was built}
+        11: {id: get_fw_build, doc: Reads the build time of the firmware}
+        12: {id: get_os_build, doc: Reads the build time of the operating system}
         13: {id: get_address, doc: Waits for a decimal number typed at the terminal and reads it (debugging)}
-        14: {id: get_code, doc: Waits for byte code typed as hex at the terminal and makes a program of it (debugging)}
+        14:
+          id: get_code
+          doc: Waits for byte code typed as hex at the terminal and builds a program from it (debugging)
         15: {id: key, doc: Takes one key from the terminal without waiting}
-        16: {id: get_shutdown, doc: "Reads and clears the wish to shut down (used by the brick's own menus)"}
-        17: {id: get_warning, doc: Reads what the brick warns of}
-        18: {id: get_lbatt, doc: "Reads how full the battery is, derived from its voltage"}
+        16: {id: get_shutdown, doc: "Reads and clears the request to shut down (used by the brick's own menus)"}
+        17: {id: get_warning, doc: "Reads the brick's warnings"}
+        18: {id: get_lbatt, doc: "Reads the battery level, derived from its voltage"}
         21: {id: textbox_read, doc: Reads one line of the text of a text box}
-        26: {id: get_version, doc: "Reads name, version and build date of the firmware in one"}
+        26: {id: get_version, doc: "Reads name, version and build date of the firmware in one string"}
         27: {id: get_ip, doc: "Reads the brick's IP address"}
         29: {id: get_power, doc: Reads all values of the power supply at once}
-        30: {id: get_sdcard, doc: Reads whether an SD card is in and its space}
-        31: {id: get_usbstick, doc: Reads whether a USB stick is in and its space}
+        30: {id: get_sdcard, doc: "Reads whether an SD card is present, and its space"}
+        31: {id: get_usbstick, doc: "Reads whether a USB stick is present, and its space"}
   family_ui_write:
     doc: Writes to the terminal or sets lights and states of the brick
     seq:
@@ -811,28 +813,28 @@ types:
       cmd_name: {value: cmd.value, enum: cmd_ui_write}
     enums:
       cmd_ui_write:
-        1: {id: write_flush, doc: "Sends what is still in the terminal's buffer, like UI_FLUSH"}
+        1: {id: write_flush, doc: "Sends the contents of the terminal's output buffer, like UI_FLUSH"}
         2: {id: floatvalue, doc: Writes a number in a fixed format to the terminal}
-        3: {id: stamp, doc: "Writes time, program, object, position and a remark to the terminal"}
+        3: {id: stamp, doc: "Writes time, program, object, position and a comment to the terminal"}
         8: {id: put_string, doc: Writes text to the terminal}
         9: {id: value8, doc: Writes a whole number to the terminal}
-        10: {id: value16, doc: "Writes a whole number to the terminal, without its sign"}
+        10: {id: value16, doc: Writes an unsigned whole number to the terminal}
         11: {id: value32, doc: Writes a whole number to the terminal}
         12: {id: valuef, doc: Writes a number to the terminal}
-        13: {id: address, doc: "Has a number but no code in the firmware: the program that runs it fails"}
+        13: {id: address, doc: "Not implemented in the firmware: the program that runs it fails"}
         14: {id: code, doc: Writes bytes of memory as hex to the terminal}
         15: {id: download_end, doc: Plays the sound of a finished download and refreshes the file browser}
-        16: {id: screen_block, doc: Blocks or frees the display and the buttons for programs}
-        17: {id: allow_pulse, doc: Selects the debug pulses that are shown (only in firmware built for it)}
-        18: {id: set_pulse, doc: Raises debug pulses (only in firmware built for it)}
+        16: {id: screen_block, doc: Blocks or unblocks the display and the buttons for programs}
+        17: {id: allow_pulse, doc: Selects the debug pulses that are shown (only in debug builds of the firmware)}
+        18: {id: set_pulse, doc: Raises debug pulses (only in debug builds of the firmware)}
         21: {id: textbox_append, doc: Appends a line to the text of a text box}
         22: {id: set_busy, doc: Sets or clears the busy bit among the warnings}
         24: {id: set_testpin, doc: "Sets the test pin on the brick's circuit board"}
         25: {id: init_run, doc: Shows the animation of a running program until something draws}
         26: {id: update_run, doc: Does nothing}
         27: {id: led, doc: Sets colour and blinking of the light around the buttons}
-        29: {id: power, doc: "Sets the power driver's flag for switching off when the firmware ends"}
-        30: {id: graph_sample, doc: Adds the present values to the graph that GRAPH_SETUP has set up}
+        29: {id: power, doc: Sets the flag that makes the power driver switch off when the firmware ends}
+        30: {id: graph_sample, doc: Adds the current values to the graph of GRAPH_SETUP}
         31: {id: terminal, doc: Switches the debug terminal on or off}
   family_ui_button:
     doc: Reads or simulates the buttons
@@ -859,21 +861,25 @@ types:
       cmd_name: {value: cmd.value, enum: cmd_ui_button}
     enums:
       cmd_ui_button:
-        1: {id: shortpress, doc: "Tells whether a button was pressed since last asked, and forgets it"}
-        2: {id: longpress, doc: "Tells whether a button was held for 3 s since last asked, and forgets it"}
+        1: {id: shortpress, doc: "Reports whether a button was pressed since the last query, and clears the press"}
+        2: {id: longpress, doc: "Reports whether a button was held for 3 s since the last query, and clears it"}
         3: {id: wait_for_press, doc: "Waits until any button has been pressed, by hand or by PRESS"}
-        4: {id: flush, doc: Forgets all presses that nobody has asked for}
+        4: {id: flush, doc: Clears all pending presses}
         5: {id: press, doc: Presses a button as if by hand and holds it until RELEASE}
         6: {id: release, doc: Releases a button that PRESS holds}
-        7: {id: get_horz, doc: "Reads the left and right buttons as one axis, and forgets their presses"}
-        8: {id: get_vert, doc: "Reads the up and down buttons as one axis, and forgets their presses"}
-        9: {id: pressed, doc: Tells whether a button is down at the moment}
-        10: {id: set_back_block, doc: Sets whether the back button is kept from ending the running program}
-        11: {id: get_back_block, doc: Tells whether the back button is kept from ending the running program}
-        12: {id: testshortpress, doc: "Tells like SHORTPRESS whether a button was pressed, without forgetting it"}
-        13: {id: testlongpress, doc: "Tells like LONGPRESS whether a button was held for 3 s, without forgetting it"}
-        14: {id: get_bumbed, doc: "Tells whether a button was pressed and released since last asked, and forgets it"}
-        15: {id: get_click, doc: "Tells whether a key click is due because a press was handled, and forgets it"}
+        7: {id: get_horz, doc: "Reads the left and right buttons as one axis, and clears their presses"}
+        8: {id: get_vert, doc: "Reads the up and down buttons as one axis, and clears their presses"}
+        9: {id: pressed, doc: Reports whether a button is down at the moment}
+        10: {id: set_back_block, doc: "Blocks or unblocks the back button, which ends the running program"}
+        11: {id: get_back_block, doc: Reports whether the back button is blocked}
+        12:
+          id: testshortpress
+          doc: "Reports, like SHORTPRESS, whether a button was pressed, without clearing the press"
+        13: {id: testlongpress, doc: "Reports, like LONGPRESS, whether a button was held for 3 s, without clearing it"}
+        14:
+          id: get_bumbed
+          doc: "Reports whether a button was pressed and released since the last query, and clears it"
+        15: {id: get_click, doc: "Reports whether a key click is due for a handled press, and clears it"}
   family_ui_draw:
     doc: "Draws on the canvas of the display, or runs a dialogue on it"
     seq:
@@ -917,14 +923,14 @@ types:
       cmd_name: {value: cmd.value, enum: cmd_ui_draw}
     enums:
       cmd_ui_draw:
-        0: {id: update, doc: "Shows on the display what has been drawn, and returns to the normal font"}
-        1: {id: clean, doc: "Wipes the canvas white, and returns to the normal font"}
+        0: {id: update, doc: "Shows on the display what has been drawn, and restores the normal font"}
+        1: {id: clean, doc: "Clears the canvas to white, and restores the normal font"}
         2: {id: pixel, doc: Draws one pixel}
         3: {id: line, doc: Draws a line between two points}
         4: {id: circle, doc: Draws a circle}
-        5: {id: text, doc: Draws text in the font that SELECT_FONT has chosen}
+        5: {id: text, doc: Draws text in the font chosen by SELECT_FONT}
         6: {id: icon, doc: Draws one of the built-in icons}
-        7: {id: picture, doc: Draws a picture that is in memory}
+        7: {id: picture, doc: Draws a picture from memory}
         8: {id: value, doc: "Draws a number, or dashes where it is not a number"}
         9: {id: fillrect, doc: Draws a filled rectangle}
         10: {id: rect, doc: Draws the outline of a rectangle}
@@ -934,22 +940,22 @@ types:
         14: {id: browse, doc: Shows files and folders and waits until one is chosen}
         15: {id: vertbar, doc: Draws a vertical scroll bar}
         16: {id: inverserect, doc: Swaps black and white in a rectangle}
-        17: {id: select_font, doc: "Chooses the font for text until UPDATE, CLEAN or FILLWINDOW"}
+        17: {id: select_font, doc: "Chooses the font for text, until UPDATE, CLEAN or FILLWINDOW"}
         18: {id: topline, doc: Switches the status line at the top on or off}
-        19: {id: fillwindow, doc: "Fills rows over the whole width, and returns to the normal font"}
+        19: {id: fillwindow, doc: "Fills rows over the whole width, and restores the normal font"}
         20: {id: scroll, doc: Moves the canvas up}
         21: {id: dotline, doc: Draws a dashed line between two points}
-        22: {id: view_value, doc: "Draws a number centred in its place, with > instead of digits where it does not fit"}
+        22: {id: view_value, doc: "Draws a number centred in its place, or > instead of digits if it does not fit"}
         23: {id: view_unit, doc: Draws a number in large figures and its unit in small letters}
         24: {id: fillcircle, doc: Draws a filled circle}
         25: {id: store, doc: Keeps a copy of the canvas}
-        26: {id: restore, doc: Brings back a canvas kept by STORE}
+        26: {id: restore, doc: Restores a canvas kept by STORE}
         27: {id: icon_question, doc: Shows a row of icons and waits until one is chosen}
         28: {id: bmpfile, doc: "Draws a picture file in LEGO's own format .rgf (no .bmp despite the name)"}
-        29: {id: popup, doc: "Opens a window that only its opener draws on, or closes it and brings back the display"}
+        29: {id: popup, doc: "Opens a window that only its opener can draw on, or closes it and restores the display"}
         30:
           id: graph_setup
-          doc: "Sets up a graph of up to 8 curves; their arrays must outlive it, so useless in direct commands"
+          doc: "Sets up a graph of up to 8 curves; useless in direct commands, since the arrays must outlive it"
         31: {id: graph_draw, doc: Draws the graph and measures the curve it shows}
         32: {id: textbox, doc: Shows a text with a scroll bar and waits until a line is chosen}
   family_sound:
@@ -965,7 +971,7 @@ types:
         1: {id: tone, doc: Plays one tone and returns at once}
         2: {id: play, doc: Plays a sound file once and returns at once}
         3: {id: repeat, doc: Plays a sound file over and over until BREAK and returns at once}
-        4: {id: service, doc: "Does nothing here: the firmware itself feeds its sound driver by this number"}
+        4: {id: service, doc: "Does nothing; the number is used inside the firmware to feed the sound driver"}
   family_input_device:
     doc: "Asks about devices, calibrates them, reads several values"
     seq:
@@ -1005,31 +1011,31 @@ types:
     enums:
       cmd_input_device:
         1: {id: insert_type, doc: "Adds a line to the table of device types, for third party types (50 to 98) only"}
-        2: {id: get_format, doc: "Tells the shape of a device's values in its present mode"}
+        2: {id: get_format, doc: Describes the values of a device in its current mode}
         3: {id: cal_minmax, doc: Sets the raw values that scale a type and mode to percent and SI}
-        4: {id: cal_default, doc: Goes back to the built-in scaling of a type and mode}
-        5: {id: get_typemode, doc: Tells which device is at a port and in which mode}
-        6: {id: get_symbol, doc: Reads the symbol of the unit of the present mode}
+        4: {id: cal_default, doc: Restores the built-in scaling of a type and mode}
+        5: {id: get_typemode, doc: Reports the device at a port and its mode}
+        6: {id: get_symbol, doc: Reads the symbol of the unit of the current mode}
         7: {id: cal_min, doc: Sets the lower end of the scaling of a type and mode}
         8: {id: cal_max, doc: Sets the full scale of a type and mode}
-        9: {id: setup, doc: "Writes to an I2C sensor and reads its answer, again and again if asked to"}
+        9: {id: setup, doc: "Writes to an I2C sensor and reads its answer, repeatedly if requested"}
         10: {id: clr_all, doc: Clears counters and angles of all devices}
         11: {id: get_raw, doc: Reads the first raw value of a device}
-        12: {id: get_connection, doc: Tells how the device at a port is connected}
+        12: {id: get_connection, doc: Reports how the device at a port is connected}
         13: {id: stop_all, doc: "Stops all devices, motors among them"}
         14: {id: set_typemode, doc: "Renumbers an entry of the table of device types, third party types only"}
-        15: {id: ready_iic, doc: "Writes to an I2C sensor once, waits for its answer and tells how it went"}
-        21: {id: get_name, doc: "Reads the name of a device in its present mode, such as TOUCH or COL-REFLECT"}
+        15: {id: ready_iic, doc: "Writes to an I2C sensor once, waits for its answer and reports the result"}
+        21: {id: get_name, doc: "Reads the name of a device in its current mode, such as TOUCH or COL-REFLECT"}
         22: {id: get_modename, doc: Reads the name of any mode of a device}
-        23: {id: set_raw, doc: Pretends that a device has read this raw value}
-        24: {id: get_figures, doc: Tells how many digits a value of the present mode needs}
-        25: {id: get_changes, doc: Reads how often a touch sensor changed in positive direction since CLR_CHANGES}
+        23: {id: set_raw, doc: Simulates a raw value of a device}
+        24: {id: get_figures, doc: Reports the number of digits that a value of the current mode needs}
+        25: {id: get_changes, doc: Reads how often a touch sensor changed to pressed since CLR_CHANGES}
         26: {id: clr_changes, doc: Sets the counts of GET_CHANGES and GET_BUMPS to zero}
         27: {id: ready_pct, doc: "Sets type and mode, waits until the device is ready and reads percent values"}
         28: {id: ready_raw, doc: "Sets type and mode, waits until the device is ready and reads raw values"}
         29: {id: ready_si, doc: "Sets type and mode, waits until the device is ready and reads SI values"}
-        30: {id: get_minmax, doc: Tells between which SI values the present mode moves}
-        31: {id: get_bumps, doc: Reads how often a touch sensor changed in negative direction since CLR_CHANGES}
+        30: {id: get_minmax, doc: Reports the range of SI values of the current mode}
+        31: {id: get_bumps, doc: Reads how often a touch sensor changed to released since CLR_CHANGES}
   family_file:
     doc: "Works on files, folders, data logs, program images and the list of recent files"
     seq:
@@ -1073,39 +1079,39 @@ types:
       cmd_name: {value: cmd.value, enum: cmd_file}
     enums:
       cmd_file:
-        0: {id: open_append, doc: "Opens a file to write at its end, creates it where there is none"}
-        1: {id: open_read, doc: Opens a file to read}
-        2: {id: open_write, doc: "Creates a file or empties the one there is, and opens it to write"}
+        0: {id: open_append, doc: "Opens a file for appending; creates it if it does not exist"}
+        1: {id: open_read, doc: Opens a file for reading}
+        2: {id: open_write, doc: Creates or truncates a file and opens it for writing}
         3: {id: read_value, doc: Reads the text up to the next delimiter and turns it into a number}
         4: {id: write_value, doc: "Writes a number as text, and a delimiter after it"}
         5: {id: read_text, doc: Reads text up to the next delimiter}
         6: {id: write_text, doc: "Writes text without its zero, and a delimiter after it"}
-        7: {id: close, doc: Closes a file and gives its handle back}
+        7: {id: close, doc: Closes a file and frees its handle}
         8: {id: load_image, doc: "Loads a program file into a stopped slot, for PROGRAM_START to run"}
         9: {id: get_handle, doc: Finds the handle of a file that is already open}
-        10: {id: make_folder, doc: Creates a folder unless it is there}
+        10: {id: make_folder, doc: Creates a folder unless it exists}
         11: {id: get_pool, doc: Reserves a block of memory for the program}
-        12: {id: set_log_sync_time, doc: Stores the time and tick by which data logs are lined up}
+        12: {id: set_log_sync_time, doc: Stores the time and tick to which data logs are aligned}
         13: {id: get_folders, doc: "Counts the entries of a folder, without hidden ones"}
-        14: {id: get_log_sync_time, doc: Tells the time and tick by which data logs are lined up}
-        15: {id: get_subfolder_name, doc: Tells the name of one entry of a folder}
+        14: {id: get_log_sync_time, doc: Reads the time and tick to which data logs are aligned}
+        15: {id: get_subfolder_name, doc: Reads the name of one entry of a folder}
         16: {id: write_log, doc: Adds one row of samples to a data log}
-        17: {id: close_log, doc: Writes a data log to its end and closes it}
+        17: {id: close_log, doc: Writes the rest of a data log and closes it}
         18: {id: get_image, doc: "Loads an entry of a folder; LEGO's 2013 firmware has no code for it and fails"}
         19: {id: get_item, doc: Finds an entry of a folder by its name}
         20: {id: get_cache_files, doc: Counts the recently run files}
         21: {id: put_cache_file, doc: Puts a file first in the list of recently run files}
-        22: {id: get_cache_file, doc: Tells the path of one recently run file}
-        23: {id: del_cache_file, doc: Takes a file off the list of recently run files}
+        22: {id: get_cache_file, doc: Reads the path of one recently run file}
+        23: {id: del_cache_file, doc: Removes a file from the list of recently run files}
         24: {id: del_subfolder, doc: Deletes one entry of a folder together with the files in it}
-        25: {id: get_log_name, doc: Tells the path of the data log that is open}
+        25: {id: get_log_name, doc: Reads the path of the open data log}
         27: {id: open_log, doc: Creates a data log and writes its header}
-        28: {id: read_bytes, doc: Reads bytes from a file as they are}
-        29: {id: write_bytes, doc: Writes bytes to a file as they are}
+        28: {id: read_bytes, doc: Reads raw bytes from a file}
+        29: {id: write_bytes, doc: Writes raw bytes to a file}
         30: {id: remove, doc: "Deletes a file, or a folder with the files in it"}
-        31: {id: move, doc: "Copies a file or folder over whatever is at the destination; the source stays"}
+        31: {id: move, doc: "Copies a file or folder and replaces the destination; the source is kept"}
   family_array:
-    doc: "Makes, fills, copies and resizes arrays"
+    doc: "Creates, fills, copies and resizes arrays"
     seq:
       - {id: cmd, type: argument(false)}
       - id: parameters
@@ -1132,24 +1138,24 @@ types:
       cmd_name: {value: cmd.value, enum: cmd_array}
     enums:
       cmd_array:
-        0: {id: delete_, doc: Deletes an array and gives its handle back}
+        0: {id: delete_, doc: Deletes an array and frees its handle}
         1: {id: create8, doc: Creates an array of DATA8 elements}
         2: {id: create16, doc: Creates an array of DATA16 elements}
         3: {id: create32, doc: Creates an array of DATA32 elements}
         4: {id: createf, doc: Creates an array of DATAF elements}
-        5: {id: resize, doc: Changes how many elements an array has}
+        5: {id: resize, doc: Changes the number of elements of an array}
         6: {id: fill, doc: Sets every element of an array to one value}
-        7: {id: copy, doc: "Copies the content of one array into another of the same type, which takes its size"}
+        7: {id: copy, doc: "Copies the content of one array into another of the same type, which is resized to match"}
         8: {id: init8, doc: "Writes several elements of a DATA8 array, all within its size"}
         9: {id: init16, doc: "Writes several elements of a DATA16 array, all within its size"}
         10: {id: init32, doc: "Writes several elements of a DATA32 array, all within its size"}
         11: {id: initf, doc: "Writes several elements of a DATAF array, all within its size"}
-        12: {id: size, doc: Tells how many elements an array has}
-        13: {id: read_content, doc: "Reads an array's content as bytes, of another program too"}
-        14: {id: write_content, doc: "Writes an array's content as bytes; the array then ends with them"}
-        15: {id: read_size, doc: "Tells how many bytes an array's content has, of another program too"}
+        12: {id: size, doc: Counts the elements of an array}
+        13: {id: read_content, doc: "Reads an array's content as bytes, also of another program"}
+        14: {id: write_content, doc: "Writes an array's content as bytes; the array then ends after them"}
+        15: {id: read_size, doc: "Returns the size of an array's content, also of another program"}
   family_filename:
-    doc: "Takes file names apart, checks them, and packs files"
+    doc: "Splits and checks file names, and packs files"
     seq:
       - {id: cmd, type: argument(false)}
       - id: parameters
@@ -1168,14 +1174,14 @@ types:
       cmd_name: {value: cmd.value, enum: cmd_filename}
     enums:
       cmd_filename:
-        16: {id: exist, doc: Tells whether a file or folder is there}
-        17: {id: totalsize, doc: Tells how many files a folder has and their size}
-        18: {id: split, doc: "Takes a path apart into folder, name and extension"}
-        19: {id: merge, doc: "Puts a path together from folder, name and extension"}
-        20: {id: check, doc: "Tells whether a path has allowed characters and lengths; the file need not exist"}
+        16: {id: exist, doc: Reports whether a file or folder exists}
+        17: {id: totalsize, doc: Reports the number of files in a folder and their size}
+        18: {id: split, doc: "Splits a path into folder, name and extension"}
+        19: {id: merge, doc: "Builds a path from folder, name and extension"}
+        20: {id: check, doc: "Reports whether a path's characters and lengths are allowed; the file need not exist"}
         21: {id: pack, doc: Packs a file or folder into a .raf archive beside it}
         22: {id: unpack, doc: Unpacks a .raf archive into the folder it is in}
-        23: {id: get_foldername, doc: "Tells the program's own folder"}
+        23: {id: get_foldername, doc: "Reads the path of the program's own folder"}
   family_com_read:
     doc: "Fetches direct commands, for the brick's own command program"
     seq:
@@ -1184,7 +1190,7 @@ types:
     instances:
       cmd_name: {value: cmd.value, enum: cmd_com_read}
     enums:
-      cmd_com_read: {14: {id: command, doc: "Tells where the direct command received last lies in the brick's memory"}}
+      cmd_com_read: {14: {id: command, doc: Returns the address of the last direct command received}}
   family_com_write:
     doc: "Answers direct commands, for the brick's own command program"
     seq:
@@ -1223,23 +1229,23 @@ types:
       cmd_name: {value: cmd.value, enum: cmd_com_get}
     enums:
       cmd_com_get:
-        1: {id: get_on_off, doc: Tells whether Bluetooth or WiFi is on}
-        2: {id: get_visible, doc: Tells whether other devices can see the brick by Bluetooth}
-        4: {id: get_result, doc: Tells how a search or connection request is going}
+        1: {id: get_on_off, doc: Reports whether Bluetooth or WiFi is on}
+        2: {id: get_visible, doc: Reports whether other devices can see the brick by Bluetooth}
+        4: {id: get_result, doc: Reports the state of a search or connection request}
         5: {id: get_pin, doc: "Reads the PIN for a device, always 1234"}
-        8: {id: search_items, doc: Tells how many devices or networks a search found}
+        8: {id: search_items, doc: Counts the devices or networks that a search found}
         9: {id: search_item, doc: Describes one device or network that a search found}
-        10: {id: favour_items, doc: "Tells how many devices are paired, in sight or not"}
+        10: {id: favour_items, doc: "Counts the paired devices, in range or not"}
         11: {id: favour_item, doc: Describes one paired device or known network}
         12: {id: get_id, doc: "Reads the brick's Bluetooth address"}
         13: {id: get_brickname, doc: "Reads the brick's name"}
         14: {id: get_network, doc: "Reads network name and addresses, WiFi only"}
-        15: {id: get_present, doc: "Tells whether the hardware is there, for WiFi a known dongle"}
-        16: {id: get_encrypt, doc: "Tells the encryption of a network, WiFi only"}
-        17: {id: connec_items, doc: "Tells how many devices are connected, Bluetooth only"}
+        15: {id: get_present, doc: "Reports whether the hardware is present (for WiFi: a known dongle)"}
+        16: {id: get_encrypt, doc: "Reports the encryption of a network, WiFi only"}
+        17: {id: connec_items, doc: "Counts the connected devices, Bluetooth only"}
         18: {id: connec_item, doc: "Describes one connected device, Bluetooth only"}
-        19: {id: get_incoming, doc: "Tells which device asks for a connection, Bluetooth only"}
-        20: {id: get_mode2, doc: Tells whether Bluetooth is in its mode for Apple devices}
+        19: {id: get_incoming, doc: "Reports which device asks for a connection, Bluetooth only"}
+        20: {id: get_mode2, doc: Reports whether Bluetooth is in its mode for Apple devices}
   family_com_set:
     doc: "Changes the brick's name, its connections and its lists of devices"
     seq:
@@ -1281,11 +1287,11 @@ types:
     seq:
       - id: prgid
         type: argument(false)
-        doc: "program slot to stop (0: all programs; -1: the program that says so; a member of SLOT)"
+        doc: "program slot to stop (0: all programs; -1: the calling program; a member of SLOT)"
     instances:
       prgid_name: {value: prgid.value, enum: slot, if: prgid.is_number}
   op_program_start:
-    doc: "Starts a loaded program; by direct command only while no user program runs"
+    doc: "Starts a loaded program; a direct command can do this only while no user program runs"
     seq:
       - {id: prgid, type: argument(false), doc: program slot (a member of SLOT)}
       - {id: size, type: argument(false), doc: "size of the image; read and ignored (bytes)"}
@@ -1294,11 +1300,11 @@ types:
     instances:
       prgid_name: {value: prgid.value, enum: slot, if: prgid.is_number}
   op_object_stop:
-    doc: Stops an object of the own program
+    doc: Stops an object of its own program
     seq:
       - {id: objid, type: argument(false), doc: "object of the program, counted from 1"}
   op_object_start:
-    doc: Starts an object of the own program
+    doc: Starts an object of its own program
     seq:
       - {id: objid, type: argument(false), doc: "object of the program, counted from 1"}
   op_object_trig:
@@ -1310,12 +1316,12 @@ types:
     seq:
       - {id: objid, type: argument(false), doc: "object of the program, counted from 1"}
   op_call:
-    doc: "Calls a subroutine of the own program; waits while another thread is in it"
+    doc: "Calls a subroutine of its own program; waits while another thread runs it"
     seq:
-      - {id: objid, type: argument(false), doc: "object that is the subroutine, counted from 1"}
+      - {id: objid, type: argument(false), doc: "object number of the subroutine, counted from 1"}
       - id: parameters_count
         type: argument(false)
-        doc: "how many parameters follow; the subroutine declares their types and directions (each is DATA32)"
+        doc: "number of parameters follow; the subroutine declares their types and directions (each is DATA32)"
       - {id: parameters, type: argument(false), repeat: expr, repeat-expr: parameters_count.value}
   op_program_info_obj_stop:
     doc: Stops an object of a running program
@@ -1339,7 +1345,7 @@ types:
     instances:
       prgid_name: {value: prgid.value, enum: slot, if: prgid.is_number}
   op_program_info_get_speed:
-    doc: Asks how fast a program runs
+    doc: "Asks for a program's speed"
     seq:
       - {id: prgid, type: argument(false), doc: program slot (a member of SLOT)}
       - {id: data, type: argument(false), doc: speed since the program started (instructions/s)}
@@ -1367,12 +1373,12 @@ types:
     seq:
       - {id: prgid, type: argument(false), doc: program slot (a member of SLOT)}
       - {id: objid, type: argument(false), doc: "object whose local memory to print (0: the global memory)"}
-      - {id: offset, type: argument(false), doc: where to begin (bytes)}
-      - {id: size, type: argument(false), doc: "how much to print (0 to 1024 bytes; 0: all, 1024 at most)"}
+      - {id: offset, type: argument(false), doc: first byte (bytes)}
+      - {id: size, type: argument(false), doc: "number of bytes to print (0 to 1024 bytes; 0: all, 1024 at most)"}
     instances:
       prgid_name: {value: prgid.value, enum: slot, if: prgid.is_number}
   op_do:
-    doc: "Runs byte code that is already in memory, ending what the slot ran before"
+    doc: "Runs byte code that is already in memory, ending the slot's previous program"
     seq:
       - {id: prgid, type: argument(false), doc: program slot (a member of SLOT)}
       - {id: image, type: argument(false), doc: address of the byte code image}
@@ -1380,7 +1386,7 @@ types:
     instances:
       prgid_name: {value: prgid.value, enum: slot, if: prgid.is_number}
   op_system:
-    doc: "Runs a shell command on the brick's Linux and waits for its end"
+    doc: "Runs a shell command on the brick's Linux and waits until it ends"
     seq:
       - {id: command, type: argument(false), doc: the command line}
       - id: status
@@ -1396,79 +1402,79 @@ types:
       - {id: bitfield, type: argument(false), doc: "motor ports as bits: A=1 B=2 C=4 D=8 (0 to 15)"}
       - id: inverted
         type: argument(false)
-        doc: "whether the first port comes after the second, as in C and A (0 to 1; 0: no; 1: yes)"
+        doc: "whether the first port comes after the second, as in CA (0 to 1; 0: no; 1: yes)"
   op_port_cnv_input:
     doc: "Splits a sensor port number as LEGO's editor writes it"
     seq:
       - {id: portin, type: argument(false), doc: "three decimal digits: layer 1-4, any, port 1-4 (103: port 3)"}
       - {id: layer, type: argument(false), doc: "position in the daisy chain (0 to 3; 0: this brick)"}
-      - {id: portout, type: argument(false), doc: "sensor port less one, as INPUT_* takes it (0 to 3)"}
+      - {id: portout, type: argument(false), doc: "sensor port minus one, as in INPUT_* (0 to 3)"}
   op_note_to_freq:
     doc: Converts the name of a note to its frequency
     seq:
       - {id: note, type: argument(false), doc: "C4 to B6, sharps as C#4"}
-      - {id: freq, type: argument(false), doc: "frequency; 440 for a note it does not know (262 to 1976 Hz)"}
+      - {id: freq, type: argument(false), doc: "frequency; 440 for an unknown note (262 to 1976 Hz)"}
   op_info_set_error:
-    doc: "Puts an error into the brick's error log"
+    doc: "Adds an error to the brick's error log"
     seq:
       - {id: number, type: argument(false), doc: "number of the error (0: nothing is logged)"}
   op_info_get_error:
-    doc: "Takes the oldest error out of the brick's error log"
+    doc: "Removes and returns the oldest error of the brick's error log"
     seq:
       - {id: number, type: argument(false), doc: "number of the error (0: the log is empty)"}
   op_info_errortext:
     doc: Converts the number of an error to its name
     seq:
       - {id: number, type: argument(false), doc: "number of the error (0: gives an empty text)"}
-      - {id: length, type: argument(false), doc: "room for the text, with its zero (bytes; -1: no limit)"}
+      - {id: length, type: argument(false), doc: "size of the text buffer, including the zero (bytes; -1: no limit)"}
       - id: destination
         type: argument(false)
-        doc: "name of the error, less than 32 characters (as many bytes as LENGTH says)"
+        doc: "name of the error, at most 31 characters (as many bytes as LENGTH says)"
   op_info_get_volume:
     doc: Reads the volume setting
     seq:
-      - {id: value, type: argument(false), doc: "how loud (0 to 100 %)"}
+      - {id: value, type: argument(false), doc: "volume (0 to 100 %)"}
   op_info_set_volume:
     doc: Changes the volume setting
     seq:
-      - {id: value, type: argument(false), doc: "how loud (0 to 100 %)"}
+      - {id: value, type: argument(false), doc: "volume (0 to 100 %)"}
   op_info_get_minutes:
-    doc: Reads after how long without use the brick powers off
+    doc: Reads the idle time after which the brick powers off
     seq:
-      - {id: value, type: argument(false), doc: "time without use (0 to 120 min; 0: never)"}
+      - {id: value, type: argument(false), doc: "idle time (0 to 120 min; 0: never)"}
   op_info_set_minutes:
-    doc: Changes after how long without use the brick powers off
+    doc: Changes the idle time after which the brick powers off
     seq:
-      - {id: value, type: argument(false), doc: "time without use (0 to 120 min; 0: never)"}
+      - {id: value, type: argument(false), doc: "idle time (0 to 120 min; 0: never)"}
   op_strings_get_size:
-    doc: Measures a text
+    doc: Reads the length of a text
     seq:
       - {id: source1, type: argument(false), doc: text to work on}
-      - {id: size, type: argument(false), doc: its length without the zero (bytes)}
+      - {id: size, type: argument(false), doc: "its length, not including the zero (bytes)"}
   op_strings_add:
     doc: Joins two texts
     seq:
       - {id: source1, type: argument(false), doc: first part}
       - {id: source2, type: argument(false), doc: second part}
-      - {id: destination, type: argument(false), doc: "resulting text, ended by its zero"}
+      - {id: destination, type: argument(false), doc: "resulting text, zero-terminated"}
   op_strings_compare:
-    doc: "Tells whether two texts are the same, upper and lower case kept apart"
+    doc: "Reports whether two texts are equal; case matters"
     seq:
       - {id: source1, type: argument(false), doc: one text}
       - {id: source2, type: argument(false), doc: the other text}
-      - {id: result, type: argument(false), doc: "whether they match (0 to 1; 0: different; 1: the same)"}
+      - {id: result, type: argument(false), doc: "whether they are equal (0 to 1; 0: different; 1: the same)"}
   op_strings_duplicate:
     doc: Copies a text
     seq:
       - {id: source1, type: argument(false), doc: text to work on}
-      - {id: destination, type: argument(false), doc: "resulting text, ended by its zero"}
+      - {id: destination, type: argument(false), doc: "resulting text, zero-terminated"}
   op_strings_value_to_string:
-    doc: "Writes a floating-point number as text, without zeros at its end"
+    doc: "Writes a floating-point number as text, without trailing zeros"
     seq:
       - {id: value, type: argument(true), doc: "number to write; NaN becomes ----"}
-      - {id: figures, type: argument(false), doc: "width with the point; negative aligns left (characters)"}
+      - {id: figures, type: argument(false), doc: "width, including the point; negative aligns left (characters)"}
       - {id: decimals, type: argument(false), doc: digits after the point}
-      - {id: destination, type: argument(false), doc: "resulting text, ended by its zero"}
+      - {id: destination, type: argument(false), doc: "resulting text, zero-terminated"}
   op_strings_string_to_value:
     doc: Reads a number from a text
     seq:
@@ -1478,39 +1484,39 @@ types:
     doc: Removes every space from a text
     seq:
       - {id: source1, type: argument(false), doc: text to work on}
-      - {id: destination, type: argument(false), doc: "resulting text, ended by its zero"}
+      - {id: destination, type: argument(false), doc: "resulting text, zero-terminated"}
   op_strings_number_to_string:
-    doc: "Writes a whole number as text, with zeros in front"
+    doc: "Writes a whole number as text, with leading zeros"
     seq:
       - {id: value, type: argument(false), doc: number to write}
       - {id: figures, type: argument(false), doc: width of the text (characters)}
-      - {id: destination, type: argument(false), doc: "resulting text, ended by its zero"}
+      - {id: destination, type: argument(false), doc: "resulting text, zero-terminated"}
   op_strings_sub:
-    doc: Takes from a text what comes after another text found in it
+    doc: Returns the part of a text after another text found in it
     seq:
       - {id: source1, type: argument(false), doc: text to search}
-      - {id: source2, type: argument(false), doc: "text to find; it should be there"}
-      - {id: destination, type: argument(false), doc: "resulting text, ended by its zero"}
+      - {id: source2, type: argument(false), doc: "text to find; must occur"}
+      - {id: destination, type: argument(false), doc: "resulting text, zero-terminated"}
   op_strings_value_formatted:
     doc: "Writes a floating-point number as text in a format of C's printf"
     seq:
       - {id: value, type: argument(true), doc: number to write}
       - {id: format, type: argument(false), doc: "format, such as %5.2f"}
-      - {id: size, type: argument(false), doc: "room for the text, with its zero (bytes)"}
+      - {id: size, type: argument(false), doc: "size of the text buffer, including the zero (bytes)"}
       - {id: destination, type: argument(false), doc: resulting text (as many bytes as SIZE says)}
   op_strings_number_formatted:
     doc: "Writes a whole number as text in a format of C's printf"
     seq:
       - {id: value, type: argument(false), doc: number to write}
       - {id: format, type: argument(false), doc: "format, such as %05d or %X"}
-      - {id: size, type: argument(false), doc: "room for the text, with its zero (bytes)"}
+      - {id: size, type: argument(false), doc: "size of the text buffer, including the zero (bytes)"}
       - {id: destination, type: argument(false), doc: resulting text (as many bytes as SIZE says)}
   op_bp_set:
     doc: Sets or removes a breakpoint in a running program
     seq:
       - {id: prgid, type: argument(false), doc: program slot (a member of SLOT)}
       - {id: "no", type: argument(false), doc: "number of the breakpoint (0 to 2; 3: pulse on test pin TP4, no stop)"}
-      - {id: address, type: argument(false), doc: "where in the image (bytes; 0: remove the breakpoint)"}
+      - {id: address, type: argument(false), doc: "offset in the image (bytes; 0: remove the breakpoint)"}
     instances:
       prgid_name: {value: prgid.value, enum: slot, if: prgid.is_number}
   op_tst_tst_read_pins:
@@ -1519,7 +1525,7 @@ types:
       - id: port
         type: argument(false)
         doc: "connector: 0..3 are sensor ports 1-4, 16..19 are motor ports A-D (0 to 19)"
-      - {id: length, type: argument(false), doc: "how many pins to read, usually 5"}
+      - {id: length, type: argument(false), doc: "number of pins to read, usually 5"}
       - id: string_
         type: argument(false)
         doc: "one character per pin: 0 low, 1 high (as many values as LENGTH says)"
@@ -1529,10 +1535,10 @@ types:
       - id: port
         type: argument(false)
         doc: "connector: 0..3 are sensor ports 1-4, 16..19 are motor ports A-D (0 to 19)"
-      - {id: length, type: argument(false), doc: "how many pins to set, usually 5"}
+      - {id: length, type: argument(false), doc: "number of pins to set, usually 5"}
       - id: string_
         type: argument(false)
-        doc: "one character per pin: 0 low, 1 high, X floating, - as it is (as many values as LENGTH says)"
+        doc: "one character per pin: 0 low, 1 high, X floating, - unchanged (as many values as LENGTH says)"
   op_tst_tst_read_adc:
     doc: Reads the analog converter
     seq:
@@ -1541,17 +1547,17 @@ types:
         doc: "channel: 0..3 pin 1 and 4..7 pin 6 of sensor ports, 8..11 pin 5 of motor ports (0 to 15; 12: battery temperature; 13: motor current; 14: battery current; 15: battery voltage)"
       - {id: value, type: argument(false), doc: raw reading (0 to 4095 counts)}
   op_tst_tst_write_uart:
-    doc: "Sends bytes out of a sensor port's serial line"
+    doc: "Sends bytes on a sensor port's serial line"
     seq:
-      - {id: port, type: argument(false), doc: sensor port less one (0 to 3)}
-      - {id: length, type: argument(false), doc: how many bytes to send (0 to 63 bytes)}
+      - {id: port, type: argument(false), doc: sensor port minus one (0 to 3)}
+      - {id: length, type: argument(false), doc: number of bytes to send (0 to 63 bytes)}
       - {id: string_, type: argument(false), doc: the bytes (as many values as LENGTH says)}
   op_tst_tst_read_uart:
-    doc: "Reads bytes that arrived on a sensor port's serial line"
+    doc: "Reads the bytes received on a sensor port's serial line"
     seq:
-      - {id: port, type: argument(false), doc: sensor port less one (0 to 3)}
-      - {id: length, type: argument(false), doc: how many bytes to read (0 to 63 bytes)}
-      - {id: string_, type: argument(false), doc: "the bytes, filled up with zeros (as many values as LENGTH says)"}
+      - {id: port, type: argument(false), doc: sensor port minus one (0 to 3)}
+      - {id: length, type: argument(false), doc: number of bytes to read (0 to 63 bytes)}
+      - {id: string_, type: argument(false), doc: "the bytes, padded with zeros (as many values as LENGTH says)"}
   op_tst_tst_enable_uart:
     doc: Switches the serial lines of all sensor ports on
     seq:
@@ -1563,11 +1569,11 @@ types:
         type: argument(false)
         doc: "state of the switch (0 to 1; 0: other batteries; 1: rechargeable battery)"
   op_tst_tst_poll_mode2:
-    doc: "Asks how far the start of Bluetooth's mode 2 is"
+    doc: Asks for the state of the start of Bluetooth mode 2
     seq:
       - {id: status, type: argument(false), doc: "OK, BUSY (still starting) or FAIL (0 to 2; a member of RESULT)"}
   op_tst_tst_ram_check:
-    doc: Asks how the memory test at power-on went
+    doc: Asks for the result of the memory test at power-on
     seq:
       - {id: status, type: argument(false), doc: "OK or FAIL (0 to 2; a member of RESULT)"}
   op_add8:
@@ -1721,22 +1727,22 @@ types:
       - {id: source2, type: argument(false), doc: second}
       - {id: destination, type: argument(false), doc: bits set in just one of the two}
   op_rl8:
-    doc: "Shifts 8-bit values left; despite the name (rotate), bits leaving on the left are lost"
+    doc: "Shifts 8-bit values left; despite the name (rotate), bits shifted out on the left are lost"
     seq:
       - {id: source1, type: argument(false), doc: value to shift}
-      - {id: source2, type: argument(false), doc: how many places (bits)}
+      - {id: source2, type: argument(false), doc: number of places (bits)}
       - {id: destination, type: argument(false), doc: "shifted value, filled up with zero bits"}
   op_rl16:
-    doc: "Shifts 16-bit values left; despite the name (rotate), bits leaving on the left are lost"
+    doc: "Shifts 16-bit values left; despite the name (rotate), bits shifted out on the left are lost"
     seq:
       - {id: source1, type: argument(false), doc: value to shift}
-      - {id: source2, type: argument(false), doc: how many places (bits)}
+      - {id: source2, type: argument(false), doc: number of places (bits)}
       - {id: destination, type: argument(false), doc: "shifted value, filled up with zero bits"}
   op_rl32:
-    doc: "Shifts 32-bit values left; despite the name (rotate), bits leaving on the left are lost"
+    doc: "Shifts 32-bit values left; despite the name (rotate), bits shifted out on the left are lost"
     seq:
       - {id: source1, type: argument(false), doc: value to shift}
-      - {id: source2, type: argument(false), doc: how many places (bits)}
+      - {id: source2, type: argument(false), doc: number of places (bits)}
       - {id: destination, type: argument(false), doc: "shifted value, filled up with zero bits"}
   op_math_exp:
     doc: Raises e to a power
@@ -1748,7 +1754,7 @@ types:
     seq:
       - {id: x, type: argument(true), doc: number to divide}
       - {id: "y", type: argument(true), doc: number to divide by}
-      - {id: r, type: argument(true), doc: "what is left over, with the sign of X"}
+      - {id: r, type: argument(true), doc: "remainder, with the sign of X"}
   op_math_floor:
     doc: Rounds down to a whole number
     seq:
@@ -1824,19 +1830,19 @@ types:
     seq:
       - {id: x, type: argument(false), doc: number to divide}
       - {id: "y", type: argument(false), doc: "number to divide by, not 0"}
-      - {id: r, type: argument(false), doc: "what is left over, with the sign of X"}
+      - {id: r, type: argument(false), doc: "remainder, with the sign of X"}
   op_math_mod16:
     doc: Takes the remainder of a 16-bit division
     seq:
       - {id: x, type: argument(false), doc: number to divide}
       - {id: "y", type: argument(false), doc: "number to divide by, not 0"}
-      - {id: r, type: argument(false), doc: "what is left over, with the sign of X"}
+      - {id: r, type: argument(false), doc: "remainder, with the sign of X"}
   op_math_mod32:
     doc: Takes the remainder of a 32-bit division
     seq:
       - {id: x, type: argument(false), doc: number to divide}
       - {id: "y", type: argument(false), doc: "number to divide by, not 0"}
-      - {id: r, type: argument(false), doc: "what is left over, with the sign of X"}
+      - {id: r, type: argument(false), doc: "remainder, with the sign of X"}
   op_math_pow:
     doc: Raises a number to a power
     seq:
@@ -1847,7 +1853,7 @@ types:
     doc: Cuts off decimals without rounding
     seq:
       - {id: x, type: argument(true), doc: number to work on}
-      - {id: p, type: argument(false), doc: how many decimals to keep (more than 6 are not there) (0 to 9)}
+      - {id: p, type: argument(false), doc: number of decimals to keep (at most 6 are available) (0 to 9)}
       - {id: r, type: argument(true), doc: result}
   op_random:
     doc: Draws a random whole number
@@ -1856,10 +1862,10 @@ types:
       - {id: max, type: argument(false), doc: largest number to draw}
       - {id: value, type: argument(false), doc: "the number drawn, MIN to MAX, both included"}
   op_init_bytes:
-    doc: Fills consecutive bytes of memory with values given in place
+    doc: Fills consecutive bytes of memory with constant values
     seq:
       - {id: destination, type: argument(false), doc: first byte to fill (as many values as LENGTH says)}
-      - {id: length, type: argument(false), doc: "how many values follow; a negative count hangs the brick (bytes)"}
+      - {id: length, type: argument(false), doc: "number of values follow; a negative count hangs the brick (bytes)"}
       - id: source
         type: argument(false)
         repeat: expr
@@ -1946,7 +1952,7 @@ types:
       - {id: source, type: argument(true), doc: value to copy}
       - {id: destination, type: argument(true), doc: copy of the value}
   op_read8:
-    doc: Takes one element out of an array of 8-bit values
+    doc: Reads one element of an array of 8-bit values
     seq:
       - {id: source, type: argument(false), doc: "first element of the array, as a variable"}
       - id: index
@@ -1954,7 +1960,7 @@ types:
         doc: "which element, counted from 0; the firmware does not check it (0 to 127)"
       - {id: destination, type: argument(false), doc: "the element's value"}
   op_read16:
-    doc: Takes one element out of an array of 16-bit values
+    doc: Reads one element of an array of 16-bit values
     seq:
       - {id: source, type: argument(false), doc: "first element of the array, as a variable"}
       - id: index
@@ -1962,7 +1968,7 @@ types:
         doc: "which element, counted from 0; the firmware does not check it (0 to 127)"
       - {id: destination, type: argument(false), doc: "the element's value"}
   op_read32:
-    doc: Takes one element out of an array of 32-bit values
+    doc: Reads one element of an array of 32-bit values
     seq:
       - {id: source, type: argument(false), doc: "first element of the array, as a variable"}
       - id: index
@@ -1970,7 +1976,7 @@ types:
         doc: "which element, counted from 0; the firmware does not check it (0 to 127)"
       - {id: destination, type: argument(false), doc: "the element's value"}
   op_readf:
-    doc: Takes one element out of an array of floating-point values
+    doc: Reads one element of an array of floating-point values
     seq:
       - {id: source, type: argument(true), doc: "first element of the array, as a variable"}
       - id: index
@@ -1978,9 +1984,9 @@ types:
         doc: "which element, counted from 0; the firmware does not check it (0 to 127)"
       - {id: destination, type: argument(true), doc: "the element's value"}
   op_write8:
-    doc: Sets one element of an array of 8-bit values
+    doc: Writes one element of an array of 8-bit values
     seq:
-      - {id: source, type: argument(false), doc: value to set}
+      - {id: source, type: argument(false), doc: value to write}
       - id: index
         type: argument(false)
         doc: "which element, counted from 0; the firmware does not check it (0 to 127)"
@@ -1988,9 +1994,9 @@ types:
         type: argument(false)
         doc: "first element of the array, as a variable; element INDEX is written"
   op_write16:
-    doc: Sets one element of an array of 16-bit values
+    doc: Writes one element of an array of 16-bit values
     seq:
-      - {id: source, type: argument(false), doc: value to set}
+      - {id: source, type: argument(false), doc: value to write}
       - id: index
         type: argument(false)
         doc: "which element, counted from 0; the firmware does not check it (0 to 127)"
@@ -1998,9 +2004,9 @@ types:
         type: argument(false)
         doc: "first element of the array, as a variable; element INDEX is written"
   op_write32:
-    doc: Sets one element of an array of 32-bit values
+    doc: Writes one element of an array of 32-bit values
     seq:
-      - {id: source, type: argument(false), doc: value to set}
+      - {id: source, type: argument(false), doc: value to write}
       - id: index
         type: argument(false)
         doc: "which element, counted from 0; the firmware does not check it (0 to 127)"
@@ -2008,9 +2014,9 @@ types:
         type: argument(false)
         doc: "first element of the array, as a variable; element INDEX is written"
   op_writef:
-    doc: Sets one element of an array of floating-point values
+    doc: Writes one element of an array of floating-point values
     seq:
-      - {id: source, type: argument(true), doc: value to set}
+      - {id: source, type: argument(true), doc: value to write}
       - id: index
         type: argument(false)
         doc: "which element, counted from 0; the firmware does not check it (0 to 127)"
@@ -2038,7 +2044,7 @@ types:
         type: argument(false)
         doc: "how far to jump from the end of this operation; negative jumps back; or a label (bytes)"
   op_jr_nan:
-    doc: "Jumps if a value is not a number, as a sensor without data gives"
+    doc: "Jumps if a value is not a number, as read from a sensor without data"
     seq:
       - {id: value, type: argument(true), doc: value to look at}
       - id: offset
@@ -2237,177 +2243,177 @@ types:
         type: argument(false)
         doc: "how far to jump from the end of this operation; negative jumps back; or a label (bytes)"
   op_cp_lt8:
-    doc: "Tells whether LEFT is less than RIGHT, as 8-bit numbers"
+    doc: "Tests whether LEFT is less than RIGHT, as 8-bit numbers"
     seq:
       - {id: left, type: argument(false), doc: left side of the comparison}
       - {id: right, type: argument(false), doc: right side of the comparison}
-      - {id: flag, type: argument(false), doc: "whether it holds (0 to 1; 0: false; 1: true)"}
+      - {id: flag, type: argument(false), doc: "result of the comparison (0 to 1; 0: false; 1: true)"}
   op_cp_lt16:
-    doc: "Tells whether LEFT is less than RIGHT, as 16-bit numbers"
+    doc: "Tests whether LEFT is less than RIGHT, as 16-bit numbers"
     seq:
       - {id: left, type: argument(false), doc: left side of the comparison}
       - {id: right, type: argument(false), doc: right side of the comparison}
-      - {id: flag, type: argument(false), doc: "whether it holds (0 to 1; 0: false; 1: true)"}
+      - {id: flag, type: argument(false), doc: "result of the comparison (0 to 1; 0: false; 1: true)"}
   op_cp_lt32:
-    doc: "Tells whether LEFT is less than RIGHT, as 32-bit numbers"
+    doc: "Tests whether LEFT is less than RIGHT, as 32-bit numbers"
     seq:
       - {id: left, type: argument(false), doc: left side of the comparison}
       - {id: right, type: argument(false), doc: right side of the comparison}
-      - {id: flag, type: argument(false), doc: "whether it holds (0 to 1; 0: false; 1: true)"}
+      - {id: flag, type: argument(false), doc: "result of the comparison (0 to 1; 0: false; 1: true)"}
   op_cp_ltf:
-    doc: "Tells whether LEFT is less than RIGHT, as floating-point numbers"
+    doc: "Tests whether LEFT is less than RIGHT, as floating-point numbers"
     seq:
       - {id: left, type: argument(true), doc: left side of the comparison}
       - {id: right, type: argument(true), doc: right side of the comparison}
-      - {id: flag, type: argument(false), doc: "whether it holds (0 to 1; 0: false; 1: true)"}
+      - {id: flag, type: argument(false), doc: "result of the comparison (0 to 1; 0: false; 1: true)"}
   op_cp_gt8:
-    doc: "Tells whether LEFT is greater than RIGHT, as 8-bit numbers"
+    doc: "Tests whether LEFT is greater than RIGHT, as 8-bit numbers"
     seq:
       - {id: left, type: argument(false), doc: left side of the comparison}
       - {id: right, type: argument(false), doc: right side of the comparison}
-      - {id: flag, type: argument(false), doc: "whether it holds (0 to 1; 0: false; 1: true)"}
+      - {id: flag, type: argument(false), doc: "result of the comparison (0 to 1; 0: false; 1: true)"}
   op_cp_gt16:
-    doc: "Tells whether LEFT is greater than RIGHT, as 16-bit numbers"
+    doc: "Tests whether LEFT is greater than RIGHT, as 16-bit numbers"
     seq:
       - {id: left, type: argument(false), doc: left side of the comparison}
       - {id: right, type: argument(false), doc: right side of the comparison}
-      - {id: flag, type: argument(false), doc: "whether it holds (0 to 1; 0: false; 1: true)"}
+      - {id: flag, type: argument(false), doc: "result of the comparison (0 to 1; 0: false; 1: true)"}
   op_cp_gt32:
-    doc: "Tells whether LEFT is greater than RIGHT, as 32-bit numbers"
+    doc: "Tests whether LEFT is greater than RIGHT, as 32-bit numbers"
     seq:
       - {id: left, type: argument(false), doc: left side of the comparison}
       - {id: right, type: argument(false), doc: right side of the comparison}
-      - {id: flag, type: argument(false), doc: "whether it holds (0 to 1; 0: false; 1: true)"}
+      - {id: flag, type: argument(false), doc: "result of the comparison (0 to 1; 0: false; 1: true)"}
   op_cp_gtf:
-    doc: "Tells whether LEFT is greater than RIGHT, as floating-point numbers"
+    doc: "Tests whether LEFT is greater than RIGHT, as floating-point numbers"
     seq:
       - {id: left, type: argument(true), doc: left side of the comparison}
       - {id: right, type: argument(true), doc: right side of the comparison}
-      - {id: flag, type: argument(false), doc: "whether it holds (0 to 1; 0: false; 1: true)"}
+      - {id: flag, type: argument(false), doc: "result of the comparison (0 to 1; 0: false; 1: true)"}
   op_cp_eq8:
-    doc: "Tells whether LEFT is equal to RIGHT, as 8-bit numbers"
+    doc: "Tests whether LEFT is equal to RIGHT, as 8-bit numbers"
     seq:
       - {id: left, type: argument(false), doc: left side of the comparison}
       - {id: right, type: argument(false), doc: right side of the comparison}
-      - {id: flag, type: argument(false), doc: "whether it holds (0 to 1; 0: false; 1: true)"}
+      - {id: flag, type: argument(false), doc: "result of the comparison (0 to 1; 0: false; 1: true)"}
   op_cp_eq16:
-    doc: "Tells whether LEFT is equal to RIGHT, as 16-bit numbers"
+    doc: "Tests whether LEFT is equal to RIGHT, as 16-bit numbers"
     seq:
       - {id: left, type: argument(false), doc: left side of the comparison}
       - {id: right, type: argument(false), doc: right side of the comparison}
-      - {id: flag, type: argument(false), doc: "whether it holds (0 to 1; 0: false; 1: true)"}
+      - {id: flag, type: argument(false), doc: "result of the comparison (0 to 1; 0: false; 1: true)"}
   op_cp_eq32:
-    doc: "Tells whether LEFT is equal to RIGHT, as 32-bit numbers"
+    doc: "Tests whether LEFT is equal to RIGHT, as 32-bit numbers"
     seq:
       - {id: left, type: argument(false), doc: left side of the comparison}
       - {id: right, type: argument(false), doc: right side of the comparison}
-      - {id: flag, type: argument(false), doc: "whether it holds (0 to 1; 0: false; 1: true)"}
+      - {id: flag, type: argument(false), doc: "result of the comparison (0 to 1; 0: false; 1: true)"}
   op_cp_eqf:
-    doc: "Tells whether LEFT is equal to RIGHT, as floating-point numbers"
+    doc: "Tests whether LEFT is equal to RIGHT, as floating-point numbers"
     seq:
       - {id: left, type: argument(true), doc: left side of the comparison}
       - {id: right, type: argument(true), doc: right side of the comparison}
-      - {id: flag, type: argument(false), doc: "whether it holds (0 to 1; 0: false; 1: true)"}
+      - {id: flag, type: argument(false), doc: "result of the comparison (0 to 1; 0: false; 1: true)"}
   op_cp_neq8:
-    doc: "Tells whether LEFT is different from RIGHT, as 8-bit numbers"
+    doc: "Tests whether LEFT is different from RIGHT, as 8-bit numbers"
     seq:
       - {id: left, type: argument(false), doc: left side of the comparison}
       - {id: right, type: argument(false), doc: right side of the comparison}
-      - {id: flag, type: argument(false), doc: "whether it holds (0 to 1; 0: false; 1: true)"}
+      - {id: flag, type: argument(false), doc: "result of the comparison (0 to 1; 0: false; 1: true)"}
   op_cp_neq16:
-    doc: "Tells whether LEFT is different from RIGHT, as 16-bit numbers"
+    doc: "Tests whether LEFT is different from RIGHT, as 16-bit numbers"
     seq:
       - {id: left, type: argument(false), doc: left side of the comparison}
       - {id: right, type: argument(false), doc: right side of the comparison}
-      - {id: flag, type: argument(false), doc: "whether it holds (0 to 1; 0: false; 1: true)"}
+      - {id: flag, type: argument(false), doc: "result of the comparison (0 to 1; 0: false; 1: true)"}
   op_cp_neq32:
-    doc: "Tells whether LEFT is different from RIGHT, as 32-bit numbers"
+    doc: "Tests whether LEFT is different from RIGHT, as 32-bit numbers"
     seq:
       - {id: left, type: argument(false), doc: left side of the comparison}
       - {id: right, type: argument(false), doc: right side of the comparison}
-      - {id: flag, type: argument(false), doc: "whether it holds (0 to 1; 0: false; 1: true)"}
+      - {id: flag, type: argument(false), doc: "result of the comparison (0 to 1; 0: false; 1: true)"}
   op_cp_neqf:
-    doc: "Tells whether LEFT is different from RIGHT, as floating-point numbers"
+    doc: "Tests whether LEFT is different from RIGHT, as floating-point numbers"
     seq:
       - {id: left, type: argument(true), doc: left side of the comparison}
       - {id: right, type: argument(true), doc: right side of the comparison}
-      - {id: flag, type: argument(false), doc: "whether it holds (0 to 1; 0: false; 1: true)"}
+      - {id: flag, type: argument(false), doc: "result of the comparison (0 to 1; 0: false; 1: true)"}
   op_cp_lteq8:
-    doc: "Tells whether LEFT is less than or equal to RIGHT, as 8-bit numbers"
+    doc: "Tests whether LEFT is less than or equal to RIGHT, as 8-bit numbers"
     seq:
       - {id: left, type: argument(false), doc: left side of the comparison}
       - {id: right, type: argument(false), doc: right side of the comparison}
-      - {id: flag, type: argument(false), doc: "whether it holds (0 to 1; 0: false; 1: true)"}
+      - {id: flag, type: argument(false), doc: "result of the comparison (0 to 1; 0: false; 1: true)"}
   op_cp_lteq16:
-    doc: "Tells whether LEFT is less than or equal to RIGHT, as 16-bit numbers"
+    doc: "Tests whether LEFT is less than or equal to RIGHT, as 16-bit numbers"
     seq:
       - {id: left, type: argument(false), doc: left side of the comparison}
       - {id: right, type: argument(false), doc: right side of the comparison}
-      - {id: flag, type: argument(false), doc: "whether it holds (0 to 1; 0: false; 1: true)"}
+      - {id: flag, type: argument(false), doc: "result of the comparison (0 to 1; 0: false; 1: true)"}
   op_cp_lteq32:
-    doc: "Tells whether LEFT is less than or equal to RIGHT, as 32-bit numbers"
+    doc: "Tests whether LEFT is less than or equal to RIGHT, as 32-bit numbers"
     seq:
       - {id: left, type: argument(false), doc: left side of the comparison}
       - {id: right, type: argument(false), doc: right side of the comparison}
-      - {id: flag, type: argument(false), doc: "whether it holds (0 to 1; 0: false; 1: true)"}
+      - {id: flag, type: argument(false), doc: "result of the comparison (0 to 1; 0: false; 1: true)"}
   op_cp_lteqf:
-    doc: "Tells whether LEFT is less than or equal to RIGHT, as floating-point numbers"
+    doc: "Tests whether LEFT is less than or equal to RIGHT, as floating-point numbers"
     seq:
       - {id: left, type: argument(true), doc: left side of the comparison}
       - {id: right, type: argument(true), doc: right side of the comparison}
-      - {id: flag, type: argument(false), doc: "whether it holds (0 to 1; 0: false; 1: true)"}
+      - {id: flag, type: argument(false), doc: "result of the comparison (0 to 1; 0: false; 1: true)"}
   op_cp_gteq8:
-    doc: "Tells whether LEFT is greater than or equal to RIGHT, as 8-bit numbers"
+    doc: "Tests whether LEFT is greater than or equal to RIGHT, as 8-bit numbers"
     seq:
       - {id: left, type: argument(false), doc: left side of the comparison}
       - {id: right, type: argument(false), doc: right side of the comparison}
-      - {id: flag, type: argument(false), doc: "whether it holds (0 to 1; 0: false; 1: true)"}
+      - {id: flag, type: argument(false), doc: "result of the comparison (0 to 1; 0: false; 1: true)"}
   op_cp_gteq16:
-    doc: "Tells whether LEFT is greater than or equal to RIGHT, as 16-bit numbers"
+    doc: "Tests whether LEFT is greater than or equal to RIGHT, as 16-bit numbers"
     seq:
       - {id: left, type: argument(false), doc: left side of the comparison}
       - {id: right, type: argument(false), doc: right side of the comparison}
-      - {id: flag, type: argument(false), doc: "whether it holds (0 to 1; 0: false; 1: true)"}
+      - {id: flag, type: argument(false), doc: "result of the comparison (0 to 1; 0: false; 1: true)"}
   op_cp_gteq32:
-    doc: "Tells whether LEFT is greater than or equal to RIGHT, as 32-bit numbers"
+    doc: "Tests whether LEFT is greater than or equal to RIGHT, as 32-bit numbers"
     seq:
       - {id: left, type: argument(false), doc: left side of the comparison}
       - {id: right, type: argument(false), doc: right side of the comparison}
-      - {id: flag, type: argument(false), doc: "whether it holds (0 to 1; 0: false; 1: true)"}
+      - {id: flag, type: argument(false), doc: "result of the comparison (0 to 1; 0: false; 1: true)"}
   op_cp_gteqf:
-    doc: "Tells whether LEFT is greater than or equal to RIGHT, as floating-point numbers"
+    doc: "Tests whether LEFT is greater than or equal to RIGHT, as floating-point numbers"
     seq:
       - {id: left, type: argument(true), doc: left side of the comparison}
       - {id: right, type: argument(true), doc: right side of the comparison}
-      - {id: flag, type: argument(false), doc: "whether it holds (0 to 1; 0: false; 1: true)"}
+      - {id: flag, type: argument(false), doc: "result of the comparison (0 to 1; 0: false; 1: true)"}
   op_select8:
-    doc: "Takes one of two 8-bit values, whichever the flag says"
+    doc: Selects one of two 8-bit values by a flag
     seq:
-      - {id: flag, type: argument(false), doc: "which to take: anything but 0 takes SOURCE1 (0: SOURCE2; 1: SOURCE1)"}
-      - {id: source1, type: argument(false), doc: value taken if the flag is set}
-      - {id: source2, type: argument(false), doc: value taken if the flag is 0}
-      - {id: result, type: argument(false), doc: the value taken}
+      - {id: flag, type: argument(false), doc: "which one: anything but 0 selects SOURCE1 (0: SOURCE2; 1: SOURCE1)"}
+      - {id: source1, type: argument(false), doc: value selected if the flag is set}
+      - {id: source2, type: argument(false), doc: value selected if the flag is 0}
+      - {id: result, type: argument(false), doc: the selected value}
   op_select16:
-    doc: "Takes one of two 16-bit values, whichever the flag says"
+    doc: Selects one of two 16-bit values by a flag
     seq:
-      - {id: flag, type: argument(false), doc: "which to take: anything but 0 takes SOURCE1 (0: SOURCE2; 1: SOURCE1)"}
-      - {id: source1, type: argument(false), doc: value taken if the flag is set}
-      - {id: source2, type: argument(false), doc: value taken if the flag is 0}
-      - {id: result, type: argument(false), doc: the value taken}
+      - {id: flag, type: argument(false), doc: "which one: anything but 0 selects SOURCE1 (0: SOURCE2; 1: SOURCE1)"}
+      - {id: source1, type: argument(false), doc: value selected if the flag is set}
+      - {id: source2, type: argument(false), doc: value selected if the flag is 0}
+      - {id: result, type: argument(false), doc: the selected value}
   op_select32:
-    doc: "Takes one of two 32-bit values, whichever the flag says"
+    doc: Selects one of two 32-bit values by a flag
     seq:
-      - {id: flag, type: argument(false), doc: "which to take: anything but 0 takes SOURCE1 (0: SOURCE2; 1: SOURCE1)"}
-      - {id: source1, type: argument(false), doc: value taken if the flag is set}
-      - {id: source2, type: argument(false), doc: value taken if the flag is 0}
-      - {id: result, type: argument(false), doc: the value taken}
+      - {id: flag, type: argument(false), doc: "which one: anything but 0 selects SOURCE1 (0: SOURCE2; 1: SOURCE1)"}
+      - {id: source1, type: argument(false), doc: value selected if the flag is set}
+      - {id: source2, type: argument(false), doc: value selected if the flag is 0}
+      - {id: result, type: argument(false), doc: the selected value}
   op_selectf:
-    doc: "Takes one of two floating-point values, whichever the flag says"
+    doc: Selects one of two floating-point values by a flag
     seq:
-      - {id: flag, type: argument(false), doc: "which to take: anything but 0 takes SOURCE1 (0: SOURCE2; 1: SOURCE1)"}
-      - {id: source1, type: argument(true), doc: value taken if the flag is set}
-      - {id: source2, type: argument(true), doc: value taken if the flag is 0}
-      - {id: result, type: argument(true), doc: the value taken}
+      - {id: flag, type: argument(false), doc: "which one: anything but 0 selects SOURCE1 (0: SOURCE2; 1: SOURCE1)"}
+      - {id: source1, type: argument(true), doc: value selected if the flag is set}
+      - {id: source2, type: argument(true), doc: value selected if the flag is 0}
+      - {id: result, type: argument(true), doc: the selected value}
   op_ui_read_get_vbatt:
     doc: Reads the battery voltage
     seq:
@@ -2421,7 +2427,7 @@ types:
     seq:
       - id: length
         type: argument(false)
-        doc: "most bytes to return, the zero included (0 to 127 bytes; -1: no limit)"
+        doc: "maximum number of bytes to return, including the zero (0 to 127 bytes; -1: no limit)"
       - id: destination
         type: argument(false)
         doc: "system and kernel release, such as Linux 2.6.33-rc4 (as many bytes as LENGTH says)"
@@ -2432,9 +2438,9 @@ types:
         type: argument(false)
         doc: "what happened (0: nothing; 1: Bluetooth asks for a PIN; 2: Bluetooth asks to confirm a connection)"
   op_ui_read_get_tbatt:
-    doc: "Reads how much the batteries have warmed up, as estimated from the current"
+    doc: "Reads the rise in battery temperature, estimated from the current"
     seq:
-      - {id: value, type: argument(true), doc: "estimated rise of the temperature (°C)"}
+      - {id: value, type: argument(true), doc: "estimated rise in temperature (°C)"}
   op_ui_read_get_iint:
     doc: Reads the battery current smoothed over time
     seq:
@@ -2446,84 +2452,86 @@ types:
   op_ui_read_get_string:
     doc: Waits for a line typed at the terminal and reads it
     seq:
-      - {id: length, type: argument(false), doc: "most bytes to return; the zero comes on top (0 to 127 bytes)"}
+      - id: length
+        type: argument(false)
+        doc: "maximum number of bytes to return, not including the zero (0 to 127 bytes)"
       - {id: destination, type: argument(false), doc: the line (as many bytes as LENGTH says)}
   op_ui_read_get_hw_vers:
     doc: Reads the hardware version
     seq:
       - id: length
         type: argument(false)
-        doc: "most bytes to return, the zero included (0 to 127 bytes; -1: no limit)"
+        doc: "maximum number of bytes to return, including the zero (0 to 127 bytes; -1: no limit)"
       - {id: destination, type: argument(false), doc: "hardware version, such as V0.60 (as many bytes as LENGTH says)"}
   op_ui_read_get_fw_vers:
     doc: Reads the firmware version
     seq:
       - id: length
         type: argument(false)
-        doc: "most bytes to return, the zero included (0 to 127 bytes; -1: no limit)"
+        doc: "maximum number of bytes to return, including the zero (0 to 127 bytes; -1: no limit)"
       - {id: destination, type: argument(false), doc: "firmware version, such as V1.04H (as many bytes as LENGTH says)"}
   op_ui_read_get_fw_build:
-    doc: Reads when the firmware was built
+    doc: Reads the build time of the firmware
     seq:
       - id: length
         type: argument(false)
-        doc: "most bytes to return, the zero included (0 to 127 bytes; -1: no limit)"
+        doc: "maximum number of bytes to return, including the zero (0 to 127 bytes; -1: no limit)"
       - {id: destination, type: argument(false), doc: build time as yymmddhhmm (as many bytes as LENGTH says)}
   op_ui_read_get_os_build:
-    doc: Reads when the operating system was built
+    doc: Reads the build time of the operating system
     seq:
       - id: length
         type: argument(false)
-        doc: "most bytes to return, the zero included (0 to 127 bytes; -1: no limit)"
+        doc: "maximum number of bytes to return, including the zero (0 to 127 bytes; -1: no limit)"
       - {id: destination, type: argument(false), doc: build time as yymmddhhmm (as many bytes as LENGTH says)}
   op_ui_read_get_address:
     doc: Waits for a decimal number typed at the terminal and reads it (debugging)
     seq:
       - {id: value, type: argument(false), doc: "the number, meant as an address"}
   op_ui_read_get_code:
-    doc: Waits for byte code typed as hex at the terminal and makes a program of it (debugging)
+    doc: Waits for byte code typed as hex at the terminal and builds a program from it (debugging)
     seq:
-      - {id: length, type: argument(false), doc: "most bytes of the program, headers included (bytes)"}
+      - {id: length, type: argument(false), doc: "maximum number of bytes of the program, including headers (bytes)"}
       - {id: image, type: argument(false), doc: address of the memory where the program is built}
       - {id: global_, type: argument(false), doc: "address of the program's global variables"}
-      - {id: flag, type: argument(false), doc: "whether the program can be started; 1 or left as it was (1: ready)"}
+      - {id: flag, type: argument(false), doc: "whether the program can be started; 1 or unchanged (1: ready)"}
   op_ui_read_key:
     doc: Takes one key from the terminal without waiting
     seq:
       - {id: value, type: argument(false), doc: "character code of the key (0: no key)"}
   op_ui_read_get_shutdown:
-    doc: "Reads and clears the wish to shut down (used by the brick's own menus)"
+    doc: "Reads and clears the request to shut down (used by the brick's own menus)"
     seq:
       - {id: flag, type: argument(false), doc: "whether the brick wants to shut down (0 to 1; 0: no; 1: yes)"}
   op_ui_read_get_warning:
-    doc: Reads what the brick warns of
+    doc: "Reads the brick's warnings"
     seq:
       - {id: warnings, type: argument(false), doc: "one bit for each warning (0: none; a member of WARNING)"}
   op_ui_read_get_lbatt:
-    doc: "Reads how full the battery is, derived from its voltage"
+    doc: "Reads the battery level, derived from its voltage"
     seq:
       - {id: pct, type: argument(false), doc: "battery level (0 to 100 %)"}
   op_ui_read_textbox_read:
     doc: Reads one line of the text of a text box
     seq:
       - {id: text, type: argument(false), doc: "whole text of the box, its lines separated by DEL"}
-      - {id: size, type: argument(false), doc: "bytes that the box has for its text, the zero included (bytes)"}
+      - {id: size, type: argument(false), doc: "size of the box's text buffer, including the zero (bytes)"}
       - {id: del_, type: argument(false), doc: what separates the lines (a member of DEL)}
       - id: length
         type: argument(false)
-        doc: "most bytes to return, the zero included (0 to 127 bytes; -1: no limit)"
+        doc: "maximum number of bytes to return, including the zero (0 to 127 bytes; -1: no limit)"
       - {id: line, type: argument(false), doc: "which line, counted from 1"}
       - id: destination
         type: argument(false)
-        doc: "the line, empty where there is no such line (as many bytes as LENGTH says)"
+        doc: "the line, empty if there is no such line (as many bytes as LENGTH says)"
     instances:
       del__name: {value: del_.value, enum: del_, if: del_.is_number}
   op_ui_read_get_version:
-    doc: "Reads name, version and build date of the firmware in one"
+    doc: "Reads name, version and build date of the firmware in one string"
     seq:
       - id: length
         type: argument(false)
-        doc: "most bytes to return, the zero included (0 to 127 bytes; -1: no limit)"
+        doc: "maximum number of bytes to return, including the zero (0 to 127 bytes; -1: no limit)"
       - id: destination
         type: argument(false)
         doc: "such as LMS2012 V1.04H(Jul 26 2013 12:00:00) (as many bytes as LENGTH says)"
@@ -2532,7 +2540,7 @@ types:
     seq:
       - id: length
         type: argument(false)
-        doc: "most bytes to return, the zero included (0 to 127 bytes; -1: no limit)"
+        doc: "maximum number of bytes to return, including the zero (0 to 127 bytes; -1: no limit)"
       - {id: destination, type: argument(false), doc: address in dotted notation (as many bytes as LENGTH says)}
   op_ui_read_get_power:
     doc: Reads all values of the power supply at once
@@ -2542,13 +2550,13 @@ types:
       - {id: iint, type: argument(true), doc: battery current smoothed over time (A)}
       - {id: imotor, type: argument(true), doc: current of all motors together (A)}
   op_ui_read_get_sdcard:
-    doc: Reads whether an SD card is in and its space
+    doc: "Reads whether an SD card is present, and its space"
     seq:
       - {id: state, type: argument(false), doc: "whether one is present (0 to 1; 0: absent; 1: present)"}
       - {id: total, type: argument(false), doc: size (KiB)}
       - {id: free, type: argument(false), doc: free space (KiB)}
   op_ui_read_get_usbstick:
-    doc: Reads whether a USB stick is in and its space
+    doc: "Reads whether a USB stick is present, and its space"
     seq:
       - {id: state, type: argument(false), doc: "whether one is present (0 to 1; 0: absent; 1: present)"}
       - {id: total, type: argument(false), doc: size (KiB)}
@@ -2557,10 +2565,12 @@ types:
     doc: Writes a number in a fixed format to the terminal
     seq:
       - {id: value, type: argument(true), doc: number to write}
-      - {id: figures, type: argument(false), doc: "characters in all, decimal point included; negative aligns left"}
+      - id: figures
+        type: argument(false)
+        doc: "total number of characters, including the decimal point; negative aligns left"
       - {id: decimals, type: argument(false), doc: digits after the decimal point}
   op_ui_write_stamp:
-    doc: "Writes time, program, object, position and a remark to the terminal"
+    doc: "Writes time, program, object, position and a comment to the terminal"
     seq:
       - {id: value, type: argument(false), doc: remark}
   op_ui_write_put_string:
@@ -2572,7 +2582,7 @@ types:
     seq:
       - {id: value, type: argument(false), doc: number to write}
   op_ui_write_value16:
-    doc: "Writes a whole number to the terminal, without its sign"
+    doc: Writes an unsigned whole number to the terminal
     seq:
       - {id: value, type: argument(false), doc: number to write}
   op_ui_write_value32:
@@ -2584,24 +2594,24 @@ types:
     seq:
       - {id: value, type: argument(true), doc: number to write}
   op_ui_write_address:
-    doc: "Has a number but no code in the firmware: the program that runs it fails"
+    doc: "Not implemented in the firmware: the program that runs it fails"
     seq:
       - {id: value, type: argument(false), doc: "address; never written"}
   op_ui_write_code:
     doc: Writes bytes of memory as hex to the terminal
     seq:
       - {id: array, type: argument(false), doc: address of the bytes}
-      - {id: length, type: argument(false), doc: how many bytes (bytes)}
+      - {id: length, type: argument(false), doc: number of bytes (bytes)}
   op_ui_write_screen_block:
-    doc: Blocks or frees the display and the buttons for programs
+    doc: Blocks or unblocks the display and the buttons for programs
     seq:
       - {id: status, type: argument(false), doc: "whether drawing is ignored (0 to 1; 0: normal; 1: blocked)"}
   op_ui_write_allow_pulse:
-    doc: Selects the debug pulses that are shown (only in firmware built for it)
+    doc: Selects the debug pulses that are shown (only in debug builds of the firmware)
     seq:
       - {id: value, type: argument(false), doc: "sum of bits (1: menu background; 2: browser; 4: key)"}
   op_ui_write_set_pulse:
-    doc: Raises debug pulses (only in firmware built for it)
+    doc: Raises debug pulses (only in debug builds of the firmware)
     seq:
       - {id: value, type: argument(false), doc: "sum of bits (1: menu background; 2: browser; 4: key)"}
   op_ui_write_textbox_append:
@@ -2610,7 +2620,7 @@ types:
       - id: text
         type: argument(false)
         doc: "whole text of the box, its lines separated by DEL (as many bytes as SIZE says)"
-      - {id: size, type: argument(false), doc: "bytes that the box has for its text, the zero included (bytes)"}
+      - {id: size, type: argument(false), doc: "size of the box's text buffer, including the zero (bytes)"}
       - {id: del_, type: argument(false), doc: what separates the lines (a member of DEL)}
       - {id: source, type: argument(false), doc: line to append}
     instances:
@@ -2630,7 +2640,7 @@ types:
     instances:
       pattern_name: {value: pattern.value, enum: ledpattern, if: pattern.is_number}
   op_ui_write_power:
-    doc: "Sets the power driver's flag for switching off when the firmware ends"
+    doc: Sets the flag that makes the power driver switch off when the firmware ends
     seq:
       - {id: value, type: argument(false), doc: the flag (0 to 1)}
   op_ui_write_terminal:
@@ -2638,14 +2648,14 @@ types:
     seq:
       - {id: state, type: argument(false), doc: "whether the terminal is on (0 to 1; 0: off; 1: on)"}
   op_ui_button_shortpress:
-    doc: "Tells whether a button was pressed since last asked, and forgets it"
+    doc: "Reports whether a button was pressed since the last query, and clears the press"
     seq:
       - {id: button, type: argument(false), doc: which button (a member of BUTTONTYPE)}
       - {id: state, type: argument(false), doc: "whether the button was pressed (0 to 1; 0: no; 1: yes)"}
     instances:
       button_name: {value: button.value, enum: buttontype, if: button.is_number}
   op_ui_button_longpress:
-    doc: "Tells whether a button was held for 3 s since last asked, and forgets it"
+    doc: "Reports whether a button was held for 3 s since the last query, and clears it"
     seq:
       - {id: button, type: argument(false), doc: which button (a member of BUTTONTYPE)}
       - {id: state, type: argument(false), doc: "whether the button was held for 3 s (0 to 1; 0: no; 1: yes)"}
@@ -2664,55 +2674,55 @@ types:
     instances:
       button_name: {value: button.value, enum: buttontype, if: button.is_number}
   op_ui_button_get_horz:
-    doc: "Reads the left and right buttons as one axis, and forgets their presses"
+    doc: "Reads the left and right buttons as one axis, and clears their presses"
     seq:
       - {id: value, type: argument(false), doc: "direction (-1 to 1; -1: left; 1: right; 0: not pressed)"}
   op_ui_button_get_vert:
-    doc: "Reads the up and down buttons as one axis, and forgets their presses"
+    doc: "Reads the up and down buttons as one axis, and clears their presses"
     seq:
       - {id: value, type: argument(false), doc: "direction (-1 to 1; -1: up; 1: down; 0: not pressed)"}
   op_ui_button_pressed:
-    doc: Tells whether a button is down at the moment
+    doc: Reports whether a button is down at the moment
     seq:
       - {id: button, type: argument(false), doc: which button (a member of BUTTONTYPE)}
       - {id: state, type: argument(false), doc: "whether the button is down (0 to 1; 0: no; 1: yes)"}
     instances:
       button_name: {value: button.value, enum: buttontype, if: button.is_number}
   op_ui_button_set_back_block:
-    doc: Sets whether the back button is kept from ending the running program
+    doc: "Blocks or unblocks the back button, which ends the running program"
     seq:
       - id: blocked
         type: argument(false)
         doc: "whether the back button is blocked (0 to 1; 0: not blocked; 1: blocked)"
   op_ui_button_get_back_block:
-    doc: Tells whether the back button is kept from ending the running program
+    doc: Reports whether the back button is blocked
     seq:
       - id: blocked
         type: argument(false)
         doc: "whether the back button is blocked (0 to 1; 0: not blocked; 1: blocked)"
   op_ui_button_testshortpress:
-    doc: "Tells like SHORTPRESS whether a button was pressed, without forgetting it"
+    doc: "Reports, like SHORTPRESS, whether a button was pressed, without clearing the press"
     seq:
       - {id: button, type: argument(false), doc: which button (a member of BUTTONTYPE)}
       - {id: state, type: argument(false), doc: "whether the button was pressed (0 to 1; 0: no; 1: yes)"}
     instances:
       button_name: {value: button.value, enum: buttontype, if: button.is_number}
   op_ui_button_testlongpress:
-    doc: "Tells like LONGPRESS whether a button was held for 3 s, without forgetting it"
+    doc: "Reports, like LONGPRESS, whether a button was held for 3 s, without clearing it"
     seq:
       - {id: button, type: argument(false), doc: which button (a member of BUTTONTYPE)}
       - {id: state, type: argument(false), doc: "whether the button was held for 3 s (0 to 1; 0: no; 1: yes)"}
     instances:
       button_name: {value: button.value, enum: buttontype, if: button.is_number}
   op_ui_button_get_bumbed:
-    doc: "Tells whether a button was pressed and released since last asked, and forgets it"
+    doc: "Reports whether a button was pressed and released since the last query, and clears it"
     seq:
       - {id: button, type: argument(false), doc: which button (a member of BUTTONTYPE)}
       - {id: state, type: argument(false), doc: "whether the button was pressed and released (0 to 1; 0: no; 1: yes)"}
     instances:
       button_name: {value: button.value, enum: buttontype, if: button.is_number}
   op_ui_button_get_click:
-    doc: "Tells whether a key click is due because a press was handled, and forgets it"
+    doc: "Reports whether a key click is due for a handled press, and clears it"
     seq:
       - {id: click, type: argument(false), doc: "whether a click is due (0 to 1; 0: no; 1: yes)"}
   op_ui_draw_pixel:
@@ -2737,7 +2747,7 @@ types:
       - {id: y0, type: argument(false), doc: row of the centre (0 to 127 px)}
       - {id: r, type: argument(false), doc: "radius (px; 0: draws nothing)"}
   op_ui_draw_text:
-    doc: Draws text in the font that SELECT_FONT has chosen
+    doc: Draws text in the font chosen by SELECT_FONT
     seq:
       - {id: color, type: argument(false), doc: "colour to draw in (0 to 1; 0: white; 1: black)"}
       - {id: x0, type: argument(false), doc: left edge (0 to 177 px)}
@@ -2754,7 +2764,7 @@ types:
     instances:
       type__name: {value: type_.value, enum: icontype, if: type_.is_number}
   op_ui_draw_picture:
-    doc: Draws a picture that is in memory
+    doc: Draws a picture from memory
     seq:
       - {id: color, type: argument(false), doc: "colour to draw in (0 to 1; 0: white; 1: black)"}
       - {id: x0, type: argument(false), doc: left edge (0 to 177 px)}
@@ -2767,7 +2777,9 @@ types:
       - {id: x0, type: argument(false), doc: left edge (0 to 177 px)}
       - {id: y0, type: argument(false), doc: top edge (0 to 127 px)}
       - {id: value, type: argument(true), doc: number to draw}
-      - {id: figures, type: argument(false), doc: "characters in all, decimal point included; negative aligns left"}
+      - id: figures
+        type: argument(false)
+        doc: "total number of characters, including the decimal point; negative aligns left"
       - {id: decimals, type: argument(false), doc: digits after the decimal point}
   op_ui_draw_fillrect:
     doc: Draws a filled rectangle
@@ -2797,7 +2809,7 @@ types:
       - {id: string_, type: argument(false), doc: "text beside the icons; may be empty"}
       - id: state
         type: argument(false)
-        doc: "variable the dialogue keeps its progress in; set to 0 before (0 to 1; 0: start, or done; 1: being shown)"
+        doc: "variable for the dialogue's progress; must be 0 at first (0 to 1; 0: start, or done; 1: being shown)"
     instances:
       icon1_name: {value: icon1.value, enum: l_icon_no, if: icon1.is_number}
       icon2_name: {value: icon2.value, enum: l_icon_no, if: icon2.is_number}
@@ -2813,10 +2825,10 @@ types:
       - {id: string_, type: argument(false), doc: "text of the question (LEGO's firmware does not show it)"}
       - id: state
         type: argument(false)
-        doc: "variable the dialogue keeps its progress in; set to 0 before (0 to 1; 0: start, or done; 1: being shown)"
+        doc: "variable for the dialogue's progress; must be 0 at first (0 to 1; 0: start, or done; 1: being shown)"
       - id: ok
         type: argument(false)
-        doc: "answer; what the variable holds before is selected first (-1 to 1; 0: no; 1: yes; -1: left with the back button)"
+        doc: "answer; the variable's previous value is selected at first (-1 to 1; 0: no; 1: yes; -1: closed with the back button)"
     instances:
       icon1_name: {value: icon1.value, enum: l_icon_no, if: icon1.is_number}
       icon2_name: {value: icon2.value, enum: l_icon_no, if: icon2.is_number}
@@ -2827,31 +2839,35 @@ types:
       - {id: x0, type: argument(false), doc: left edge (0 to 177 px)}
       - {id: y0, type: argument(false), doc: top edge (0 to 127 px)}
       - {id: icon, type: argument(false), doc: normal icon before the caption (a member of N_ICON_NO)}
-      - {id: length, type: argument(false), doc: "most bytes to return, the zero included (0 to 127 bytes)"}
+      - id: length
+        type: argument(false)
+        doc: "maximum number of bytes to return, including the zero (0 to 127 bytes)"
       - {id: default_, type: argument(false), doc: "caption above the text, not a preset as its name says (0: none)"}
       - id: charset
         type: argument(false)
-        doc: "variable with the sum of what may be typed; becomes 0 once the keyboard shows"
+        doc: "variable with the sum of the allowed kinds of text; becomes 0 once the keyboard is shown"
       - id: string_
         type: argument(false)
-        doc: "text entered; what the variable holds before is edited, back button empties it (as many bytes as LENGTH says)"
+        doc: "entered text; the variable's previous text is edited, the back button empties it (as many bytes as LENGTH says)"
     instances:
       icon_name: {value: icon.value, enum: n_icon_no, if: icon.is_number}
   op_ui_draw_browse:
     doc: Shows files and folders and waits until one is chosen
     seq:
-      - {id: type_, type: argument(false), doc: what is listed (a member of BROWSERTYPE)}
+      - {id: type_, type: argument(false), doc: what to list (a member of BROWSERTYPE)}
       - {id: x0, type: argument(false), doc: left edge (0 to 177 px)}
       - {id: y0, type: argument(false), doc: top edge (0 to 127 px)}
       - {id: x1, type: argument(false), doc: width (0 to 178 px)}
       - {id: y1, type: argument(false), doc: height (0 to 128 px)}
-      - {id: length, type: argument(false), doc: "most bytes to return, the zero included (0 to 127 bytes)"}
+      - id: length
+        type: argument(false)
+        doc: "maximum number of bytes to return, including the zero (0 to 127 bytes)"
       - id: item_type
         type: argument(false)
-        doc: "kind of what was chosen; set the variable to 0 before (a member of FILETYPE)"
+        doc: "kind of the chosen entry; the variable must be 0 at first (a member of FILETYPE)"
       - id: string_
         type: argument(false)
-        doc: "path of what was chosen; the variable holds the top folder before (as many bytes as LENGTH says)"
+        doc: "path of the chosen entry; set the variable to the top folder first (as many bytes as LENGTH says)"
     instances:
       type__name: {value: type_.value, enum: browsertype, if: type_.is_number}
   op_ui_draw_vertbar:
@@ -2873,7 +2889,7 @@ types:
       - {id: x1, type: argument(false), doc: width (0 to 178 px)}
       - {id: y1, type: argument(false), doc: height (0 to 128 px)}
   op_ui_draw_select_font:
-    doc: "Chooses the font for text until UPDATE, CLEAN or FILLWINDOW"
+    doc: "Chooses the font for text, until UPDATE, CLEAN or FILLWINDOW"
     seq:
       - {id: type_, type: argument(false), doc: "font (0 to 3; a member of FONTTYPE)"}
     instances:
@@ -2883,7 +2899,7 @@ types:
     seq:
       - {id: enable, type: argument(false), doc: "whether the status line is shown (0 to 1; 0: disabled; 1: enabled)"}
   op_ui_draw_fillwindow:
-    doc: "Fills rows over the whole width, and returns to the normal font"
+    doc: "Fills rows over the whole width, and restores the normal font"
     seq:
       - id: color
         type: argument(false)
@@ -2891,11 +2907,11 @@ types:
       - {id: y0, type: argument(false), doc: top edge (0 to 127 px)}
       - id: y1
         type: argument(false)
-        doc: "height; nothing is filled where Y0 and it make 128 or more (0 to 127 px; 0: down to the bottom)"
+        doc: "height; nothing is filled if Y0 plus it is 128 or more (0 to 127 px; 0: down to the bottom)"
   op_ui_draw_scroll:
     doc: Moves the canvas up
     seq:
-      - {id: "y", type: argument(false), doc: how far (1 to 127 px)}
+      - {id: "y", type: argument(false), doc: distance (1 to 127 px)}
   op_ui_draw_dotline:
     doc: Draws a dashed line between two points
     seq:
@@ -2907,13 +2923,13 @@ types:
       - {id: "on", type: argument(false), doc: length of a dash (px)}
       - {id: "off", type: argument(false), doc: length of a gap (px)}
   op_ui_draw_view_value:
-    doc: "Draws a number centred in its place, with > instead of digits where it does not fit"
+    doc: "Draws a number centred in its place, or > instead of digits if it does not fit"
     seq:
       - {id: color, type: argument(false), doc: "colour to draw in (0 to 1; 0: white; 1: black)"}
       - {id: x0, type: argument(false), doc: left edge (0 to 177 px)}
       - {id: y0, type: argument(false), doc: top edge (0 to 127 px)}
       - {id: value, type: argument(true), doc: number to draw}
-      - {id: figures, type: argument(false), doc: "characters in all, decimal point included"}
+      - {id: figures, type: argument(false), doc: "total number of characters, including the decimal point"}
       - {id: decimals, type: argument(false), doc: digits after the decimal point}
   op_ui_draw_view_unit:
     doc: Draws a number in large figures and its unit in small letters
@@ -2922,9 +2938,11 @@ types:
       - {id: x0, type: argument(false), doc: left edge (0 to 177 px)}
       - {id: y0, type: argument(false), doc: top edge (0 to 127 px)}
       - {id: value, type: argument(true), doc: number to draw}
-      - {id: figures, type: argument(false), doc: "characters in all, decimal point included"}
+      - {id: figures, type: argument(false), doc: "total number of characters, including the decimal point"}
       - {id: decimals, type: argument(false), doc: digits after the decimal point}
-      - {id: length, type: argument(false), doc: "most bytes of the unit, the zero included (0 to 127 bytes)"}
+      - id: length
+        type: argument(false)
+        doc: "maximum number of bytes of the unit, including the zero (0 to 127 bytes)"
       - {id: string_, type: argument(false), doc: unit to draw after the number}
   op_ui_draw_fillcircle:
     doc: Draws a filled circle
@@ -2938,13 +2956,13 @@ types:
     seq:
       - id: "no"
         type: argument(false)
-        doc: "memory for one screen; 0 holds the one from before the program ran (0 to 2)"
+        doc: "slot for one screen; 0 holds the screen from before the program ran (0 to 2)"
   op_ui_draw_restore:
-    doc: Brings back a canvas kept by STORE
+    doc: Restores a canvas kept by STORE
     seq:
       - id: "no"
         type: argument(false)
-        doc: "memory for one screen; 0 holds the one from before the program ran (0 to 2)"
+        doc: "slot for one screen; 0 holds the screen from before the program ran (0 to 2)"
   op_ui_draw_icon_question:
     doc: Shows a row of icons and waits until one is chosen
     seq:
@@ -2953,10 +2971,10 @@ types:
       - {id: y0, type: argument(false), doc: top edge (0 to 127 px)}
       - id: state
         type: argument(false)
-        doc: "variable the dialogue keeps its progress in; set to 0 before (0 to 1; 0: start, or done; 1: being shown)"
+        doc: "variable for the dialogue's progress; must be 0 at first (0 to 1; 0: start, or done; 1: being shown)"
       - id: icons
         type: argument(false)
-        doc: "bit n stands for large icon n: before those to show, then the one chosen (0: none: left with the back button)"
+        doc: "bit n is large icon n: first the icons to show, then the chosen one (0: none: closed with the back button)"
   op_ui_draw_bmpfile:
     doc: "Draws a picture file in LEGO's own format .rgf (no .bmp despite the name)"
     seq:
@@ -2969,29 +2987,29 @@ types:
         type: argument(false)
         doc: "file with extension .rgf, absolute or relative to /home/root/lms2012/sys (at most 119 characters)"
   op_ui_draw_popup:
-    doc: "Opens a window that only its opener draws on, or closes it and brings back the display"
+    doc: "Opens a window that only its opener can draw on, or closes it and restores the display"
     seq:
-      - {id: open, type: argument(false), doc: "what to do (0 to 1; 0: close; 1: open)"}
+      - {id: open, type: argument(false), doc: "action (0 to 1; 0: close; 1: open)"}
   op_ui_draw_graph_setup:
-    doc: "Sets up a graph of up to 8 curves; their arrays must outlive it, so useless in direct commands"
+    doc: "Sets up a graph of up to 8 curves; useless in direct commands, since the arrays must outlive it"
     seq:
       - {id: x0, type: argument(false), doc: left edge (0 to 177 px)}
       - {id: x1, type: argument(false), doc: width (0 to 178 px)}
-      - {id: items, type: argument(false), doc: how many curves (0 to 8)}
+      - {id: items, type: argument(false), doc: number of curves (0 to 8)}
       - {id: offset, type: argument(false), doc: "top edge of each curve (0 to 127 px; as many values as ITEMS says)"}
       - {id: span, type: argument(false), doc: "height of each curve (0 to 128 px; as many values as ITEMS says)"}
       - {id: min, type: argument(true), doc: value at the bottom of each curve (as many values as ITEMS says)}
       - {id: max, type: argument(true), doc: value at the top of each curve (as many values as ITEMS says)}
       - id: sample
         type: argument(true)
-        doc: "present value of each curve, read anew at each GRAPH_SAMPLE (as many values as ITEMS says)"
+        doc: "current value of each curve, read again at each GRAPH_SAMPLE (as many values as ITEMS says)"
   op_ui_draw_graph_draw:
     doc: Draws the graph and measures the curve it shows
     seq:
       - id: view
         type: argument(false)
         doc: "curve to draw, counted from 0; any other value draws all and measures none (-1: all)"
-      - {id: actual, type: argument(true), doc: "latest value, not a number where there is none"}
+      - {id: actual, type: argument(true), doc: "latest value, NaN if there is none"}
       - {id: lowest, type: argument(true), doc: lowest value in the graph}
       - {id: highest, type: argument(true), doc: highest value in the graph}
       - {id: average, type: argument(true), doc: mean of the values in the graph}
@@ -3003,67 +3021,67 @@ types:
       - {id: x1, type: argument(false), doc: width (0 to 178 px)}
       - {id: y1, type: argument(false), doc: height (0 to 128 px)}
       - {id: text, type: argument(false), doc: "whole text of the box, its lines separated by DEL"}
-      - {id: size, type: argument(false), doc: "bytes that the box has for its text, the zero included (bytes)"}
+      - {id: size, type: argument(false), doc: "size of the box's text buffer, including the zero (bytes)"}
       - {id: del_, type: argument(false), doc: what separates the lines (a member of DEL)}
       - id: line
         type: argument(false)
-        doc: "variable, set to -1 before; then the line chosen, counted from 1 (-1: start, or left with the back button; 0: being shown)"
+        doc: "variable, must be -1 at first; then the chosen line, counted from 1 (-1: start, or closed with the back button; 0: being shown)"
     instances:
       del__name: {value: del_.value, enum: del_, if: del_.is_number}
   op_keep_alive:
-    doc: "Restarts the time after which the idle brick switches off, and reads it"
+    doc: "Restarts the timer that switches off an idle brick, and reads its time"
     seq:
       - {id: minutes, type: argument(false), doc: "idle time before switching off (min; 0: never)"}
   op_timer_wait:
-    doc: "Notes when a wait will be over and returns at once; TIMER_READY does the waiting"
+    doc: "Stores the end of a wait and returns at once; TIMER_READY does the waiting"
     seq:
-      - {id: time, type: argument(false), doc: how long to wait (0 to 2147483647 ms)}
+      - {id: time, type: argument(false), doc: duration of the wait (0 to 2147483647 ms)}
       - id: timer
         type: argument(false)
         doc: "variable that gets the end of the wait, on the brick's millisecond clock"
   op_timer_ready:
-    doc: Waits until the time that TIMER_WAIT noted has come
+    doc: Waits until the time that TIMER_WAIT stored
     seq:
       - {id: timer, type: argument(false), doc: variable that TIMER_WAIT has set}
   op_timer_read:
-    doc: Reads the time since the program or direct command that asks was started
+    doc: Reads the time since the start of the program or direct command that asks
     seq:
       - {id: time, type: argument(false), doc: time since the start (ms)}
   op_timer_read_us:
     doc: "Reads the free-running microsecond clock, for differences only"
     seq:
-      - {id: time, type: argument(false), doc: "low 32 bits of the clock, back to 0 every 71.6 minutes (us)"}
+      - {id: time, type: argument(false), doc: "low 32 bits of the clock, wraps every 71.6 minutes (us)"}
   op_sound_tone:
     doc: Plays one tone and returns at once
     seq:
-      - {id: volume, type: argument(false), doc: "how loud (0 to 100 %; 0: silent)"}
-      - {id: frequency, type: argument(false), doc: "pitch; the driver moves others into the range (250 to 10000 Hz)"}
+      - {id: volume, type: argument(false), doc: "volume (0 to 100 %; 0: silent)"}
+      - {id: frequency, type: argument(false), doc: "pitch; the driver clamps it to the range (250 to 10000 Hz)"}
       - id: duration
         type: argument(false)
-        doc: "how long, read without sign (-1 is 65535) (ms; 0: until BREAK or the next sound)"
+        doc: "duration, read unsigned (-1 is 65535) (ms; 0: until BREAK or the next sound)"
   op_sound_play:
     doc: Plays a sound file once and returns at once
     seq:
-      - {id: volume, type: argument(false), doc: "how loud (0 to 100 %; 0: silent)"}
+      - {id: volume, type: argument(false), doc: "volume (0 to 100 %; 0: silent)"}
       - id: name
         type: argument(false)
         doc: "sound file without its extension .rsf, absolute or relative to /home/root/lms2012/sys (at most 119 characters)"
   op_sound_repeat:
     doc: Plays a sound file over and over until BREAK and returns at once
     seq:
-      - {id: volume, type: argument(false), doc: "how loud (0 to 100 %; 0: silent)"}
+      - {id: volume, type: argument(false), doc: "volume (0 to 100 %; 0: silent)"}
       - id: name
         type: argument(false)
         doc: "sound file without its extension .rsf, absolute or relative to /home/root/lms2012/sys (at most 119 characters)"
   op_sound_test:
-    doc: Tells whether a sound is playing
+    doc: Reports whether a sound is playing
     seq:
       - {id: busy, type: argument(false), doc: "whether a sound is playing (0 to 1; 0: ready; 1: busy)"}
   op_input_sample:
     doc: "Reads one SI value of each of several devices, sampled in the background"
     seq:
       - {id: time, type: argument(false), doc: time between two samples (ms)}
-      - {id: samples, type: argument(false), doc: how many devices the arrays list}
+      - {id: samples, type: argument(false), doc: number of devices the arrays list}
       - id: init
         type: argument(false)
         doc: "place in the sample buffer of each device, -1 starts it anew (as many values as SAMPLES says)"
@@ -3072,20 +3090,20 @@ types:
         doc: "ports, 0 to 3 for sensors, 4 to 7 for motors A to D (as many values as SAMPLES says)"
       - id: types
         type: argument(false)
-        doc: "type each device shall have (a member of TYPE; as many values as SAMPLES says)"
-      - {id: modes, type: argument(false), doc: mode each device shall have (as many values as SAMPLES says)}
+        doc: "type to set for each device (a member of TYPE; as many values as SAMPLES says)"
+      - {id: modes, type: argument(false), doc: mode to set for each device (as many values as SAMPLES says)}
       - id: datasets
         type: argument(false)
-        doc: "which of its values to read from each device, from 0 (as many values as SAMPLES says)"
+        doc: "index of the value to read from each device, from 0 (as many values as SAMPLES says)"
       - id: values
         type: argument(true)
-        doc: "one value per device, NaN where there is none (as many values as SAMPLES says)"
+        doc: "one value per device, NaN if there is none (as many values as SAMPLES says)"
     instances:
       types_name: {value: types.value, enum: type_, if: types.is_number}
   op_input_device_list:
     doc: "Lists the types of all devices, sensor ports of each layer first, then motor ports"
     seq:
-      - {id: length, type: argument(false), doc: "room in the array, 32 takes the whole daisy chain"}
+      - {id: length, type: argument(false), doc: "size of the array; 32 holds the whole daisy chain"}
       - id: array
         type: argument(false)
         doc: "type of device at each port (a member of TYPE; as many values as LENGTH says)"
@@ -3099,14 +3117,14 @@ types:
         doc: "whether to replace a known type (0 to 1; 0: refuse a known type; 1: replace a known type)"
       - {id: error, type: argument(false), doc: "whether it failed (0 to 1; 0: done; 1: failed or known)"}
   op_input_device_get_format:
-    doc: "Tells the shape of a device's values in its present mode"
+    doc: Describes the values of a device in its current mode
     seq:
       - {id: layer, type: argument(false), doc: "brick in the daisy chain, 0 is the one addressed (0 to 3)"}
       - {id: "no", type: argument(false), doc: "port, counted from 0; 16 to 19 for motors (0 to 19)"}
-      - {id: datasets, type: argument(false), doc: how many values one reading has}
+      - {id: datasets, type: argument(false), doc: number of values in one reading}
       - {id: format, type: argument(false), doc: "type of one raw value (0 to 3; a member of DATA_FORMAT)"}
-      - {id: modes, type: argument(false), doc: how many modes the device has (1 to 8)}
-      - {id: views, type: argument(false), doc: how many of the modes are shown to users (1 to 8)}
+      - {id: modes, type: argument(false), doc: number of modes of the device (1 to 8)}
+      - {id: views, type: argument(false), doc: number of modes shown to users (1 to 8)}
   op_input_device_cal_minmax:
     doc: Sets the raw values that scale a type and mode to percent and SI
     seq:
@@ -3117,28 +3135,28 @@ types:
     instances:
       type__name: {value: type_.value, enum: type_, if: type_.is_number}
   op_input_device_cal_default:
-    doc: Goes back to the built-in scaling of a type and mode
+    doc: Restores the built-in scaling of a type and mode
     seq:
       - {id: type_, type: argument(false), doc: type of device the calibration is for (a member of TYPE)}
       - {id: mode, type: argument(false), doc: mode the calibration is for (0 to 7)}
     instances:
       type__name: {value: type_.value, enum: type_, if: type_.is_number}
   op_input_device_get_typemode:
-    doc: Tells which device is at a port and in which mode
+    doc: Reports the device at a port and its mode
     seq:
       - {id: layer, type: argument(false), doc: "brick in the daisy chain, 0 is the one addressed (0 to 3)"}
       - {id: "no", type: argument(false), doc: "port, counted from 0; 16 to 19 for motors (0 to 19)"}
       - {id: type_, type: argument(false), doc: type of the device (a member of TYPE)}
       - {id: mode, type: argument(false), doc: mode the device is in (0 to 7)}
   op_input_device_get_symbol:
-    doc: Reads the symbol of the unit of the present mode
+    doc: Reads the symbol of the unit of the current mode
     seq:
       - {id: layer, type: argument(false), doc: "brick in the daisy chain, 0 is the one addressed (0 to 3)"}
       - {id: "no", type: argument(false), doc: "port, counted from 0; 16 to 19 for motors (0 to 19)"}
       - id: length
         type: argument(false)
-        doc: "room for the text with its zero (bytes; -1: as long as it is (handles only))"
-      - {id: destination, type: argument(false), doc: "symbol, filled up with blanks (as many bytes as LENGTH says)"}
+        doc: "size of the text buffer, including the zero (bytes; -1: unlimited (handles only))"
+      - {id: destination, type: argument(false), doc: "symbol, padded with blanks (as many bytes as LENGTH says)"}
   op_input_device_cal_min:
     doc: Sets the lower end of the scaling of a type and mode
     seq:
@@ -3156,21 +3174,21 @@ types:
     instances:
       type__name: {value: type_.value, enum: type_, if: type_.is_number}
   op_input_device_setup:
-    doc: "Writes to an I2C sensor and reads its answer, again and again if asked to"
+    doc: "Writes to an I2C sensor and reads its answer, repeatedly if requested"
     seq:
       - {id: layer, type: argument(false), doc: "brick in the daisy chain, 0 is the one addressed (0 to 3)"}
       - id: "no"
         type: argument(false)
         doc: "sensor port, counted from 0 (0 to 3; 0: port 1; 1: port 2; 2: port 3; 3: port 4)"
-      - {id: repeat, type: argument(false), doc: "how often to write and read (0: without end)"}
+      - {id: repeat, type: argument(false), doc: "number of repeats (0: endless)"}
       - {id: time, type: argument(false), doc: "time between repeats (10 to 1000 ms; 0: 10 ms)"}
-      - {id: write_len, type: argument(false), doc: how many bytes to write (0 to 32 bytes)}
+      - {id: write_len, type: argument(false), doc: number of bytes to write (0 to 32 bytes)}
       - id: write_data
         type: argument(false)
         doc: "bytes to write: I2C address, register, data (as many values as WRITE_LEN says)"
       - id: read_len
         type: argument(false)
-        doc: "how many bytes to read, negative: in reverse order (-32 to 32 bytes)"
+        doc: "number of bytes to read, negative: in reverse order (-32 to 32 bytes)"
       - {id: read_data, type: argument(false), doc: bytes read (as many values as READ_LEN says)}
   op_input_device_clr_all:
     doc: Clears counters and angles of all devices
@@ -3181,9 +3199,9 @@ types:
     seq:
       - {id: layer, type: argument(false), doc: "brick in the daisy chain, 0 is the one addressed (0 to 3)"}
       - {id: "no", type: argument(false), doc: "port, counted from 0; 16 to 19 for motors (0 to 19)"}
-      - {id: value, type: argument(false), doc: "raw value, NaN where there is none"}
+      - {id: value, type: argument(false), doc: "raw value, NaN if there is none"}
   op_input_device_get_connection:
-    doc: Tells how the device at a port is connected
+    doc: Reports how the device at a port is connected
     seq:
       - {id: layer, type: argument(false), doc: "brick in the daisy chain, 0 is the one addressed (0 to 3)"}
       - {id: "no", type: argument(false), doc: "port, counted from 0; 16 to 19 for motors (0 to 19)"}
@@ -3195,37 +3213,37 @@ types:
   op_input_device_set_typemode:
     doc: "Renumbers an entry of the table of device types, third party types only"
     seq:
-      - {id: type_, type: argument(false), doc: "type the entry has (50 to 98; a member of TYPE)"}
-      - {id: mode, type: argument(false), doc: mode the entry has (0 to 7)}
-      - {id: newtype, type: argument(false), doc: "type the entry shall have (50 to 98; a member of TYPE)"}
-      - {id: newmode, type: argument(false), doc: mode the entry shall have (0 to 7)}
+      - {id: type_, type: argument(false), doc: "type of the entry (50 to 98; a member of TYPE)"}
+      - {id: mode, type: argument(false), doc: mode of the entry (0 to 7)}
+      - {id: newtype, type: argument(false), doc: "new type of the entry (50 to 98; a member of TYPE)"}
+      - {id: newmode, type: argument(false), doc: new mode of the entry (0 to 7)}
       - {id: error, type: argument(false), doc: "whether it failed (0 to 1; 0: done; 1: failed or not found)"}
     instances:
       type__name: {value: type_.value, enum: type_, if: type_.is_number}
       newtype_name: {value: newtype.value, enum: type_, if: newtype.is_number}
   op_input_device_ready_iic:
-    doc: "Writes to an I2C sensor once, waits for its answer and tells how it went"
+    doc: "Writes to an I2C sensor once, waits for its answer and reports the result"
     seq:
       - {id: layer, type: argument(false), doc: "brick in the daisy chain, 0 is the one addressed (0 to 3)"}
       - id: "no"
         type: argument(false)
         doc: "sensor port, counted from 0 (0 to 3; 0: port 1; 1: port 2; 2: port 3; 3: port 4)"
-      - {id: wrlng, type: argument(false), doc: how many bytes to write (0 to 32 bytes)}
+      - {id: wrlng, type: argument(false), doc: number of bytes to write (0 to 32 bytes)}
       - id: wrdata
         type: argument(false)
         doc: "bytes to write: I2C address, register, data (as many values as WRLNG says)"
-      - {id: rdlng, type: argument(false), doc: "how many bytes to read, negative: in reverse order (-32 to 32 bytes)"}
+      - {id: rdlng, type: argument(false), doc: "number of bytes to read, negative: in reverse order (-32 to 32 bytes)"}
       - {id: rddata, type: argument(false), doc: bytes read (as many values as RDLNG says)}
       - {id: result, type: argument(false), doc: how the transfer ended (a member of RESULT)}
   op_input_device_get_name:
-    doc: "Reads the name of a device in its present mode, such as TOUCH or COL-REFLECT"
+    doc: "Reads the name of a device in its current mode, such as TOUCH or COL-REFLECT"
     seq:
       - {id: layer, type: argument(false), doc: "brick in the daisy chain, 0 is the one addressed (0 to 3)"}
       - {id: "no", type: argument(false), doc: "port, counted from 0; 16 to 19 for motors (0 to 19)"}
       - id: length
         type: argument(false)
-        doc: "room for the text with its zero (bytes; -1: as long as it is (handles only))"
-      - {id: destination, type: argument(false), doc: "name, filled up with blanks (as many bytes as LENGTH says)"}
+        doc: "size of the text buffer, including the zero (bytes; -1: unlimited (handles only))"
+      - {id: destination, type: argument(false), doc: "name, padded with blanks (as many bytes as LENGTH says)"}
   op_input_device_get_modename:
     doc: Reads the name of any mode of a device
     seq:
@@ -3234,26 +3252,26 @@ types:
       - {id: mode, type: argument(false), doc: mode to name (0 to 7)}
       - id: length
         type: argument(false)
-        doc: "room for the text with its zero (bytes; -1: as long as it is (handles only))"
-      - {id: destination, type: argument(false), doc: "name, filled up with blanks (as many bytes as LENGTH says)"}
+        doc: "size of the text buffer, including the zero (bytes; -1: unlimited (handles only))"
+      - {id: destination, type: argument(false), doc: "name, padded with blanks (as many bytes as LENGTH says)"}
   op_input_device_set_raw:
-    doc: Pretends that a device has read this raw value
+    doc: Simulates a raw value of a device
     seq:
       - {id: layer, type: argument(false), doc: "brick in the daisy chain, 0 is the one addressed (0 to 3)"}
       - {id: "no", type: argument(false), doc: "port, counted from 0; 16 to 19 for motors (0 to 19)"}
-      - {id: type_, type: argument(false), doc: "type the device shall have (0: keep the type; a member of TYPE)"}
-      - {id: value, type: argument(false), doc: raw value to pretend}
+      - {id: type_, type: argument(false), doc: "type to set (0: keep the type; a member of TYPE)"}
+      - {id: value, type: argument(false), doc: raw value to simulate}
     instances:
       type__name: {value: type_.value, enum: type_, if: type_.is_number}
   op_input_device_get_figures:
-    doc: Tells how many digits a value of the present mode needs
+    doc: Reports the number of digits that a value of the current mode needs
     seq:
       - {id: layer, type: argument(false), doc: "brick in the daisy chain, 0 is the one addressed (0 to 3)"}
       - {id: "no", type: argument(false), doc: "port, counted from 0; 16 to 19 for motors (0 to 19)"}
-      - {id: figures, type: argument(false), doc: "characters in all, with point and decimals"}
+      - {id: figures, type: argument(false), doc: "total number of characters, with point and decimals"}
       - {id: decimals, type: argument(false), doc: digits after the point}
   op_input_device_get_changes:
-    doc: Reads how often a touch sensor changed in positive direction since CLR_CHANGES
+    doc: Reads how often a touch sensor changed to pressed since CLR_CHANGES
     seq:
       - {id: layer, type: argument(false), doc: "brick in the daisy chain, 0 is the one addressed (0 to 3)"}
       - {id: "no", type: argument(false), doc: "port, counted from 0; 16 to 19 for motors (0 to 19)"}
@@ -3268,9 +3286,9 @@ types:
     seq:
       - {id: layer, type: argument(false), doc: "brick in the daisy chain, 0 is the one addressed (0 to 3)"}
       - {id: "no", type: argument(false), doc: "port, counted from 0; 16 to 19 for motors (0 to 19)"}
-      - {id: type_, type: argument(false), doc: "type the device shall have (0: keep the type; a member of TYPE)"}
-      - {id: mode, type: argument(false), doc: "mode the device shall have (0 to 7; -1: keep the mode)"}
-      - {id: values_count, type: argument(false), doc: "how many values follow, each in percent (each is DATA8)"}
+      - {id: type_, type: argument(false), doc: "type to set (0: keep the type; a member of TYPE)"}
+      - {id: mode, type: argument(false), doc: "mode to set (0 to 7; -1: keep the mode)"}
+      - {id: values_count, type: argument(false), doc: "number of values follow, each in percent (each is DATA8)"}
       - {id: values, type: argument(false), repeat: expr, repeat-expr: values_count.value}
     instances:
       type__name: {value: type_.value, enum: type_, if: type_.is_number}
@@ -3279,9 +3297,9 @@ types:
     seq:
       - {id: layer, type: argument(false), doc: "brick in the daisy chain, 0 is the one addressed (0 to 3)"}
       - {id: "no", type: argument(false), doc: "port, counted from 0; 16 to 19 for motors (0 to 19)"}
-      - {id: type_, type: argument(false), doc: "type the device shall have (0: keep the type; a member of TYPE)"}
-      - {id: mode, type: argument(false), doc: "mode the device shall have (0 to 7; -1: keep the mode)"}
-      - {id: values_count, type: argument(false), doc: how many raw values follow (each is DATA32)}
+      - {id: type_, type: argument(false), doc: "type to set (0: keep the type; a member of TYPE)"}
+      - {id: mode, type: argument(false), doc: "mode to set (0 to 7; -1: keep the mode)"}
+      - {id: values_count, type: argument(false), doc: number of raw values follow (each is DATA32)}
       - {id: values, type: argument(false), repeat: expr, repeat-expr: values_count.value}
     instances:
       type__name: {value: type_.value, enum: type_, if: type_.is_number}
@@ -3290,21 +3308,21 @@ types:
     seq:
       - {id: layer, type: argument(false), doc: "brick in the daisy chain, 0 is the one addressed (0 to 3)"}
       - {id: "no", type: argument(false), doc: "port, counted from 0; 16 to 19 for motors (0 to 19)"}
-      - {id: type_, type: argument(false), doc: "type the device shall have (0: keep the type; a member of TYPE)"}
-      - {id: mode, type: argument(false), doc: "mode the device shall have (0 to 7; -1: keep the mode)"}
-      - {id: values_count, type: argument(false), doc: "how many values follow, each in SI units (each is DATAF)"}
+      - {id: type_, type: argument(false), doc: "type to set (0: keep the type; a member of TYPE)"}
+      - {id: mode, type: argument(false), doc: "mode to set (0 to 7; -1: keep the mode)"}
+      - {id: values_count, type: argument(false), doc: "number of values follow, each in SI units (each is DATAF)"}
       - {id: values, type: argument(true), repeat: expr, repeat-expr: values_count.value}
     instances:
       type__name: {value: type_.value, enum: type_, if: type_.is_number}
   op_input_device_get_minmax:
-    doc: Tells between which SI values the present mode moves
+    doc: Reports the range of SI values of the current mode
     seq:
       - {id: layer, type: argument(false), doc: "brick in the daisy chain, 0 is the one addressed (0 to 3)"}
       - {id: "no", type: argument(false), doc: "port, counted from 0; 16 to 19 for motors (0 to 19)"}
       - {id: min, type: argument(true), doc: smallest value in SI units}
       - {id: max, type: argument(true), doc: largest value in SI units}
   op_input_device_get_bumps:
-    doc: Reads how often a touch sensor changed in negative direction since CLR_CHANGES
+    doc: Reads how often a touch sensor changed to released since CLR_CHANGES
     seq:
       - {id: layer, type: argument(false), doc: "brick in the daisy chain, 0 is the one addressed (0 to 3)"}
       - {id: "no", type: argument(false), doc: "port, counted from 0; 16 to 19 for motors (0 to 19)"}
@@ -3314,13 +3332,13 @@ types:
     seq:
       - {id: layer, type: argument(false), doc: "brick in the daisy chain, 0 is the one addressed (0 to 3)"}
       - {id: "no", type: argument(false), doc: "port, counted from 0; 16 to 19 for motors (0 to 19)"}
-      - {id: type_, type: argument(false), doc: "type the device shall have (0: keep the type; a member of TYPE)"}
-      - {id: mode, type: argument(false), doc: "mode the device shall have (0 to 7; -1: keep the mode)"}
-      - {id: pct, type: argument(false), doc: "value, NaN where there is none (%)"}
+      - {id: type_, type: argument(false), doc: "type to set (0: keep the type; a member of TYPE)"}
+      - {id: mode, type: argument(false), doc: "mode to set (0 to 7; -1: keep the mode)"}
+      - {id: pct, type: argument(false), doc: "value, NaN if there is none (%)"}
     instances:
       type__name: {value: type_.value, enum: type_, if: type_.is_number}
   op_input_test:
-    doc: Tells whether a device is still changing type or mode
+    doc: Reports whether a device is still changing type or mode
     seq:
       - {id: layer, type: argument(false), doc: "brick in the daisy chain, 0 is the one addressed (0 to 3)"}
       - {id: "no", type: argument(false), doc: "port, counted from 0; 16 to 19 for motors (0 to 19)"}
@@ -3335,9 +3353,9 @@ types:
     seq:
       - {id: layer, type: argument(false), doc: "brick in the daisy chain, 0 is the one addressed (0 to 3)"}
       - {id: "no", type: argument(false), doc: "port, counted from 0; 16 to 19 for motors (0 to 19)"}
-      - {id: type_, type: argument(false), doc: "type the device shall have (0: keep the type; a member of TYPE)"}
-      - {id: mode, type: argument(false), doc: "mode the device shall have (0 to 7; -1: keep the mode)"}
-      - {id: si, type: argument(true), doc: "value in the mode's unit, NaN where there is none"}
+      - {id: type_, type: argument(false), doc: "type to set (0: keep the type; a member of TYPE)"}
+      - {id: mode, type: argument(false), doc: "mode to set (0 to 7; -1: keep the mode)"}
+      - {id: si, type: argument(true), doc: "value in the mode's unit, NaN if there is none"}
     instances:
       type__name: {value: type_.value, enum: type_, if: type_.is_number}
   op_input_readext:
@@ -3345,14 +3363,14 @@ types:
     seq:
       - {id: layer, type: argument(false), doc: "brick in the daisy chain, 0 is the one addressed (0 to 3)"}
       - {id: "no", type: argument(false), doc: "port, counted from 0; 16 to 19 for motors (0 to 19)"}
-      - {id: type_, type: argument(false), doc: "type the device shall have (0: keep the type; a member of TYPE)"}
-      - {id: mode, type: argument(false), doc: "mode the device shall have (0 to 7; -1: keep the mode)"}
+      - {id: type_, type: argument(false), doc: "type to set (0: keep the type; a member of TYPE)"}
+      - {id: mode, type: argument(false), doc: "mode to set (0 to 7; -1: keep the mode)"}
       - id: format
         type: argument(false)
-        doc: "DATA_PCT, DATA_RAW or DATA_SI, others give NaN (a member of DATA_FORMAT)"
+        doc: "DATA_PCT, DATA_RAW or DATA_SI; others give NaN (a member of DATA_FORMAT)"
       - id: values_count
         type: argument(false)
-        doc: "how many values follow, each in FORMAT (each is what FORMAT says)"
+        doc: "number of values follow, each in FORMAT (each is what FORMAT says)"
       - id: values
         type: "argument(format.is_number and (format.value == 3 or format.value == 19))"
         repeat: expr
@@ -3367,7 +3385,7 @@ types:
       - id: "no"
         type: argument(false)
         doc: "sensor port, counted from 0 (0 to 3; 0: port 1; 1: port 2; 2: port 3; 3: port 4)"
-      - {id: bytes, type: argument(false), doc: how many bytes to send (1 to 32 bytes)}
+      - {id: bytes, type: argument(false), doc: number of bytes to send (1 to 32 bytes)}
       - {id: data, type: argument(false), doc: bytes to send (as many values as BYTES says)}
   op_output_set_type:
     doc: Declares which type of motor is at a port
@@ -3389,17 +3407,17 @@ types:
       - {id: nos, type: argument(false), doc: "ports as a bit mask: A 1, B 2, C 4, D 8 (0 to 15)"}
       - {id: brake, type: argument(false), doc: "what the motors do at the end (0 to 1; 0: coast; 1: brake and hold)"}
   op_output_power:
-    doc: "Sets the power of motors, OUTPUT_START makes them run"
+    doc: "Sets the power of motors, which run at the next OUTPUT_START"
     seq:
       - {id: layer, type: argument(false), doc: "brick in the daisy chain, 0 is the one addressed (0 to 3)"}
       - {id: nos, type: argument(false), doc: "ports as a bit mask: A 1, B 2, C 4, D 8 (0 to 15)"}
-      - {id: power, type: argument(false), doc: "unregulated power, negative: backward (-100 to 100 %)"}
+      - {id: power, type: argument(false), doc: "unregulated power; negative: backward (-100 to 100 %)"}
   op_output_speed:
-    doc: "Sets the speed of motors, OUTPUT_START makes them run"
+    doc: "Sets the speed of motors, which run at the next OUTPUT_START"
     seq:
       - {id: layer, type: argument(false), doc: "brick in the daisy chain, 0 is the one addressed (0 to 3)"}
       - {id: nos, type: argument(false), doc: "ports as a bit mask: A 1, B 2, C 4, D 8 (0 to 15)"}
-      - {id: speed, type: argument(false), doc: "regulated speed, negative: backward (-100 to 100 %)"}
+      - {id: speed, type: argument(false), doc: "regulated speed; negative: backward (-100 to 100 %)"}
   op_output_start:
     doc: Starts motors with the power or speed set before
     seq:
@@ -3412,22 +3430,22 @@ types:
       - {id: nos, type: argument(false), doc: "ports as a bit mask: A 1, B 2, C 4, D 8 (0 to 15)"}
       - id: pol
         type: argument(false)
-        doc: "direction (-1 to 1; -1: backward; 0: opposite of the present one; 1: forward)"
+        doc: "direction (-1 to 1; -1: backward; 0: opposite of the current one; 1: forward)"
   op_output_read:
     doc: "Reads speed and tacho count of one motor, 0 on layers other than 0"
     seq:
       - {id: layer, type: argument(false), doc: "brick in the daisy chain, 0 is the one addressed (0 to 3)"}
       - {id: "no", type: argument(false), doc: "port, counted from 0 (0 to 3; 0: A; 1: B; 2: C; 3: D)"}
-      - {id: speed, type: argument(false), doc: "present speed (-100 to 100 %)"}
+      - {id: speed, type: argument(false), doc: "current speed (-100 to 100 %)"}
       - {id: tacho, type: argument(false), doc: angle since OUTPUT_RESET (degrees)}
   op_output_test:
-    doc: Tells whether one of the motors is still in a move that ends by itself
+    doc: Reports whether one of the motors is still in a move that ends by itself
     seq:
       - {id: layer, type: argument(false), doc: "brick in the daisy chain, 0 is the one addressed (0 to 3)"}
       - {id: nos, type: argument(false), doc: "ports as a bit mask: A 1, B 2, C 4, D 8 (0 to 15)"}
       - {id: busy, type: argument(false), doc: "whether to wait (0 to 1; 0: ready; 1: busy)"}
   op_output_ready:
-    doc: "Waits until the moves of the motors have ended, OUTPUT_START does not count"
+    doc: "Waits until the moves of the motors have ended; ignores those from OUTPUT_START"
     seq:
       - {id: layer, type: argument(false), doc: "brick in the daisy chain, 0 is the one addressed (0 to 3)"}
       - {id: nos, type: argument(false), doc: "ports as a bit mask: A 1, B 2, C 4, D 8 (0 to 15)"}
@@ -3436,7 +3454,7 @@ types:
     seq:
       - {id: layer, type: argument(false), doc: "brick in the daisy chain, 0 is the one addressed (0 to 3)"}
       - {id: nos, type: argument(false), doc: "ports as a bit mask: A 1, B 2, C 4, D 8 (0 to 15)"}
-      - {id: power, type: argument(false), doc: "unregulated power, negative: backward (-100 to 100 %)"}
+      - {id: power, type: argument(false), doc: "unregulated power; negative: backward (-100 to 100 %)"}
       - {id: step1, type: argument(false), doc: angle of the ramp up (0 to 2147483647 degrees)}
       - {id: step2, type: argument(false), doc: angle at constant drive (0 to 2147483647 degrees)}
       - {id: step3, type: argument(false), doc: angle of the ramp down (0 to 2147483647 degrees)}
@@ -3446,7 +3464,7 @@ types:
     seq:
       - {id: layer, type: argument(false), doc: "brick in the daisy chain, 0 is the one addressed (0 to 3)"}
       - {id: nos, type: argument(false), doc: "ports as a bit mask: A 1, B 2, C 4, D 8 (0 to 15)"}
-      - {id: power, type: argument(false), doc: "unregulated power, negative: backward (-100 to 100 %)"}
+      - {id: power, type: argument(false), doc: "unregulated power; negative: backward (-100 to 100 %)"}
       - {id: time1, type: argument(false), doc: time of the ramp up (0 to 2147483647 ms)}
       - {id: time2, type: argument(false), doc: time at constant drive (0 to 2147483647 ms)}
       - {id: time3, type: argument(false), doc: time of the ramp down (0 to 2147483647 ms)}
@@ -3456,7 +3474,7 @@ types:
     seq:
       - {id: layer, type: argument(false), doc: "brick in the daisy chain, 0 is the one addressed (0 to 3)"}
       - {id: nos, type: argument(false), doc: "ports as a bit mask: A 1, B 2, C 4, D 8 (0 to 15)"}
-      - {id: speed, type: argument(false), doc: "regulated speed, negative: backward (-100 to 100 %)"}
+      - {id: speed, type: argument(false), doc: "regulated speed; negative: backward (-100 to 100 %)"}
       - {id: step1, type: argument(false), doc: angle of the ramp up (0 to 2147483647 degrees)}
       - {id: step2, type: argument(false), doc: angle at constant drive (0 to 2147483647 degrees)}
       - {id: step3, type: argument(false), doc: angle of the ramp down (0 to 2147483647 degrees)}
@@ -3466,7 +3484,7 @@ types:
     seq:
       - {id: layer, type: argument(false), doc: "brick in the daisy chain, 0 is the one addressed (0 to 3)"}
       - {id: nos, type: argument(false), doc: "ports as a bit mask: A 1, B 2, C 4, D 8 (0 to 15)"}
-      - {id: speed, type: argument(false), doc: "regulated speed, negative: backward (-100 to 100 %)"}
+      - {id: speed, type: argument(false), doc: "regulated speed; negative: backward (-100 to 100 %)"}
       - {id: time1, type: argument(false), doc: time of the ramp up (0 to 2147483647 ms)}
       - {id: time2, type: argument(false), doc: time at constant drive (0 to 2147483647 ms)}
       - {id: time3, type: argument(false), doc: time of the ramp down (0 to 2147483647 ms)}
@@ -3476,30 +3494,30 @@ types:
     seq:
       - {id: layer, type: argument(false), doc: "brick in the daisy chain, 0 is the one addressed (0 to 3)"}
       - {id: nos, type: argument(false), doc: "ports as a bit mask: A 1, B 2, C 4, D 8 (0 to 15)"}
-      - {id: speed, type: argument(false), doc: "regulated speed, negative: backward (-100 to 100 %)"}
+      - {id: speed, type: argument(false), doc: "regulated speed; negative: backward (-100 to 100 %)"}
       - id: turn
         type: argument(false)
-        doc: "how tight the turn is, positive slows the higher port, negative the lower (-200 to 200; -200: spin, lower port runs backward; -100: lower port stands; 0: straight; 100: higher port stands; 200: spin, higher port runs backward)"
-      - {id: step, type: argument(false), doc: "angle of the faster motor (0 to 2147483647 degrees; 0: no end)"}
+        doc: "how tight the turn is, positive slows the higher port, negative the lower (-200 to 200; -200: spin, lower port runs backward; -100: lower port stands still; 0: straight; 100: higher port stands still; 200: spin, higher port runs backward)"
+      - {id: step, type: argument(false), doc: "angle of the faster motor (0 to 2147483647 degrees; 0: endless)"}
       - {id: brake, type: argument(false), doc: "what the motors do at the end (0 to 1; 0: coast; 1: brake and hold)"}
   op_output_time_sync:
     doc: Runs two motors in step for a time
     seq:
       - {id: layer, type: argument(false), doc: "brick in the daisy chain, 0 is the one addressed (0 to 3)"}
       - {id: nos, type: argument(false), doc: "ports as a bit mask: A 1, B 2, C 4, D 8 (0 to 15)"}
-      - {id: speed, type: argument(false), doc: "regulated speed, negative: backward (-100 to 100 %)"}
+      - {id: speed, type: argument(false), doc: "regulated speed; negative: backward (-100 to 100 %)"}
       - id: turn
         type: argument(false)
-        doc: "how tight the turn is, positive slows the higher port, negative the lower (-200 to 200; -200: spin, lower port runs backward; -100: lower port stands; 0: straight; 100: higher port stands; 200: spin, higher port runs backward)"
-      - {id: time, type: argument(false), doc: "how long to run (0 to 2147483647 ms; 0: no end)"}
+        doc: "how tight the turn is, positive slows the higher port, negative the lower (-200 to 200; -200: spin, lower port runs backward; -100: lower port stands still; 0: straight; 100: higher port stands still; 200: spin, higher port runs backward)"
+      - {id: time, type: argument(false), doc: "how long to run (0 to 2147483647 ms; 0: endless)"}
       - {id: brake, type: argument(false), doc: "what the motors do at the end (0 to 1; 0: coast; 1: brake and hold)"}
   op_output_clr_count:
-    doc: Sets the tacho counts that motors have as sensors to zero
+    doc: Sets the tacho counts of motors read as sensors to zero
     seq:
       - {id: layer, type: argument(false), doc: "brick in the daisy chain, 0 is the one addressed (0 to 3)"}
       - {id: nos, type: argument(false), doc: "ports as a bit mask: A 1, B 2, C 4, D 8 (0 to 15)"}
   op_output_get_count:
-    doc: Reads the tacho count that a motor has as a sensor
+    doc: Reads the tacho count of a motor read as a sensor
     seq:
       - {id: layer, type: argument(false), doc: "brick in the daisy chain, 0 is the one addressed (0 to 3)"}
       - {id: nos, type: argument(false), doc: "port, counted from 0 (0 to 3; 0: A; 1: B; 2: C; 3: D)"}
@@ -3510,7 +3528,7 @@ types:
       - {id: prgid, type: argument(false), doc: "slot of the program, which must be running (0 to 4; a member of SLOT)"}
       - {id: objid, type: argument(false), doc: "object whose local memory is meant (0: the program's global memory)"}
       - {id: offset, type: argument(false), doc: first byte in that memory (0 to 2147483647 bytes)}
-      - {id: size, type: argument(false), doc: how many bytes (0 to 2147483647 bytes)}
+      - {id: size, type: argument(false), doc: number of bytes (0 to 2147483647 bytes)}
       - id: array
         type: argument(false)
         doc: "the bytes; those beyond the end of the memory are dropped (as many values as SIZE says)"
@@ -3522,49 +3540,49 @@ types:
       - {id: prgid, type: argument(false), doc: "slot of the program, which must be running (0 to 4; a member of SLOT)"}
       - {id: objid, type: argument(false), doc: "object whose local memory is meant (0: the program's global memory)"}
       - {id: offset, type: argument(false), doc: first byte in that memory (0 to 2147483647 bytes)}
-      - {id: size, type: argument(false), doc: how many bytes (0 to 2147483647 bytes)}
+      - {id: size, type: argument(false), doc: number of bytes (0 to 2147483647 bytes)}
       - id: array
         type: argument(false)
         doc: "the bytes, zeros beyond the end of the memory (as many values as SIZE says)"
     instances:
       prgid_name: {value: prgid.value, enum: slot, if: prgid.is_number}
   op_file_open_append:
-    doc: "Opens a file to write at its end, creates it where there is none"
+    doc: "Opens a file for appending; creates it if it does not exist"
     seq:
       - id: name
         type: argument(false)
         doc: "path of the file; a bare name is taken from the program's own folder (at most 119 characters)"
-      - {id: handle, type: argument(false), doc: what names the file from now on}
+      - {id: handle, type: argument(false), doc: handle of the opened file}
   op_file_open_read:
-    doc: Opens a file to read
+    doc: Opens a file for reading
     seq:
       - id: name
         type: argument(false)
         doc: "path of the file; a bare name is taken from the program's own folder (at most 119 characters)"
-      - {id: handle, type: argument(false), doc: what names the file from now on}
+      - {id: handle, type: argument(false), doc: handle of the opened file}
       - {id: size, type: argument(false), doc: "size of the file (bytes; 0: not found)"}
   op_file_open_write:
-    doc: "Creates a file or empties the one there is, and opens it to write"
+    doc: Creates or truncates a file and opens it for writing
     seq:
       - id: name
         type: argument(false)
         doc: "path of the file; a bare name is taken from the program's own folder (at most 119 characters)"
-      - {id: handle, type: argument(false), doc: what names the file from now on}
+      - {id: handle, type: argument(false), doc: handle of the opened file}
   op_file_read_value:
     doc: Reads the text up to the next delimiter and turns it into a number
     seq:
       - {id: handle, type: argument(false), doc: the open file}
-      - {id: del_, type: argument(false), doc: what stands between two values in the file (a member of DEL)}
-      - {id: value, type: argument(true), doc: "the number, 0 where the text is none"}
+      - {id: del_, type: argument(false), doc: separator between two values in the file (a member of DEL)}
+      - {id: value, type: argument(true), doc: "the number, 0 if the text is not a number"}
     instances:
       del__name: {value: del_.value, enum: del_, if: del_.is_number}
   op_file_write_value:
     doc: "Writes a number as text, and a delimiter after it"
     seq:
       - {id: handle, type: argument(false), doc: the open file}
-      - {id: del_, type: argument(false), doc: what stands between two values in the file (a member of DEL)}
+      - {id: del_, type: argument(false), doc: separator between two values in the file (a member of DEL)}
       - {id: value, type: argument(true), doc: the number}
-      - {id: figures, type: argument(false), doc: "least width in characters, the decimal point included"}
+      - {id: figures, type: argument(false), doc: "minimum width in characters, including the decimal point"}
       - {id: decimals, type: argument(false), doc: digits after the decimal point}
     instances:
       del__name: {value: del_.value, enum: del_, if: del_.is_number}
@@ -3572,25 +3590,25 @@ types:
     doc: Reads text up to the next delimiter
     seq:
       - {id: handle, type: argument(false), doc: the open file}
-      - {id: del_, type: argument(false), doc: what stands between two values in the file (a member of DEL)}
+      - {id: del_, type: argument(false), doc: separator between two values in the file (a member of DEL)}
       - id: length
         type: argument(false)
-        doc: "most bytes to read; LEGO's firmware keeps the low 8 bits, so 127 (bytes)"
+        doc: "maximum number of bytes to read; LEGO's firmware keeps the low 8 bits, so 127 (bytes)"
       - id: text
         type: argument(false)
-        doc: "the text, without a zero at its end when it fills all the room (as many bytes as LENGTH says)"
+        doc: "the text, without a zero at its end if it fills the whole buffer (as many bytes as LENGTH says)"
     instances:
       del__name: {value: del_.value, enum: del_, if: del_.is_number}
   op_file_write_text:
     doc: "Writes text without its zero, and a delimiter after it"
     seq:
       - {id: handle, type: argument(false), doc: the open file}
-      - {id: del_, type: argument(false), doc: what stands between two values in the file (a member of DEL)}
+      - {id: del_, type: argument(false), doc: separator between two values in the file (a member of DEL)}
       - {id: text, type: argument(false), doc: the text}
     instances:
       del__name: {value: del_.value, enum: del_, if: del_.is_number}
   op_file_close:
-    doc: Closes a file and gives its handle back
+    doc: Closes a file and frees its handle
     seq:
       - {id: handle, type: argument(false), doc: the open file}
   op_file_load_image:
@@ -3601,7 +3619,7 @@ types:
         type: argument(false)
         doc: "path of the program, relative to /home/root/lms2012/sys; .rbf may be omitted (at most 119 characters)"
       - {id: size, type: argument(false), doc: "size of the program (bytes; 0: not loaded)"}
-      - {id: ip, type: argument(false), doc: "where it was loaded, to be handed to PROGRAM_START (0: not loaded)"}
+      - {id: ip, type: argument(false), doc: "where it was loaded, for PROGRAM_START (0: not loaded)"}
     instances:
       prgid_name: {value: prgid.value, enum: slot, if: prgid.is_number}
   op_file_get_handle:
@@ -3611,22 +3629,22 @@ types:
         type: argument(false)
         doc: "path of the file; a bare name is taken from the program's own folder (at most 119 characters)"
       - {id: handle, type: argument(false), doc: "the open file (-1: not open)"}
-      - {id: write, type: argument(false), doc: "whether it is open to write or append (0: no; 1: yes)"}
+      - {id: write, type: argument(false), doc: "whether it is open for writing or appending (0: no; 1: yes)"}
   op_file_make_folder:
-    doc: Creates a folder unless it is there
+    doc: Creates a folder unless it exists
     seq:
       - id: name
         type: argument(false)
         doc: "path of the folder, relative to /home/root/lms2012/sys (at most 119 characters)"
-      - {id: success, type: argument(false), doc: "whether the folder is there now (0: no; 1: yes)"}
+      - {id: success, type: argument(false), doc: "whether the folder exists now (0: no; 1: yes)"}
   op_file_get_pool:
     doc: Reserves a block of memory for the program
     seq:
       - {id: size, type: argument(false), doc: how much memory (0 to 2147483647 bytes)}
-      - {id: handle, type: argument(false), doc: what names the block from now on}
+      - {id: handle, type: argument(false), doc: handle of the block}
       - {id: ip, type: argument(false), doc: address of the block}
   op_file_set_log_sync_time:
-    doc: Stores the time and tick by which data logs are lined up
+    doc: Stores the time and tick to which data logs are aligned
     seq:
       - {id: time, type: argument(false), doc: the common time}
       - {id: tick, type: argument(false), doc: "the brick's tick at that time"}
@@ -3636,32 +3654,32 @@ types:
       - id: name
         type: argument(false)
         doc: "path of the folder with its closing slash, such as ../prjs/ (at most 119 characters)"
-      - {id: items, type: argument(false), doc: how many entries there are}
+      - {id: items, type: argument(false), doc: number of entries}
   op_file_get_log_sync_time:
-    doc: Tells the time and tick by which data logs are lined up
+    doc: Reads the time and tick to which data logs are aligned
     seq:
       - {id: time, type: argument(false), doc: the common time}
       - {id: tick, type: argument(false), doc: "the brick's tick at that time"}
   op_file_get_subfolder_name:
-    doc: Tells the name of one entry of a folder
+    doc: Reads the name of one entry of a folder
     seq:
       - id: name
         type: argument(false)
         doc: "path of the folder with its closing slash, such as ../prjs/ (at most 119 characters)"
       - {id: item, type: argument(false), doc: "which entry of the folder, the first is 1 (1 to 127)"}
-      - {id: length, type: argument(false), doc: "room for the string, its zero included (bytes)"}
+      - {id: length, type: argument(false), doc: "size of the string's buffer, including the zero (bytes)"}
       - id: string_
         type: argument(false)
-        doc: "its name without extension, empty where there is no such entry (as many bytes as LENGTH says)"
+        doc: "its name without extension, empty if there is no such entry (as many bytes as LENGTH says)"
   op_file_write_log:
     doc: Adds one row of samples to a data log
     seq:
       - {id: handle, type: argument(false), doc: the open data log}
       - {id: time, type: argument(false), doc: time of the samples since the log began (ms)}
-      - {id: items, type: argument(false), doc: "how many samples; with 0 nothing is written (0 to 127)"}
+      - {id: items, type: argument(false), doc: "number of samples; with 0 nothing is written (0 to 127)"}
       - {id: values, type: argument(true), doc: "the samples, in one array (as many values as ITEMS says)"}
   op_file_close_log:
-    doc: Writes a data log to its end and closes it
+    doc: Writes the rest of a data log and closes it
     seq:
       - {id: handle, type: argument(false), doc: the open data log}
       - {id: name, type: argument(false), doc: "path of the log as given to OPEN_LOG; .rdf may be omitted"}
@@ -3683,27 +3701,27 @@ types:
         type: argument(false)
         doc: "path of the folder with its closing slash, such as ../prjs/ (at most 119 characters)"
       - {id: string_, type: argument(false), doc: "name to look for, without extension"}
-      - {id: item, type: argument(false), doc: "which entry it is, the first is 1 (1 to 127; 0: not found)"}
+      - {id: item, type: argument(false), doc: "number of the entry; the first is 1 (1 to 127; 0: not found)"}
   op_file_get_cache_files:
     doc: Counts the recently run files
     seq:
-      - {id: items, type: argument(false), doc: "how many there are, 10 at most"}
+      - {id: items, type: argument(false), doc: "number of files, at most 10"}
   op_file_put_cache_file:
     doc: Puts a file first in the list of recently run files
     seq:
       - {id: string_, type: argument(false), doc: path of the file}
   op_file_get_cache_file:
-    doc: Tells the path of one recently run file
+    doc: Reads the path of one recently run file
     seq:
       - {id: item, type: argument(false), doc: "which one, 1 is the latest (1 to 10)"}
-      - {id: length, type: argument(false), doc: "room for the string, its zero included (bytes)"}
+      - {id: length, type: argument(false), doc: "size of the string's buffer, including the zero (bytes)"}
       - id: string_
         type: argument(false)
-        doc: "path of the file, empty where there is none (as many bytes as LENGTH says)"
+        doc: "path of the file, empty if there is none (as many bytes as LENGTH says)"
   op_file_del_cache_file:
-    doc: Takes a file off the list of recently run files
+    doc: Removes a file from the list of recently run files
     seq:
-      - {id: string_, type: argument(false), doc: "path of the file, as PUT_CACHE_FILE got it"}
+      - {id: string_, type: argument(false), doc: "path of the file, as given to PUT_CACHE_FILE"}
   op_file_del_subfolder:
     doc: Deletes one entry of a folder together with the files in it
     seq:
@@ -3712,40 +3730,38 @@ types:
         doc: "path of the folder with its closing slash, such as ../prjs/ (at most 119 characters)"
       - {id: item, type: argument(false), doc: "which entry of the folder, the first is 1 (1 to 127)"}
   op_file_get_log_name:
-    doc: Tells the path of the data log that is open
+    doc: Reads the path of the open data log
     seq:
-      - {id: length, type: argument(false), doc: "room for the string, its zero included (bytes)"}
-      - id: name
-        type: argument(false)
-        doc: "path of the log, empty where none is open (as many bytes as LENGTH says)"
+      - {id: length, type: argument(false), doc: "size of the string's buffer, including the zero (bytes)"}
+      - {id: name, type: argument(false), doc: "path of the log, empty if none is open (as many bytes as LENGTH says)"}
   op_file_open_log:
     doc: Creates a data log and writes its header
     seq:
       - id: name
         type: argument(false)
         doc: "path of the log; .rdf may be omitted; with an empty one it stays in memory"
-      - {id: syncedtime, type: argument(false), doc: "the common time, as GET_LOG_SYNC_TIME tells it"}
+      - {id: syncedtime, type: argument(false), doc: "the common time, as GET_LOG_SYNC_TIME returns it"}
       - {id: syncedtick, type: argument(false), doc: "the brick's tick at that time"}
       - {id: nowtick, type: argument(false), doc: "the brick's tick at the start of the log"}
       - id: sample_interval_in_ms
         type: argument(false)
         doc: "time between samples; fast logs are kept in memory first (ms)"
-      - {id: duration_in_ms, type: argument(false), doc: how long the log is to run (ms)}
+      - {id: duration_in_ms, type: argument(false), doc: duration of the log (ms)}
       - {id: sdata, type: argument(false), doc: "text that describes the sensors, copied into the header"}
-      - {id: handle, type: argument(false), doc: what names the log from now on}
+      - {id: handle, type: argument(false), doc: handle of the log}
   op_file_read_bytes:
-    doc: Reads bytes from a file as they are
+    doc: Reads raw bytes from a file
     seq:
       - {id: handle, type: argument(false), doc: the open file}
-      - {id: bytes, type: argument(false), doc: how many bytes (0 to 32767 bytes)}
+      - {id: bytes, type: argument(false), doc: number of bytes (0 to 32767 bytes)}
       - id: destination
         type: argument(false)
-        doc: "the bytes; a zero follows where the file ended early (as many values as BYTES says)"
+        doc: "the bytes; followed by a zero if the file ended early (as many values as BYTES says)"
   op_file_write_bytes:
-    doc: Writes bytes to a file as they are
+    doc: Writes raw bytes to a file
     seq:
       - {id: handle, type: argument(false), doc: the open file}
-      - {id: bytes, type: argument(false), doc: how many bytes (0 to 32767 bytes)}
+      - {id: bytes, type: argument(false), doc: number of bytes (0 to 32767 bytes)}
       - {id: source, type: argument(false), doc: the bytes (as many values as BYTES says)}
   op_file_remove:
     doc: "Deletes a file, or a folder with the files in it"
@@ -3754,55 +3770,55 @@ types:
         type: argument(false)
         doc: "path of the file; a bare name is taken from the program's own folder (at most 119 characters)"
   op_file_move:
-    doc: "Copies a file or folder over whatever is at the destination; the source stays"
+    doc: "Copies a file or folder and replaces the destination; the source is kept"
     seq:
       - {id: source, type: argument(false), doc: path to copy from}
-      - {id: dest, type: argument(false), doc: "path to copy to; what is there is deleted first"}
+      - {id: dest, type: argument(false), doc: "path to copy to; any existing one is deleted first"}
   op_array_delete:
-    doc: Deletes an array and gives its handle back
+    doc: Deletes an array and frees its handle
     seq:
       - {id: handle, type: argument(false), doc: the array}
   op_array_create8:
     doc: Creates an array of DATA8 elements
     seq:
-      - {id: elements, type: argument(false), doc: how many elements it has at first (0 to 2147483647)}
-      - {id: handle, type: argument(false), doc: what names the array from now on}
+      - {id: elements, type: argument(false), doc: initial number of elements (0 to 2147483647)}
+      - {id: handle, type: argument(false), doc: handle of the new array}
   op_array_create16:
     doc: Creates an array of DATA16 elements
     seq:
-      - {id: elements, type: argument(false), doc: how many elements it has at first (0 to 2147483647)}
-      - {id: handle, type: argument(false), doc: what names the array from now on}
+      - {id: elements, type: argument(false), doc: initial number of elements (0 to 2147483647)}
+      - {id: handle, type: argument(false), doc: handle of the new array}
   op_array_create32:
     doc: Creates an array of DATA32 elements
     seq:
-      - {id: elements, type: argument(false), doc: how many elements it has at first (0 to 2147483647)}
-      - {id: handle, type: argument(false), doc: what names the array from now on}
+      - {id: elements, type: argument(false), doc: initial number of elements (0 to 2147483647)}
+      - {id: handle, type: argument(false), doc: handle of the new array}
   op_array_createf:
     doc: Creates an array of DATAF elements
     seq:
-      - {id: elements, type: argument(false), doc: how many elements it has at first (0 to 2147483647)}
-      - {id: handle, type: argument(false), doc: what names the array from now on}
+      - {id: elements, type: argument(false), doc: initial number of elements (0 to 2147483647)}
+      - {id: handle, type: argument(false), doc: handle of the new array}
   op_array_resize:
-    doc: Changes how many elements an array has
+    doc: Changes the number of elements of an array
     seq:
       - {id: handle, type: argument(false), doc: the array}
-      - {id: elements, type: argument(false), doc: how many elements it has from now on (0 to 2147483647)}
+      - {id: elements, type: argument(false), doc: new number of elements (0 to 2147483647)}
   op_array_fill:
     doc: Sets every element of an array to one value
     seq:
       - {id: handle, type: argument(false), doc: the array}
       - {id: value, type: argument(false), doc: "the value, of the array's type"}
   op_array_copy:
-    doc: "Copies the content of one array into another of the same type, which takes its size"
+    doc: "Copies the content of one array into another of the same type, which is resized to match"
     seq:
       - {id: hsource, type: argument(false), doc: array to copy from}
-      - {id: hdest, type: argument(false), doc: "array to copy into, which has to exist"}
+      - {id: hdest, type: argument(false), doc: "array to copy into, which must exist"}
   op_array_init8:
     doc: "Writes several elements of a DATA8 array, all within its size"
     seq:
       - {id: handle, type: argument(false), doc: the array}
       - {id: index, type: argument(false), doc: "first element to write, counted from 0 (0 to 2147483647)"}
-      - {id: elements, type: argument(false), doc: how many values follow (0 to 2147483647)}
+      - {id: elements, type: argument(false), doc: number of values follow (0 to 2147483647)}
       - id: values
         type: argument(false)
         repeat: expr
@@ -3813,7 +3829,7 @@ types:
     seq:
       - {id: handle, type: argument(false), doc: the array}
       - {id: index, type: argument(false), doc: "first element to write, counted from 0 (0 to 2147483647)"}
-      - {id: elements, type: argument(false), doc: how many values follow (0 to 2147483647)}
+      - {id: elements, type: argument(false), doc: number of values follow (0 to 2147483647)}
       - id: values
         type: argument(false)
         repeat: expr
@@ -3824,7 +3840,7 @@ types:
     seq:
       - {id: handle, type: argument(false), doc: the array}
       - {id: index, type: argument(false), doc: "first element to write, counted from 0 (0 to 2147483647)"}
-      - {id: elements, type: argument(false), doc: how many values follow (0 to 2147483647)}
+      - {id: elements, type: argument(false), doc: number of values follow (0 to 2147483647)}
       - id: values
         type: argument(false)
         repeat: expr
@@ -3835,49 +3851,49 @@ types:
     seq:
       - {id: handle, type: argument(false), doc: the array}
       - {id: index, type: argument(false), doc: "first element to write, counted from 0 (0 to 2147483647)"}
-      - {id: elements, type: argument(false), doc: how many values follow (0 to 2147483647)}
+      - {id: elements, type: argument(false), doc: number of values follow (0 to 2147483647)}
       - id: values
         type: argument(true)
         repeat: expr
         repeat-expr: elements.value
         doc: "the values, one parameter each (each is DATAF)"
   op_array_size:
-    doc: Tells how many elements an array has
+    doc: Counts the elements of an array
     seq:
       - {id: handle, type: argument(false), doc: the array}
-      - {id: elements, type: argument(false), doc: "how many elements it has, 0 where there is no such array"}
+      - {id: elements, type: argument(false), doc: "number of elements, 0 if there is no such array"}
   op_array_read_content:
-    doc: "Reads an array's content as bytes, of another program too"
+    doc: "Reads an array's content as bytes, also of another program"
     seq:
       - {id: prgid, type: argument(false), doc: slot of the program that owns the array (a member of SLOT)}
       - {id: handle, type: argument(false), doc: the array}
       - id: index
         type: argument(false)
         doc: "first byte in the array's content, whatever its elements (0 to 2147483647)"
-      - {id: bytes, type: argument(false), doc: how many bytes (0 to 2147483647 bytes)}
+      - {id: bytes, type: argument(false), doc: number of bytes (0 to 2147483647 bytes)}
       - id: array
         type: argument(false)
         doc: "the bytes, zeros beyond the end of the array (as many values as BYTES says)"
     instances:
       prgid_name: {value: prgid.value, enum: slot, if: prgid.is_number}
   op_array_write_content:
-    doc: "Writes an array's content as bytes; the array then ends with them"
+    doc: "Writes an array's content as bytes; the array then ends after them"
     seq:
       - {id: prgid, type: argument(false), doc: slot of the program that owns the array (a member of SLOT)}
       - {id: handle, type: argument(false), doc: the array}
       - id: index
         type: argument(false)
         doc: "first byte in the array's content, whatever its elements (0 to 2147483647)"
-      - {id: bytes, type: argument(false), doc: how many bytes (0 to 2147483647 bytes)}
+      - {id: bytes, type: argument(false), doc: number of bytes (0 to 2147483647 bytes)}
       - {id: array, type: argument(false), doc: the bytes (as many values as BYTES says)}
     instances:
       prgid_name: {value: prgid.value, enum: slot, if: prgid.is_number}
   op_array_read_size:
-    doc: "Tells how many bytes an array's content has, of another program too"
+    doc: "Returns the size of an array's content, also of another program"
     seq:
       - {id: prgid, type: argument(false), doc: slot of the program that owns the array (a member of SLOT)}
       - {id: handle, type: argument(false), doc: the array}
-      - {id: bytes, type: argument(false), doc: "how many bytes, 0 where there is no such array (bytes)"}
+      - {id: bytes, type: argument(false), doc: "number of bytes, 0 if there is no such array (bytes)"}
     instances:
       prgid_name: {value: prgid.value, enum: slot, if: prgid.is_number}
   op_array_write:
@@ -3898,68 +3914,68 @@ types:
       - {id: handle, type: argument(false), doc: the array}
       - {id: value, type: argument(false), doc: "the value, of the array's type"}
   op_memory_usage:
-    doc: Tells how much memory for user files there is and how much of it is free
+    doc: Reports the total and free memory for user files
     seq:
-      - {id: total, type: argument(false), doc: all of it (KiB)}
-      - {id: free, type: argument(false), doc: what is free (KiB)}
+      - {id: total, type: argument(false), doc: total memory (KiB)}
+      - {id: free, type: argument(false), doc: free memory (KiB)}
   op_filename_exist:
-    doc: Tells whether a file or folder is there
+    doc: Reports whether a file or folder exists
     seq:
       - id: name
         type: argument(false)
         doc: "path of the file; a bare name is taken from the program's own folder (at most 119 characters)"
-      - {id: flag, type: argument(false), doc: "whether it is there (0: no; 1: yes)"}
+      - {id: flag, type: argument(false), doc: "whether it exists (0: no; 1: yes)"}
   op_filename_totalsize:
-    doc: Tells how many files a folder has and their size
+    doc: Reports the number of files in a folder and their size
     seq:
       - {id: name, type: argument(false), doc: path of the folder or file}
-      - {id: files, type: argument(false), doc: "how many entries, with . and .. counted in; 0 for a file"}
+      - {id: files, type: argument(false), doc: "number of entries, including . and ..; 0 for a file"}
       - {id: size, type: argument(false), doc: "size of all of them, rounded up (KiB)"}
   op_filename_split:
-    doc: "Takes a path apart into folder, name and extension"
+    doc: "Splits a path into folder, name and extension"
     seq:
       - {id: filename, type: argument(false), doc: the path}
-      - {id: length, type: argument(false), doc: "room for each of the three parts, its zero included (bytes)"}
+      - {id: length, type: argument(false), doc: "buffer size for each of the three parts, including the zero (bytes)"}
       - id: folder
         type: argument(false)
-        doc: "the folder, on LEGO's firmware with its closing slash (as many bytes as LENGTH says)"
+        doc: "the folder, with its closing slash on LEGO's firmware (as many bytes as LENGTH says)"
       - {id: name, type: argument(false), doc: "the name, without folder and extension (as many bytes as LENGTH says)"}
       - {id: ext, type: argument(false), doc: the extension with its dot (as many bytes as LENGTH says)}
   op_filename_merge:
-    doc: "Puts a path together from folder, name and extension"
+    doc: "Builds a path from folder, name and extension"
     seq:
       - {id: folder, type: argument(false), doc: "the folder, without a slash at its end"}
       - {id: name, type: argument(false), doc: the name}
       - {id: ext, type: argument(false), doc: the extension with its dot}
-      - {id: length, type: argument(false), doc: "room for the string, its zero included (bytes)"}
+      - {id: length, type: argument(false), doc: "size of the string's buffer, including the zero (bytes)"}
       - {id: filename, type: argument(false), doc: the path (as many bytes as LENGTH says)}
   op_filename_check:
-    doc: "Tells whether a path has allowed characters and lengths; the file need not exist"
+    doc: "Reports whether a path's characters and lengths are allowed; the file need not exist"
     seq:
       - {id: filename, type: argument(false), doc: the path}
       - {id: ok, type: argument(false), doc: "whether the path can be used (0: not allowed; 1: allowed)"}
   op_filename_pack:
     doc: Packs a file or folder into a .raf archive beside it
     seq:
-      - {id: filename, type: argument(false), doc: path of what to pack}
+      - {id: filename, type: argument(false), doc: path of the file or folder}
   op_filename_unpack:
     doc: Unpacks a .raf archive into the folder it is in
     seq:
-      - {id: filename, type: argument(false), doc: "path of the archive; whatever its extension, .raf is taken"}
+      - {id: filename, type: argument(false), doc: "path of the archive; its extension is replaced by .raf"}
   op_filename_get_foldername:
-    doc: "Tells the program's own folder"
+    doc: "Reads the path of the program's own folder"
     seq:
-      - {id: length, type: argument(false), doc: "room for the string, its zero included (bytes)"}
+      - {id: length, type: argument(false), doc: "size of the string's buffer, including the zero (bytes)"}
       - id: foldername
         type: argument(false)
         doc: "path of the folder, without a slash at its end (as many bytes as LENGTH says)"
   op_com_read_command:
-    doc: "Tells where the direct command received last lies in the brick's memory"
+    doc: Returns the address of the last direct command received
     seq:
-      - {id: length, type: argument(false), doc: "most bytes of code, ignored by the firmware (bytes)"}
+      - {id: length, type: argument(false), doc: "maximum number of bytes of code, ignored by the firmware (bytes)"}
       - {id: image, type: argument(false), doc: address of the code}
       - {id: global_, type: argument(false), doc: address of its global memory}
-      - {id: flag, type: argument(false), doc: "whether a command waits (0 to 1; 0: none; 1: ready to run)"}
+      - {id: flag, type: argument(false), doc: "whether one is waiting (0 to 1; 0: none; 1: ready to run)"}
   op_com_write_reply:
     doc: Sends the global memory of a direct command that has run as its reply
     seq:
@@ -3967,52 +3983,52 @@ types:
       - {id: global_, type: argument(false), doc: address of its global memory}
       - id: status
         type: argument(false)
-        doc: "how it ended, all but OK give DIRECT_REPLY_ERROR (a member of RESULT)"
+        doc: "how it ended; all but OK give DIRECT_REPLY_ERROR (a member of RESULT)"
     instances:
       status_name: {value: status.value, enum: result, if: status.is_number}
   op_com_ready:
     doc: Waits until nothing is being sent to a device
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
+      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
       - {id: name, type: argument(false), doc: "name of the other device, empty: the brick's own adapter"}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_readdata:
-    doc: "Does nothing in the firmware, meant to receive data"
+    doc: "Does nothing in the firmware; meant to receive data"
     seq:
-      - {id: value1, type: argument(false), doc: "which way to communicate, ignored (a member of HWTYPE)"}
+      - {id: value1, type: argument(false), doc: "carrier, ignored (a member of HWTYPE)"}
       - {id: value2, type: argument(false), doc: "name of the other device, ignored"}
       - {id: value3, type: argument(false), doc: "number of bytes, ignored (bytes)"}
       - {id: value4, type: argument(false), doc: "the bytes, ignored"}
     instances:
       value1_name: {value: value1.value, enum: hwtype, if: value1.is_number}
   op_com_writedata:
-    doc: "Does nothing in the firmware, meant to send data"
+    doc: "Does nothing in the firmware; meant to send data"
     seq:
-      - {id: value1, type: argument(false), doc: "which way to communicate, ignored (a member of HWTYPE)"}
+      - {id: value1, type: argument(false), doc: "carrier, ignored (a member of HWTYPE)"}
       - {id: value2, type: argument(false), doc: "name of the other device, ignored"}
       - {id: value3, type: argument(false), doc: "number of bytes, ignored (bytes)"}
       - {id: value4, type: argument(false), doc: "the bytes, ignored"}
     instances:
       value1_name: {value: value1.value, enum: hwtype, if: value1.is_number}
   op_com_get_get_on_off:
-    doc: Tells whether Bluetooth or WiFi is on
+    doc: Reports whether Bluetooth or WiFi is on
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
+      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
       - {id: active, type: argument(false), doc: "whether it is on (0 to 1; 0: off; 1: on)"}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_get_get_visible:
-    doc: Tells whether other devices can see the brick by Bluetooth
+    doc: Reports whether other devices can see the brick by Bluetooth
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
+      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
       - {id: visible, type: argument(false), doc: "whether it is visible (0 to 1; 0: no; 1: yes)"}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_get_get_result:
-    doc: Tells how a search or connection request is going
+    doc: Reports the state of a search or connection request
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
+      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
       - {id: item, type: argument(false), doc: "place in the list, ignored by the firmware"}
       - {id: result, type: argument(false), doc: state of the request (a member of RESULT)}
     instances:
@@ -4020,27 +4036,27 @@ types:
   op_com_get_get_pin:
     doc: "Reads the PIN for a device, always 1234"
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
+      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
       - {id: name, type: argument(false), doc: name of the other device or network}
-      - {id: length, type: argument(false), doc: room for the PIN with its zero (bytes)}
+      - {id: length, type: argument(false), doc: "size of the PIN's buffer, including the zero (bytes)"}
       - {id: pincode, type: argument(false), doc: the PIN (as many bytes as LENGTH says)}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_get_search_items:
-    doc: Tells how many devices or networks a search found
+    doc: Counts the devices or networks that a search found
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
-      - {id: items, type: argument(false), doc: how many the list has}
+      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
+      - {id: items, type: argument(false), doc: number of entries in the list}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_get_search_item:
     doc: Describes one device or network that a search found
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
+      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
       - {id: item, type: argument(false), doc: "place in the list, counted from 0"}
       - id: length
         type: argument(false)
-        doc: "room for the text with its zero (bytes; -1: as long as it gets (handles only))"
+        doc: "size of the text buffer, including the zero (bytes; -1: unlimited (handles only))"
       - {id: name, type: argument(false), doc: name of the other device or network (as many bytes as LENGTH says)}
       - id: paired
         type: argument(false)
@@ -4049,24 +4065,24 @@ types:
       - id: type_
         type: argument(false)
         doc: "kind of device (Bluetooth) or encryption (WiFi) (0: WiFi, not encrypted; 1: WiFi, WPA2; a member of BTTYPE)"
-      - {id: visible, type: argument(false), doc: "whether it is in sight (0 to 1; 0: no; 1: yes)"}
+      - {id: visible, type: argument(false), doc: "whether it is in range (0 to 1; 0: no; 1: yes)"}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_get_favour_items:
-    doc: "Tells how many devices are paired, in sight or not"
+    doc: "Counts the paired devices, in range or not"
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
-      - {id: items, type: argument(false), doc: how many the list has}
+      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
+      - {id: items, type: argument(false), doc: number of entries in the list}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_get_favour_item:
     doc: Describes one paired device or known network
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
+      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
       - {id: item, type: argument(false), doc: "place in the list, counted from 0"}
       - id: length
         type: argument(false)
-        doc: "room for the text with its zero (bytes; -1: as long as it gets (handles only))"
+        doc: "size of the text buffer, including the zero (bytes; -1: unlimited (handles only))"
       - {id: name, type: argument(false), doc: name of the other device or network (as many bytes as LENGTH says)}
       - id: paired
         type: argument(false)
@@ -4080,10 +4096,10 @@ types:
   op_com_get_get_id:
     doc: "Reads the brick's Bluetooth address"
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
+      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
       - id: length
         type: argument(false)
-        doc: "room for the text with its zero (bytes; -1: as long as it gets (handles only))"
+        doc: "size of the text buffer, including the zero (bytes; -1: unlimited (handles only))"
       - {id: string_, type: argument(false), doc: "12 hex digits (as many bytes as LENGTH says)"}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
@@ -4092,15 +4108,15 @@ types:
     seq:
       - id: length
         type: argument(false)
-        doc: "room for the text with its zero (bytes; -1: as long as it gets (handles only))"
+        doc: "size of the text buffer, including the zero (bytes; -1: unlimited (handles only))"
       - {id: name, type: argument(false), doc: name of the brick (as many bytes as LENGTH says)}
   op_com_get_get_network:
     doc: "Reads network name and addresses, WiFi only"
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
+      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
       - id: length
         type: argument(false)
-        doc: "room for each of the three texts with its zero (bytes; -1: as long as it gets (handles only))"
+        doc: "buffer size for each of the three texts, including the zero (bytes; -1: unlimited (handles only))"
       - {id: name, type: argument(false), doc: "name of the network, NONE without one (as many bytes as LENGTH says)"}
       - id: mac
         type: argument(false)
@@ -4111,84 +4127,84 @@ types:
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_get_get_present:
-    doc: "Tells whether the hardware is there, for WiFi a known dongle"
+    doc: "Reports whether the hardware is present (for WiFi: a known dongle)"
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
-      - {id: ok, type: argument(false), doc: "whether it is there (0 to 1; 0: no; 1: yes)"}
+      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
+      - {id: ok, type: argument(false), doc: "whether it is present (0 to 1; 0: no; 1: yes)"}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_get_get_encrypt:
-    doc: "Tells the encryption of a network, WiFi only"
+    doc: "Reports the encryption of a network, WiFi only"
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
+      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
       - {id: item, type: argument(false), doc: "place in the list, counted from 0"}
-      - {id: type_, type: argument(false), doc: "kind of encryption, the 2013 firmware says none (a member of ENCRYPT)"}
+      - id: type_
+        type: argument(false)
+        doc: "kind of encryption; always none in the 2013 firmware (a member of ENCRYPT)"
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_get_connec_items:
-    doc: "Tells how many devices are connected, Bluetooth only"
+    doc: "Counts the connected devices, Bluetooth only"
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
-      - {id: items, type: argument(false), doc: how many the list has}
+      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
+      - {id: items, type: argument(false), doc: number of entries in the list}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_get_connec_item:
     doc: "Describes one connected device, Bluetooth only"
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
+      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
       - {id: item, type: argument(false), doc: "place in the list, counted from 0"}
       - id: length
         type: argument(false)
-        doc: "room for the text with its zero (bytes; -1: as long as it gets (handles only))"
+        doc: "size of the text buffer, including the zero (bytes; -1: unlimited (handles only))"
       - {id: name, type: argument(false), doc: name of the device (as many bytes as LENGTH says)}
       - {id: type_, type: argument(false), doc: kind of device (a member of BTTYPE)}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_get_get_incoming:
-    doc: "Tells which device asks for a connection, Bluetooth only"
+    doc: "Reports which device asks for a connection, Bluetooth only"
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
+      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
       - id: length
         type: argument(false)
-        doc: "room for the text with its zero (bytes; -1: as long as it gets (handles only))"
+        doc: "size of the text buffer, including the zero (bytes; -1: unlimited (handles only))"
       - {id: name, type: argument(false), doc: name of the device (as many bytes as LENGTH says)}
       - {id: type_, type: argument(false), doc: kind of device (a member of BTTYPE)}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_get_get_mode2:
-    doc: Tells whether Bluetooth is in its mode for Apple devices
+    doc: Reports whether Bluetooth is in its mode for Apple devices
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
+      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
       - {id: active, type: argument(false), doc: "whether it is on (0 to 1; 0: off; 1: on)"}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_set_set_on_off:
     doc: Switches Bluetooth or WiFi on or off
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
+      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
       - {id: active, type: argument(false), doc: "whether to switch it on (0 to 1; 0: off; 1: on)"}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_set_set_visible:
     doc: "Makes the brick visible or invisible, Bluetooth only"
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
-      - id: visible
-        type: argument(false)
-        doc: "whether other devices shall see it (0 to 1; 0: invisible; 1: visible)"
+      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
+      - {id: visible, type: argument(false), doc: "whether other devices can see it (0 to 1; 0: invisible; 1: visible)"}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_set_set_search:
     doc: Starts or stops the search for devices or networks
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
+      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
       - {id: search, type: argument(false), doc: "whether to search (0 to 1; 0: stop (Bluetooth only); 1: start)"}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_set_set_pin:
     doc: "Answers the request for a PIN (Bluetooth) or stores a network's password (WiFi)"
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
+      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
       - {id: name, type: argument(false), doc: name of the other device or network}
       - {id: pincode, type: argument(false), doc: PIN or password}
     instances:
@@ -4196,14 +4212,14 @@ types:
   op_com_set_set_passkey:
     doc: "Answers the request to confirm a passkey, Bluetooth only"
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
+      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
       - {id: accept, type: argument(false), doc: "the answer (0 to 1; 0: reject; 1: accept)"}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_set_set_connection:
     doc: "Connects a device or network, or ends a Bluetooth connection"
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
+      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
       - {id: name, type: argument(false), doc: name of the other device or network}
       - {id: connection, type: argument(false), doc: "what to do (0 to 1; 0: disconnect; 1: connect)"}
     instances:
@@ -4217,21 +4233,21 @@ types:
   op_com_set_set_moveup:
     doc: "Moves a network up in the list, WiFi only"
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
+      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
       - {id: item, type: argument(false), doc: "place in the list, counted from 0"}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_set_set_movedown:
     doc: "Moves a network down in the list, WiFi only"
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
+      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
       - {id: item, type: argument(false), doc: "place in the list, counted from 0"}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_set_set_encrypt:
     doc: "Sets the encryption of a network, WiFi only"
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
+      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
       - {id: item, type: argument(false), doc: name of the network}
       - {id: encrypt, type: argument(false), doc: kind of encryption (a member of ENCRYPT)}
     instances:
@@ -4240,21 +4256,21 @@ types:
   op_com_set_set_ssid:
     doc: "Adds a network to the end of the list, WiFi only"
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
+      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
       - {id: name, type: argument(false), doc: name of the network}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_set_set_mode2:
     doc: Switches the Bluetooth mode for Apple devices on or off
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
+      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
       - {id: active, type: argument(false), doc: "whether to switch it on (0 to 1; 0: off; 1: on)"}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_test:
-    doc: Tells whether something is still being sent to a device
+    doc: Reports whether something is still being sent to a device
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
+      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
       - {id: name, type: argument(false), doc: "name of the other device, empty: the brick's own adapter"}
       - {id: busy, type: argument(false), doc: "whether to wait (0 to 1; 0: ready; 1: busy)"}
     instances:
@@ -4262,14 +4278,14 @@ types:
   op_com_remove:
     doc: Forgets a paired device or a known network
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
+      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
       - {id: remote_name, type: argument(false), doc: name of the other device or network}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_writefile:
     doc: "Sends a file or a folder to another brick, Bluetooth only"
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
+      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
       - {id: remote_name, type: argument(false), doc: name of the other device or network}
       - {id: file_name, type: argument(false), doc: path of the file or folder on this brick}
       - {id: file_type, type: argument(false), doc: "TYPE_FOLDER for a folder, else a file (a member of FILETYPE)"}
@@ -4297,7 +4313,7 @@ types:
       - {id: type_, type: argument(false), doc: type of the values (a member of DATA_FORMAT)}
       - id: values_count
         type: argument(false)
-        doc: "how many values of TYPE follow, one only for a string (each is what TYPE says)"
+        doc: "number of values of TYPE follow; exactly one for a string (each is what TYPE says)"
       - id: values
         type: "argument(type_.is_number and (type_.value == 3 or type_.value == 19))"
         repeat: expr
@@ -4309,13 +4325,13 @@ types:
     doc: Reads the content of a mailbox and marks it read
     seq:
       - {id: "no", type: argument(false), doc: number of the mailbox on this brick (0 to 29)}
-      - {id: length, type: argument(false), doc: "most bytes to read, ignored by the firmware (bytes)"}
+      - {id: length, type: argument(false), doc: "maximum number of bytes to read, ignored by the firmware (bytes)"}
       - id: values_count
         type: argument(false)
-        doc: "how many values follow, of the type given to MAILBOX_OPEN (each is array-typed)"
+        doc: "number of values follow, of the type given to MAILBOX_OPEN (each is array-typed)"
       - {id: values, type: argument(false), repeat: expr, repeat-expr: values_count.value}
   op_mailbox_test:
-    doc: Tells whether a mailbox has an unread message
+    doc: Reports whether a mailbox has an unread message
     seq:
       - {id: "no", type: argument(false), doc: number of the mailbox on this brick (0 to 29)}
       - {id: busy, type: argument(false), doc: "whether to wait (0 to 1; 0: a new message is there; 1: nothing new)"}
@@ -4344,7 +4360,7 @@ enums:
   system_code:
     0x92:
       id: begin_download
-      doc: Opens a file on the brick for writing and says how long it will be
+      doc: Opens a file on the brick for writing and announces its size
     0x93:
       id: continue_download
       doc: "Writes the next piece of a file; the file closes itself when it is complete"
@@ -4371,7 +4387,7 @@ enums:
       doc: Fetches the next piece of a listing
     0x9B:
       id: create_dir
-      doc: Makes a folder
+      doc: Creates a folder
     0x9C:
       id: delete_file
       doc: Deletes a file or an empty folder
@@ -4383,22 +4399,22 @@ enums:
       doc: Puts a message into a mailbox of the program that runs on the brick
     0x9F:
       id: bluetoothpin
-      doc: Hands over the PIN for a Bluetooth device (USB only)
+      doc: Sends the PIN for a Bluetooth device (USB only)
     0xA0:
       id: enterfwupdate
       doc: Restarts the brick into its firmware updater
     0xA1:
       id: setbundleid
-      doc: Sets the bundle identifier with which the brick shows itself to Apple devices
+      doc: Sets the bundle identifier that the brick shows to Apple devices
     0xA2:
       id: setbundleseedid
-      doc: Sets the bundle seed identifier with which the brick shows itself to Apple devices
+      doc: Sets the bundle seed identifier that the brick shows to Apple devices
     0xF0:
       id: bootloader_begin_download_with_erase
-      doc: Erases a region of the flash memory and makes ready to write it
+      doc: Erases a region of the flash memory and prepares to write it
     0xF1:
       id: bootloader_begin_download
-      doc: Makes ready to write a region of the flash memory that is already erased
+      doc: Prepares to write a region of the flash memory that is already erased
     0xF2:
       id: bootloader_download_data
       doc: Writes the next piece of the image
@@ -4431,41 +4447,41 @@ enums:
   daisy_code:
     0xA0:
       id: downstream
-      doc: Hands operations on to a brick further down
+      doc: Forwards operations to a brick further down
     0xA1:
       id: upstream
-      doc: Hands sensor data up towards the first brick
+      doc: Passes sensor data up towards the first brick
     0xA2:
       id: info
       doc: Asks which sensors a brick further down has
     0xA3:
       id: unlock_slave
-      doc: Lets the brick below answer again
+      doc: Allows the brick below to answer again
     0xA4:
       id: set_type
       doc: Sets type and mode of a sensor further down
     0xA5:
       id: downstream_with_busy
-      doc: "Hands operations on, with the motors that are to be reported busy"
+      doc: "Forwards operations, and names the motors to report as busy"
   opcode:
     0x00:
       id: error
       doc: "Ends the program with a failure; never valid on the wire"
     0x01:
       id: nop
-      doc: "Does nothing; a harmless way to see whether the brick answers"
+      doc: "Does nothing; a harmless way to test whether the brick answers"
     0x02:
       id: program_stop
       doc: Stops the program of a slot
     0x03:
       id: program_start
-      doc: "Starts a loaded program; by direct command only while no user program runs"
+      doc: "Starts a loaded program; a direct command can do this only while no user program runs"
     0x04:
       id: object_stop
-      doc: Stops an object of the own program
+      doc: Stops an object of its own program
     0x05:
       id: object_start
-      doc: Starts an object of the own program
+      doc: Starts an object of its own program
     0x06:
       id: object_trig
       doc: "Counts an object's trigger down; at zero the object starts"
@@ -4477,10 +4493,10 @@ enums:
       doc: Returns from a subroutine to its caller
     0x09:
       id: call
-      doc: "Calls a subroutine of the own program; waits while another thread is in it"
+      doc: "Calls a subroutine of its own program; waits while another thread runs it"
     0x0A:
       id: object_end
-      doc: "Ends the object; the firmware puts one after every direct command"
+      doc: "Ends the object; the firmware appends one to every direct command"
     0x0B:
       id: sleep
       doc: "Gives up the rest of the thread's time slice"
@@ -4495,10 +4511,10 @@ enums:
       doc: "Prints a program's memory on the brick's debug terminal"
     0x0F:
       id: do_
-      doc: "Runs byte code that is already in memory, ending what the slot ran before"
+      doc: "Runs byte code that is already in memory, ending the slot's previous program"
     0x60:
       id: system
-      doc: "Runs a shell command on the brick's Linux and waits for its end"
+      doc: "Runs a shell command on the brick's Linux and waits until it ends"
     0x61:
       id: port_cnv_output
       doc: "Splits a motor port number as LEGO's editor writes it"
@@ -4525,13 +4541,13 @@ enums:
       doc: "Stops at breakpoint 2; BP_SET puts it over the instruction it replaces"
     0x8B:
       id: bp3
-      doc: "Pulses test pin TP4 and goes on; BP_SET puts it over the instruction it replaces"
+      doc: "Pulses test pin TP4 and continues; BP_SET puts it over the instruction it replaces"
     0x8C:
       id: bp_set
       doc: Sets or removes a breakpoint in a running program
     0xFF:
       id: tst
-      doc: "Tests the hardware, as the factory does; all but TST_OPEN fail unless opened before"
+      doc: "Tests the hardware, as the factory does; all fail before TST_OPEN"
     0x10:
       id: add8
       doc: Adds two 8-bit numbers
@@ -4609,13 +4625,13 @@ enums:
       doc: "Combines 32-bit values, bit by bit, by exclusive OR"
     0x2C:
       id: rl8
-      doc: "Shifts 8-bit values left; despite the name (rotate), bits leaving on the left are lost"
+      doc: "Shifts 8-bit values left; despite the name (rotate), bits shifted out on the left are lost"
     0x2D:
       id: rl16
-      doc: "Shifts 16-bit values left; despite the name (rotate), bits leaving on the left are lost"
+      doc: "Shifts 16-bit values left; despite the name (rotate), bits shifted out on the left are lost"
     0x2E:
       id: rl32
-      doc: "Shifts 32-bit values left; despite the name (rotate), bits leaving on the left are lost"
+      doc: "Shifts 32-bit values left; despite the name (rotate), bits shifted out on the left are lost"
     0x8D:
       id: math
       doc: Applies a mathematical function
@@ -4624,7 +4640,7 @@ enums:
       doc: Draws a random whole number
     0x2F:
       id: init_bytes
-      doc: Fills consecutive bytes of memory with values given in place
+      doc: Fills consecutive bytes of memory with constant values
     0x30:
       id: move8_8
       doc: "Copies a value to another variable, both 8-bit"
@@ -4675,28 +4691,28 @@ enums:
       doc: "Copies a value to another variable, both floating-point"
     0xC8:
       id: read8
-      doc: Takes one element out of an array of 8-bit values
+      doc: Reads one element of an array of 8-bit values
     0xC9:
       id: read16
-      doc: Takes one element out of an array of 16-bit values
+      doc: Reads one element of an array of 16-bit values
     0xCA:
       id: read32
-      doc: Takes one element out of an array of 32-bit values
+      doc: Reads one element of an array of 32-bit values
     0xCB:
       id: readf
-      doc: Takes one element out of an array of floating-point values
+      doc: Reads one element of an array of floating-point values
     0xCC:
       id: write8
-      doc: Sets one element of an array of 8-bit values
+      doc: Writes one element of an array of 8-bit values
     0xCD:
       id: write16
-      doc: Sets one element of an array of 16-bit values
+      doc: Writes one element of an array of 16-bit values
     0xCE:
       id: write32
-      doc: Sets one element of an array of 32-bit values
+      doc: Writes one element of an array of 32-bit values
     0xCF:
       id: writef
-      doc: Sets one element of an array of floating-point values
+      doc: Writes one element of an array of floating-point values
     0x40:
       id: jr
       doc: Jumps always
@@ -4708,7 +4724,7 @@ enums:
       doc: Jumps if a flag is not 0
     0x43:
       id: jr_nan
-      doc: "Jumps if a value is not a number, as a sensor without data gives"
+      doc: "Jumps if a value is not a number, as read from a sensor without data"
     0x64:
       id: jr_lt8
       doc: "Jumps if LEFT is less than RIGHT, as 8-bit numbers"
@@ -4783,91 +4799,91 @@ enums:
       doc: "Jumps if LEFT is greater than or equal to RIGHT, as floating-point numbers"
     0x44:
       id: cp_lt8
-      doc: "Tells whether LEFT is less than RIGHT, as 8-bit numbers"
+      doc: "Tests whether LEFT is less than RIGHT, as 8-bit numbers"
     0x45:
       id: cp_lt16
-      doc: "Tells whether LEFT is less than RIGHT, as 16-bit numbers"
+      doc: "Tests whether LEFT is less than RIGHT, as 16-bit numbers"
     0x46:
       id: cp_lt32
-      doc: "Tells whether LEFT is less than RIGHT, as 32-bit numbers"
+      doc: "Tests whether LEFT is less than RIGHT, as 32-bit numbers"
     0x47:
       id: cp_ltf
-      doc: "Tells whether LEFT is less than RIGHT, as floating-point numbers"
+      doc: "Tests whether LEFT is less than RIGHT, as floating-point numbers"
     0x48:
       id: cp_gt8
-      doc: "Tells whether LEFT is greater than RIGHT, as 8-bit numbers"
+      doc: "Tests whether LEFT is greater than RIGHT, as 8-bit numbers"
     0x49:
       id: cp_gt16
-      doc: "Tells whether LEFT is greater than RIGHT, as 16-bit numbers"
+      doc: "Tests whether LEFT is greater than RIGHT, as 16-bit numbers"
     0x4A:
       id: cp_gt32
-      doc: "Tells whether LEFT is greater than RIGHT, as 32-bit numbers"
+      doc: "Tests whether LEFT is greater than RIGHT, as 32-bit numbers"
     0x4B:
       id: cp_gtf
-      doc: "Tells whether LEFT is greater than RIGHT, as floating-point numbers"
+      doc: "Tests whether LEFT is greater than RIGHT, as floating-point numbers"
     0x4C:
       id: cp_eq8
-      doc: "Tells whether LEFT is equal to RIGHT, as 8-bit numbers"
+      doc: "Tests whether LEFT is equal to RIGHT, as 8-bit numbers"
     0x4D:
       id: cp_eq16
-      doc: "Tells whether LEFT is equal to RIGHT, as 16-bit numbers"
+      doc: "Tests whether LEFT is equal to RIGHT, as 16-bit numbers"
     0x4E:
       id: cp_eq32
-      doc: "Tells whether LEFT is equal to RIGHT, as 32-bit numbers"
+      doc: "Tests whether LEFT is equal to RIGHT, as 32-bit numbers"
     0x4F:
       id: cp_eqf
-      doc: "Tells whether LEFT is equal to RIGHT, as floating-point numbers"
+      doc: "Tests whether LEFT is equal to RIGHT, as floating-point numbers"
     0x50:
       id: cp_neq8
-      doc: "Tells whether LEFT is different from RIGHT, as 8-bit numbers"
+      doc: "Tests whether LEFT is different from RIGHT, as 8-bit numbers"
     0x51:
       id: cp_neq16
-      doc: "Tells whether LEFT is different from RIGHT, as 16-bit numbers"
+      doc: "Tests whether LEFT is different from RIGHT, as 16-bit numbers"
     0x52:
       id: cp_neq32
-      doc: "Tells whether LEFT is different from RIGHT, as 32-bit numbers"
+      doc: "Tests whether LEFT is different from RIGHT, as 32-bit numbers"
     0x53:
       id: cp_neqf
-      doc: "Tells whether LEFT is different from RIGHT, as floating-point numbers"
+      doc: "Tests whether LEFT is different from RIGHT, as floating-point numbers"
     0x54:
       id: cp_lteq8
-      doc: "Tells whether LEFT is less than or equal to RIGHT, as 8-bit numbers"
+      doc: "Tests whether LEFT is less than or equal to RIGHT, as 8-bit numbers"
     0x55:
       id: cp_lteq16
-      doc: "Tells whether LEFT is less than or equal to RIGHT, as 16-bit numbers"
+      doc: "Tests whether LEFT is less than or equal to RIGHT, as 16-bit numbers"
     0x56:
       id: cp_lteq32
-      doc: "Tells whether LEFT is less than or equal to RIGHT, as 32-bit numbers"
+      doc: "Tests whether LEFT is less than or equal to RIGHT, as 32-bit numbers"
     0x57:
       id: cp_lteqf
-      doc: "Tells whether LEFT is less than or equal to RIGHT, as floating-point numbers"
+      doc: "Tests whether LEFT is less than or equal to RIGHT, as floating-point numbers"
     0x58:
       id: cp_gteq8
-      doc: "Tells whether LEFT is greater than or equal to RIGHT, as 8-bit numbers"
+      doc: "Tests whether LEFT is greater than or equal to RIGHT, as 8-bit numbers"
     0x59:
       id: cp_gteq16
-      doc: "Tells whether LEFT is greater than or equal to RIGHT, as 16-bit numbers"
+      doc: "Tests whether LEFT is greater than or equal to RIGHT, as 16-bit numbers"
     0x5A:
       id: cp_gteq32
-      doc: "Tells whether LEFT is greater than or equal to RIGHT, as 32-bit numbers"
+      doc: "Tests whether LEFT is greater than or equal to RIGHT, as 32-bit numbers"
     0x5B:
       id: cp_gteqf
-      doc: "Tells whether LEFT is greater than or equal to RIGHT, as floating-point numbers"
+      doc: "Tests whether LEFT is greater than or equal to RIGHT, as floating-point numbers"
     0x5C:
       id: select8
-      doc: "Takes one of two 8-bit values, whichever the flag says"
+      doc: Selects one of two 8-bit values by a flag
     0x5D:
       id: select16
-      doc: "Takes one of two 16-bit values, whichever the flag says"
+      doc: Selects one of two 16-bit values by a flag
     0x5E:
       id: select32
-      doc: "Takes one of two 32-bit values, whichever the flag says"
+      doc: Selects one of two 32-bit values by a flag
     0x5F:
       id: selectf
-      doc: "Takes one of two floating-point values, whichever the flag says"
+      doc: Selects one of two floating-point values by a flag
     0x80:
       id: ui_flush
-      doc: Sends what was written for the terminal and is still in its buffer
+      doc: "Sends the contents of the terminal's output buffer"
     0x81:
       id: ui_read
       doc: Reads the state of the brick or what the terminal received
@@ -4882,16 +4898,16 @@ enums:
       doc: "Draws on the canvas of the display, or runs a dialogue on it"
     0x90:
       id: keep_alive
-      doc: "Restarts the time after which the idle brick switches off, and reads it"
+      doc: "Restarts the timer that switches off an idle brick, and reads its time"
     0x85:
       id: timer_wait
-      doc: "Notes when a wait will be over and returns at once; TIMER_READY does the waiting"
+      doc: "Stores the end of a wait and returns at once; TIMER_READY does the waiting"
     0x86:
       id: timer_ready
-      doc: Waits until the time that TIMER_WAIT noted has come
+      doc: Waits until the time that TIMER_WAIT stored
     0x87:
       id: timer_read
-      doc: Reads the time since the program or direct command that asks was started
+      doc: Reads the time since the start of the program or direct command that asks
     0x8F:
       id: timer_read_us
       doc: "Reads the free-running microsecond clock, for differences only"
@@ -4900,10 +4916,10 @@ enums:
       doc: Plays or stops a sound
     0x95:
       id: sound_test
-      doc: Tells whether a sound is playing
+      doc: Reports whether a sound is playing
     0x96:
       id: sound_ready
-      doc: Waits until the sound has ended (for ever after REPEAT or a tone without end)
+      doc: Waits until the sound has ended (forever after REPEAT or an endless tone)
     0x97:
       id: input_sample
       doc: "Reads one SI value of each of several devices, sampled in the background"
@@ -4918,7 +4934,7 @@ enums:
       doc: Sets type and mode and reads the first value in percent at once
     0x9B:
       id: input_test
-      doc: Tells whether a device is still changing type or mode
+      doc: Reports whether a device is still changing type or mode
     0x9C:
       id: input_ready
       doc: Waits until a device has valid values
@@ -4942,10 +4958,10 @@ enums:
       doc: Stops motors
     0xA4:
       id: output_power
-      doc: "Sets the power of motors, OUTPUT_START makes them run"
+      doc: "Sets the power of motors, which run at the next OUTPUT_START"
     0xA5:
       id: output_speed
-      doc: "Sets the speed of motors, OUTPUT_START makes them run"
+      doc: "Sets the speed of motors, which run at the next OUTPUT_START"
     0xA6:
       id: output_start
       doc: Starts motors with the power or speed set before
@@ -4957,10 +4973,10 @@ enums:
       doc: "Reads speed and tacho count of one motor, 0 on layers other than 0"
     0xA9:
       id: output_test
-      doc: Tells whether one of the motors is still in a move that ends by itself
+      doc: Reports whether one of the motors is still in a move that ends by itself
     0xAA:
       id: output_ready
-      doc: "Waits until the moves of the motors have ended, OUTPUT_START does not count"
+      doc: "Waits until the moves of the motors have ended; ignores those from OUTPUT_START"
     0xAC:
       id: output_step_power
       doc: Turns motors by an angle with unregulated power
@@ -4981,10 +4997,10 @@ enums:
       doc: Runs two motors in step for a time
     0xB2:
       id: output_clr_count
-      doc: Sets the tacho counts that motors have as sensors to zero
+      doc: Sets the tacho counts of motors read as sensors to zero
     0xB3:
       id: output_get_count
-      doc: Reads the tacho count that a motor has as a sensor
+      doc: Reads the tacho count of a motor read as a sensor
     0xB4:
       id: output_prg_stop
       doc: Stops and resets all motors as the end of a program does
@@ -4999,7 +5015,7 @@ enums:
       doc: "Works on files, folders, data logs, program images and the list of recent files"
     0xC1:
       id: array
-      doc: "Makes, fills, copies and resizes arrays"
+      doc: "Creates, fills, copies and resizes arrays"
     0xC2:
       id: array_write
       doc: "Writes one element of an array, which grows where needed"
@@ -5011,10 +5027,10 @@ enums:
       doc: Adds one element to the end of an array
     0xC5:
       id: memory_usage
-      doc: Tells how much memory for user files there is and how much of it is free
+      doc: Reports the total and free memory for user files
     0xC6:
       id: filename
-      doc: "Takes file names apart, checks them, and packs files"
+      doc: "Splits and checks file names, and packs files"
     0x91:
       id: com_read
       doc: "Fetches direct commands, for the brick's own command program"
@@ -5026,10 +5042,10 @@ enums:
       doc: Waits until nothing is being sent to a device
     0xD1:
       id: com_readdata
-      doc: "Does nothing in the firmware, meant to receive data"
+      doc: "Does nothing in the firmware; meant to receive data"
     0xD2:
       id: com_writedata
-      doc: "Does nothing in the firmware, meant to send data"
+      doc: "Does nothing in the firmware; meant to send data"
     0xD3:
       id: com_get
       doc: "Asks about the brick's connections and the devices around it"
@@ -5038,7 +5054,7 @@ enums:
       doc: "Changes the brick's name, its connections and its lists of devices"
     0xD5:
       id: com_test
-      doc: Tells whether something is still being sent to a device
+      doc: Reports whether something is still being sent to a device
     0xD6:
       id: com_remove
       doc: Forgets a paired device or a known network
@@ -5056,7 +5072,7 @@ enums:
       doc: Reads the content of a mailbox and marks it read
     0xDB:
       id: mailbox_test
-      doc: Tells whether a mailbox has an unread message
+      doc: Reports whether a mailbox has an unread message
     0xDC:
       id: mailbox_ready
       doc: Waits for an unread message in a mailbox

@@ -109,17 +109,17 @@ enum {
     /* Ends the program with a failure; never valid on the wire */
     opERROR = 0x00,
 
-    /* Does nothing; a harmless way to see whether the brick answers */
+    /* Does nothing; a harmless way to test whether the brick answers */
     opNOP = 0x01,
 
     /*
      * Stops the program of a slot
-     *   PRGID  DATA16  program slot to stop (0: all programs; -1: the program that says so; a member of SLOT)
+     *   PRGID  DATA16  program slot to stop (0: all programs; -1: the calling program; a member of SLOT)
      */
     opPROGRAM_STOP = 0x02,
 
     /*
-     * Starts a loaded program; by direct command only while no user program runs
+     * Starts a loaded program; a direct command can do this only while no user program runs
      *   PRGID  DATA16  program slot (a member of SLOT)
      *   SIZE   DATA32  size of the image; read and ignored (bytes)
      *   IP     DATA32  address of the image, as FILE.LOAD_IMAGE returned it
@@ -128,13 +128,13 @@ enum {
     opPROGRAM_START = 0x03,
 
     /*
-     * Stops an object of the own program
+     * Stops an object of its own program
      *   OBJID  DATA16  object of the program, counted from 1
      */
     opOBJECT_STOP = 0x04,
 
     /*
-     * Starts an object of the own program
+     * Starts an object of its own program
      *   OBJID  DATA16  object of the program, counted from 1
      */
     opOBJECT_START = 0x05,
@@ -155,14 +155,14 @@ enum {
     opRETURN = 0x08,
 
     /*
-     * Calls a subroutine of the own program; waits while another thread is in it
-     *   OBJID       DATA16  object that is the subroutine, counted from 1
-     *   PARAMETERS  count   how many parameters follow; the subroutine declares their types and directions (each is
+     * Calls a subroutine of its own program; waits while another thread runs it
+     *   OBJID       DATA16  object number of the subroutine, counted from 1
+     *   PARAMETERS  count   number of parameters follow; the subroutine declares their types and directions (each is
      *       DATA32)
      */
     opCALL = 0x09,
 
-    /* Ends the object; the firmware puts one after every direct command */
+    /* Ends the object; the firmware appends one to every direct command */
     opOBJECT_END = 0x0A,
 
     /* Gives up the rest of the thread's time slice */
@@ -181,13 +181,13 @@ enum {
      * Prints a program's memory on the brick's debug terminal
      *   PRGID   DATA16  program slot (a member of SLOT)
      *   OBJID   DATA16  object whose local memory to print (0: the global memory)
-     *   OFFSET  DATA32  where to begin (bytes)
-     *   SIZE    DATA32  how much to print (0 to 1024 bytes; 0: all, 1024 at most)
+     *   OFFSET  DATA32  first byte (bytes)
+     *   SIZE    DATA32  number of bytes to print (0 to 1024 bytes; 0: all, 1024 at most)
      */
     opPROBE = 0x0E,
 
     /*
-     * Runs byte code that is already in memory, ending what the slot ran before
+     * Runs byte code that is already in memory, ending the slot's previous program
      *   PRGID   DATA16  program slot (a member of SLOT)
      *   IMAGE   DATA32  address of the byte code image
      *   GLOBAL  DATA32  address of the global memory it uses
@@ -195,7 +195,7 @@ enum {
     opDO = 0x0F,
 
     /*
-     * Runs a shell command on the brick's Linux and waits for its end
+     * Runs a shell command on the brick's Linux and waits until it ends
      *   COMMAND  string      the command line
      *   STATUS   out DATA32  wait status as C's system() gives it: 256 times the exit code (0: success; -1: could
      *       not run)
@@ -207,7 +207,7 @@ enum {
      *   PortIn    DATA32     three decimal digits, each 1-4: layer, first port, second port (123: B and C)
      *   Layer     out DATA8  position in the daisy chain (0 to 3; 0: this brick)
      *   Bitfield  out DATA8  motor ports as bits: A=1 B=2 C=4 D=8 (0 to 15)
-     *   Inverted  out DATA8  whether the first port comes after the second, as in C and A (0 to 1; 0: no; 1: yes)
+     *   Inverted  out DATA8  whether the first port comes after the second, as in CA (0 to 1; 0: no; 1: yes)
      */
     opPORT_CNV_OUTPUT = 0x61,
 
@@ -215,14 +215,14 @@ enum {
      * Splits a sensor port number as LEGO's editor writes it
      *   PortIn   DATA32     three decimal digits: layer 1-4, any, port 1-4 (103: port 3)
      *   Layer    out DATA8  position in the daisy chain (0 to 3; 0: this brick)
-     *   PortOut  out DATA8  sensor port less one, as INPUT_* takes it (0 to 3)
+     *   PortOut  out DATA8  sensor port minus one, as in INPUT_* (0 to 3)
      */
     opPORT_CNV_INPUT = 0x62,
 
     /*
      * Converts the name of a note to its frequency
      *   NOTE  string      C4 to B6, sharps as C#4
-     *   FREQ  out DATA16  frequency; 440 for a note it does not know (262 to 1976 Hz)
+     *   FREQ  out DATA16  frequency; 440 for an unknown note (262 to 1976 Hz)
      */
     opNOTE_TO_FREQ = 0x63,
 
@@ -241,14 +241,14 @@ enum {
     /* Stops at breakpoint 2; BP_SET puts it over the instruction it replaces */
     opBP2 = 0x8A,
 
-    /* Pulses test pin TP4 and goes on; BP_SET puts it over the instruction it replaces */
+    /* Pulses test pin TP4 and continues; BP_SET puts it over the instruction it replaces */
     opBP3 = 0x8B,
 
     /*
      * Sets or removes a breakpoint in a running program
      *   PRGID    DATA16  program slot (a member of SLOT)
      *   NO       DATA8   number of the breakpoint (0 to 2; 3: pulse on test pin TP4, no stop)
-     *   ADDRESS  DATA32  where in the image (bytes; 0: remove the breakpoint)
+     *   ADDRESS  DATA32  offset in the image (bytes; 0: remove the breakpoint)
      */
     opBP_SET = 0x8C,
 
@@ -264,91 +264,101 @@ enum {
 
     /*
      * Calls entry point 0 of the additional virtual machine that is loaded (xtended and compat firmware only)
-     *   CMD         DATA8            function to call, as that machine numbers them
-     *   LENGTH_IN   DATA8            how much data is handed over
-     *   LENGTH_OUT  out DATA16       how many elements came back
-     *   VALUE       out array-typed  what came back; the type depends on CMD (as many values as LENGTH_OUT says)
+     *   CMD         DATA8            function to call, in that machine's numbering
+     *   LENGTH_IN   DATA8            amount of data passed
+     *   LENGTH_OUT  out DATA16       number of elements returned
+     *   VALUE       out array-typed  the returned elements; their type depends on CMD (as many values as LENGTH_OUT
+     *       says)
      */
     opDYNLOAD_ENTRY_0 = 0xF2,
 
     /*
      * Calls entry point 1 of the additional virtual machine that is loaded (xtended and compat firmware only)
-     *   CMD         DATA8            function to call, as that machine numbers them
-     *   LENGTH_IN   DATA8            how much data is handed over
-     *   LENGTH_OUT  out DATA16       how many elements came back
-     *   VALUE       out array-typed  what came back; the type depends on CMD (as many values as LENGTH_OUT says)
+     *   CMD         DATA8            function to call, in that machine's numbering
+     *   LENGTH_IN   DATA8            amount of data passed
+     *   LENGTH_OUT  out DATA16       number of elements returned
+     *   VALUE       out array-typed  the returned elements; their type depends on CMD (as many values as LENGTH_OUT
+     *       says)
      */
     opDYNLOAD_ENTRY_1 = 0xF3,
 
     /*
      * Calls entry point 2 of the additional virtual machine that is loaded (xtended and compat firmware only)
-     *   CMD         DATA8            function to call, as that machine numbers them
-     *   LENGTH_IN   DATA8            how much data is handed over
-     *   LENGTH_OUT  out DATA16       how many elements came back
-     *   VALUE       out array-typed  what came back; the type depends on CMD (as many values as LENGTH_OUT says)
+     *   CMD         DATA8            function to call, in that machine's numbering
+     *   LENGTH_IN   DATA8            amount of data passed
+     *   LENGTH_OUT  out DATA16       number of elements returned
+     *   VALUE       out array-typed  the returned elements; their type depends on CMD (as many values as LENGTH_OUT
+     *       says)
      */
     opDYNLOAD_ENTRY_2 = 0xF4,
 
     /*
      * Calls entry point 3 of the additional virtual machine that is loaded (xtended and compat firmware only)
-     *   CMD         DATA8            function to call, as that machine numbers them
-     *   LENGTH_IN   DATA8            how much data is handed over
-     *   LENGTH_OUT  out DATA16       how many elements came back
-     *   VALUE       out array-typed  what came back; the type depends on CMD (as many values as LENGTH_OUT says)
+     *   CMD         DATA8            function to call, in that machine's numbering
+     *   LENGTH_IN   DATA8            amount of data passed
+     *   LENGTH_OUT  out DATA16       number of elements returned
+     *   VALUE       out array-typed  the returned elements; their type depends on CMD (as many values as LENGTH_OUT
+     *       says)
      */
     opDYNLOAD_ENTRY_3 = 0xF5,
 
     /*
      * Calls entry point 4 of the additional virtual machine that is loaded (xtended and compat firmware only)
-     *   CMD         DATA8            function to call, as that machine numbers them
-     *   LENGTH_IN   DATA8            how much data is handed over
-     *   LENGTH_OUT  out DATA16       how many elements came back
-     *   VALUE       out array-typed  what came back; the type depends on CMD (as many values as LENGTH_OUT says)
+     *   CMD         DATA8            function to call, in that machine's numbering
+     *   LENGTH_IN   DATA8            amount of data passed
+     *   LENGTH_OUT  out DATA16       number of elements returned
+     *   VALUE       out array-typed  the returned elements; their type depends on CMD (as many values as LENGTH_OUT
+     *       says)
      */
     opDYNLOAD_ENTRY_4 = 0xF6,
 
     /*
      * Calls entry point 5 of the additional virtual machine that is loaded (xtended and compat firmware only)
-     *   CMD         DATA8            function to call, as that machine numbers them
-     *   LENGTH_IN   DATA8            how much data is handed over
-     *   LENGTH_OUT  out DATA16       how many elements came back
-     *   VALUE       out array-typed  what came back; the type depends on CMD (as many values as LENGTH_OUT says)
+     *   CMD         DATA8            function to call, in that machine's numbering
+     *   LENGTH_IN   DATA8            amount of data passed
+     *   LENGTH_OUT  out DATA16       number of elements returned
+     *   VALUE       out array-typed  the returned elements; their type depends on CMD (as many values as LENGTH_OUT
+     *       says)
      */
     opDYNLOAD_ENTRY_5 = 0xF7,
 
     /*
      * Calls entry point 6 of the additional virtual machine that is loaded (xtended and compat firmware only)
-     *   CMD         DATA8            function to call, as that machine numbers them
-     *   LENGTH_IN   DATA8            how much data is handed over
-     *   LENGTH_OUT  out DATA16       how many elements came back
-     *   VALUE       out array-typed  what came back; the type depends on CMD (as many values as LENGTH_OUT says)
+     *   CMD         DATA8            function to call, in that machine's numbering
+     *   LENGTH_IN   DATA8            amount of data passed
+     *   LENGTH_OUT  out DATA16       number of elements returned
+     *   VALUE       out array-typed  the returned elements; their type depends on CMD (as many values as LENGTH_OUT
+     *       says)
      */
     opDYNLOAD_ENTRY_6 = 0xF8,
 
     /*
      * Calls entry point 7 of the additional virtual machine that is loaded (xtended and compat firmware only)
-     *   CMD         DATA8            function to call, as that machine numbers them
-     *   LENGTH_IN   DATA8            how much data is handed over
-     *   LENGTH_OUT  out DATA16       how many elements came back
-     *   VALUE       out array-typed  what came back; the type depends on CMD (as many values as LENGTH_OUT says)
+     *   CMD         DATA8            function to call, in that machine's numbering
+     *   LENGTH_IN   DATA8            amount of data passed
+     *   LENGTH_OUT  out DATA16       number of elements returned
+     *   VALUE       out array-typed  the returned elements; their type depends on CMD (as many values as LENGTH_OUT
+     *       says)
      */
     opDYNLOAD_ENTRY_7 = 0xF9,
 
     /*
      * Calls entry point 8 of the additional virtual machine that is loaded (xtended and compat firmware only)
-     *   CMD         DATA8            function to call, as that machine numbers them
-     *   LENGTH_IN   DATA8            how much data is handed over
-     *   LENGTH_OUT  out DATA16       how many elements came back
-     *   VALUE       out array-typed  what came back; the type depends on CMD (as many values as LENGTH_OUT says)
+     *   CMD         DATA8            function to call, in that machine's numbering
+     *   LENGTH_IN   DATA8            amount of data passed
+     *   LENGTH_OUT  out DATA16       number of elements returned
+     *   VALUE       out array-typed  the returned elements; their type depends on CMD (as many values as LENGTH_OUT
+     *       says)
      */
     opDYNLOAD_ENTRY_8 = 0xFA,
 
     /*
      * Calls entry point 9 of the additional virtual machine that is loaded (xtended and compat firmware only)
-     *   CMD         DATA8            function to call, as that machine numbers them
-     *   LENGTH_IN   DATA8            how much data is handed over
-     *   LENGTH_OUT  out DATA16       how many elements came back
-     *   VALUE       out array-typed  what came back; the type depends on CMD (as many values as LENGTH_OUT says)
+     *   CMD         DATA8            function to call, in that machine's numbering
+     *   LENGTH_IN   DATA8            amount of data passed
+     *   LENGTH_OUT  out DATA16       number of elements returned
+     *   VALUE       out array-typed  the returned elements; their type depends on CMD (as many values as LENGTH_OUT
+     *       says)
      */
     opDYNLOAD_ENTRY_9 = 0xFB,
 
@@ -358,7 +368,7 @@ enum {
      */
     opDYNLOAD_GET_VM = 0xFC,
 
-    /* Tests the hardware, as the factory does; all but TST_OPEN fail unless opened before: a CMD follows, below */
+    /* Tests the hardware, as the factory does; all fail before TST_OPEN: a CMD follows, below */
     opTST = 0xFF,
 };
 
@@ -386,7 +396,7 @@ enum {
     GET_STATUS = 22,
 
     /*
-     * Asks how fast a program runs
+     * Asks for a program's speed
      *   PRGID  DATA16      program slot (a member of SLOT)
      *   DATA   out DATA32  speed since the program started (instructions/s)
      */
@@ -408,7 +418,7 @@ enum {
     /*
      * Asks for the name of a program (xtended and compat firmware only)
      *   PRGID  DATA16      program slot (a member of SLOT)
-     *   NAME   out string  name of the program, ended by its zero
+     *   NAME   out string  name of the program, zero-terminated
      */
     GET_PRGNAME = 26,
 };
@@ -416,13 +426,13 @@ enum {
 /* CMDs of opINFO */
 enum {
     /*
-     * Puts an error into the brick's error log
+     * Adds an error to the brick's error log
      *   NUMBER  DATA8  number of the error (0: nothing is logged)
      */
     SET_ERROR = 1,
 
     /*
-     * Takes the oldest error out of the brick's error log
+     * Removes and returns the oldest error of the brick's error log
      *   NUMBER  out DATA8  number of the error (0: the log is empty)
      */
     GET_ERROR = 2,
@@ -430,32 +440,32 @@ enum {
     /*
      * Converts the number of an error to its name
      *   NUMBER       DATA8       number of the error (0: gives an empty text)
-     *   LENGTH       DATA8       room for the text, with its zero (bytes; -1: no limit)
-     *   DESTINATION  out string  name of the error, less than 32 characters (as many bytes as LENGTH says)
+     *   LENGTH       DATA8       size of the text buffer, including the zero (bytes; -1: no limit)
+     *   DESTINATION  out string  name of the error, at most 31 characters (as many bytes as LENGTH says)
      */
     ERRORTEXT = 3,
 
     /*
      * Reads the volume setting
-     *   VALUE  out DATA8  how loud (0 to 100 %)
+     *   VALUE  out DATA8  volume (0 to 100 %)
      */
     GET_VOLUME = 4,
 
     /*
      * Changes the volume setting
-     *   VALUE  DATA8  how loud (0 to 100 %)
+     *   VALUE  DATA8  volume (0 to 100 %)
      */
     SET_VOLUME = 5,
 
     /*
-     * Reads after how long without use the brick powers off
-     *   VALUE  out DATA8  time without use (0 to 120 min; 0: never)
+     * Reads the idle time after which the brick powers off
+     *   VALUE  out DATA8  idle time (0 to 120 min; 0: never)
      */
     GET_MINUTES = 6,
 
     /*
-     * Changes after how long without use the brick powers off
-     *   VALUE  DATA8  time without use (0 to 120 min; 0: never)
+     * Changes the idle time after which the brick powers off
+     *   VALUE  DATA8  idle time (0 to 120 min; 0: never)
      */
     SET_MINUTES = 7,
 };
@@ -463,9 +473,9 @@ enum {
 /* CMDs of opSTRINGS */
 enum {
     /*
-     * Measures a text
+     * Reads the length of a text
      *   SOURCE1  string      text to work on
-     *   SIZE     out DATA16  its length without the zero (bytes)
+     *   SIZE     out DATA16  its length, not including the zero (bytes)
      */
     GET_SIZE = 1,
 
@@ -473,31 +483,31 @@ enum {
      * Joins two texts
      *   SOURCE1      string      first part
      *   SOURCE2      string      second part
-     *   DESTINATION  out string  resulting text, ended by its zero
+     *   DESTINATION  out string  resulting text, zero-terminated
      */
     ADD = 2,
 
     /*
-     * Tells whether two texts are the same, upper and lower case kept apart
+     * Reports whether two texts are equal; case matters
      *   SOURCE1  string     one text
      *   SOURCE2  string     the other text
-     *   RESULT   out DATA8  whether they match (0 to 1; 0: different; 1: the same)
+     *   RESULT   out DATA8  whether they are equal (0 to 1; 0: different; 1: the same)
      */
     COMPARE = 3,
 
     /*
      * Copies a text
      *   SOURCE1      string      text to work on
-     *   DESTINATION  out string  resulting text, ended by its zero
+     *   DESTINATION  out string  resulting text, zero-terminated
      */
     DUPLICATE = 5,
 
     /*
-     * Writes a floating-point number as text, without zeros at its end
+     * Writes a floating-point number as text, without trailing zeros
      *   VALUE        DATAF       number to write; NaN becomes ----
-     *   FIGURES      DATA8       width with the point; negative aligns left (characters)
+     *   FIGURES      DATA8       width, including the point; negative aligns left (characters)
      *   DECIMALS     DATA8       digits after the point
-     *   DESTINATION  out string  resulting text, ended by its zero
+     *   DESTINATION  out string  resulting text, zero-terminated
      */
     VALUE_TO_STRING = 6,
 
@@ -511,23 +521,23 @@ enum {
     /*
      * Removes every space from a text
      *   SOURCE1      string      text to work on
-     *   DESTINATION  out string  resulting text, ended by its zero
+     *   DESTINATION  out string  resulting text, zero-terminated
      */
     STRIP = 8,
 
     /*
-     * Writes a whole number as text, with zeros in front
+     * Writes a whole number as text, with leading zeros
      *   VALUE        DATA16      number to write
      *   FIGURES      DATA8       width of the text (characters)
-     *   DESTINATION  out string  resulting text, ended by its zero
+     *   DESTINATION  out string  resulting text, zero-terminated
      */
     NUMBER_TO_STRING = 9,
 
     /*
-     * Takes from a text what comes after another text found in it
+     * Returns the part of a text after another text found in it
      *   SOURCE1      string      text to search
-     *   SOURCE2      string      text to find; it should be there
-     *   DESTINATION  out string  resulting text, ended by its zero
+     *   SOURCE2      string      text to find; must occur
+     *   DESTINATION  out string  resulting text, zero-terminated
      */
     SUB = 10,
 
@@ -535,7 +545,7 @@ enum {
      * Writes a floating-point number as text in a format of C's printf
      *   VALUE        DATAF       number to write
      *   FORMAT       string      format, such as %5.2f
-     *   SIZE         DATA8       room for the text, with its zero (bytes)
+     *   SIZE         DATA8       size of the text buffer, including the zero (bytes)
      *   DESTINATION  out string  resulting text (as many bytes as SIZE says)
      */
     VALUE_FORMATTED = 11,
@@ -544,7 +554,7 @@ enum {
      * Writes a whole number as text in a format of C's printf
      *   VALUE        DATA32      number to write
      *   FORMAT       string      format, such as %05d or %X
-     *   SIZE         DATA8       room for the text, with its zero (bytes)
+     *   SIZE         DATA8       size of the text buffer, including the zero (bytes)
      *   DESTINATION  out string  resulting text (as many bytes as SIZE says)
      */
     NUMBER_FORMATTED = 12,
@@ -552,7 +562,7 @@ enum {
 
 /* CMDs of opTST */
 enum {
-    /* Allows test commands for 10 seconds; each one renews the time */
+    /* Allows test commands for 10 seconds; each one restarts the timer */
     TST_OPEN = 10,
 
     /* Ends the test mode */
@@ -561,7 +571,7 @@ enum {
     /*
      * Reads the pins of a connector
      *   PORT    DATA8      connector: 0..3 are sensor ports 1-4, 16..19 are motor ports A-D (0 to 19)
-     *   LENGTH  DATA8      how many pins to read, usually 5
+     *   LENGTH  DATA8      number of pins to read, usually 5
      *   STRING  out DATA8  one character per pin: 0 low, 1 high (as many values as LENGTH says)
      */
     TST_READ_PINS = 12,
@@ -569,8 +579,8 @@ enum {
     /*
      * Sets the pins of a connector
      *   PORT    DATA8  connector: 0..3 are sensor ports 1-4, 16..19 are motor ports A-D (0 to 19)
-     *   LENGTH  DATA8  how many pins to set, usually 5
-     *   STRING  DATA8  one character per pin: 0 low, 1 high, X floating, - as it is (as many values as LENGTH says)
+     *   LENGTH  DATA8  number of pins to set, usually 5
+     *   STRING  DATA8  one character per pin: 0 low, 1 high, X floating, - unchanged (as many values as LENGTH says)
      */
     TST_WRITE_PINS = 13,
 
@@ -583,18 +593,18 @@ enum {
     TST_READ_ADC = 14,
 
     /*
-     * Sends bytes out of a sensor port's serial line
-     *   PORT    DATA8  sensor port less one (0 to 3)
-     *   LENGTH  DATA8  how many bytes to send (0 to 63 bytes)
+     * Sends bytes on a sensor port's serial line
+     *   PORT    DATA8  sensor port minus one (0 to 3)
+     *   LENGTH  DATA8  number of bytes to send (0 to 63 bytes)
      *   STRING  DATA8  the bytes (as many values as LENGTH says)
      */
     TST_WRITE_UART = 15,
 
     /*
-     * Reads bytes that arrived on a sensor port's serial line
-     *   PORT    DATA8      sensor port less one (0 to 3)
-     *   LENGTH  DATA8      how many bytes to read (0 to 63 bytes)
-     *   STRING  out DATA8  the bytes, filled up with zeros (as many values as LENGTH says)
+     * Reads the bytes received on a sensor port's serial line
+     *   PORT    DATA8      sensor port minus one (0 to 3)
+     *   LENGTH  DATA8      number of bytes to read (0 to 63 bytes)
+     *   STRING  out DATA8  the bytes, padded with zeros (as many values as LENGTH says)
      */
     TST_READ_UART = 16,
 
@@ -613,20 +623,20 @@ enum {
      */
     TST_ACCU_SWITCH = 19,
 
-    /* Starts mode 2 of Bluetooth, the one for Apple's devices */
+    /* Starts Bluetooth mode 2, for Apple devices */
     TST_BOOT_MODE2 = 20,
 
     /*
-     * Asks how far the start of Bluetooth's mode 2 is
+     * Asks for the state of the start of Bluetooth mode 2
      *   STATUS  out DATA8  OK, BUSY (still starting) or FAIL (0 to 2; a member of RESULT)
      */
     TST_POLL_MODE2 = 21,
 
-    /* Ends mode 2 of Bluetooth */
+    /* Ends Bluetooth mode 2 */
     TST_CLOSE_MODE2 = 22,
 
     /*
-     * Asks how the memory test at power-on went
+     * Asks for the result of the memory test at power-on
      *   STATUS  out DATA8  OK or FAIL (0 to 2; a member of RESULT)
      */
     TST_RAM_CHECK = 23,
@@ -836,25 +846,25 @@ enum {
     opXOR32 = 0x2A,
 
     /*
-     * Shifts 8-bit values left; despite the name (rotate), bits leaving on the left are lost
+     * Shifts 8-bit values left; despite the name (rotate), bits shifted out on the left are lost
      *   SOURCE1      DATA8      value to shift
-     *   SOURCE2      DATA8      how many places (bits)
+     *   SOURCE2      DATA8      number of places (bits)
      *   DESTINATION  out DATA8  shifted value, filled up with zero bits
      */
     opRL8 = 0x2C,
 
     /*
-     * Shifts 16-bit values left; despite the name (rotate), bits leaving on the left are lost
+     * Shifts 16-bit values left; despite the name (rotate), bits shifted out on the left are lost
      *   SOURCE1      DATA16      value to shift
-     *   SOURCE2      DATA16      how many places (bits)
+     *   SOURCE2      DATA16      number of places (bits)
      *   DESTINATION  out DATA16  shifted value, filled up with zero bits
      */
     opRL16 = 0x2D,
 
     /*
-     * Shifts 32-bit values left; despite the name (rotate), bits leaving on the left are lost
+     * Shifts 32-bit values left; despite the name (rotate), bits shifted out on the left are lost
      *   SOURCE1      DATA32      value to shift
-     *   SOURCE2      DATA32      how many places (bits)
+     *   SOURCE2      DATA32      number of places (bits)
      *   DESTINATION  out DATA32  shifted value, filled up with zero bits
      */
     opRL32 = 0x2E,
@@ -884,7 +894,7 @@ enum {
      * Takes the remainder of a floating-point division
      *   X  DATAF      number to divide
      *   Y  DATAF      number to divide by
-     *   R  out DATAF  what is left over, with the sign of X
+     *   R  out DATAF  remainder, with the sign of X
      */
     MOD = 2,
 
@@ -990,7 +1000,7 @@ enum {
      * Takes the remainder of an 8-bit division
      *   X  DATA8      number to divide
      *   Y  DATA8      number to divide by, not 0
-     *   R  out DATA8  what is left over, with the sign of X
+     *   R  out DATA8  remainder, with the sign of X
      */
     MOD8 = 17,
 
@@ -998,7 +1008,7 @@ enum {
      * Takes the remainder of a 16-bit division
      *   X  DATA16      number to divide
      *   Y  DATA16      number to divide by, not 0
-     *   R  out DATA16  what is left over, with the sign of X
+     *   R  out DATA16  remainder, with the sign of X
      */
     MOD16 = 18,
 
@@ -1006,7 +1016,7 @@ enum {
      * Takes the remainder of a 32-bit division
      *   X  DATA32      number to divide
      *   Y  DATA32      number to divide by, not 0
-     *   R  out DATA32  what is left over, with the sign of X
+     *   R  out DATA32  remainder, with the sign of X
      */
     MOD32 = 19,
 
@@ -1021,7 +1031,7 @@ enum {
     /*
      * Cuts off decimals without rounding
      *   X  DATAF      number to work on
-     *   P  DATA8      how many decimals to keep (more than 6 are not there) (0 to 9)
+     *   P  DATA8      number of decimals to keep (at most 6 are available) (0 to 9)
      *   R  out DATAF  result
      */
     TRUNC = 21,
@@ -1031,9 +1041,9 @@ enum {
 
 enum {
     /*
-     * Fills consecutive bytes of memory with values given in place
+     * Fills consecutive bytes of memory with constant values
      *   DESTINATION  out DATA8  first byte to fill (as many values as LENGTH says)
-     *   LENGTH       DATA32     how many values follow; a negative count hangs the brick (bytes)
+     *   LENGTH       DATA32     number of values follow; a negative count hangs the brick (bytes)
      *   SOURCE       values     the values, one per byte (each is DATA8)
      */
     opINIT_BYTES = 0x2F,
@@ -1151,7 +1161,7 @@ enum {
     opMOVEF_F = 0x3F,
 
     /*
-     * Takes one element out of an array of 8-bit values
+     * Reads one element of an array of 8-bit values
      *   SOURCE       DATA8      first element of the array, as a variable
      *   INDEX        DATA8      which element, counted from 0; the firmware does not check it (0 to 127)
      *   DESTINATION  out DATA8  the element's value
@@ -1159,7 +1169,7 @@ enum {
     opREAD8 = 0xC8,
 
     /*
-     * Takes one element out of an array of 16-bit values
+     * Reads one element of an array of 16-bit values
      *   SOURCE       DATA16      first element of the array, as a variable
      *   INDEX        DATA8       which element, counted from 0; the firmware does not check it (0 to 127)
      *   DESTINATION  out DATA16  the element's value
@@ -1167,7 +1177,7 @@ enum {
     opREAD16 = 0xC9,
 
     /*
-     * Takes one element out of an array of 32-bit values
+     * Reads one element of an array of 32-bit values
      *   SOURCE       DATA32      first element of the array, as a variable
      *   INDEX        DATA8       which element, counted from 0; the firmware does not check it (0 to 127)
      *   DESTINATION  out DATA32  the element's value
@@ -1175,7 +1185,7 @@ enum {
     opREAD32 = 0xCA,
 
     /*
-     * Takes one element out of an array of floating-point values
+     * Reads one element of an array of floating-point values
      *   SOURCE       DATAF      first element of the array, as a variable
      *   INDEX        DATA8      which element, counted from 0; the firmware does not check it (0 to 127)
      *   DESTINATION  out DATAF  the element's value
@@ -1183,32 +1193,32 @@ enum {
     opREADF = 0xCB,
 
     /*
-     * Sets one element of an array of 8-bit values
-     *   SOURCE       DATA8  value to set
+     * Writes one element of an array of 8-bit values
+     *   SOURCE       DATA8  value to write
      *   INDEX        DATA8  which element, counted from 0; the firmware does not check it (0 to 127)
      *   DESTINATION  DATA8  first element of the array, as a variable; element INDEX is written
      */
     opWRITE8 = 0xCC,
 
     /*
-     * Sets one element of an array of 16-bit values
-     *   SOURCE       DATA16  value to set
+     * Writes one element of an array of 16-bit values
+     *   SOURCE       DATA16  value to write
      *   INDEX        DATA8   which element, counted from 0; the firmware does not check it (0 to 127)
      *   DESTINATION  DATA16  first element of the array, as a variable; element INDEX is written
      */
     opWRITE16 = 0xCD,
 
     /*
-     * Sets one element of an array of 32-bit values
-     *   SOURCE       DATA32  value to set
+     * Writes one element of an array of 32-bit values
+     *   SOURCE       DATA32  value to write
      *   INDEX        DATA8   which element, counted from 0; the firmware does not check it (0 to 127)
      *   DESTINATION  DATA32  first element of the array, as a variable; element INDEX is written
      */
     opWRITE32 = 0xCE,
 
     /*
-     * Sets one element of an array of floating-point values
-     *   SOURCE       DATAF  value to set
+     * Writes one element of an array of floating-point values
+     *   SOURCE       DATAF  value to write
      *   INDEX        DATA8  which element, counted from 0; the firmware does not check it (0 to 127)
      *   DESTINATION  DATAF  first element of the array, as a variable; element INDEX is written
      */
@@ -1239,7 +1249,7 @@ enum {
     opJR_TRUE = 0x42,
 
     /*
-     * Jumps if a value is not a number, as a sensor without data gives
+     * Jumps if a value is not a number, as read from a sensor without data
      *   VALUE   DATAF  value to look at
      *   OFFSET  label  how far to jump from the end of this operation; negative jumps back; or a label (bytes)
      */
@@ -1442,230 +1452,230 @@ enum {
 
 enum {
     /*
-     * Tells whether LEFT is less than RIGHT, as 8-bit numbers
+     * Tests whether LEFT is less than RIGHT, as 8-bit numbers
      *   LEFT   DATA8      left side of the comparison
      *   RIGHT  DATA8      right side of the comparison
-     *   FLAG   out DATA8  whether it holds (0 to 1; 0: false; 1: true)
+     *   FLAG   out DATA8  result of the comparison (0 to 1; 0: false; 1: true)
      */
     opCP_LT8 = 0x44,
 
     /*
-     * Tells whether LEFT is less than RIGHT, as 16-bit numbers
+     * Tests whether LEFT is less than RIGHT, as 16-bit numbers
      *   LEFT   DATA16     left side of the comparison
      *   RIGHT  DATA16     right side of the comparison
-     *   FLAG   out DATA8  whether it holds (0 to 1; 0: false; 1: true)
+     *   FLAG   out DATA8  result of the comparison (0 to 1; 0: false; 1: true)
      */
     opCP_LT16 = 0x45,
 
     /*
-     * Tells whether LEFT is less than RIGHT, as 32-bit numbers
+     * Tests whether LEFT is less than RIGHT, as 32-bit numbers
      *   LEFT   DATA32     left side of the comparison
      *   RIGHT  DATA32     right side of the comparison
-     *   FLAG   out DATA8  whether it holds (0 to 1; 0: false; 1: true)
+     *   FLAG   out DATA8  result of the comparison (0 to 1; 0: false; 1: true)
      */
     opCP_LT32 = 0x46,
 
     /*
-     * Tells whether LEFT is less than RIGHT, as floating-point numbers
+     * Tests whether LEFT is less than RIGHT, as floating-point numbers
      *   LEFT   DATAF      left side of the comparison
      *   RIGHT  DATAF      right side of the comparison
-     *   FLAG   out DATA8  whether it holds (0 to 1; 0: false; 1: true)
+     *   FLAG   out DATA8  result of the comparison (0 to 1; 0: false; 1: true)
      */
     opCP_LTF = 0x47,
 
     /*
-     * Tells whether LEFT is greater than RIGHT, as 8-bit numbers
+     * Tests whether LEFT is greater than RIGHT, as 8-bit numbers
      *   LEFT   DATA8      left side of the comparison
      *   RIGHT  DATA8      right side of the comparison
-     *   FLAG   out DATA8  whether it holds (0 to 1; 0: false; 1: true)
+     *   FLAG   out DATA8  result of the comparison (0 to 1; 0: false; 1: true)
      */
     opCP_GT8 = 0x48,
 
     /*
-     * Tells whether LEFT is greater than RIGHT, as 16-bit numbers
+     * Tests whether LEFT is greater than RIGHT, as 16-bit numbers
      *   LEFT   DATA16     left side of the comparison
      *   RIGHT  DATA16     right side of the comparison
-     *   FLAG   out DATA8  whether it holds (0 to 1; 0: false; 1: true)
+     *   FLAG   out DATA8  result of the comparison (0 to 1; 0: false; 1: true)
      */
     opCP_GT16 = 0x49,
 
     /*
-     * Tells whether LEFT is greater than RIGHT, as 32-bit numbers
+     * Tests whether LEFT is greater than RIGHT, as 32-bit numbers
      *   LEFT   DATA32     left side of the comparison
      *   RIGHT  DATA32     right side of the comparison
-     *   FLAG   out DATA8  whether it holds (0 to 1; 0: false; 1: true)
+     *   FLAG   out DATA8  result of the comparison (0 to 1; 0: false; 1: true)
      */
     opCP_GT32 = 0x4A,
 
     /*
-     * Tells whether LEFT is greater than RIGHT, as floating-point numbers
+     * Tests whether LEFT is greater than RIGHT, as floating-point numbers
      *   LEFT   DATAF      left side of the comparison
      *   RIGHT  DATAF      right side of the comparison
-     *   FLAG   out DATA8  whether it holds (0 to 1; 0: false; 1: true)
+     *   FLAG   out DATA8  result of the comparison (0 to 1; 0: false; 1: true)
      */
     opCP_GTF = 0x4B,
 
     /*
-     * Tells whether LEFT is equal to RIGHT, as 8-bit numbers
+     * Tests whether LEFT is equal to RIGHT, as 8-bit numbers
      *   LEFT   DATA8      left side of the comparison
      *   RIGHT  DATA8      right side of the comparison
-     *   FLAG   out DATA8  whether it holds (0 to 1; 0: false; 1: true)
+     *   FLAG   out DATA8  result of the comparison (0 to 1; 0: false; 1: true)
      */
     opCP_EQ8 = 0x4C,
 
     /*
-     * Tells whether LEFT is equal to RIGHT, as 16-bit numbers
+     * Tests whether LEFT is equal to RIGHT, as 16-bit numbers
      *   LEFT   DATA16     left side of the comparison
      *   RIGHT  DATA16     right side of the comparison
-     *   FLAG   out DATA8  whether it holds (0 to 1; 0: false; 1: true)
+     *   FLAG   out DATA8  result of the comparison (0 to 1; 0: false; 1: true)
      */
     opCP_EQ16 = 0x4D,
 
     /*
-     * Tells whether LEFT is equal to RIGHT, as 32-bit numbers
+     * Tests whether LEFT is equal to RIGHT, as 32-bit numbers
      *   LEFT   DATA32     left side of the comparison
      *   RIGHT  DATA32     right side of the comparison
-     *   FLAG   out DATA8  whether it holds (0 to 1; 0: false; 1: true)
+     *   FLAG   out DATA8  result of the comparison (0 to 1; 0: false; 1: true)
      */
     opCP_EQ32 = 0x4E,
 
     /*
-     * Tells whether LEFT is equal to RIGHT, as floating-point numbers
+     * Tests whether LEFT is equal to RIGHT, as floating-point numbers
      *   LEFT   DATAF      left side of the comparison
      *   RIGHT  DATAF      right side of the comparison
-     *   FLAG   out DATA8  whether it holds (0 to 1; 0: false; 1: true)
+     *   FLAG   out DATA8  result of the comparison (0 to 1; 0: false; 1: true)
      */
     opCP_EQF = 0x4F,
 
     /*
-     * Tells whether LEFT is different from RIGHT, as 8-bit numbers
+     * Tests whether LEFT is different from RIGHT, as 8-bit numbers
      *   LEFT   DATA8      left side of the comparison
      *   RIGHT  DATA8      right side of the comparison
-     *   FLAG   out DATA8  whether it holds (0 to 1; 0: false; 1: true)
+     *   FLAG   out DATA8  result of the comparison (0 to 1; 0: false; 1: true)
      */
     opCP_NEQ8 = 0x50,
 
     /*
-     * Tells whether LEFT is different from RIGHT, as 16-bit numbers
+     * Tests whether LEFT is different from RIGHT, as 16-bit numbers
      *   LEFT   DATA16     left side of the comparison
      *   RIGHT  DATA16     right side of the comparison
-     *   FLAG   out DATA8  whether it holds (0 to 1; 0: false; 1: true)
+     *   FLAG   out DATA8  result of the comparison (0 to 1; 0: false; 1: true)
      */
     opCP_NEQ16 = 0x51,
 
     /*
-     * Tells whether LEFT is different from RIGHT, as 32-bit numbers
+     * Tests whether LEFT is different from RIGHT, as 32-bit numbers
      *   LEFT   DATA32     left side of the comparison
      *   RIGHT  DATA32     right side of the comparison
-     *   FLAG   out DATA8  whether it holds (0 to 1; 0: false; 1: true)
+     *   FLAG   out DATA8  result of the comparison (0 to 1; 0: false; 1: true)
      */
     opCP_NEQ32 = 0x52,
 
     /*
-     * Tells whether LEFT is different from RIGHT, as floating-point numbers
+     * Tests whether LEFT is different from RIGHT, as floating-point numbers
      *   LEFT   DATAF      left side of the comparison
      *   RIGHT  DATAF      right side of the comparison
-     *   FLAG   out DATA8  whether it holds (0 to 1; 0: false; 1: true)
+     *   FLAG   out DATA8  result of the comparison (0 to 1; 0: false; 1: true)
      */
     opCP_NEQF = 0x53,
 
     /*
-     * Tells whether LEFT is less than or equal to RIGHT, as 8-bit numbers
+     * Tests whether LEFT is less than or equal to RIGHT, as 8-bit numbers
      *   LEFT   DATA8      left side of the comparison
      *   RIGHT  DATA8      right side of the comparison
-     *   FLAG   out DATA8  whether it holds (0 to 1; 0: false; 1: true)
+     *   FLAG   out DATA8  result of the comparison (0 to 1; 0: false; 1: true)
      */
     opCP_LTEQ8 = 0x54,
 
     /*
-     * Tells whether LEFT is less than or equal to RIGHT, as 16-bit numbers
+     * Tests whether LEFT is less than or equal to RIGHT, as 16-bit numbers
      *   LEFT   DATA16     left side of the comparison
      *   RIGHT  DATA16     right side of the comparison
-     *   FLAG   out DATA8  whether it holds (0 to 1; 0: false; 1: true)
+     *   FLAG   out DATA8  result of the comparison (0 to 1; 0: false; 1: true)
      */
     opCP_LTEQ16 = 0x55,
 
     /*
-     * Tells whether LEFT is less than or equal to RIGHT, as 32-bit numbers
+     * Tests whether LEFT is less than or equal to RIGHT, as 32-bit numbers
      *   LEFT   DATA32     left side of the comparison
      *   RIGHT  DATA32     right side of the comparison
-     *   FLAG   out DATA8  whether it holds (0 to 1; 0: false; 1: true)
+     *   FLAG   out DATA8  result of the comparison (0 to 1; 0: false; 1: true)
      */
     opCP_LTEQ32 = 0x56,
 
     /*
-     * Tells whether LEFT is less than or equal to RIGHT, as floating-point numbers
+     * Tests whether LEFT is less than or equal to RIGHT, as floating-point numbers
      *   LEFT   DATAF      left side of the comparison
      *   RIGHT  DATAF      right side of the comparison
-     *   FLAG   out DATA8  whether it holds (0 to 1; 0: false; 1: true)
+     *   FLAG   out DATA8  result of the comparison (0 to 1; 0: false; 1: true)
      */
     opCP_LTEQF = 0x57,
 
     /*
-     * Tells whether LEFT is greater than or equal to RIGHT, as 8-bit numbers
+     * Tests whether LEFT is greater than or equal to RIGHT, as 8-bit numbers
      *   LEFT   DATA8      left side of the comparison
      *   RIGHT  DATA8      right side of the comparison
-     *   FLAG   out DATA8  whether it holds (0 to 1; 0: false; 1: true)
+     *   FLAG   out DATA8  result of the comparison (0 to 1; 0: false; 1: true)
      */
     opCP_GTEQ8 = 0x58,
 
     /*
-     * Tells whether LEFT is greater than or equal to RIGHT, as 16-bit numbers
+     * Tests whether LEFT is greater than or equal to RIGHT, as 16-bit numbers
      *   LEFT   DATA16     left side of the comparison
      *   RIGHT  DATA16     right side of the comparison
-     *   FLAG   out DATA8  whether it holds (0 to 1; 0: false; 1: true)
+     *   FLAG   out DATA8  result of the comparison (0 to 1; 0: false; 1: true)
      */
     opCP_GTEQ16 = 0x59,
 
     /*
-     * Tells whether LEFT is greater than or equal to RIGHT, as 32-bit numbers
+     * Tests whether LEFT is greater than or equal to RIGHT, as 32-bit numbers
      *   LEFT   DATA32     left side of the comparison
      *   RIGHT  DATA32     right side of the comparison
-     *   FLAG   out DATA8  whether it holds (0 to 1; 0: false; 1: true)
+     *   FLAG   out DATA8  result of the comparison (0 to 1; 0: false; 1: true)
      */
     opCP_GTEQ32 = 0x5A,
 
     /*
-     * Tells whether LEFT is greater than or equal to RIGHT, as floating-point numbers
+     * Tests whether LEFT is greater than or equal to RIGHT, as floating-point numbers
      *   LEFT   DATAF      left side of the comparison
      *   RIGHT  DATAF      right side of the comparison
-     *   FLAG   out DATA8  whether it holds (0 to 1; 0: false; 1: true)
+     *   FLAG   out DATA8  result of the comparison (0 to 1; 0: false; 1: true)
      */
     opCP_GTEQF = 0x5B,
 
     /*
-     * Takes one of two 8-bit values, whichever the flag says
-     *   FLAG     DATA8      which to take: anything but 0 takes SOURCE1 (0: SOURCE2; 1: SOURCE1)
-     *   SOURCE1  DATA8      value taken if the flag is set
-     *   SOURCE2  DATA8      value taken if the flag is 0
-     *   RESULT   out DATA8  the value taken
+     * Selects one of two 8-bit values by a flag
+     *   FLAG     DATA8      which one: anything but 0 selects SOURCE1 (0: SOURCE2; 1: SOURCE1)
+     *   SOURCE1  DATA8      value selected if the flag is set
+     *   SOURCE2  DATA8      value selected if the flag is 0
+     *   RESULT   out DATA8  the selected value
      */
     opSELECT8 = 0x5C,
 
     /*
-     * Takes one of two 16-bit values, whichever the flag says
-     *   FLAG     DATA8       which to take: anything but 0 takes SOURCE1 (0: SOURCE2; 1: SOURCE1)
-     *   SOURCE1  DATA16      value taken if the flag is set
-     *   SOURCE2  DATA16      value taken if the flag is 0
-     *   RESULT   out DATA16  the value taken
+     * Selects one of two 16-bit values by a flag
+     *   FLAG     DATA8       which one: anything but 0 selects SOURCE1 (0: SOURCE2; 1: SOURCE1)
+     *   SOURCE1  DATA16      value selected if the flag is set
+     *   SOURCE2  DATA16      value selected if the flag is 0
+     *   RESULT   out DATA16  the selected value
      */
     opSELECT16 = 0x5D,
 
     /*
-     * Takes one of two 32-bit values, whichever the flag says
-     *   FLAG     DATA8       which to take: anything but 0 takes SOURCE1 (0: SOURCE2; 1: SOURCE1)
-     *   SOURCE1  DATA32      value taken if the flag is set
-     *   SOURCE2  DATA32      value taken if the flag is 0
-     *   RESULT   out DATA32  the value taken
+     * Selects one of two 32-bit values by a flag
+     *   FLAG     DATA8       which one: anything but 0 selects SOURCE1 (0: SOURCE2; 1: SOURCE1)
+     *   SOURCE1  DATA32      value selected if the flag is set
+     *   SOURCE2  DATA32      value selected if the flag is 0
+     *   RESULT   out DATA32  the selected value
      */
     opSELECT32 = 0x5E,
 
     /*
-     * Takes one of two floating-point values, whichever the flag says
-     *   FLAG     DATA8      which to take: anything but 0 takes SOURCE1 (0: SOURCE2; 1: SOURCE1)
-     *   SOURCE1  DATAF      value taken if the flag is set
-     *   SOURCE2  DATAF      value taken if the flag is 0
-     *   RESULT   out DATAF  the value taken
+     * Selects one of two floating-point values by a flag
+     *   FLAG     DATA8      which one: anything but 0 selects SOURCE1 (0: SOURCE2; 1: SOURCE1)
+     *   SOURCE1  DATAF      value selected if the flag is set
+     *   SOURCE2  DATAF      value selected if the flag is 0
+     *   RESULT   out DATAF  the selected value
      */
     opSELECTF = 0x5F,
 };
@@ -1673,7 +1683,7 @@ enum {
 /* Display, buttons, lights, battery -------------------------------------------------------------------------------- */
 
 enum {
-    /* Sends what was written for the terminal and is still in its buffer */
+    /* Sends the contents of the terminal's output buffer */
     opUI_FLUSH = 0x80,
 
     /* Reads the state of the brick or what the terminal received: a CMD follows, below */
@@ -1689,7 +1699,7 @@ enum {
     opUI_DRAW = 0x84,
 
     /*
-     * Restarts the time after which the idle brick switches off, and reads it
+     * Restarts the timer that switches off an idle brick, and reads its time
      *   MINUTES  out DATA8  idle time before switching off (min; 0: never)
      */
     opKEEP_ALIVE = 0x90,
@@ -1711,7 +1721,8 @@ enum {
 
     /*
      * Reads name and version of the operating system
-     *   LENGTH       DATA8       most bytes to return, the zero included (0 to 127 bytes; -1: no limit)
+     *   LENGTH       DATA8       maximum number of bytes to return, including the zero (0 to 127 bytes; -1: no
+     *       limit)
      *   DESTINATION  out string  system and kernel release, such as Linux 2.6.33-rc4 (as many bytes as LENGTH says)
      */
     GET_OS_VERS = 3,
@@ -1724,8 +1735,8 @@ enum {
     GET_EVENT = 4,
 
     /*
-     * Reads how much the batteries have warmed up, as estimated from the current
-     *   VALUE  out DATAF  estimated rise of the temperature (deg C)
+     * Reads the rise in battery temperature, estimated from the current
+     *   VALUE  out DATAF  estimated rise in temperature (deg C)
      */
     GET_TBATT = 5,
 
@@ -1743,35 +1754,39 @@ enum {
 
     /*
      * Waits for a line typed at the terminal and reads it
-     *   LENGTH       DATA8       most bytes to return; the zero comes on top (0 to 127 bytes)
+     *   LENGTH       DATA8       maximum number of bytes to return, not including the zero (0 to 127 bytes)
      *   DESTINATION  out string  the line (as many bytes as LENGTH says)
      */
     GET_STRING = 8,
 
     /*
      * Reads the hardware version
-     *   LENGTH       DATA8       most bytes to return, the zero included (0 to 127 bytes; -1: no limit)
+     *   LENGTH       DATA8       maximum number of bytes to return, including the zero (0 to 127 bytes; -1: no
+     *       limit)
      *   DESTINATION  out string  hardware version, such as V0.60 (as many bytes as LENGTH says)
      */
     GET_HW_VERS = 9,
 
     /*
      * Reads the firmware version
-     *   LENGTH       DATA8       most bytes to return, the zero included (0 to 127 bytes; -1: no limit)
+     *   LENGTH       DATA8       maximum number of bytes to return, including the zero (0 to 127 bytes; -1: no
+     *       limit)
      *   DESTINATION  out string  firmware version, such as V1.04H (as many bytes as LENGTH says)
      */
     GET_FW_VERS = 10,
 
     /*
-     * Reads when the firmware was built
-     *   LENGTH       DATA8       most bytes to return, the zero included (0 to 127 bytes; -1: no limit)
+     * Reads the build time of the firmware
+     *   LENGTH       DATA8       maximum number of bytes to return, including the zero (0 to 127 bytes; -1: no
+     *       limit)
      *   DESTINATION  out string  build time as yymmddhhmm (as many bytes as LENGTH says)
      */
     GET_FW_BUILD = 11,
 
     /*
-     * Reads when the operating system was built
-     *   LENGTH       DATA8       most bytes to return, the zero included (0 to 127 bytes; -1: no limit)
+     * Reads the build time of the operating system
+     *   LENGTH       DATA8       maximum number of bytes to return, including the zero (0 to 127 bytes; -1: no
+     *       limit)
      *   DESTINATION  out string  build time as yymmddhhmm (as many bytes as LENGTH says)
      */
     GET_OS_BUILD = 12,
@@ -1783,11 +1798,11 @@ enum {
     GET_ADDRESS = 13,
 
     /*
-     * Waits for byte code typed as hex at the terminal and makes a program of it (debugging)
-     *   LENGTH  DATA32      most bytes of the program, headers included (bytes)
+     * Waits for byte code typed as hex at the terminal and builds a program from it (debugging)
+     *   LENGTH  DATA32      maximum number of bytes of the program, including headers (bytes)
      *   IMAGE   DATA32      address of the memory where the program is built
      *   GLOBAL  out DATA32  address of the program's global variables
-     *   FLAG    out DATA8   whether the program can be started; 1 or left as it was (1: ready)
+     *   FLAG    out DATA8   whether the program can be started; 1 or unchanged (1: ready)
      */
     GET_CODE = 14,
 
@@ -1798,19 +1813,19 @@ enum {
     KEY = 15,
 
     /*
-     * Reads and clears the wish to shut down (used by the brick's own menus)
+     * Reads and clears the request to shut down (used by the brick's own menus)
      *   FLAG  out DATA8  whether the brick wants to shut down (0 to 1; 0: no; 1: yes)
      */
     GET_SHUTDOWN = 16,
 
     /*
-     * Reads what the brick warns of
+     * Reads the brick's warnings
      *   WARNINGS  out DATA8  one bit for each warning (0: none; a member of WARNING)
      */
     GET_WARNING = 17,
 
     /*
-     * Reads how full the battery is, derived from its voltage
+     * Reads the battery level, derived from its voltage
      *   PCT  out DATA8  battery level (0 to 100 %)
      */
     GET_LBATT = 18,
@@ -1818,24 +1833,27 @@ enum {
     /*
      * Reads one line of the text of a text box
      *   TEXT         string      whole text of the box, its lines separated by DEL
-     *   SIZE         DATA32      bytes that the box has for its text, the zero included (bytes)
+     *   SIZE         DATA32      size of the box's text buffer, including the zero (bytes)
      *   DEL          DATA8       what separates the lines (a member of DEL)
-     *   LENGTH       DATA8       most bytes to return, the zero included (0 to 127 bytes; -1: no limit)
+     *   LENGTH       DATA8       maximum number of bytes to return, including the zero (0 to 127 bytes; -1: no
+     *       limit)
      *   LINE         DATA16      which line, counted from 1
-     *   DESTINATION  out string  the line, empty where there is no such line (as many bytes as LENGTH says)
+     *   DESTINATION  out string  the line, empty if there is no such line (as many bytes as LENGTH says)
      */
     TEXTBOX_READ = 21,
 
     /*
-     * Reads name, version and build date of the firmware in one
-     *   LENGTH       DATA8       most bytes to return, the zero included (0 to 127 bytes; -1: no limit)
+     * Reads name, version and build date of the firmware in one string
+     *   LENGTH       DATA8       maximum number of bytes to return, including the zero (0 to 127 bytes; -1: no
+     *       limit)
      *   DESTINATION  out string  such as LMS2012 V1.04H(Jul 26 2013 12:00:00) (as many bytes as LENGTH says)
      */
     GET_VERSION = 26,
 
     /*
      * Reads the brick's IP address
-     *   LENGTH       DATA8       most bytes to return, the zero included (0 to 127 bytes; -1: no limit)
+     *   LENGTH       DATA8       maximum number of bytes to return, including the zero (0 to 127 bytes; -1: no
+     *       limit)
      *   DESTINATION  out string  address in dotted notation (as many bytes as LENGTH says)
      */
     GET_IP = 27,
@@ -1850,7 +1868,7 @@ enum {
     GET_POWER = 29,
 
     /*
-     * Reads whether an SD card is in and its space
+     * Reads whether an SD card is present, and its space
      *   STATE  out DATA8   whether one is present (0 to 1; 0: absent; 1: present)
      *   TOTAL  out DATA32  size (KiB)
      *   FREE   out DATA32  free space (KiB)
@@ -1858,7 +1876,7 @@ enum {
     GET_SDCARD = 30,
 
     /*
-     * Reads whether a USB stick is in and its space
+     * Reads whether a USB stick is present, and its space
      *   STATE  out DATA8   whether one is present (0 to 1; 0: absent; 1: present)
      *   TOTAL  out DATA32  size (KiB)
      *   FREE   out DATA32  free space (KiB)
@@ -1868,19 +1886,19 @@ enum {
 
 /* CMDs of opUI_WRITE */
 enum {
-    /* Sends what is still in the terminal's buffer, like UI_FLUSH */
+    /* Sends the contents of the terminal's output buffer, like UI_FLUSH */
     WRITE_FLUSH = 1,
 
     /*
      * Writes a number in a fixed format to the terminal
      *   VALUE     DATAF  number to write
-     *   FIGURES   DATA8  characters in all, decimal point included; negative aligns left
+     *   FIGURES   DATA8  total number of characters, including the decimal point; negative aligns left
      *   DECIMALS  DATA8  digits after the decimal point
      */
     FLOATVALUE = 2,
 
     /*
-     * Writes time, program, object, position and a remark to the terminal
+     * Writes time, program, object, position and a comment to the terminal
      *   VALUE  string  remark
      */
     STAMP = 3,
@@ -1898,7 +1916,7 @@ enum {
     VALUE8 = 9,
 
     /*
-     * Writes a whole number to the terminal, without its sign
+     * Writes an unsigned whole number to the terminal
      *   VALUE  DATA16  number to write
      */
     VALUE16 = 10,
@@ -1916,7 +1934,7 @@ enum {
     VALUEF = 12,
 
     /*
-     * Has a number but no code in the firmware: the program that runs it fails
+     * Not implemented in the firmware: the program that runs it fails
      *   VALUE  out DATA32  address; never written
      */
     ADDRESS = 13,
@@ -1924,7 +1942,7 @@ enum {
     /*
      * Writes bytes of memory as hex to the terminal
      *   ARRAY   DATA32  address of the bytes
-     *   LENGTH  DATA32  how many bytes (bytes)
+     *   LENGTH  DATA32  number of bytes (bytes)
      */
     CODE = 14,
 
@@ -1932,19 +1950,19 @@ enum {
     DOWNLOAD_END = 15,
 
     /*
-     * Blocks or frees the display and the buttons for programs
+     * Blocks or unblocks the display and the buttons for programs
      *   STATUS  DATA8  whether drawing is ignored (0 to 1; 0: normal; 1: blocked)
      */
     SCREEN_BLOCK = 16,
 
     /*
-     * Selects the debug pulses that are shown (only in firmware built for it)
+     * Selects the debug pulses that are shown (only in debug builds of the firmware)
      *   VALUE  DATA8  sum of bits (1: menu background; 2: browser; 4: key)
      */
     ALLOW_PULSE = 17,
 
     /*
-     * Raises debug pulses (only in firmware built for it)
+     * Raises debug pulses (only in debug builds of the firmware)
      *   VALUE  DATA8  sum of bits (1: menu background; 2: browser; 4: key)
      */
     SET_PULSE = 18,
@@ -1952,7 +1970,7 @@ enum {
     /*
      * Appends a line to the text of a text box
      *   TEXT    in/out string  whole text of the box, its lines separated by DEL (as many bytes as SIZE says)
-     *   SIZE    DATA32         bytes that the box has for its text, the zero included (bytes)
+     *   SIZE    DATA32         size of the box's text buffer, including the zero (bytes)
      *   DEL     DATA8          what separates the lines (a member of DEL)
      *   SOURCE  string         line to append
      */
@@ -1983,12 +2001,12 @@ enum {
     LED = 27,
 
     /*
-     * Sets the power driver's flag for switching off when the firmware ends
+     * Sets the flag that makes the power driver switch off when the firmware ends
      *   VALUE  DATA8  the flag (0 to 1)
      */
     POWER = 29,
 
-    /* Adds the present values to the graph that GRAPH_SETUP has set up */
+    /* Adds the current values to the graph of GRAPH_SETUP */
     GRAPH_SAMPLE = 30,
 
     /*
@@ -2001,14 +2019,14 @@ enum {
 /* CMDs of opUI_BUTTON */
 enum {
     /*
-     * Tells whether a button was pressed since last asked, and forgets it
+     * Reports whether a button was pressed since the last query, and clears the press
      *   BUTTON  DATA8      which button (a member of BUTTONTYPE)
      *   STATE   out DATA8  whether the button was pressed (0 to 1; 0: no; 1: yes)
      */
     SHORTPRESS = 1,
 
     /*
-     * Tells whether a button was held for 3 s since last asked, and forgets it
+     * Reports whether a button was held for 3 s since the last query, and clears it
      *   BUTTON  DATA8      which button (a member of BUTTONTYPE)
      *   STATE   out DATA8  whether the button was held for 3 s (0 to 1; 0: no; 1: yes)
      */
@@ -2017,7 +2035,7 @@ enum {
     /* Waits until any button has been pressed, by hand or by PRESS */
     WAIT_FOR_PRESS = 3,
 
-    /* Forgets all presses that nobody has asked for */
+    /* Clears all pending presses */
     FLUSH = 4,
 
     /*
@@ -2033,52 +2051,52 @@ enum {
     RELEASE = 6,
 
     /*
-     * Reads the left and right buttons as one axis, and forgets their presses
+     * Reads the left and right buttons as one axis, and clears their presses
      *   VALUE  out DATA16  direction (-1 to 1; -1: left; 1: right; 0: not pressed)
      */
     GET_HORZ = 7,
 
     /*
-     * Reads the up and down buttons as one axis, and forgets their presses
+     * Reads the up and down buttons as one axis, and clears their presses
      *   VALUE  out DATA16  direction (-1 to 1; -1: up; 1: down; 0: not pressed)
      */
     GET_VERT = 8,
 
     /*
-     * Tells whether a button is down at the moment
+     * Reports whether a button is down at the moment
      *   BUTTON  DATA8      which button (a member of BUTTONTYPE)
      *   STATE   out DATA8  whether the button is down (0 to 1; 0: no; 1: yes)
      */
     PRESSED = 9,
 
     /*
-     * Sets whether the back button is kept from ending the running program
+     * Blocks or unblocks the back button, which ends the running program
      *   BLOCKED  DATA8  whether the back button is blocked (0 to 1; 0: not blocked; 1: blocked)
      */
     SET_BACK_BLOCK = 10,
 
     /*
-     * Tells whether the back button is kept from ending the running program
+     * Reports whether the back button is blocked
      *   BLOCKED  out DATA8  whether the back button is blocked (0 to 1; 0: not blocked; 1: blocked)
      */
     GET_BACK_BLOCK = 11,
 
     /*
-     * Tells like SHORTPRESS whether a button was pressed, without forgetting it
+     * Reports, like SHORTPRESS, whether a button was pressed, without clearing the press
      *   BUTTON  DATA8      which button (a member of BUTTONTYPE)
      *   STATE   out DATA8  whether the button was pressed (0 to 1; 0: no; 1: yes)
      */
     TESTSHORTPRESS = 12,
 
     /*
-     * Tells like LONGPRESS whether a button was held for 3 s, without forgetting it
+     * Reports, like LONGPRESS, whether a button was held for 3 s, without clearing it
      *   BUTTON  DATA8      which button (a member of BUTTONTYPE)
      *   STATE   out DATA8  whether the button was held for 3 s (0 to 1; 0: no; 1: yes)
      */
     TESTLONGPRESS = 13,
 
     /*
-     * Tells whether a button was pressed and released since last asked, and forgets it (official and xtended
+     * Reports whether a button was pressed and released since the last query, and clears it (official and xtended
      *     firmware only)
      *   BUTTON  DATA8      which button (a member of BUTTONTYPE)
      *   STATE   out DATA8  whether the button was pressed and released (0 to 1; 0: no; 1: yes)
@@ -2086,14 +2104,14 @@ enum {
     GET_BUMBED = 14,
 
     /*
-     * Tells whether a button was pressed and released since last asked, and forgets it (compat firmware only)
+     * Reports whether a button was pressed and released since the last query, and clears it (compat firmware only)
      *   BUTTON  DATA8      which button (a member of BUTTONTYPE)
      *   STATE   out DATA8  whether the button was pressed and released (0 to 1; 0: no; 1: yes)
      */
     GET_BUMPED = 14,
 
     /*
-     * Tells whether a key click is due because a press was handled, and forgets it
+     * Reports whether a key click is due for a handled press, and clears it
      *   CLICK  out DATA8  whether a click is due (0 to 1; 0: no; 1: yes)
      */
     GET_CLICK = 15,
@@ -2101,10 +2119,10 @@ enum {
 
 /* CMDs of opUI_DRAW */
 enum {
-    /* Shows on the display what has been drawn, and returns to the normal font */
+    /* Shows on the display what has been drawn, and restores the normal font */
     UPDATE = 0,
 
-    /* Wipes the canvas white, and returns to the normal font */
+    /* Clears the canvas to white, and restores the normal font */
     CLEAN = 1,
 
     /*
@@ -2135,7 +2153,7 @@ enum {
     CIRCLE = 4,
 
     /*
-     * Draws text in the font that SELECT_FONT has chosen
+     * Draws text in the font chosen by SELECT_FONT
      *   COLOR   DATA8   colour to draw in (0 to 1; 0: white; 1: black)
      *   X0      DATA16  left edge (0 to 177 px)
      *   Y0      DATA16  top edge (0 to 127 px)
@@ -2154,7 +2172,7 @@ enum {
     ICON = 6,
 
     /*
-     * Draws a picture that is in memory
+     * Draws a picture from memory
      *   COLOR  DATA8   colour to draw in (0 to 1; 0: white; 1: black)
      *   X0     DATA16  left edge (0 to 177 px)
      *   Y0     DATA16  top edge (0 to 127 px)
@@ -2168,7 +2186,7 @@ enum {
      *   X0        DATA16  left edge (0 to 177 px)
      *   Y0        DATA16  top edge (0 to 127 px)
      *   VALUE     DATAF   number to draw
-     *   FIGURES   DATA8   characters in all, decimal point included; negative aligns left
+     *   FIGURES   DATA8   total number of characters, including the decimal point; negative aligns left
      *   DECIMALS  DATA8   digits after the decimal point
      */
     VALUE = 8,
@@ -2212,8 +2230,8 @@ enum {
      *   ICON2   DATA8         second large icon (-1: none; a member of L_ICON_NO)
      *   ICON3   DATA8         third large icon (-1: none; a member of L_ICON_NO)
      *   STRING  string        text beside the icons; may be empty
-     *   STATE   in/out DATA8  variable the dialogue keeps its progress in; set to 0 before (0 to 1; 0: start, or
-     *       done; 1: being shown)
+     *   STATE   in/out DATA8  variable for the dialogue's progress; must be 0 at first (0 to 1; 0: start, or done;
+     *       1: being shown)
      */
     NOTIFICATION = 11,
 
@@ -2225,10 +2243,10 @@ enum {
      *   ICON1   DATA8         first large icon (-1: none; a member of L_ICON_NO)
      *   ICON2   DATA8         second large icon (-1: none; a member of L_ICON_NO)
      *   STRING  string        text of the question (LEGO's firmware does not show it)
-     *   STATE   in/out DATA8  variable the dialogue keeps its progress in; set to 0 before (0 to 1; 0: start, or
-     *       done; 1: being shown)
-     *   OK      out DATA8     answer; what the variable holds before is selected first (-1 to 1; 0: no; 1: yes; -1:
-     *       left with the back button)
+     *   STATE   in/out DATA8  variable for the dialogue's progress; must be 0 at first (0 to 1; 0: start, or done;
+     *       1: being shown)
+     *   OK      out DATA8     answer; the variable's previous value is selected at first (-1 to 1; 0: no; 1: yes;
+     *       -1: closed with the back button)
      */
     QUESTION = 12,
 
@@ -2238,24 +2256,25 @@ enum {
      *   X0       DATA16        left edge (0 to 177 px)
      *   Y0       DATA16        top edge (0 to 127 px)
      *   ICON     DATA8         normal icon before the caption (a member of N_ICON_NO)
-     *   LENGTH   DATA8         most bytes to return, the zero included (0 to 127 bytes)
+     *   LENGTH   DATA8         maximum number of bytes to return, including the zero (0 to 127 bytes)
      *   DEFAULT  string        caption above the text, not a preset as its name says (0: none)
-     *   CHARSET  in/out DATA8  variable with the sum of what may be typed; becomes 0 once the keyboard shows
-     *   STRING   out string    text entered; what the variable holds before is edited, back button empties it (as
+     *   CHARSET  in/out DATA8  variable with the sum of the allowed kinds of text; becomes 0 once the keyboard is
+     *       shown
+     *   STRING   out string    entered text; the variable's previous text is edited, the back button empties it (as
      *       many bytes as LENGTH says)
      */
     KEYBOARD = 13,
 
     /*
      * Shows files and folders and waits until one is chosen
-     *   TYPE       DATA8       what is listed (a member of BROWSERTYPE)
+     *   TYPE       DATA8       what to list (a member of BROWSERTYPE)
      *   X0         DATA16      left edge (0 to 177 px)
      *   Y0         DATA16      top edge (0 to 127 px)
      *   X1         DATA16      width (0 to 178 px)
      *   Y1         DATA16      height (0 to 128 px)
-     *   LENGTH     DATA8       most bytes to return, the zero included (0 to 127 bytes)
-     *   ITEM_TYPE  out DATA8   kind of what was chosen; set the variable to 0 before (a member of FILETYPE)
-     *   STRING     out string  path of what was chosen; the variable holds the top folder before (as many bytes as
+     *   LENGTH     DATA8       maximum number of bytes to return, including the zero (0 to 127 bytes)
+     *   ITEM_TYPE  out DATA8   kind of the chosen entry; the variable must be 0 at first (a member of FILETYPE)
+     *   STRING     out string  path of the chosen entry; set the variable to the top folder first (as many bytes as
      *       LENGTH says)
      */
     BROWSE = 14,
@@ -2283,7 +2302,7 @@ enum {
     INVERSERECT = 16,
 
     /*
-     * Chooses the font for text until UPDATE, CLEAN or FILLWINDOW
+     * Chooses the font for text, until UPDATE, CLEAN or FILLWINDOW
      *   TYPE  DATA8  font (0 to 3; a member of FONTTYPE)
      */
     SELECT_FONT = 17,
@@ -2295,17 +2314,16 @@ enum {
     TOPLINE = 18,
 
     /*
-     * Fills rows over the whole width, and returns to the normal font
+     * Fills rows over the whole width, and restores the normal font
      *   COLOR  DATA8   colour to fill with; any other value makes a test pattern (0: white; 1: black)
      *   Y0     DATA16  top edge (0 to 127 px)
-     *   Y1     DATA16  height; nothing is filled where Y0 and it make 128 or more (0 to 127 px; 0: down to the
-     *       bottom)
+     *   Y1     DATA16  height; nothing is filled if Y0 plus it is 128 or more (0 to 127 px; 0: down to the bottom)
      */
     FILLWINDOW = 19,
 
     /*
      * Moves the canvas up
-     *   Y  DATA16  how far (1 to 127 px)
+     *   Y  DATA16  distance (1 to 127 px)
      */
     SCROLL = 20,
 
@@ -2322,12 +2340,12 @@ enum {
     DOTLINE = 21,
 
     /*
-     * Draws a number centred in its place, with > instead of digits where it does not fit
+     * Draws a number centred in its place, or > instead of digits if it does not fit
      *   COLOR     DATA8   colour to draw in (0 to 1; 0: white; 1: black)
      *   X0        DATA16  left edge (0 to 177 px)
      *   Y0        DATA16  top edge (0 to 127 px)
      *   VALUE     DATAF   number to draw
-     *   FIGURES   DATA8   characters in all, decimal point included
+     *   FIGURES   DATA8   total number of characters, including the decimal point
      *   DECIMALS  DATA8   digits after the decimal point
      */
     VIEW_VALUE = 22,
@@ -2338,9 +2356,9 @@ enum {
      *   X0        DATA16  left edge (0 to 177 px)
      *   Y0        DATA16  top edge (0 to 127 px)
      *   VALUE     DATAF   number to draw
-     *   FIGURES   DATA8   characters in all, decimal point included
+     *   FIGURES   DATA8   total number of characters, including the decimal point
      *   DECIMALS  DATA8   digits after the decimal point
-     *   LENGTH    DATA8   most bytes of the unit, the zero included (0 to 127 bytes)
+     *   LENGTH    DATA8   maximum number of bytes of the unit, including the zero (0 to 127 bytes)
      *   STRING    string  unit to draw after the number
      */
     VIEW_UNIT = 23,
@@ -2356,13 +2374,13 @@ enum {
 
     /*
      * Keeps a copy of the canvas
-     *   NO  DATA8  memory for one screen; 0 holds the one from before the program ran (0 to 2)
+     *   NO  DATA8  slot for one screen; 0 holds the screen from before the program ran (0 to 2)
      */
     STORE = 25,
 
     /*
-     * Brings back a canvas kept by STORE
-     *   NO  DATA8  memory for one screen; 0 holds the one from before the program ran (0 to 2)
+     * Restores a canvas kept by STORE
+     *   NO  DATA8  slot for one screen; 0 holds the screen from before the program ran (0 to 2)
      */
     RESTORE = 26,
 
@@ -2371,10 +2389,10 @@ enum {
      *   COLOR  DATA8          colour to draw in (0 to 1; 0: white; 1: black)
      *   X0     DATA16         left edge (0 to 177 px)
      *   Y0     DATA16         top edge (0 to 127 px)
-     *   STATE  in/out DATA8   variable the dialogue keeps its progress in; set to 0 before (0 to 1; 0: start, or
-     *       done; 1: being shown)
-     *   ICONS  in/out DATA32  bit n stands for large icon n: before those to show, then the one chosen (0: none:
-     *       left with the back button)
+     *   STATE  in/out DATA8   variable for the dialogue's progress; must be 0 at first (0 to 1; 0: start, or done;
+     *       1: being shown)
+     *   ICONS  in/out DATA32  bit n is large icon n: first the icons to show, then the chosen one (0: none: closed
+     *       with the back button)
      */
     ICON_QUESTION = 27,
 
@@ -2389,28 +2407,28 @@ enum {
     BMPFILE = 28,
 
     /*
-     * Opens a window that only its opener draws on, or closes it and brings back the display
-     *   OPEN  DATA8  what to do (0 to 1; 0: close; 1: open)
+     * Opens a window that only its opener can draw on, or closes it and restores the display
+     *   OPEN  DATA8  action (0 to 1; 0: close; 1: open)
      */
     POPUP = 29,
 
     /*
-     * Sets up a graph of up to 8 curves; their arrays must outlive it, so useless in direct commands
+     * Sets up a graph of up to 8 curves; useless in direct commands, since the arrays must outlive it
      *   X0      DATA16  left edge (0 to 177 px)
      *   X1      DATA16  width (0 to 178 px)
-     *   ITEMS   DATA8   how many curves (0 to 8)
+     *   ITEMS   DATA8   number of curves (0 to 8)
      *   OFFSET  DATA16  top edge of each curve (0 to 127 px; as many values as ITEMS says)
      *   SPAN    DATA16  height of each curve (0 to 128 px; as many values as ITEMS says)
      *   MIN     DATAF   value at the bottom of each curve (as many values as ITEMS says)
      *   MAX     DATAF   value at the top of each curve (as many values as ITEMS says)
-     *   SAMPLE  DATAF   present value of each curve, read anew at each GRAPH_SAMPLE (as many values as ITEMS says)
+     *   SAMPLE  DATAF   current value of each curve, read again at each GRAPH_SAMPLE (as many values as ITEMS says)
      */
     GRAPH_SETUP = 30,
 
     /*
      * Draws the graph and measures the curve it shows
      *   VIEW     DATA8      curve to draw, counted from 0; any other value draws all and measures none (-1: all)
-     *   ACTUAL   out DATAF  latest value, not a number where there is none
+     *   ACTUAL   out DATAF  latest value, NaN if there is none
      *   LOWEST   out DATAF  lowest value in the graph
      *   HIGHEST  out DATAF  highest value in the graph
      *   AVERAGE  out DATAF  mean of the values in the graph
@@ -2424,10 +2442,10 @@ enum {
      *   X1    DATA16         width (0 to 178 px)
      *   Y1    DATA16         height (0 to 128 px)
      *   TEXT  string         whole text of the box, its lines separated by DEL
-     *   SIZE  DATA32         bytes that the box has for its text, the zero included (bytes)
+     *   SIZE  DATA32         size of the box's text buffer, including the zero (bytes)
      *   DEL   DATA8          what separates the lines (a member of DEL)
-     *   LINE  in/out DATA16  variable, set to -1 before; then the line chosen, counted from 1 (-1: start, or left
-     *       with the back button; 0: being shown)
+     *   LINE  in/out DATA16  variable, must be -1 at first; then the chosen line, counted from 1 (-1: start, or
+     *       closed with the back button; 0: being shown)
      */
     TEXTBOX = 32,
 };
@@ -2436,27 +2454,27 @@ enum {
 
 enum {
     /*
-     * Notes when a wait will be over and returns at once; TIMER_READY does the waiting
-     *   TIME   DATA32      how long to wait (0 to 2147483647 ms)
+     * Stores the end of a wait and returns at once; TIMER_READY does the waiting
+     *   TIME   DATA32      duration of the wait (0 to 2147483647 ms)
      *   TIMER  out DATA32  variable that gets the end of the wait, on the brick's millisecond clock
      */
     opTIMER_WAIT = 0x85,
 
     /*
-     * Waits until the time that TIMER_WAIT noted has come
+     * Waits until the time that TIMER_WAIT stored
      *   TIMER  DATA32  variable that TIMER_WAIT has set
      */
     opTIMER_READY = 0x86,
 
     /*
-     * Reads the time since the program or direct command that asks was started
+     * Reads the time since the start of the program or direct command that asks
      *   TIME  out DATA32  time since the start (ms)
      */
     opTIMER_READ = 0x87,
 
     /*
      * Reads the free-running microsecond clock, for differences only
-     *   TIME  out DATA32  low 32 bits of the clock, back to 0 every 71.6 minutes (us)
+     *   TIME  out DATA32  low 32 bits of the clock, wraps every 71.6 minutes (us)
      */
     opTIMER_READ_US = 0x8F,
 };
@@ -2468,12 +2486,12 @@ enum {
     opSOUND = 0x94,
 
     /*
-     * Tells whether a sound is playing
+     * Reports whether a sound is playing
      *   BUSY  out DATA8  whether a sound is playing (0 to 1; 0: ready; 1: busy)
      */
     opSOUND_TEST = 0x95,
 
-    /* Waits until the sound has ended (for ever after REPEAT or a tone without end) */
+    /* Waits until the sound has ended (forever after REPEAT or an endless tone) */
     opSOUND_READY = 0x96,
 };
 
@@ -2484,15 +2502,15 @@ enum {
 
     /*
      * Plays one tone and returns at once
-     *   VOLUME     DATA8   how loud (0 to 100 %; 0: silent)
-     *   FREQUENCY  DATA16  pitch; the driver moves others into the range (250 to 10000 Hz)
-     *   DURATION   DATA16  how long, read without sign (-1 is 65535) (ms; 0: until BREAK or the next sound)
+     *   VOLUME     DATA8   volume (0 to 100 %; 0: silent)
+     *   FREQUENCY  DATA16  pitch; the driver clamps it to the range (250 to 10000 Hz)
+     *   DURATION   DATA16  duration, read unsigned (-1 is 65535) (ms; 0: until BREAK or the next sound)
      */
     TONE = 1,
 
     /*
      * Plays a sound file once and returns at once
-     *   VOLUME  DATA8   how loud (0 to 100 %; 0: silent)
+     *   VOLUME  DATA8   volume (0 to 100 %; 0: silent)
      *   NAME    string  sound file without its extension .rsf, absolute or relative to /home/root/lms2012/sys (at
      *       most 119 characters)
      */
@@ -2500,13 +2518,13 @@ enum {
 
     /*
      * Plays a sound file over and over until BREAK and returns at once
-     *   VOLUME  DATA8   how loud (0 to 100 %; 0: silent)
+     *   VOLUME  DATA8   volume (0 to 100 %; 0: silent)
      *   NAME    string  sound file without its extension .rsf, absolute or relative to /home/root/lms2012/sys (at
      *       most 119 characters)
      */
     REPEAT = 3,
 
-    /* Does nothing here: the firmware itself feeds its sound driver by this number */
+    /* Does nothing; the number is used inside the firmware to feed the sound driver */
     SERVICE = 4,
 };
 
@@ -2516,20 +2534,20 @@ enum {
     /*
      * Reads one SI value of each of several devices, sampled in the background
      *   TIME      DATA32     time between two samples (ms)
-     *   SAMPLES   DATA16     how many devices the arrays list
+     *   SAMPLES   DATA16     number of devices the arrays list
      *   INIT      DATA16     place in the sample buffer of each device, -1 starts it anew (as many values as SAMPLES
      *       says)
      *   DEVICES   DATA8      ports, 0 to 3 for sensors, 4 to 7 for motors A to D (as many values as SAMPLES says)
-     *   TYPES     DATA8      type each device shall have (a member of TYPE; as many values as SAMPLES says)
-     *   MODES     DATA8      mode each device shall have (as many values as SAMPLES says)
-     *   DATASETS  DATA8      which of its values to read from each device, from 0 (as many values as SAMPLES says)
-     *   VALUES    out DATAF  one value per device, NaN where there is none (as many values as SAMPLES says)
+     *   TYPES     DATA8      type to set for each device (a member of TYPE; as many values as SAMPLES says)
+     *   MODES     DATA8      mode to set for each device (as many values as SAMPLES says)
+     *   DATASETS  DATA8      index of the value to read from each device, from 0 (as many values as SAMPLES says)
+     *   VALUES    out DATAF  one value per device, NaN if there is none (as many values as SAMPLES says)
      */
     opINPUT_SAMPLE = 0x97,
 
     /*
      * Lists the types of all devices, sensor ports of each layer first, then motor ports
-     *   LENGTH   DATA8      room in the array, 32 takes the whole daisy chain
+     *   LENGTH   DATA8      size of the array; 32 holds the whole daisy chain
      *   ARRAY    out DATA8  type of device at each port (a member of TYPE; as many values as LENGTH says)
      *   CHANGED  out DATA8  whether devices came or went since the last call (0: no change)
      */
@@ -2542,14 +2560,14 @@ enum {
      * Sets type and mode and reads the first value in percent at once
      *   LAYER  DATA8      brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NO     DATA8      port, counted from 0; 16 to 19 for motors (0 to 19)
-     *   TYPE   DATA8      type the device shall have (0: keep the type; a member of TYPE)
-     *   MODE   DATA8      mode the device shall have (0 to 7; -1: keep the mode)
-     *   PCT    out DATA8  value, NaN where there is none (%)
+     *   TYPE   DATA8      type to set (0: keep the type; a member of TYPE)
+     *   MODE   DATA8      mode to set (0 to 7; -1: keep the mode)
+     *   PCT    out DATA8  value, NaN if there is none (%)
      */
     opINPUT_READ = 0x9A,
 
     /*
-     * Tells whether a device is still changing type or mode
+     * Reports whether a device is still changing type or mode
      *   LAYER  DATA8      brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NO     DATA8      port, counted from 0; 16 to 19 for motors (0 to 19)
      *   BUSY   out DATA8  whether to wait (0 to 1; 0: ready; 1: busy)
@@ -2567,9 +2585,9 @@ enum {
      * Sets type and mode and reads the first value in SI units at once
      *   LAYER  DATA8      brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NO     DATA8      port, counted from 0; 16 to 19 for motors (0 to 19)
-     *   TYPE   DATA8      type the device shall have (0: keep the type; a member of TYPE)
-     *   MODE   DATA8      mode the device shall have (0 to 7; -1: keep the mode)
-     *   SI     out DATAF  value in the mode's unit, NaN where there is none
+     *   TYPE   DATA8      type to set (0: keep the type; a member of TYPE)
+     *   MODE   DATA8      mode to set (0 to 7; -1: keep the mode)
+     *   SI     out DATAF  value in the mode's unit, NaN if there is none
      */
     opINPUT_READSI = 0x9D,
 
@@ -2577,10 +2595,10 @@ enum {
      * Sets type and mode and reads several values at once, in the format asked for
      *   LAYER   DATA8  brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NO      DATA8  port, counted from 0; 16 to 19 for motors (0 to 19)
-     *   TYPE    DATA8  type the device shall have (0: keep the type; a member of TYPE)
-     *   MODE    DATA8  mode the device shall have (0 to 7; -1: keep the mode)
-     *   FORMAT  DATA8  DATA_PCT, DATA_RAW or DATA_SI, others give NaN (a member of DATA_FORMAT)
-     *   VALUES  count  how many values follow, each in FORMAT (each is what FORMAT says)
+     *   TYPE    DATA8  type to set (0: keep the type; a member of TYPE)
+     *   MODE    DATA8  mode to set (0 to 7; -1: keep the mode)
+     *   FORMAT  DATA8  DATA_PCT, DATA_RAW or DATA_SI; others give NaN (a member of DATA_FORMAT)
+     *   VALUES  count  number of values follow, each in FORMAT (each is what FORMAT says)
      */
     opINPUT_READEXT = 0x9E,
 
@@ -2588,7 +2606,7 @@ enum {
      * Sends bytes to a UART sensor
      *   LAYER  DATA8  brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NO     DATA8  sensor port, counted from 0 (0 to 3; 0: port 1; 1: port 2; 2: port 3; 3: port 4)
-     *   BYTES  DATA8  how many bytes to send (1 to 32 bytes)
+     *   BYTES  DATA8  number of bytes to send (1 to 32 bytes)
      *   DATA   DATA8  bytes to send (as many values as BYTES says)
      */
     opINPUT_WRITE = 0x9F,
@@ -2605,14 +2623,14 @@ enum {
      * Fetches the bytes that an I2C sensor answered to INPUT_IIC_WRITE (xtended and compat firmware only)
      *   LAYER   DATA8      brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NO      DATA8      sensor port, counted from 0 (0 to 3; 0: port 1; 1: port 2; 2: port 3; 3: port 4)
-     *   RDLNG   DATA8      how many bytes to read (0 to 32 bytes)
+     *   RDLNG   DATA8      number of bytes to read (0 to 32 bytes)
      *   RDDATA  out DATA8  bytes read (as many values as RDLNG says)
      *   RESULT  out DATA8  OK or FAIL (a member of RESULT)
      */
     opINPUT_IIC_READ = 0xE1,
 
     /*
-     * Tells the state of the I2C bus of a port (xtended and compat firmware only)
+     * Reports the state of the I2C bus of a port (xtended and compat firmware only)
      *   LAYER   DATA8      brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NO      DATA8      sensor port, counted from 0 (0 to 3; 0: port 1; 1: port 2; 2: port 3; 3: port 4)
      *   RESULT  out DATA8  state of the bus (a member of RESULT)
@@ -2620,12 +2638,12 @@ enum {
     opINPUT_IIC_STATUS = 0xE2,
 
     /*
-     * Sends bytes to an I2C sensor once and does not wait for its answer (xtended and compat firmware only)
+     * Sends bytes to an I2C sensor once, without waiting for its answer (xtended and compat firmware only)
      *   LAYER   DATA8      brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NO      DATA8      sensor port, counted from 0 (0 to 3; 0: port 1; 1: port 2; 2: port 3; 3: port 4)
-     *   WRLNG   DATA8      how many bytes to write (0 to 32 bytes)
+     *   WRLNG   DATA8      number of bytes to write (0 to 32 bytes)
      *   WRDATA  DATA8      bytes to write: I2C address, register, data (as many values as WRLNG says)
-     *   RDLNG   DATA8      how many bytes the sensor will answer (0 to 32 bytes)
+     *   RDLNG   DATA8      number of bytes in the sensor's answer (0 to 32 bytes)
      *   RESULT  out DATA8  state of the bus after the request (a member of RESULT)
      */
     opINPUT_IIC_WRITE = 0xE3,
@@ -2651,13 +2669,13 @@ enum {
     INSERT_TYPE = 1,
 
     /*
-     * Tells the shape of a device's values in its present mode
+     * Describes the values of a device in its current mode
      *   LAYER     DATA8      brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NO        DATA8      port, counted from 0; 16 to 19 for motors (0 to 19)
-     *   DATASETS  out DATA8  how many values one reading has
+     *   DATASETS  out DATA8  number of values in one reading
      *   FORMAT    out DATA8  type of one raw value (0 to 3; a member of DATA_FORMAT)
-     *   MODES     out DATA8  how many modes the device has (1 to 8)
-     *   VIEWS     out DATA8  how many of the modes are shown to users (1 to 8)
+     *   MODES     out DATA8  number of modes of the device (1 to 8)
+     *   VIEWS     out DATA8  number of modes shown to users (1 to 8)
      */
     GET_FORMAT = 2,
 
@@ -2671,14 +2689,14 @@ enum {
     CAL_MINMAX = 3,
 
     /*
-     * Goes back to the built-in scaling of a type and mode
+     * Restores the built-in scaling of a type and mode
      *   TYPE  DATA8  type of device the calibration is for (a member of TYPE)
      *   MODE  DATA8  mode the calibration is for (0 to 7)
      */
     CAL_DEFAULT = 4,
 
     /*
-     * Tells which device is at a port and in which mode
+     * Reports the device at a port and its mode
      *   LAYER  DATA8      brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NO     DATA8      port, counted from 0; 16 to 19 for motors (0 to 19)
      *   TYPE   out DATA8  type of the device (a member of TYPE)
@@ -2687,11 +2705,11 @@ enum {
     GET_TYPEMODE = 5,
 
     /*
-     * Reads the symbol of the unit of the present mode
+     * Reads the symbol of the unit of the current mode
      *   LAYER        DATA8       brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NO           DATA8       port, counted from 0; 16 to 19 for motors (0 to 19)
-     *   LENGTH       DATA8       room for the text with its zero (bytes; -1: as long as it is (handles only))
-     *   DESTINATION  out string  symbol, filled up with blanks (as many bytes as LENGTH says)
+     *   LENGTH       DATA8       size of the text buffer, including the zero (bytes; -1: unlimited (handles only))
+     *   DESTINATION  out string  symbol, padded with blanks (as many bytes as LENGTH says)
      */
     GET_SYMBOL = 6,
 
@@ -2712,14 +2730,14 @@ enum {
     CAL_MAX = 8,
 
     /*
-     * Writes to an I2C sensor and reads its answer, again and again if asked to
+     * Writes to an I2C sensor and reads its answer, repeatedly if requested
      *   LAYER       DATA8      brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NO          DATA8      sensor port, counted from 0 (0 to 3; 0: port 1; 1: port 2; 2: port 3; 3: port 4)
-     *   REPEAT      DATA8      how often to write and read (0: without end)
+     *   REPEAT      DATA8      number of repeats (0: endless)
      *   TIME        DATA16     time between repeats (10 to 1000 ms; 0: 10 ms)
-     *   WRITE_LEN   DATA8      how many bytes to write (0 to 32 bytes)
+     *   WRITE_LEN   DATA8      number of bytes to write (0 to 32 bytes)
      *   WRITE_DATA  DATA8      bytes to write: I2C address, register, data (as many values as WRITE_LEN says)
-     *   READ_LEN    DATA8      how many bytes to read, negative: in reverse order (-32 to 32 bytes)
+     *   READ_LEN    DATA8      number of bytes to read, negative: in reverse order (-32 to 32 bytes)
      *   READ_DATA   out DATA8  bytes read (as many values as READ_LEN says)
      */
     SETUP = 9,
@@ -2734,12 +2752,12 @@ enum {
      * Reads the first raw value of a device
      *   LAYER  DATA8       brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NO     DATA8       port, counted from 0; 16 to 19 for motors (0 to 19)
-     *   VALUE  out DATA32  raw value, NaN where there is none
+     *   VALUE  out DATA32  raw value, NaN if there is none
      */
     GET_RAW = 11,
 
     /*
-     * Tells how the device at a port is connected
+     * Reports how the device at a port is connected
      *   LAYER  DATA8      brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NO     DATA8      port, counted from 0; 16 to 19 for motors (0 to 19)
      *   CONN   out DATA8  kind of connection (a member of CONN)
@@ -2754,32 +2772,32 @@ enum {
 
     /*
      * Renumbers an entry of the table of device types, third party types only
-     *   TYPE     DATA8      type the entry has (50 to 98; a member of TYPE)
-     *   MODE     DATA8      mode the entry has (0 to 7)
-     *   NEWTYPE  DATA8      type the entry shall have (50 to 98; a member of TYPE)
-     *   NEWMODE  DATA8      mode the entry shall have (0 to 7)
+     *   TYPE     DATA8      type of the entry (50 to 98; a member of TYPE)
+     *   MODE     DATA8      mode of the entry (0 to 7)
+     *   NEWTYPE  DATA8      new type of the entry (50 to 98; a member of TYPE)
+     *   NEWMODE  DATA8      new mode of the entry (0 to 7)
      *   ERROR    out DATA8  whether it failed (0 to 1; 0: done; 1: failed or not found)
      */
     SET_TYPEMODE = 14,
 
     /*
-     * Writes to an I2C sensor once, waits for its answer and tells how it went
+     * Writes to an I2C sensor once, waits for its answer and reports the result
      *   LAYER   DATA8      brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NO      DATA8      sensor port, counted from 0 (0 to 3; 0: port 1; 1: port 2; 2: port 3; 3: port 4)
-     *   WRLNG   DATA8      how many bytes to write (0 to 32 bytes)
+     *   WRLNG   DATA8      number of bytes to write (0 to 32 bytes)
      *   WRDATA  DATA8      bytes to write: I2C address, register, data (as many values as WRLNG says)
-     *   RDLNG   DATA8      how many bytes to read, negative: in reverse order (-32 to 32 bytes)
+     *   RDLNG   DATA8      number of bytes to read, negative: in reverse order (-32 to 32 bytes)
      *   RDDATA  out DATA8  bytes read (as many values as RDLNG says)
      *   RESULT  out DATA8  how the transfer ended (a member of RESULT)
      */
     READY_IIC = 15,
 
     /*
-     * Reads the name of a device in its present mode, such as TOUCH or COL-REFLECT
+     * Reads the name of a device in its current mode, such as TOUCH or COL-REFLECT
      *   LAYER        DATA8       brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NO           DATA8       port, counted from 0; 16 to 19 for motors (0 to 19)
-     *   LENGTH       DATA8       room for the text with its zero (bytes; -1: as long as it is (handles only))
-     *   DESTINATION  out string  name, filled up with blanks (as many bytes as LENGTH says)
+     *   LENGTH       DATA8       size of the text buffer, including the zero (bytes; -1: unlimited (handles only))
+     *   DESTINATION  out string  name, padded with blanks (as many bytes as LENGTH says)
      */
     GET_NAME = 21,
 
@@ -2788,31 +2806,31 @@ enum {
      *   LAYER        DATA8       brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NO           DATA8       port, counted from 0; 16 to 19 for motors (0 to 19)
      *   MODE         DATA8       mode to name (0 to 7)
-     *   LENGTH       DATA8       room for the text with its zero (bytes; -1: as long as it is (handles only))
-     *   DESTINATION  out string  name, filled up with blanks (as many bytes as LENGTH says)
+     *   LENGTH       DATA8       size of the text buffer, including the zero (bytes; -1: unlimited (handles only))
+     *   DESTINATION  out string  name, padded with blanks (as many bytes as LENGTH says)
      */
     GET_MODENAME = 22,
 
     /*
-     * Pretends that a device has read this raw value
+     * Simulates a raw value of a device
      *   LAYER  DATA8   brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NO     DATA8   port, counted from 0; 16 to 19 for motors (0 to 19)
-     *   TYPE   DATA8   type the device shall have (0: keep the type; a member of TYPE)
-     *   VALUE  DATA32  raw value to pretend
+     *   TYPE   DATA8   type to set (0: keep the type; a member of TYPE)
+     *   VALUE  DATA32  raw value to simulate
      */
     SET_RAW = 23,
 
     /*
-     * Tells how many digits a value of the present mode needs
+     * Reports the number of digits that a value of the current mode needs
      *   LAYER     DATA8      brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NO        DATA8      port, counted from 0; 16 to 19 for motors (0 to 19)
-     *   FIGURES   out DATA8  characters in all, with point and decimals
+     *   FIGURES   out DATA8  total number of characters, with point and decimals
      *   DECIMALS  out DATA8  digits after the point
      */
     GET_FIGURES = 24,
 
     /*
-     * Reads how often a touch sensor changed in positive direction since CLR_CHANGES
+     * Reads how often a touch sensor changed to pressed since CLR_CHANGES
      *   LAYER  DATA8      brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NO     DATA8      port, counted from 0; 16 to 19 for motors (0 to 19)
      *   VALUE  out DATAF  number of changes, 0 for other sensors
@@ -2830,9 +2848,9 @@ enum {
      * Sets type and mode, waits until the device is ready and reads percent values
      *   LAYER   DATA8  brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NO      DATA8  port, counted from 0; 16 to 19 for motors (0 to 19)
-     *   TYPE    DATA8  type the device shall have (0: keep the type; a member of TYPE)
-     *   MODE    DATA8  mode the device shall have (0 to 7; -1: keep the mode)
-     *   VALUES  count  how many values follow, each in percent (each is DATA8)
+     *   TYPE    DATA8  type to set (0: keep the type; a member of TYPE)
+     *   MODE    DATA8  mode to set (0 to 7; -1: keep the mode)
+     *   VALUES  count  number of values follow, each in percent (each is DATA8)
      */
     READY_PCT = 27,
 
@@ -2840,9 +2858,9 @@ enum {
      * Sets type and mode, waits until the device is ready and reads raw values
      *   LAYER   DATA8  brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NO      DATA8  port, counted from 0; 16 to 19 for motors (0 to 19)
-     *   TYPE    DATA8  type the device shall have (0: keep the type; a member of TYPE)
-     *   MODE    DATA8  mode the device shall have (0 to 7; -1: keep the mode)
-     *   VALUES  count  how many raw values follow (each is DATA32)
+     *   TYPE    DATA8  type to set (0: keep the type; a member of TYPE)
+     *   MODE    DATA8  mode to set (0 to 7; -1: keep the mode)
+     *   VALUES  count  number of raw values follow (each is DATA32)
      */
     READY_RAW = 28,
 
@@ -2850,14 +2868,14 @@ enum {
      * Sets type and mode, waits until the device is ready and reads SI values
      *   LAYER   DATA8  brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NO      DATA8  port, counted from 0; 16 to 19 for motors (0 to 19)
-     *   TYPE    DATA8  type the device shall have (0: keep the type; a member of TYPE)
-     *   MODE    DATA8  mode the device shall have (0 to 7; -1: keep the mode)
-     *   VALUES  count  how many values follow, each in SI units (each is DATAF)
+     *   TYPE    DATA8  type to set (0: keep the type; a member of TYPE)
+     *   MODE    DATA8  mode to set (0 to 7; -1: keep the mode)
+     *   VALUES  count  number of values follow, each in SI units (each is DATAF)
      */
     READY_SI = 29,
 
     /*
-     * Tells between which SI values the present mode moves
+     * Reports the range of SI values of the current mode
      *   LAYER  DATA8      brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NO     DATA8      port, counted from 0; 16 to 19 for motors (0 to 19)
      *   MIN    out DATAF  smallest value in SI units
@@ -2866,7 +2884,7 @@ enum {
     GET_MINMAX = 30,
 
     /*
-     * Reads how often a touch sensor changed in negative direction since CLR_CHANGES
+     * Reads how often a touch sensor changed to released since CLR_CHANGES
      *   LAYER  DATA8      brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NO     DATA8      port, counted from 0; 16 to 19 for motors (0 to 19)
      *   VALUE  out DATAF  number of changes, 0 for other sensors
@@ -2878,7 +2896,7 @@ enum {
 
 enum {
     /*
-     * Tells the type of motor at a port: documented, and never implemented by any firmware (no firmware has it)
+     * Reports the type of motor at a port; documented, but not implemented by any firmware (no firmware has it)
      *   LAYER  DATA8      brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NO     DATA8      port, counted from 0 (0 to 3; 0: A; 1: B; 2: C; 3: D)
      *   TYPE   out DATA8  type of the motor (a member of TYPE)
@@ -2909,18 +2927,18 @@ enum {
     opOUTPUT_STOP = 0xA3,
 
     /*
-     * Sets the power of motors, OUTPUT_START makes them run
+     * Sets the power of motors, which run at the next OUTPUT_START
      *   LAYER  DATA8  brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NOS    DATA8  ports as a bit mask: A 1, B 2, C 4, D 8 (0 to 15)
-     *   POWER  DATA8  unregulated power, negative: backward (-100 to 100 %)
+     *   POWER  DATA8  unregulated power; negative: backward (-100 to 100 %)
      */
     opOUTPUT_POWER = 0xA4,
 
     /*
-     * Sets the speed of motors, OUTPUT_START makes them run
+     * Sets the speed of motors, which run at the next OUTPUT_START
      *   LAYER  DATA8  brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NOS    DATA8  ports as a bit mask: A 1, B 2, C 4, D 8 (0 to 15)
-     *   SPEED  DATA8  regulated speed, negative: backward (-100 to 100 %)
+     *   SPEED  DATA8  regulated speed; negative: backward (-100 to 100 %)
      */
     opOUTPUT_SPEED = 0xA5,
 
@@ -2935,7 +2953,7 @@ enum {
      * Sets the direction of motors
      *   LAYER  DATA8  brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NOS    DATA8  ports as a bit mask: A 1, B 2, C 4, D 8 (0 to 15)
-     *   POL    DATA8  direction (-1 to 1; -1: backward; 0: opposite of the present one; 1: forward)
+     *   POL    DATA8  direction (-1 to 1; -1: backward; 0: opposite of the current one; 1: forward)
      */
     opOUTPUT_POLARITY = 0xA7,
 
@@ -2943,13 +2961,13 @@ enum {
      * Reads speed and tacho count of one motor, 0 on layers other than 0
      *   LAYER  DATA8       brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NO     DATA8       port, counted from 0 (0 to 3; 0: A; 1: B; 2: C; 3: D)
-     *   SPEED  out DATA8   present speed (-100 to 100 %)
+     *   SPEED  out DATA8   current speed (-100 to 100 %)
      *   TACHO  out DATA32  angle since OUTPUT_RESET (degrees)
      */
     opOUTPUT_READ = 0xA8,
 
     /*
-     * Tells whether one of the motors is still in a move that ends by itself
+     * Reports whether one of the motors is still in a move that ends by itself
      *   LAYER  DATA8      brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NOS    DATA8      ports as a bit mask: A 1, B 2, C 4, D 8 (0 to 15)
      *   BUSY   out DATA8  whether to wait (0 to 1; 0: ready; 1: busy)
@@ -2957,14 +2975,14 @@ enum {
     opOUTPUT_TEST = 0xA9,
 
     /*
-     * Waits until the moves of the motors have ended, OUTPUT_START does not count
+     * Waits until the moves of the motors have ended; ignores those from OUTPUT_START
      *   LAYER  DATA8  brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NOS    DATA8  ports as a bit mask: A 1, B 2, C 4, D 8 (0 to 15)
      */
     opOUTPUT_READY = 0xAA,
 
     /*
-     * Tells the position of motors: documented, and never implemented by any firmware (no firmware has it)
+     * Reports the position of motors; documented, but not implemented by any firmware (no firmware has it)
      *   LAYER  DATA8       brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NOS    DATA8       ports as a bit mask: A 1, B 2, C 4, D 8 (0 to 15)
      *   POS    out DATA32  position (degrees)
@@ -2975,7 +2993,7 @@ enum {
      * Turns motors by an angle with unregulated power
      *   LAYER  DATA8   brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NOS    DATA8   ports as a bit mask: A 1, B 2, C 4, D 8 (0 to 15)
-     *   POWER  DATA8   unregulated power, negative: backward (-100 to 100 %)
+     *   POWER  DATA8   unregulated power; negative: backward (-100 to 100 %)
      *   STEP1  DATA32  angle of the ramp up (0 to 2147483647 degrees)
      *   STEP2  DATA32  angle at constant drive (0 to 2147483647 degrees)
      *   STEP3  DATA32  angle of the ramp down (0 to 2147483647 degrees)
@@ -2987,7 +3005,7 @@ enum {
      * Runs motors for a time with unregulated power
      *   LAYER  DATA8   brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NOS    DATA8   ports as a bit mask: A 1, B 2, C 4, D 8 (0 to 15)
-     *   POWER  DATA8   unregulated power, negative: backward (-100 to 100 %)
+     *   POWER  DATA8   unregulated power; negative: backward (-100 to 100 %)
      *   TIME1  DATA32  time of the ramp up (0 to 2147483647 ms)
      *   TIME2  DATA32  time at constant drive (0 to 2147483647 ms)
      *   TIME3  DATA32  time of the ramp down (0 to 2147483647 ms)
@@ -2999,7 +3017,7 @@ enum {
      * Turns motors by an angle with regulated speed
      *   LAYER  DATA8   brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NOS    DATA8   ports as a bit mask: A 1, B 2, C 4, D 8 (0 to 15)
-     *   SPEED  DATA8   regulated speed, negative: backward (-100 to 100 %)
+     *   SPEED  DATA8   regulated speed; negative: backward (-100 to 100 %)
      *   STEP1  DATA32  angle of the ramp up (0 to 2147483647 degrees)
      *   STEP2  DATA32  angle at constant drive (0 to 2147483647 degrees)
      *   STEP3  DATA32  angle of the ramp down (0 to 2147483647 degrees)
@@ -3011,7 +3029,7 @@ enum {
      * Runs motors for a time with regulated speed
      *   LAYER  DATA8   brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NOS    DATA8   ports as a bit mask: A 1, B 2, C 4, D 8 (0 to 15)
-     *   SPEED  DATA8   regulated speed, negative: backward (-100 to 100 %)
+     *   SPEED  DATA8   regulated speed; negative: backward (-100 to 100 %)
      *   TIME1  DATA32  time of the ramp up (0 to 2147483647 ms)
      *   TIME2  DATA32  time at constant drive (0 to 2147483647 ms)
      *   TIME3  DATA32  time of the ramp down (0 to 2147483647 ms)
@@ -3023,11 +3041,11 @@ enum {
      * Turns two motors in step by an angle
      *   LAYER  DATA8   brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NOS    DATA8   ports as a bit mask: A 1, B 2, C 4, D 8 (0 to 15)
-     *   SPEED  DATA8   regulated speed, negative: backward (-100 to 100 %)
+     *   SPEED  DATA8   regulated speed; negative: backward (-100 to 100 %)
      *   TURN   DATA16  how tight the turn is, positive slows the higher port, negative the lower (-200 to 200; -200:
-     *       spin, lower port runs backward; -100: lower port stands; 0: straight; 100: higher port stands; 200:
-     *       spin, higher port runs backward)
-     *   STEP   DATA32  angle of the faster motor (0 to 2147483647 degrees; 0: no end)
+     *       spin, lower port runs backward; -100: lower port stands still; 0: straight; 100: higher port stands
+     *       still; 200: spin, higher port runs backward)
+     *   STEP   DATA32  angle of the faster motor (0 to 2147483647 degrees; 0: endless)
      *   BRAKE  DATA8   what the motors do at the end (0 to 1; 0: coast; 1: brake and hold)
      */
     opOUTPUT_STEP_SYNC = 0xB0,
@@ -3036,24 +3054,24 @@ enum {
      * Runs two motors in step for a time
      *   LAYER  DATA8   brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NOS    DATA8   ports as a bit mask: A 1, B 2, C 4, D 8 (0 to 15)
-     *   SPEED  DATA8   regulated speed, negative: backward (-100 to 100 %)
+     *   SPEED  DATA8   regulated speed; negative: backward (-100 to 100 %)
      *   TURN   DATA16  how tight the turn is, positive slows the higher port, negative the lower (-200 to 200; -200:
-     *       spin, lower port runs backward; -100: lower port stands; 0: straight; 100: higher port stands; 200:
-     *       spin, higher port runs backward)
-     *   TIME   DATA32  how long to run (0 to 2147483647 ms; 0: no end)
+     *       spin, lower port runs backward; -100: lower port stands still; 0: straight; 100: higher port stands
+     *       still; 200: spin, higher port runs backward)
+     *   TIME   DATA32  how long to run (0 to 2147483647 ms; 0: endless)
      *   BRAKE  DATA8   what the motors do at the end (0 to 1; 0: coast; 1: brake and hold)
      */
     opOUTPUT_TIME_SYNC = 0xB1,
 
     /*
-     * Sets the tacho counts that motors have as sensors to zero
+     * Sets the tacho counts of motors read as sensors to zero
      *   LAYER  DATA8  brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NOS    DATA8  ports as a bit mask: A 1, B 2, C 4, D 8 (0 to 15)
      */
     opOUTPUT_CLR_COUNT = 0xB2,
 
     /*
-     * Reads the tacho count that a motor has as a sensor
+     * Reads the tacho count of a motor read as a sensor
      *   LAYER  DATA8       brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NOS    DATA8       port, counted from 0 (0 to 3; 0: A; 1: B; 2: C; 3: D)
      *   TACHO  out DATA32  angle since OUTPUT_CLR_COUNT (degrees)
@@ -3072,7 +3090,7 @@ enum {
      *   PRGID   DATA16  slot of the program, which must be running (0 to 4; a member of SLOT)
      *   OBJID   DATA16  object whose local memory is meant (0: the program's global memory)
      *   OFFSET  DATA32  first byte in that memory (0 to 2147483647 bytes)
-     *   SIZE    DATA32  how many bytes (0 to 2147483647 bytes)
+     *   SIZE    DATA32  number of bytes (0 to 2147483647 bytes)
      *   ARRAY   DATA8   the bytes; those beyond the end of the memory are dropped (as many values as SIZE says)
      */
     opMEMORY_WRITE = 0x7E,
@@ -3082,7 +3100,7 @@ enum {
      *   PRGID   DATA16     slot of the program, which must be running (0 to 4; a member of SLOT)
      *   OBJID   DATA16     object whose local memory is meant (0: the program's global memory)
      *   OFFSET  DATA32     first byte in that memory (0 to 2147483647 bytes)
-     *   SIZE    DATA32     how many bytes (0 to 2147483647 bytes)
+     *   SIZE    DATA32     number of bytes (0 to 2147483647 bytes)
      *   ARRAY   out DATA8  the bytes, zeros beyond the end of the memory (as many values as SIZE says)
      */
     opMEMORY_READ = 0x7F,
@@ -3090,7 +3108,7 @@ enum {
     /* Works on files, folders, data logs, program images and the list of recent files: a CMD follows, below */
     opFILE = 0xC0,
 
-    /* Makes, fills, copies and resizes arrays: a CMD follows, below */
+    /* Creates, fills, copies and resizes arrays: a CMD follows, below */
     opARRAY = 0xC1,
 
     /*
@@ -3117,13 +3135,13 @@ enum {
     opARRAY_APPEND = 0xC4,
 
     /*
-     * Tells how much memory for user files there is and how much of it is free
-     *   TOTAL  out DATA32  all of it (KiB)
-     *   FREE   out DATA32  what is free (KiB)
+     * Reports the total and free memory for user files
+     *   TOTAL  out DATA32  total memory (KiB)
+     *   FREE   out DATA32  free memory (KiB)
      */
     opMEMORY_USAGE = 0xC5,
 
-    /* Takes file names apart, checks them, and packs files: a CMD follows, below */
+    /* Splits and checks file names, and packs files: a CMD follows, below */
     opFILENAME = 0xC6,
 
     /*
@@ -3138,44 +3156,44 @@ enum {
 /* CMDs of opFILE */
 enum {
     /*
-     * Opens a file to write at its end, creates it where there is none
+     * Opens a file for appending; creates it if it does not exist
      *   NAME    string      path of the file; a bare name is taken from the program's own folder (at most 119
      *       characters)
-     *   HANDLE  out handle  what names the file from now on
+     *   HANDLE  out handle  handle of the opened file
      */
     OPEN_APPEND = 0,
 
     /*
-     * Opens a file to read
+     * Opens a file for reading
      *   NAME    string      path of the file; a bare name is taken from the program's own folder (at most 119
      *       characters)
-     *   HANDLE  out handle  what names the file from now on
+     *   HANDLE  out handle  handle of the opened file
      *   SIZE    out DATA32  size of the file (bytes; 0: not found)
      */
     OPEN_READ = 1,
 
     /*
-     * Creates a file or empties the one there is, and opens it to write
+     * Creates or truncates a file and opens it for writing
      *   NAME    string      path of the file; a bare name is taken from the program's own folder (at most 119
      *       characters)
-     *   HANDLE  out handle  what names the file from now on
+     *   HANDLE  out handle  handle of the opened file
      */
     OPEN_WRITE = 2,
 
     /*
      * Reads the text up to the next delimiter and turns it into a number
      *   HANDLE  handle     the open file
-     *   DEL     DATA8      what stands between two values in the file (a member of DEL)
-     *   VALUE   out DATAF  the number, 0 where the text is none
+     *   DEL     DATA8      separator between two values in the file (a member of DEL)
+     *   VALUE   out DATAF  the number, 0 if the text is not a number
      */
     READ_VALUE = 3,
 
     /*
      * Writes a number as text, and a delimiter after it
      *   HANDLE    handle  the open file
-     *   DEL       DATA8   what stands between two values in the file (a member of DEL)
+     *   DEL       DATA8   separator between two values in the file (a member of DEL)
      *   VALUE     DATAF   the number
-     *   FIGURES   DATA8   least width in characters, the decimal point included
+     *   FIGURES   DATA8   minimum width in characters, including the decimal point
      *   DECIMALS  DATA8   digits after the decimal point
      */
     WRITE_VALUE = 4,
@@ -3183,23 +3201,23 @@ enum {
     /*
      * Reads text up to the next delimiter
      *   HANDLE  handle      the open file
-     *   DEL     DATA8       what stands between two values in the file (a member of DEL)
-     *   LENGTH  DATA16      most bytes to read; LEGO's firmware keeps the low 8 bits, so 127 (bytes)
-     *   TEXT    out string  the text, without a zero at its end when it fills all the room (as many bytes as LENGTH
-     *       says)
+     *   DEL     DATA8       separator between two values in the file (a member of DEL)
+     *   LENGTH  DATA16      maximum number of bytes to read; LEGO's firmware keeps the low 8 bits, so 127 (bytes)
+     *   TEXT    out string  the text, without a zero at its end if it fills the whole buffer (as many bytes as
+     *       LENGTH says)
      */
     READ_TEXT = 5,
 
     /*
      * Writes text without its zero, and a delimiter after it
      *   HANDLE  handle  the open file
-     *   DEL     DATA8   what stands between two values in the file (a member of DEL)
+     *   DEL     DATA8   separator between two values in the file (a member of DEL)
      *   TEXT    string  the text
      */
     WRITE_TEXT = 6,
 
     /*
-     * Closes a file and gives its handle back
+     * Closes a file and frees its handle
      *   HANDLE  handle  the open file
      */
     CLOSE = 7,
@@ -3210,7 +3228,7 @@ enum {
      *   NAME   string      path of the program, relative to /home/root/lms2012/sys; .rbf may be omitted (at most 119
      *       characters)
      *   SIZE   out DATA32  size of the program (bytes; 0: not loaded)
-     *   IP     out DATA32  where it was loaded, to be handed to PROGRAM_START (0: not loaded)
+     *   IP     out DATA32  where it was loaded, for PROGRAM_START (0: not loaded)
      */
     LOAD_IMAGE = 8,
 
@@ -3219,27 +3237,27 @@ enum {
      *   NAME    string      path of the file; a bare name is taken from the program's own folder (at most 119
      *       characters)
      *   HANDLE  out handle  the open file (-1: not open)
-     *   WRITE   out DATA8   whether it is open to write or append (0: no; 1: yes)
+     *   WRITE   out DATA8   whether it is open for writing or appending (0: no; 1: yes)
      */
     GET_HANDLE = 9,
 
     /*
-     * Creates a folder unless it is there
+     * Creates a folder unless it exists
      *   NAME     string     path of the folder, relative to /home/root/lms2012/sys (at most 119 characters)
-     *   SUCCESS  out DATA8  whether the folder is there now (0: no; 1: yes)
+     *   SUCCESS  out DATA8  whether the folder exists now (0: no; 1: yes)
      */
     MAKE_FOLDER = 10,
 
     /*
      * Reserves a block of memory for the program
      *   SIZE    DATA32      how much memory (0 to 2147483647 bytes)
-     *   HANDLE  out handle  what names the block from now on
+     *   HANDLE  out handle  handle of the block
      *   IP      out DATA32  address of the block
      */
     GET_POOL = 11,
 
     /*
-     * Stores the time and tick by which data logs are lined up
+     * Stores the time and tick to which data logs are aligned
      *   TIME  DATA32  the common time
      *   TICK  DATA32  the brick's tick at that time
      */
@@ -3248,23 +3266,23 @@ enum {
     /*
      * Counts the entries of a folder, without hidden ones
      *   NAME   string     path of the folder with its closing slash, such as ../prjs/ (at most 119 characters)
-     *   ITEMS  out DATA8  how many entries there are
+     *   ITEMS  out DATA8  number of entries
      */
     GET_FOLDERS = 13,
 
     /*
-     * Tells the time and tick by which data logs are lined up
+     * Reads the time and tick to which data logs are aligned
      *   TIME  out DATA32  the common time
      *   TICK  out DATA32  the brick's tick at that time
      */
     GET_LOG_SYNC_TIME = 14,
 
     /*
-     * Tells the name of one entry of a folder
+     * Reads the name of one entry of a folder
      *   NAME    string      path of the folder with its closing slash, such as ../prjs/ (at most 119 characters)
      *   ITEM    DATA8       which entry of the folder, the first is 1 (1 to 127)
-     *   LENGTH  DATA8       room for the string, its zero included (bytes)
-     *   STRING  out string  its name without extension, empty where there is no such entry (as many bytes as LENGTH
+     *   LENGTH  DATA8       size of the string's buffer, including the zero (bytes)
+     *   STRING  out string  its name without extension, empty if there is no such entry (as many bytes as LENGTH
      *       says)
      */
     GET_SUBFOLDER_NAME = 15,
@@ -3273,13 +3291,13 @@ enum {
      * Adds one row of samples to a data log
      *   HANDLE  handle  the open data log
      *   TIME    DATA32  time of the samples since the log began (ms)
-     *   ITEMS   DATA8   how many samples; with 0 nothing is written (0 to 127)
+     *   ITEMS   DATA8   number of samples; with 0 nothing is written (0 to 127)
      *   VALUES  DATAF   the samples, in one array (as many values as ITEMS says)
      */
     WRITE_LOG = 16,
 
     /*
-     * Writes a data log to its end and closes it
+     * Writes the rest of a data log and closes it
      *   HANDLE  handle  the open data log
      *   NAME    string  path of the log as given to OPEN_LOG; .rdf may be omitted
      */
@@ -3298,13 +3316,13 @@ enum {
      * Finds an entry of a folder by its name
      *   NAME    string     path of the folder with its closing slash, such as ../prjs/ (at most 119 characters)
      *   STRING  string     name to look for, without extension
-     *   ITEM    out DATA8  which entry it is, the first is 1 (1 to 127; 0: not found)
+     *   ITEM    out DATA8  number of the entry; the first is 1 (1 to 127; 0: not found)
      */
     GET_ITEM = 19,
 
     /*
      * Counts the recently run files
-     *   ITEMS  out DATA8  how many there are, 10 at most
+     *   ITEMS  out DATA8  number of files, at most 10
      */
     GET_CACHE_FILES = 20,
 
@@ -3315,16 +3333,16 @@ enum {
     PUT_CACHE_FILE = 21,
 
     /*
-     * Tells the path of one recently run file
+     * Reads the path of one recently run file
      *   ITEM    DATA8       which one, 1 is the latest (1 to 10)
-     *   LENGTH  DATA8       room for the string, its zero included (bytes)
-     *   STRING  out string  path of the file, empty where there is none (as many bytes as LENGTH says)
+     *   LENGTH  DATA8       size of the string's buffer, including the zero (bytes)
+     *   STRING  out string  path of the file, empty if there is none (as many bytes as LENGTH says)
      */
     GET_CACHE_FILE = 22,
 
     /*
-     * Takes a file off the list of recently run files
-     *   STRING  string  path of the file, as PUT_CACHE_FILE got it
+     * Removes a file from the list of recently run files
+     *   STRING  string  path of the file, as given to PUT_CACHE_FILE
      */
     DEL_CACHE_FILE = 23,
 
@@ -3336,9 +3354,9 @@ enum {
     DEL_SUBFOLDER = 24,
 
     /*
-     * Tells the path of the data log that is open
-     *   LENGTH  DATA8       room for the string, its zero included (bytes)
-     *   NAME    out string  path of the log, empty where none is open (as many bytes as LENGTH says)
+     * Reads the path of the open data log
+     *   LENGTH  DATA8       size of the string's buffer, including the zero (bytes)
+     *   NAME    out string  path of the log, empty if none is open (as many bytes as LENGTH says)
      */
     GET_LOG_NAME = 25,
 
@@ -3346,28 +3364,28 @@ enum {
      * Creates a data log and writes its header
      *   NAME                   string      path of the log; .rdf may be omitted; with an empty one it stays in
      *       memory
-     *   syncedTime             DATA32      the common time, as GET_LOG_SYNC_TIME tells it
+     *   syncedTime             DATA32      the common time, as GET_LOG_SYNC_TIME returns it
      *   syncedTick             DATA32      the brick's tick at that time
      *   nowTick                DATA32      the brick's tick at the start of the log
      *   sample_interval_in_ms  DATA32      time between samples; fast logs are kept in memory first (ms)
-     *   duration_in_ms         DATA32      how long the log is to run (ms)
+     *   duration_in_ms         DATA32      duration of the log (ms)
      *   SDATA                  string      text that describes the sensors, copied into the header
-     *   HANDLE                 out handle  what names the log from now on
+     *   HANDLE                 out handle  handle of the log
      */
     OPEN_LOG = 27,
 
     /*
-     * Reads bytes from a file as they are
+     * Reads raw bytes from a file
      *   HANDLE       handle     the open file
-     *   BYTES        DATA16     how many bytes (0 to 32767 bytes)
-     *   DESTINATION  out DATA8  the bytes; a zero follows where the file ended early (as many values as BYTES says)
+     *   BYTES        DATA16     number of bytes (0 to 32767 bytes)
+     *   DESTINATION  out DATA8  the bytes; followed by a zero if the file ended early (as many values as BYTES says)
      */
     READ_BYTES = 28,
 
     /*
-     * Writes bytes to a file as they are
+     * Writes raw bytes to a file
      *   HANDLE  handle  the open file
-     *   BYTES   DATA16  how many bytes (0 to 32767 bytes)
+     *   BYTES   DATA16  number of bytes (0 to 32767 bytes)
      *   SOURCE  DATA8   the bytes (as many values as BYTES says)
      */
     WRITE_BYTES = 29,
@@ -3379,9 +3397,9 @@ enum {
     REMOVE = 30,
 
     /*
-     * Copies a file or folder over whatever is at the destination; the source stays
+     * Copies a file or folder and replaces the destination; the source is kept
      *   SOURCE  string  path to copy from
-     *   DEST    string  path to copy to; what is there is deleted first
+     *   DEST    string  path to copy to; any existing one is deleted first
      */
     MOVE = 31,
 };
@@ -3389,49 +3407,49 @@ enum {
 /* CMDs of opARRAY */
 enum {
     /*
-     * Deletes an array and gives its handle back (official firmware only)
+     * Deletes an array and frees its handle (official firmware only)
      *   HANDLE  handle  the array
      */
     DELETE = 0,
 
     /*
-     * Deletes an array and gives its handle back (LEGO's name for it is DELETE) (xtended and compat firmware only)
+     * Deletes an array and frees its handle (LEGO's name for it is DELETE) (xtended and compat firmware only)
      *   HANDLE  handle  the array
      */
     DESTROY = 0,
 
     /*
      * Creates an array of DATA8 elements
-     *   ELEMENTS  DATA32      how many elements it has at first (0 to 2147483647)
-     *   HANDLE    out handle  what names the array from now on
+     *   ELEMENTS  DATA32      initial number of elements (0 to 2147483647)
+     *   HANDLE    out handle  handle of the new array
      */
     CREATE8 = 1,
 
     /*
      * Creates an array of DATA16 elements
-     *   ELEMENTS  DATA32      how many elements it has at first (0 to 2147483647)
-     *   HANDLE    out handle  what names the array from now on
+     *   ELEMENTS  DATA32      initial number of elements (0 to 2147483647)
+     *   HANDLE    out handle  handle of the new array
      */
     CREATE16 = 2,
 
     /*
      * Creates an array of DATA32 elements
-     *   ELEMENTS  DATA32      how many elements it has at first (0 to 2147483647)
-     *   HANDLE    out handle  what names the array from now on
+     *   ELEMENTS  DATA32      initial number of elements (0 to 2147483647)
+     *   HANDLE    out handle  handle of the new array
      */
     CREATE32 = 3,
 
     /*
      * Creates an array of DATAF elements
-     *   ELEMENTS  DATA32      how many elements it has at first (0 to 2147483647)
-     *   HANDLE    out handle  what names the array from now on
+     *   ELEMENTS  DATA32      initial number of elements (0 to 2147483647)
+     *   HANDLE    out handle  handle of the new array
      */
     CREATEF = 4,
 
     /*
-     * Changes how many elements an array has
+     * Changes the number of elements of an array
      *   HANDLE    handle  the array
-     *   ELEMENTS  DATA32  how many elements it has from now on (0 to 2147483647)
+     *   ELEMENTS  DATA32  new number of elements (0 to 2147483647)
      */
     RESIZE = 5,
 
@@ -3443,9 +3461,9 @@ enum {
     FILL = 6,
 
     /*
-     * Copies the content of one array into another of the same type, which takes its size
+     * Copies the content of one array into another of the same type, which is resized to match
      *   HSOURCE  handle  array to copy from
-     *   HDEST    handle  array to copy into, which has to exist
+     *   HDEST    handle  array to copy into, which must exist
      */
     COPY = 7,
 
@@ -3453,7 +3471,7 @@ enum {
      * Writes several elements of a DATA8 array, all within its size
      *   HANDLE    handle  the array
      *   INDEX     DATA32  first element to write, counted from 0 (0 to 2147483647)
-     *   ELEMENTS  DATA32  how many values follow (0 to 2147483647)
+     *   ELEMENTS  DATA32  number of values follow (0 to 2147483647)
      *   VALUES    values  the values, one parameter each (each is DATA8)
      */
     INIT8 = 8,
@@ -3462,7 +3480,7 @@ enum {
      * Writes several elements of a DATA16 array, all within its size
      *   HANDLE    handle  the array
      *   INDEX     DATA32  first element to write, counted from 0 (0 to 2147483647)
-     *   ELEMENTS  DATA32  how many values follow (0 to 2147483647)
+     *   ELEMENTS  DATA32  number of values follow (0 to 2147483647)
      *   VALUES    values  the values, one parameter each (each is DATA16)
      */
     INIT16 = 9,
@@ -3471,7 +3489,7 @@ enum {
      * Writes several elements of a DATA32 array, all within its size
      *   HANDLE    handle  the array
      *   INDEX     DATA32  first element to write, counted from 0 (0 to 2147483647)
-     *   ELEMENTS  DATA32  how many values follow (0 to 2147483647)
+     *   ELEMENTS  DATA32  number of values follow (0 to 2147483647)
      *   VALUES    values  the values, one parameter each (each is DATA32)
      */
     INIT32 = 10,
@@ -3480,50 +3498,50 @@ enum {
      * Writes several elements of a DATAF array, all within its size
      *   HANDLE    handle  the array
      *   INDEX     DATA32  first element to write, counted from 0 (0 to 2147483647)
-     *   ELEMENTS  DATA32  how many values follow (0 to 2147483647)
+     *   ELEMENTS  DATA32  number of values follow (0 to 2147483647)
      *   VALUES    values  the values, one parameter each (each is DATAF)
      */
     INITF = 11,
 
     /*
-     * Tells how many elements an array has (official firmware only)
+     * Counts the elements of an array (official firmware only)
      *   HANDLE    handle      the array
-     *   ELEMENTS  out DATA32  how many elements it has, 0 where there is no such array
+     *   ELEMENTS  out DATA32  number of elements, 0 if there is no such array
      */
     SIZE = 12,
 
     /*
-     * Tells how many elements an array has (LEGO's name for it is SIZE) (xtended and compat firmware only)
+     * Counts the elements of an array (LEGO's name for it is SIZE) (xtended and compat firmware only)
      *   HANDLE    handle      the array
-     *   ELEMENTS  out DATA32  how many elements it has, 0 where there is no such array
+     *   ELEMENTS  out DATA32  number of elements, 0 if there is no such array
      */
     SET_SIZE = 12,
 
     /*
-     * Reads an array's content as bytes, of another program too
+     * Reads an array's content as bytes, also of another program
      *   PRGID   DATA16     slot of the program that owns the array (a member of SLOT)
      *   HANDLE  handle     the array
      *   INDEX   DATA32     first byte in the array's content, whatever its elements (0 to 2147483647)
-     *   BYTES   DATA32     how many bytes (0 to 2147483647 bytes)
+     *   BYTES   DATA32     number of bytes (0 to 2147483647 bytes)
      *   ARRAY   out DATA8  the bytes, zeros beyond the end of the array (as many values as BYTES says)
      */
     READ_CONTENT = 13,
 
     /*
-     * Writes an array's content as bytes; the array then ends with them
+     * Writes an array's content as bytes; the array then ends after them
      *   PRGID   DATA16  slot of the program that owns the array (a member of SLOT)
      *   HANDLE  handle  the array
      *   INDEX   DATA32  first byte in the array's content, whatever its elements (0 to 2147483647)
-     *   BYTES   DATA32  how many bytes (0 to 2147483647 bytes)
+     *   BYTES   DATA32  number of bytes (0 to 2147483647 bytes)
      *   ARRAY   DATA8   the bytes (as many values as BYTES says)
      */
     WRITE_CONTENT = 14,
 
     /*
-     * Tells how many bytes an array's content has, of another program too
+     * Returns the size of an array's content, also of another program
      *   PRGID   DATA16      slot of the program that owns the array (a member of SLOT)
      *   HANDLE  handle      the array
-     *   BYTES   out DATA32  how many bytes, 0 where there is no such array (bytes)
+     *   BYTES   out DATA32  number of bytes, 0 if there is no such array (bytes)
      */
     READ_SIZE = 15,
 };
@@ -3531,43 +3549,43 @@ enum {
 /* CMDs of opFILENAME */
 enum {
     /*
-     * Tells whether a file or folder is there
+     * Reports whether a file or folder exists
      *   NAME  string     path of the file; a bare name is taken from the program's own folder (at most 119
      *       characters)
-     *   FLAG  out DATA8  whether it is there (0: no; 1: yes)
+     *   FLAG  out DATA8  whether it exists (0: no; 1: yes)
      */
     EXIST = 16,
 
     /*
-     * Tells how many files a folder has and their size
+     * Reports the number of files in a folder and their size
      *   NAME   string      path of the folder or file
-     *   FILES  out DATA32  how many entries, with . and .. counted in; 0 for a file
+     *   FILES  out DATA32  number of entries, including . and ..; 0 for a file
      *   SIZE   out DATA32  size of all of them, rounded up (KiB)
      */
     TOTALSIZE = 17,
 
     /*
-     * Takes a path apart into folder, name and extension
+     * Splits a path into folder, name and extension
      *   FILENAME  string      the path
-     *   LENGTH    DATA8       room for each of the three parts, its zero included (bytes)
-     *   FOLDER    out string  the folder, on LEGO's firmware with its closing slash (as many bytes as LENGTH says)
+     *   LENGTH    DATA8       buffer size for each of the three parts, including the zero (bytes)
+     *   FOLDER    out string  the folder, with its closing slash on LEGO's firmware (as many bytes as LENGTH says)
      *   NAME      out string  the name, without folder and extension (as many bytes as LENGTH says)
      *   EXT       out string  the extension with its dot (as many bytes as LENGTH says)
      */
     SPLIT = 18,
 
     /*
-     * Puts a path together from folder, name and extension
+     * Builds a path from folder, name and extension
      *   FOLDER    string      the folder, without a slash at its end
      *   NAME      string      the name
      *   EXT       string      the extension with its dot
-     *   LENGTH    DATA8       room for the string, its zero included (bytes)
+     *   LENGTH    DATA8       size of the string's buffer, including the zero (bytes)
      *   FILENAME  out string  the path (as many bytes as LENGTH says)
      */
     MERGE = 19,
 
     /*
-     * Tells whether a path has allowed characters and lengths; the file need not exist
+     * Reports whether a path's characters and lengths are allowed; the file need not exist
      *   FILENAME  string     the path
      *   OK        out DATA8  whether the path can be used (0: not allowed; 1: allowed)
      */
@@ -3575,19 +3593,19 @@ enum {
 
     /*
      * Packs a file or folder into a .raf archive beside it
-     *   FILENAME  string  path of what to pack
+     *   FILENAME  string  path of the file or folder
      */
     PACK = 21,
 
     /*
      * Unpacks a .raf archive into the folder it is in
-     *   FILENAME  string  path of the archive; whatever its extension, .raf is taken
+     *   FILENAME  string  path of the archive; its extension is replaced by .raf
      */
     UNPACK = 22,
 
     /*
-     * Tells the program's own folder
-     *   LENGTH      DATA8       room for the string, its zero included (bytes)
+     * Reads the path of the program's own folder
+     *   LENGTH      DATA8       size of the string's buffer, including the zero (bytes)
      *   FOLDERNAME  out string  path of the folder, without a slash at its end (as many bytes as LENGTH says)
      */
     GET_FOLDERNAME = 23,
@@ -3604,14 +3622,14 @@ enum {
 
     /*
      * Waits until nothing is being sent to a device
-     *   HARDWARE  DATA8   which way to communicate (a member of HWTYPE)
+     *   HARDWARE  DATA8   carrier to use (a member of HWTYPE)
      *   NAME      string  name of the other device, empty: the brick's own adapter
      */
     opCOM_READY = 0xD0,
 
     /*
-     * Does nothing in the firmware, meant to receive data
-     *   VALUE1  DATA8   which way to communicate, ignored (a member of HWTYPE)
+     * Does nothing in the firmware; meant to receive data
+     *   VALUE1  DATA8   carrier, ignored (a member of HWTYPE)
      *   VALUE2  DATA8   name of the other device, ignored
      *   VALUE3  DATA16  number of bytes, ignored (bytes)
      *   VALUE4  DATA8   the bytes, ignored
@@ -3619,8 +3637,8 @@ enum {
     opCOM_READDATA = 0xD1,
 
     /*
-     * Does nothing in the firmware, meant to send data
-     *   VALUE1  DATA8   which way to communicate, ignored (a member of HWTYPE)
+     * Does nothing in the firmware; meant to send data
+     *   VALUE1  DATA8   carrier, ignored (a member of HWTYPE)
      *   VALUE2  DATA8   name of the other device, ignored
      *   VALUE3  DATA16  number of bytes, ignored (bytes)
      *   VALUE4  DATA8   the bytes, ignored
@@ -3634,8 +3652,8 @@ enum {
     opCOM_SET = 0xD4,
 
     /*
-     * Tells whether something is still being sent to a device
-     *   HARDWARE  DATA8      which way to communicate (a member of HWTYPE)
+     * Reports whether something is still being sent to a device
+     *   HARDWARE  DATA8      carrier to use (a member of HWTYPE)
      *   NAME      string     name of the other device, empty: the brick's own adapter
      *   BUSY      out DATA8  whether to wait (0 to 1; 0: ready; 1: busy)
      */
@@ -3643,14 +3661,14 @@ enum {
 
     /*
      * Forgets a paired device or a known network
-     *   HARDWARE     DATA8   which way to communicate (a member of HWTYPE)
+     *   HARDWARE     DATA8   carrier to use (a member of HWTYPE)
      *   REMOTE_NAME  string  name of the other device or network
      */
     opCOM_REMOVE = 0xD6,
 
     /*
      * Sends a file or a folder to another brick, Bluetooth only
-     *   HARDWARE     DATA8   which way to communicate (a member of HWTYPE)
+     *   HARDWARE     DATA8   carrier to use (a member of HWTYPE)
      *   REMOTE_NAME  string  name of the other device or network
      *   FILE_NAME    string  path of the file or folder on this brick
      *   FILE_TYPE    DATA8   TYPE_FOLDER for a folder, else a file (a member of FILETYPE)
@@ -3673,20 +3691,20 @@ enum {
      *   HARDWARE   DATA8   read by the firmware and never used (0: as compilers write; a member of HWTYPE)
      *   BOXNAME    string  name of the mailbox
      *   TYPE       DATA8   type of the values (a member of DATA_FORMAT)
-     *   VALUES     count   how many values of TYPE follow, one only for a string (each is what TYPE says)
+     *   VALUES     count   number of values of TYPE follow; exactly one for a string (each is what TYPE says)
      */
     opMAILBOX_WRITE = 0xD9,
 
     /*
      * Reads the content of a mailbox and marks it read
      *   NO      DATA8  number of the mailbox on this brick (0 to 29)
-     *   LENGTH  DATA8  most bytes to read, ignored by the firmware (bytes)
-     *   VALUES  count  how many values follow, of the type given to MAILBOX_OPEN (each is array-typed)
+     *   LENGTH  DATA8  maximum number of bytes to read, ignored by the firmware (bytes)
+     *   VALUES  count  number of values follow, of the type given to MAILBOX_OPEN (each is array-typed)
      */
     opMAILBOX_READ = 0xDA,
 
     /*
-     * Tells whether a mailbox has an unread message
+     * Reports whether a mailbox has an unread message
      *   NO    DATA8      number of the mailbox on this brick (0 to 29)
      *   BUSY  out DATA8  whether to wait (0 to 1; 0: a new message is there; 1: nothing new)
      */
@@ -3705,7 +3723,7 @@ enum {
     opMAILBOX_CLOSE = 0xDD,
 
     /*
-     * Tells how many bytes the content of a mailbox has (xtended and compat firmware only)
+     * Returns the size of a mailbox's content (xtended and compat firmware only)
      *   NO    DATA8      number of the mailbox on this brick (0 to 29)
      *   SIZE  out DATA8  size of the content (bytes)
      */
@@ -3715,11 +3733,11 @@ enum {
 /* CMDs of opCOM_READ */
 enum {
     /*
-     * Tells where the direct command received last lies in the brick's memory
-     *   LENGTH  DATA32      most bytes of code, ignored by the firmware (bytes)
+     * Returns the address of the last direct command received
+     *   LENGTH  DATA32      maximum number of bytes of code, ignored by the firmware (bytes)
      *   IMAGE   out DATA32  address of the code
      *   GLOBAL  out DATA32  address of its global memory
-     *   FLAG    out DATA8   whether a command waits (0 to 1; 0: none; 1: ready to run)
+     *   FLAG    out DATA8   whether one is waiting (0 to 1; 0: none; 1: ready to run)
      */
     COMMAND = 14,
 };
@@ -3730,7 +3748,7 @@ enum {
      * Sends the global memory of a direct command that has run as its reply
      *   IMAGE   DATA32  address of the code
      *   GLOBAL  DATA32  address of its global memory
-     *   STATUS  DATA8   how it ended, all but OK give DIRECT_REPLY_ERROR (a member of RESULT)
+     *   STATUS  DATA8   how it ended; all but OK give DIRECT_REPLY_ERROR (a member of RESULT)
      */
     REPLY = 14,
 };
@@ -3738,22 +3756,22 @@ enum {
 /* CMDs of opCOM_GET */
 enum {
     /*
-     * Tells whether Bluetooth or WiFi is on
-     *   HARDWARE  DATA8      which way to communicate (a member of HWTYPE)
+     * Reports whether Bluetooth or WiFi is on
+     *   HARDWARE  DATA8      carrier to use (a member of HWTYPE)
      *   ACTIVE    out DATA8  whether it is on (0 to 1; 0: off; 1: on)
      */
     GET_ON_OFF = 1,
 
     /*
-     * Tells whether other devices can see the brick by Bluetooth
-     *   HARDWARE  DATA8      which way to communicate (a member of HWTYPE)
+     * Reports whether other devices can see the brick by Bluetooth
+     *   HARDWARE  DATA8      carrier to use (a member of HWTYPE)
      *   VISIBLE   out DATA8  whether it is visible (0 to 1; 0: no; 1: yes)
      */
     GET_VISIBLE = 2,
 
     /*
-     * Tells how a search or connection request is going
-     *   HARDWARE  DATA8      which way to communicate (a member of HWTYPE)
+     * Reports the state of a search or connection request
+     *   HARDWARE  DATA8      carrier to use (a member of HWTYPE)
      *   ITEM      DATA8      place in the list, ignored by the firmware
      *   RESULT    out DATA8  state of the request (a member of RESULT)
      */
@@ -3761,53 +3779,53 @@ enum {
 
     /*
      * Reads the PIN for a device, always 1234
-     *   HARDWARE  DATA8       which way to communicate (a member of HWTYPE)
+     *   HARDWARE  DATA8       carrier to use (a member of HWTYPE)
      *   NAME      string      name of the other device or network
-     *   LENGTH    DATA8       room for the PIN with its zero (bytes)
+     *   LENGTH    DATA8       size of the PIN's buffer, including the zero (bytes)
      *   PINCODE   out string  the PIN (as many bytes as LENGTH says)
      */
     GET_PIN = 5,
 
     /*
-     * Reads a number that changes when a device enters or leaves a list (compat firmware only)
-     *   HARDWARE  DATA8       which way to communicate (a member of HWTYPE)
+     * Reads a counter that changes when a device enters or leaves a list (compat firmware only)
+     *   HARDWARE  DATA8       carrier to use (a member of HWTYPE)
      *   STATE     out DATA16  number to compare with the one of the last call
      */
     LIST_STATE = 7,
 
     /*
-     * Tells how many devices or networks a search found
-     *   HARDWARE  DATA8      which way to communicate (a member of HWTYPE)
-     *   ITEMS     out DATA8  how many the list has
+     * Counts the devices or networks that a search found
+     *   HARDWARE  DATA8      carrier to use (a member of HWTYPE)
+     *   ITEMS     out DATA8  number of entries in the list
      */
     SEARCH_ITEMS = 8,
 
     /*
      * Describes one device or network that a search found
-     *   HARDWARE   DATA8       which way to communicate (a member of HWTYPE)
+     *   HARDWARE   DATA8       carrier to use (a member of HWTYPE)
      *   ITEM       DATA8       place in the list, counted from 0
-     *   LENGTH     DATA8       room for the text with its zero (bytes; -1: as long as it gets (handles only))
+     *   LENGTH     DATA8       size of the text buffer, including the zero (bytes; -1: unlimited (handles only))
      *   NAME       out string  name of the other device or network (as many bytes as LENGTH says)
      *   PAIRED     out DATA8   whether it is paired (Bluetooth) or known (WiFi) (0 to 1; 0: no; 1: yes)
      *   CONNECTED  out DATA8   whether it is connected (0 to 1; 0: no; 1: yes)
      *   TYPE       out DATA8   kind of device (Bluetooth) or encryption (WiFi) (0: WiFi, not encrypted; 1: WiFi,
      *       WPA2; a member of BTTYPE)
-     *   VISIBLE    out DATA8   whether it is in sight (0 to 1; 0: no; 1: yes)
+     *   VISIBLE    out DATA8   whether it is in range (0 to 1; 0: no; 1: yes)
      */
     SEARCH_ITEM = 9,
 
     /*
-     * Tells how many devices are paired, in sight or not
-     *   HARDWARE  DATA8      which way to communicate (a member of HWTYPE)
-     *   ITEMS     out DATA8  how many the list has
+     * Counts the paired devices, in range or not
+     *   HARDWARE  DATA8      carrier to use (a member of HWTYPE)
+     *   ITEMS     out DATA8  number of entries in the list
      */
     FAVOUR_ITEMS = 10,
 
     /*
      * Describes one paired device or known network
-     *   HARDWARE   DATA8       which way to communicate (a member of HWTYPE)
+     *   HARDWARE   DATA8       carrier to use (a member of HWTYPE)
      *   ITEM       DATA8       place in the list, counted from 0
-     *   LENGTH     DATA8       room for the text with its zero (bytes; -1: as long as it gets (handles only))
+     *   LENGTH     DATA8       size of the text buffer, including the zero (bytes; -1: unlimited (handles only))
      *   NAME       out string  name of the other device or network (as many bytes as LENGTH says)
      *   PAIRED     out DATA8   whether it is paired (Bluetooth) or known (WiFi) (0 to 1; 0: no; 1: yes)
      *   CONNECTED  out DATA8   whether it is connected (0 to 1; 0: no; 1: yes)
@@ -3818,24 +3836,24 @@ enum {
 
     /*
      * Reads the brick's Bluetooth address
-     *   HARDWARE  DATA8       which way to communicate (a member of HWTYPE)
-     *   LENGTH    DATA8       room for the text with its zero (bytes; -1: as long as it gets (handles only))
+     *   HARDWARE  DATA8       carrier to use (a member of HWTYPE)
+     *   LENGTH    DATA8       size of the text buffer, including the zero (bytes; -1: unlimited (handles only))
      *   STRING    out string  12 hex digits (as many bytes as LENGTH says)
      */
     GET_ID = 12,
 
     /*
      * Reads the brick's name
-     *   LENGTH  DATA8       room for the text with its zero (bytes; -1: as long as it gets (handles only))
+     *   LENGTH  DATA8       size of the text buffer, including the zero (bytes; -1: unlimited (handles only))
      *   NAME    out string  name of the brick (as many bytes as LENGTH says)
      */
     GET_BRICKNAME = 13,
 
     /*
      * Reads network name and addresses, WiFi only
-     *   HARDWARE  DATA8       which way to communicate (a member of HWTYPE)
-     *   LENGTH    DATA8       room for each of the three texts with its zero (bytes; -1: as long as it gets (handles
-     *       only))
+     *   HARDWARE  DATA8       carrier to use (a member of HWTYPE)
+     *   LENGTH    DATA8       buffer size for each of the three texts, including the zero (bytes; -1: unlimited
+     *       (handles only))
      *   NAME      out string  name of the network, NONE without one (as many bytes as LENGTH says)
      *   MAC       out string  MAC address of the brick, ?? when WiFi is off (as many bytes as LENGTH says)
      *   IP        out string  IP address of the brick, ?? when not connected (as many bytes as LENGTH says)
@@ -3843,49 +3861,49 @@ enum {
     GET_NETWORK = 14,
 
     /*
-     * Tells whether the hardware is there, for WiFi a known dongle
-     *   HARDWARE  DATA8      which way to communicate (a member of HWTYPE)
-     *   OK        out DATA8  whether it is there (0 to 1; 0: no; 1: yes)
+     * Reports whether the hardware is present (for WiFi: a known dongle)
+     *   HARDWARE  DATA8      carrier to use (a member of HWTYPE)
+     *   OK        out DATA8  whether it is present (0 to 1; 0: no; 1: yes)
      */
     GET_PRESENT = 15,
 
     /*
-     * Tells the encryption of a network, WiFi only
-     *   HARDWARE  DATA8      which way to communicate (a member of HWTYPE)
+     * Reports the encryption of a network, WiFi only
+     *   HARDWARE  DATA8      carrier to use (a member of HWTYPE)
      *   ITEM      DATA8      place in the list, counted from 0
-     *   TYPE      out DATA8  kind of encryption, the 2013 firmware says none (a member of ENCRYPT)
+     *   TYPE      out DATA8  kind of encryption; always none in the 2013 firmware (a member of ENCRYPT)
      */
     GET_ENCRYPT = 16,
 
     /*
-     * Tells how many devices are connected, Bluetooth only
-     *   HARDWARE  DATA8      which way to communicate (a member of HWTYPE)
-     *   ITEMS     out DATA8  how many the list has
+     * Counts the connected devices, Bluetooth only
+     *   HARDWARE  DATA8      carrier to use (a member of HWTYPE)
+     *   ITEMS     out DATA8  number of entries in the list
      */
     CONNEC_ITEMS = 17,
 
     /*
      * Describes one connected device, Bluetooth only
-     *   HARDWARE  DATA8       which way to communicate (a member of HWTYPE)
+     *   HARDWARE  DATA8       carrier to use (a member of HWTYPE)
      *   ITEM      DATA8       place in the list, counted from 0
-     *   LENGTH    DATA8       room for the text with its zero (bytes; -1: as long as it gets (handles only))
+     *   LENGTH    DATA8       size of the text buffer, including the zero (bytes; -1: unlimited (handles only))
      *   NAME      out string  name of the device (as many bytes as LENGTH says)
      *   TYPE      out DATA8   kind of device (a member of BTTYPE)
      */
     CONNEC_ITEM = 18,
 
     /*
-     * Tells which device asks for a connection, Bluetooth only
-     *   HARDWARE  DATA8       which way to communicate (a member of HWTYPE)
-     *   LENGTH    DATA8       room for the text with its zero (bytes; -1: as long as it gets (handles only))
+     * Reports which device asks for a connection, Bluetooth only
+     *   HARDWARE  DATA8       carrier to use (a member of HWTYPE)
+     *   LENGTH    DATA8       size of the text buffer, including the zero (bytes; -1: unlimited (handles only))
      *   NAME      out string  name of the device (as many bytes as LENGTH says)
      *   TYPE      out DATA8   kind of device (a member of BTTYPE)
      */
     GET_INCOMING = 19,
 
     /*
-     * Tells whether Bluetooth is in its mode for Apple devices
-     *   HARDWARE  DATA8      which way to communicate (a member of HWTYPE)
+     * Reports whether Bluetooth is in its mode for Apple devices
+     *   HARDWARE  DATA8      carrier to use (a member of HWTYPE)
      *   ACTIVE    out DATA8  whether it is on (0 to 1; 0: off; 1: on)
      */
     GET_MODE2 = 20,
@@ -3895,28 +3913,28 @@ enum {
 enum {
     /*
      * Switches Bluetooth or WiFi on or off
-     *   HARDWARE  DATA8  which way to communicate (a member of HWTYPE)
+     *   HARDWARE  DATA8  carrier to use (a member of HWTYPE)
      *   ACTIVE    DATA8  whether to switch it on (0 to 1; 0: off; 1: on)
      */
     SET_ON_OFF = 1,
 
     /*
      * Makes the brick visible or invisible, Bluetooth only
-     *   HARDWARE  DATA8  which way to communicate (a member of HWTYPE)
-     *   VISIBLE   DATA8  whether other devices shall see it (0 to 1; 0: invisible; 1: visible)
+     *   HARDWARE  DATA8  carrier to use (a member of HWTYPE)
+     *   VISIBLE   DATA8  whether other devices can see it (0 to 1; 0: invisible; 1: visible)
      */
     SET_VISIBLE = 2,
 
     /*
      * Starts or stops the search for devices or networks
-     *   HARDWARE  DATA8  which way to communicate (a member of HWTYPE)
+     *   HARDWARE  DATA8  carrier to use (a member of HWTYPE)
      *   SEARCH    DATA8  whether to search (0 to 1; 0: stop (Bluetooth only); 1: start)
      */
     SET_SEARCH = 3,
 
     /*
      * Answers the request for a PIN (Bluetooth) or stores a network's password (WiFi)
-     *   HARDWARE  DATA8   which way to communicate (a member of HWTYPE)
+     *   HARDWARE  DATA8   carrier to use (a member of HWTYPE)
      *   NAME      string  name of the other device or network
      *   PINCODE   string  PIN or password
      */
@@ -3924,14 +3942,14 @@ enum {
 
     /*
      * Answers the request to confirm a passkey, Bluetooth only
-     *   HARDWARE  DATA8  which way to communicate (a member of HWTYPE)
+     *   HARDWARE  DATA8  carrier to use (a member of HWTYPE)
      *   ACCEPT    DATA8  the answer (0 to 1; 0: reject; 1: accept)
      */
     SET_PASSKEY = 6,
 
     /*
      * Connects a device or network, or ends a Bluetooth connection
-     *   HARDWARE    DATA8   which way to communicate (a member of HWTYPE)
+     *   HARDWARE    DATA8   carrier to use (a member of HWTYPE)
      *   NAME        string  name of the other device or network
      *   CONNECTION  DATA8   what to do (0 to 1; 0: disconnect; 1: connect)
      */
@@ -3945,21 +3963,21 @@ enum {
 
     /*
      * Moves a network up in the list, WiFi only
-     *   HARDWARE  DATA8  which way to communicate (a member of HWTYPE)
+     *   HARDWARE  DATA8  carrier to use (a member of HWTYPE)
      *   ITEM      DATA8  place in the list, counted from 0
      */
     SET_MOVEUP = 9,
 
     /*
      * Moves a network down in the list, WiFi only
-     *   HARDWARE  DATA8  which way to communicate (a member of HWTYPE)
+     *   HARDWARE  DATA8  carrier to use (a member of HWTYPE)
      *   ITEM      DATA8  place in the list, counted from 0
      */
     SET_MOVEDOWN = 10,
 
     /*
      * Sets the encryption of a network, WiFi only
-     *   HARDWARE  DATA8   which way to communicate (a member of HWTYPE)
+     *   HARDWARE  DATA8   carrier to use (a member of HWTYPE)
      *   ITEM      string  name of the network
      *   ENCRYPT   DATA8   kind of encryption (a member of ENCRYPT)
      */
@@ -3967,14 +3985,14 @@ enum {
 
     /*
      * Adds a network to the end of the list, WiFi only
-     *   HARDWARE  DATA8   which way to communicate (a member of HWTYPE)
+     *   HARDWARE  DATA8   carrier to use (a member of HWTYPE)
      *   NAME      string  name of the network
      */
     SET_SSID = 12,
 
     /*
      * Switches the Bluetooth mode for Apple devices on or off
-     *   HARDWARE  DATA8  which way to communicate (a member of HWTYPE)
+     *   HARDWARE  DATA8  carrier to use (a member of HWTYPE)
      *   ACTIVE    DATA8  whether to switch it on (0 to 1; 0: off; 1: on)
      */
     SET_MODE2 = 13,
@@ -4231,7 +4249,7 @@ enum {
     FILETYPES = 33,
 };
 
-/* RESULT: How an operation went, or whether it is still going on */
+/* RESULT: Result of an operation, or that it is still running */
 enum {
     OK = 0,
     BUSY = 1,
@@ -4255,7 +4273,7 @@ enum {
     DATA_FORMATS = 20,
 };
 
-/* DEL: What stands between two values in a text file */
+/* DEL: Separators between two values in a text file */
 enum {
     DEL_NONE = 0,
     DEL_TAB = 1,
@@ -4338,7 +4356,7 @@ enum {
     DEVCMDS = 19,
 };
 
-/* CONN: What kind of connection a port has found */
+/* CONN: Kinds of connection that a port detects */
 enum {
     CONN_UNKNOWN = 111,
     CONN_DAISYCHAIN = 117,
@@ -4360,7 +4378,7 @@ enum {
 
 enum {
     /*
-     * Opens a file on the brick for writing and says how long it will be
+     * Opens a file on the brick for writing and announces its size
      *   asks with: size (u32), path (text), data (optional data)
      *   gets: handle (u8)
      */
@@ -4423,7 +4441,7 @@ enum {
     CONTINUE_LIST_FILES = 0x9A,
 
     /*
-     * Makes a folder
+     * Creates a folder
      *   asks with: path (text)
      */
     CREATE_DIR = 0x9B,
@@ -4448,7 +4466,7 @@ enum {
     WRITEMAILBOX = 0x9E,
 
     /*
-     * Hands over the PIN for a Bluetooth device (USB only)
+     * Sends the PIN for a Bluetooth device (USB only)
      *   asks with: mac_length (u8), mac (counted text), pin_length (u8), pin (counted text)
      *   gets: mac_length (u8), mac (counted text), pin_length (u8), pin (counted text)
      */
@@ -4461,25 +4479,25 @@ enum {
     ENTERFWUPDATE = 0xA0,
 
     /*
-     * Sets the bundle identifier with which the brick shows itself to Apple devices
+     * Sets the bundle identifier that the brick shows to Apple devices
      *   asks with: id (text)
      */
     SETBUNDLEID = 0xA1,
 
     /*
-     * Sets the bundle seed identifier with which the brick shows itself to Apple devices
+     * Sets the bundle seed identifier that the brick shows to Apple devices
      *   asks with: id (text)
      */
     SETBUNDLESEEDID = 0xA2,
 
     /*
-     * Erases a region of the flash memory and makes ready to write it
+     * Erases a region of the flash memory and prepares to write it
      *   asks with: address (u32), image_size (u32)
      */
     BOOTLOADER_BEGIN_DOWNLOAD_WITH_ERASE = 0xF0,
 
     /*
-     * Makes ready to write a region of the flash memory that is already erased
+     * Prepares to write a region of the flash memory that is already erased
      *   asks with: address (u32), image_size (u32)
      */
     BOOTLOADER_BEGIN_DOWNLOAD = 0xF1,
@@ -4532,22 +4550,22 @@ enum {
 /* The byte after the message type, between bricks that are joined by USB. */
 
 enum {
-    /* Hands operations on to a brick further down */
+    /* Forwards operations to a brick further down */
     DAISY_DOWNSTREAM = 0xA0,
 
-    /* Hands sensor data up towards the first brick */
+    /* Passes sensor data up towards the first brick */
     DAISY_UPSTREAM = 0xA1,
 
     /* Asks which sensors a brick further down has */
     DAISY_INFO = 0xA2,
 
-    /* Lets the brick below answer again */
+    /* Allows the brick below to answer again */
     DAISY_UNLOCK_SLAVE = 0xA3,
 
     /* Sets type and mode of a sensor further down */
     DAISY_SET_TYPE = 0xA4,
 
-    /* Hands operations on, with the motors that are to be reported busy */
+    /* Forwards operations, and names the motors to report as busy */
     DAISY_DOWNSTREAM_WITH_BUSY = 0xA5,
 };
 

@@ -1,6 +1,6 @@
-"""What the brick will say to a frame before anybody sends it, and what a careful sender would change in it.
+"""Checks of frames: whether the brick will accept a frame, and what a careful sender would change in it.
 
-`checking.check` gives a report: the verdict of the firmware (`verdict`), and findings of the rules, whose codes are all
+`checking.check` returns a report: the firmware's verdict (`verdict`), and findings of the rules, whose codes are all
 in one table (`codes`). `fixing` fixes what can be fixed with certainty.
 """
 

@@ -1,4 +1,4 @@
-"""`check`: what the brick will say to a frame, and everything in it that a careful sender would change."""
+"""`check`: whether the brick will accept a frame, and what a careful sender would change in it."""
 
 from __future__ import annotations
 
@@ -24,18 +24,18 @@ from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME
 def check(
     frame: bytes | bytearray | memoryview | Message, *, dialect: str = "official", carrier: str | None = None
 ) -> Report:
-    """What is wrong with a frame, and whether the brick takes it. Never raises for what is in a frame.
+    """Checks a frame: whether the brick accepts it, and what is wrong with it. No content of a frame makes it raise.
 
     Args:
-        frame: From its length field to its last byte; or a message, whose frame is checked.
-        dialect: "official", "xtended" or "compat": the firmware whose instruction set to read by.
-        carrier: "usb", "bluetooth" or "wifi": what is to carry it; None where that does not matter.
+        frame: The bytes from the length field to the last one; or a message, whose frame is checked.
+        dialect: "official", "xtended" or "compat": the firmware whose instruction set is used.
+        carrier: "usb", "bluetooth" or "wifi": the carrier of the frame; None if it does not matter.
 
     Returns:
-        The brick's verdict, and the findings in the order of their offsets.
+        The brick's verdict, and the findings ordered by offset.
 
     Raises:
-        TypeError: It is neither bytes nor a message.
+        TypeError: The frame is neither bytes nor a message.
         ValueError: The dialect or the carrier is unknown.
     """
     if carrier is not None and carrier not in CARRIERS:
@@ -55,7 +55,7 @@ _ERROR, _WARNING, _HINT = Severity
 
 
 def _in_order(findings: list[Finding]) -> list[Finding]:
-    """The findings by offset, on the same bytes the worst first, without hints on what must be changed in any case."""
+    """Returns the findings by offset and then severity, without hints on bytes that must be changed in any case."""
     if len(set(map(_OFFSET, findings))) == len(findings):
         return sorted(findings, key=_OFFSET)
     errors = [finding for finding in findings if finding.severity is _ERROR]
@@ -69,11 +69,11 @@ def _in_order(findings: list[Finding]) -> list[Finding]:
 
 _NO_EFFECTS: frozenset[Effect] = frozenset()
 _MOST_BY_HAND = 64
-"""Errors of a frame that somebody may have made by hand."""
+"""Errors typical of frames written by hand."""
 
 
 def _context(frame: bytes, dialect: str, carrier: str | None) -> CheckContext:
-    """The frame with its length field made right, so that the rules see what is wrong inside."""
+    """Returns the context of a frame with a corrected length field, so that the rules see what is wrong inside."""
     size = end = len(frame)
     content = frame
     if size >= HEADER_SIZE:
@@ -89,7 +89,7 @@ def _context(frame: bytes, dialect: str, carrier: str | None) -> CheckContext:
 
 
 def _unswapped(context: CheckContext, findings: list[Finding]) -> list[Finding]:
-    """Returns the findings, those that swapping the two bytes of the memory word mends as one."""
+    """Returns the findings; those that swapping the two bytes of the memory word fixes become one."""
     frame, end = context.frame, COMMAND_HEADER_SIZE
     errors = [finding for finding in findings if finding.severity is _ERROR]
     if not 0 < len(errors) <= _MOST_BY_HAND or {error.code for error in errors} - {"E401", "E402"}:
@@ -100,16 +100,16 @@ def _unswapped(context: CheckContext, findings: list[Finding]) -> list[Finding]:
     other = _findings(_context(frame[:HEADER_SIZE] + word + frame[end:], context.dialect, context.carrier))
     if not {*other} < {*findings} or any(finding.severity is _ERROR for finding in other):
         return findings
-    help_text = f"did you swap these two bytes? The low one is first: {word.hex(' ').upper()}"
+    help_text = f"did you swap these two bytes? The low byte comes first: {word.hex(' ').upper()}"
     one = replace(errors[0], offset=HEADER_SIZE, length=MEMORY_SIZE, help=help_text)
     return [one, *other]
 
 
 def swapped(report: Report) -> bytes | None:
-    """Returns the frame with the right order of the bytes of its memory word, where a check says that they are swapped.
+    """Returns the frame with the bytes of its memory word swapped, if a check found them in the wrong order.
 
     Args:
-        report: What a check found in a frame.
+        report: The report of a check.
     """
     if not any(finding.offset == HEADER_SIZE and finding.code in ("E401", "E402") for finding in report.findings):
         return None
@@ -124,7 +124,7 @@ def _findings(context: CheckContext) -> list[Finding]:
         found += check_command_header(context, message)
         found += check_refusals(context)
         if context.end > MAX_FRAME:
-            return found  # nothing in it matters
+            return found  # no byte of it is relevant
         local, shared = check_arguments(context, found)
         found += check_lists(context.operations)
         found += check_memory(context, message, local, shared)
@@ -138,7 +138,7 @@ def _findings(context: CheckContext) -> list[Finding]:
 
 
 def _answer(context: CheckContext, findings: list[Finding]) -> tuple[bool, int | None]:
-    """Whether the brick takes it, and where it stops if not."""
+    """Returns whether the brick accepts it, and if not, where it stops."""
     message = context.message
     if isinstance(message, DirectCommand):
         return context.verdict.accepted, context.verdict.rejected_at

@@ -1,4 +1,4 @@
-"""What the rules look at: a frame, the message in it, its operations with their arguments, the brick's verdict."""
+"""The input of the rules: a frame, its message, the operations with their arguments, the brick's verdict."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ from ev3proto.tables.frame import MAX_FRAME, MAX_LONG_FRAME, REPORT_SIZES
 
 @dataclass(frozen=True, slots=True)
 class ParameterFacts:
-    """What the rules need to know of a parameter.
+    """The facts about a parameter that the rules need.
 
     parameter  the parameter
-    numbers    whole numbers about which there is nothing to say; there may be more
-    domain     the numbers that the tables tell, None where the type alone limits them
-    limits     the numbers that its bytes hold, None where it is no number of so many bytes
-    outside    what follows a number that is none of the domain: ` Hz, outside of 250 to 10000 Hz`
-    advice     what to give instead
+    numbers    whole numbers that need no finding; not necessarily all of them
+    domain     the legal numbers of the tables, None if only the type limits them
+    limits     the numbers that its bytes can hold, None if it is not a number of fixed size
+    outside    the text after a number outside the domain: ` Hz, outside of 250 to 10000 Hz`
+    advice     what to use instead
     """
 
     parameter: Parameter
@@ -40,18 +40,18 @@ class ParameterFacts:
 
 @dataclass(frozen=True, slots=True)
 class OperationFacts:
-    """What the rules need to know of an operation besides its arguments.
+    """The facts about an operation, besides its arguments, that the rules need.
 
-    declaration  what the tables say of it
+    declaration  its entry in the tables
     name         `SOUND.TONE`
-    parameters   of each argument before the elements of a list
-    memory       the same for the memory that a variable in their place takes
-    effects      what it does besides what its parameters say
-    has_cmd      its opcode has CMDs
-    is_jump      its last argument says where to
-    has_lists    it takes texts or arrays of which the tables tell how long they are or may be
-    ends_code    the firmware reads nothing after it
-    is_newer     the validator of the release of 2013 does not know it
+    parameters   facts of each argument before the elements of a list
+    memory       the same for the memory of a variable in their place
+    effects      its side effects
+    has_cmd      whether its opcode has CMDs
+    is_jump      whether its last argument is a jump target
+    has_lists    whether it takes texts or arrays with a known or limited length
+    ends_code    whether the firmware reads nothing after it
+    is_newer     whether the validator of the release of 2013 does not know it
     """
 
     declaration: Declaration
@@ -68,7 +68,7 @@ class OperationFacts:
 
 @cache
 def operation_facts(schema: OperationReader) -> OperationFacts:
-    """What is known of an operation."""
+    """Returns the facts about an operation."""
     declaration = schema.declaration
     parameters = declaration.parameters
     fixed = parameters[:-1] if parameters and parameters[-1].type is Type.VALUES else parameters
@@ -88,7 +88,7 @@ def operation_facts(schema: OperationReader) -> OperationFacts:
 
 @cache
 def parameter_facts(parameter: Parameter) -> ParameterFacts:
-    """What is known of a parameter, or of an element of a list."""
+    """Returns the facts about a parameter, or an element of a list."""
     domain = domain_of(parameter)
     if domain is not None and not domain.is_documented:
         domain = None
@@ -100,14 +100,14 @@ _NUMBERS = (Type.DATA8, Type.DATA16, Type.DATA32, Type.HANDLE)
 
 
 def _sentences(parameter: Parameter, domain: Domain | None) -> tuple[str, str]:
-    """What is said of a number that is none of the domain: what is wrong, after the number, and what to give."""
+    """Returns the texts for a number outside the domain: what is wrong (after the number), and what to use instead."""
     if domain is None:
         return "", ""
     if domain.has_names:
         assert parameter.enum is not None
-        return f", which {parameter.enum.name} has no name for", f"give {domain.choice}"
+        return f", which is not in {parameter.enum.name}", f"use {domain.choice}"
     unit = f" {parameter.unit}" if parameter.unit else ""
-    return f"{unit}, outside of {domain.text}", f"give {domain.text}"
+    return f"{unit}, outside of {domain.text}", f"use {domain.text}"
 
 
 def _numbers(parameter: Parameter, domain: Domain | None) -> range | frozenset[int]:
@@ -125,18 +125,18 @@ def _numbers(parameter: Parameter, domain: Domain | None) -> range | frozenset[i
     return frozenset(number for number in domain.singles if number in whole)
 
 
-# Rules read the fields of these two all the time, and reading a slot takes a quarter of the time of a named tuple's
-# field. They are not frozen, since making them would take three times as long.
+# The rules read these fields very often, and reading a slot takes a quarter of the time of a named tuple's
+# field. They are not frozen because creating a frozen one takes three times as long.
 
 
 @dataclass(slots=True)
 class CheckedOperation:
-    """An operation with what the rules ask of it again and again.
+    """An operation with the values that the rules use repeatedly.
 
     parsed     the operation itself
-    facts      what is known of it
+    facts      its facts
     name       `SOUND.TONE`
-    arguments  what follows opcode and CMD; of an operation that is cut off, those that can be read
+    arguments  the arguments after opcode and CMD; if the operation is cut off, the readable ones
     start      offset of its opcode
     end        offset after it
     """
@@ -150,23 +150,23 @@ class CheckedOperation:
 
     def has(self, effect: Effect) -> bool:
         """Whether it has an effect."""
-        # Most operations have none. Of the others it is asked in their tuple: a set takes long to hash an effect.
+        # A tuple, since most operations have no effects and hashing an effect for a set is slow.
         facts = self.facts
         return bool(facts.effects) and effect in facts.declaration.effects
 
     def finding(self, code: Code, message: str, help_: str) -> Finding:
-        """A finding about the operation as a whole."""
+        """Returns a finding about the whole operation."""
         return code.finding(self.start, self.end - self.start, message, help_, self.name)
 
     def finding_at(self, code: Code, argument: Argument, message: str, help_: str) -> Finding:
-        """A finding about one of its arguments."""
+        """Returns a finding about one of its arguments."""
         parameter, form, _, offset, _ = argument
         length = argument.length if form.width is None else 1 + form.width
         return Finding(code.severity, code.code, offset, length, message, help_, self.name, parameter.name)
 
 
 def checked_operations(operations: tuple[Operation, ...]) -> tuple[CheckedOperation, ...]:
-    """Operations as the rules look at them, as far as the firmware reads them."""
+    """Returns the operations for the rules, as far as the firmware reads them."""
     found: list[CheckedOperation] = []
     for parsed in operations:
         facts = operation_facts(parsed[0])
@@ -178,17 +178,17 @@ def checked_operations(operations: tuple[Operation, ...]) -> tuple[CheckedOperat
 
 @dataclass(slots=True)
 class CheckContext:
-    """A frame that is checked, with all that the rules may look at.
+    """A frame with everything that the rules read.
 
     frame       the bytes
-    end         where the message ends: where its length field says, or where the bytes do
-    message     what `frame[:end]` says
-    verdict     what the brick says to it
+    end         the end of the message: that of the length field, or that of the bytes
+    message     the message in `frame[:end]`
+    verdict     the brick's verdict
     operations  the operations of a direct command, as far as the firmware reads them: up to an OBJECT_END
-    effects     what any of them does besides what its parameters say
-    has_jumps   any of them says where to go on
-    dialect     the firmware whose instruction set it is read by
-    carrier     what is to carry it, None for any
+    effects     the side effects of all of them
+    has_jumps   whether any of them jumps
+    dialect     the firmware whose instruction set is used
+    carrier     the carrier, None for any
     """
 
     frame: bytes
@@ -203,9 +203,9 @@ class CheckContext:
 
     @property
     def fault(self) -> Fault | None:
-        """What cannot be read in the message.
+        """The part of the message that cannot be read.
 
-        None also for one that is too long, or where an OBJECT_END comes before it: that alone is reported then.
+        None also if the frame is too long, or an OBJECT_END comes first: then only that is reported.
         """
         if self.end > self.most or (self.operations and self.operations[-1].facts.ends_code):
             return None
@@ -213,22 +213,22 @@ class CheckContext:
 
     @property
     def most(self) -> int:
-        """Most bytes that a frame like this one may have: but on USB, downloads may be longer than others."""
+        """Maximum length of this frame, in bytes: downloads may be longer, except on USB."""
         return MAX_LONG_FRAME if self.carrier != "usb" and may_be_long(self.frame) else MAX_FRAME
 
     @property
     def is_whole(self) -> bool:
-        """Whether the operations are all that there is."""
+        """Whether the operations are complete."""
         return self.fault is None and (not self.operations or self.operations[-1].end == self.end)
 
     @property
     def is_padded(self) -> bool:
-        """Whether nothing but zeros follow the message, as many as fill it up to a USB report."""
+        """Whether the message is padded with zeros to the size of a USB report."""
         frame, end = self.frame, self.end
         return end < len(frame) and end >= HEADER_SIZE and len(frame) in REPORT_SIZES and not any(frame[end:])
 
     @property
     def is_length_wrong(self) -> bool:
-        """Whether the length field does not say how many bytes follow it, and they are no padding."""
+        """Whether the length field does not match the bytes after it, padding aside."""
         frame = self.frame
         return frame_size(frame) != len(frame) and not self.is_padded

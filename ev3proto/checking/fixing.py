@@ -1,7 +1,7 @@
-"""Frames fixed where only one fix is possible: the length field, memory sizes, the type, encodings.
+"""Fixes of frames that have only one possible fix: the length field, memory sizes, the type, encodings.
 
-What a program computes is left alone: no constant gets another value, no variable or operation another place. Whatever
-cannot be fixed with certainty is said, and stays.
+The meaning of a program is kept: no constant changes its value, no variable or operation its place. A problem without
+a certain fix is reported and kept.
 """
 
 from __future__ import annotations
@@ -26,21 +26,21 @@ from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL
 from ev3proto.tables.frame import GRANTED_GLOBALS, LENGTH_FIELD, MAX_FRAME, MAX_LOCALS, MAX_LONG_FRAME, MessageType
 
 _MOST_NAMED = 3
-"""Changes that are named where they are not made."""
+"""Maximum number of changes named when they are not made."""
 
 
 def fix(
     frame: bytes | bytearray | memoryview | Message, *, dialect: str = "official", carrier: str | None = None
 ) -> Fix:
-    """The frame with everything fixed that can be fixed with certainty. Never raises for what is in a frame.
+    """Fixes everything in a frame that can be fixed with certainty. No content of a frame makes it raise.
 
     Args:
-        frame: From its length field to its last byte; or a message, whose frame is fixed.
-        dialect: "official", "xtended" or "compat": the firmware whose instruction set to read by.
-        carrier: "usb", "bluetooth" or "wifi": what is to carry it; None where that does not matter.
+        frame: The bytes from the length field to the last one; or a message, whose frame is fixed.
+        dialect: "official", "xtended" or "compat": the firmware whose instruction set is used.
+        carrier: "usb", "bluetooth" or "wifi": the carrier of the frame; None if it does not matter.
 
     Returns:
-        The frame, what was fixed in it, what was not and why, and what a check says of it.
+        The frame, what was fixed, what was not and why, and the report of a check of the result.
 
     Raises:
         ValueError: The dialect or the carrier is unknown.
@@ -51,7 +51,7 @@ def fix(
     unswapped = swapped(report)
     if unswapped is not None:
         before, after = (data[HEADER_SIZE:COMMAND_HEADER_SIZE].hex(":").upper() for data in (given, unswapped))
-        changes.append(Change("memory", before, after, "the low byte of the two is first"))
+        changes.append(Change("memory", before, after, "the low byte comes first"))
         report = check(unswapped, dialect=dialect, carrier=carrier)
     while report.findings:
         tried = _Fixing(report.frame, dialect, _ALL)
@@ -62,7 +62,7 @@ def fix(
         changes += fixing.changes
         if fixing is tried:
             return Fix(report.frame, tuple(changes), tuple(fixing.unfixed), report)
-        # Steps that made it worse may be what it needs now.
+        # Steps that made it worse before may help now.
     return Fix(report.frame, tuple(changes), (), report)
 
 
@@ -70,7 +70,7 @@ uses.fix = fix
 
 
 class _Step(Flag):
-    """What is fixed together, because one without the other may make a frame worse."""
+    """Steps of a fix; some help only together."""
 
     LENGTH = auto()
     TYPE = auto()
@@ -83,9 +83,9 @@ _FEWER = sorted((_Step(bits) for bits in range(1, _ALL.value)), key=len, reverse
 
 
 def _better(report: Report, tried: _Fixing) -> tuple[_Fixing, Report] | None:
-    """The first fix, with as many steps as possible, that makes a frame better, and what a check says then.
+    """Returns the fix with the most steps that improves a frame, and the report on the result.
 
-    That is: the brick accepts it, with fewer findings and no more errors.
+    Better means: the brick accepts it, with fewer findings and no more errors than before.
     """
     if not tried.changes:
         return None
@@ -102,21 +102,21 @@ def _better(report: Report, tried: _Fixing) -> tuple[_Fixing, Report] | None:
 
 
 def _not_made(changes: Sequence[Change]) -> list[str]:
-    """Why changes that could be made are not, as at most one sentence."""
+    """Returns why possible changes were not made, in at most one sentence."""
     if not changes:
         return []
     named = ", ".join(change.what for change in changes[:_MOST_NAMED])
     more = f" and {len(changes) - _MOST_NAMED} more" if len(changes) > _MOST_NAMED else ""
-    return [f"{named}{more}: another value would not leave a frame that the brick accepts with fewer findings"]
+    return [f"{named}{more}: changing it would not give a frame that the brick accepts with fewer findings"]
 
 
 class _Fixing:
-    """One frame on its way from what was given to what is meant.
+    """The state of a frame while it is fixed.
 
-    frame    what it is now
-    changes  what was fixed
-    unfixed  what was not and why, in sentences
-    made     the steps that changed anything
+    frame    its current bytes
+    changes  the changes made
+    unfixed  what was not fixed and why, in sentences
+    made     the steps that changed something
     """
 
     def __init__(self, frame: bytes, dialect: str, steps: _Step) -> None:
@@ -130,7 +130,7 @@ class _Fixing:
         self._run(steps)
 
     def _run(self, steps: _Step) -> None:
-        """Every step in turn, each on what the one before made."""
+        """Runs the steps in order, each on the result of the one before."""
         if self._begins(_Step.LENGTH, steps):
             self._length_field()
         message = self._parsed(self.frame)
@@ -150,7 +150,7 @@ class _Fixing:
         if self._begins(_Step.MEMORY, steps):
             self._memory(message)
         if self._begins(_Step.ENCODINGS, steps):
-            # Only now is it read again, once for all that was done; a check reads the same.
+            # Parsed again only once, after all steps; a check shares the result.
             message = self._parsed(self.frame)
             assert isinstance(message, DirectCommand)
             self._shorten(message)
@@ -170,17 +170,17 @@ class _Fixing:
         stated = frame_size(self.frame) - LENGTH_FIELD
         fixed = with_length(self.frame[LENGTH_FIELD:])
         whole = self._parsed(fixed)
-        what = f"the length field says {stated}, and {size} bytes follow it"
+        what = f"the length field says {stated}, but {size} bytes follow it"
         if whole.type is None or not whole.type.is_command or whole.fault is not None:
-            self.unfixed.append(f"{what}; they cannot be read to their end either, so either may be wrong")
+            self.unfixed.append(f"{what}; they cannot be parsed to the end, so either may be wrong")
         elif self._is_padded(stated):
-            self.unfixed.append(f"{what}, zeros at the end: they look like padding of a USB report")
+            self.unfixed.append(f"{what}, with zeros at the end that look like padding of a USB report")
         else:
             self.frame = fixed
-            self._changed("length field", str(stated), str(size), "the bytes that follow it, which read to their end")
+            self._changed("length field", str(stated), str(size), "the number of bytes that follow it")
 
     def _is_padded(self, stated: int) -> bool:
-        """Whether the frame is whole as far as its length field says, and zeros follow."""
+        """Returns whether the frame is complete by its length field, with zeros after it."""
         end = stated + LENGTH_FIELD
         return not any(self.frame[end:]) and self._parsed(self.frame[:end]).fault is None
 
@@ -189,14 +189,14 @@ class _Fixing:
         self.made |= self._step
 
     def _tell_misaligned(self) -> None:
-        """Which variables need another place; where there is a free one, only their author knows."""
+        """Reports variables that need another place; only the author knows a free one."""
         needed: dict[Variable, tuple[int, str]] = {}
         for place in chain.from_iterable(self._places.values()):
             many = max(place.validator_alignment, place.cpu_alignment)
             if place.start % many and many > needed.get(place.variable, (0, ""))[0]:
                 needed[place.variable] = many, place.full_name
         self.unfixed += [
-            f"{variable} is not a multiple of {many}, as {name} needs it: give it another place"
+            f"{variable} is not at a multiple of {many}, as {name} requires; move it"
             for variable, (many, name) in needed.items()
         ]
 
@@ -210,13 +210,13 @@ class _Fixing:
                 continue
             member = MessageType.DIRECT_COMMAND_REPLY
             self._set(TYPE_OFFSET, bytes((member,)))
-            why = f"{place.operation.full_name} writes {place.variable}, which only a reply brings"
+            why = f"{place.operation.full_name} writes {place.variable}, which only a reply carries"
             self._changed("type", command.type.name, member.name, why)
             return replace(command, type=member)
         return command
 
     def _memory(self, command: DirectCommand) -> None:
-        """Asks for the memory that is needed."""
+        """Sets the memory sizes to what is needed."""
         sizes = {GLOBAL: command.global_size, LOCAL: command.local_size}
         for scope, stated in sizes.items():
             most = _most(command, scope)
@@ -228,24 +228,23 @@ class _Fixing:
             ends = [end for end in certain if end <= most]
             if ends:
                 sizes[scope] = end = max(ends)
-                why = f"{certain[end].full_name} takes them up to there"
+                why = f"{certain[end].full_name} uses them up to there"
                 self._changed(f"{scope} memory", f"{stated} bytes", f"{end} bytes", why)
             self.unfixed += dict.fromkeys(
-                f"{place.full_name} would need {place.end} bytes of {scope} memory, and there are {most} at most"
+                f"{place.full_name} would need {place.end} bytes of {scope} memory; the maximum is {most}"
                 if place.end > most
-                else f"it is not known how many bytes of {scope} memory {place.full_name} takes, so none were added"
-                " for it"
+                else f"{place.full_name} takes an unknown number of bytes of {scope} memory, so none were added for it"
                 for place in beyond
                 if place.start + place.size > sizes[scope]
             )
         self._set(HEADER_SIZE, write_memory(sizes[GLOBAL], sizes[LOCAL]))
 
     def _cut(self, command: DirectCommand, scope: str, sizes: dict[str, int]) -> None:
-        """Asks for less where more was asked for than there is."""
+        """Lowers a memory size that is above the maximum."""
         stated, most, needed = sizes[scope], _most(command, scope), _used(self._places[scope])
         if stated > most and all(place.end <= most for place in self._places[scope]):
             sizes[scope] = most if needed is None else min(needed, most)
-            why = "the most that there is" if sizes[scope] == most else "no more of them are used"
+            why = "the maximum" if sizes[scope] == most else "the rest is unused"
             self._changed(f"{scope} memory", f"{stated} bytes", f"{sizes[scope]} bytes", why)
 
     def _shorten(self, command: DirectCommand) -> None:
@@ -267,10 +266,10 @@ class _Fixing:
             pieces.append((argument, shorter))
             what = f"{argument.name} of {operation.full_name} at offset {argument.offset}"
             before, after = argument.raw.hex(":").upper(), shorter.hex(":").upper()
-            self._changed(what, before, after, f"the same in {counted(saved, 'byte')} less")
+            self._changed(what, before, after, f"the same value in {counted(saved, 'byte')} less")
         spanned = len(longer) - len(pieces)
         if spanned:
-            are = "longer encodings stay" if spanned > 1 else "longer encoding stays"
+            are = "longer encodings are kept" if spanned > 1 else "longer encoding is kept"
             self.unfixed.append(f"{spanned} {are}: a jump counts {'their' if spanned > 1 else 'its'} bytes")
         if pieces:
             self.frame = _replaced(self.frame, pieces)
@@ -280,14 +279,14 @@ class _Fixing:
 
 
 def _most(command: DirectCommand, scope: str) -> int:
-    """Bytes of a memory that a command can ask for."""
+    """Returns the maximum size of a memory, in bytes."""
     if scope == LOCAL:
         return MAX_LOCALS
     return MOST_IN_REPLY if command.wants_reply else GRANTED_GLOBALS
 
 
 def _used(places: Iterable[Footprint]) -> int | None:
-    """Bytes of a memory up to the last one that is used, None where that is not known."""
+    """Returns the used size of a memory in bytes, None if unknown."""
     needed = 0
     for place in places:
         if place.most is None:
@@ -297,7 +296,7 @@ def _used(places: Iterable[Footprint]) -> int | None:
 
 
 def _in_long_forms(operation: Operation) -> list[Argument]:
-    """CMD and the arguments, those that are a single byte left out."""
+    """Returns CMD and the arguments, without those of a single byte."""
     _, data, start, end, *_ = operation
     found = [argument for argument in operation.arguments if argument[1].width]
     if end - start > 1 and data[start + 1] >= len(SHORT):
@@ -307,7 +306,7 @@ def _in_long_forms(operation: Operation) -> list[Argument]:
 
 
 def _spanned(command: DirectCommand, size: int) -> bytearray:
-    """For each byte of the frame, whether it lies between a jump and where that goes: its length must stay."""
+    """Returns for each byte of the frame whether it is between a jump and its target and must keep its length."""
     spanned = bytearray(size)
     for operation in command.operations:
         if not operation_facts(operation[0]).is_jump:
@@ -323,7 +322,7 @@ def _spanned(command: DirectCommand, size: int) -> bytearray:
 
 
 def _replaced(frame: bytes, pieces: Iterable[tuple[Argument, bytes]]) -> bytes:
-    """The frame with other bytes for some arguments, and the length field that this gives."""
+    """Returns the frame with new bytes for some arguments, and an updated length field."""
     done, at = [], LENGTH_FIELD
     for argument, new in sorted(pieces, key=_by_offset):
         offset = argument.offset

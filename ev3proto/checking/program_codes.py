@@ -1,4 +1,4 @@
-"""Every code that a check of a program can give. They start with 0, beside those of frames, and are as stable.
+"""Every code that a check of a program can give. They start with 0, to differ from those of frames, and are as stable.
 
 The examples are whole images.
 """
@@ -9,7 +9,7 @@ from ev3proto.checking.codes import Code
 from ev3proto.checking.report import Severity
 
 PROGRAM_CODES: dict[str, Code] = {}
-"""The codes by their names, in their order."""
+"""The codes by name, in order."""
 
 _SEVERITIES = {severity.value[0].upper(): severity for severity in Severity}
 
@@ -22,9 +22,9 @@ def _code(code: str, title: str, explanation: str, example: bytes, counterexampl
 def _image(
     main: str, sub: str = "0181 08 0A", *, locals_: int = 4, globals_: int = 4, offset: int = 0, count: int = 0
 ) -> bytes:
-    """An image of a thread and, where it has code, a subcall, from their codes in hex.
+    """Returns an image with a thread and, if it has code, a subcall, from their codes in hex.
 
-    `offset` is added to the one that each header says; `count` objects there are even where they have no code.
+    `offset` is added to each header's own; `count` is the number of objects, even of those without code.
     """
     codes = [bytes.fromhex(text) for text in (main, sub) if text] or [b""] * count
     at = 16 + 12 * len(codes)
@@ -43,8 +43,8 @@ DAMAGED = _code(
     "E001",
     "the image is damaged",
     """
-    The header does not fit what is in the file: it has no objects, or it was cut off, or something was written over
-    it. The brick does not start such a program.
+    The header does not match the file: it has no objects, or the file was cut off or partly overwritten. The brick
+    does not start such a program.
     """,
     _FINE[:-1],
     _FINE,
@@ -53,11 +53,10 @@ REFUSED = _code(
     "E002",
     "the brick refuses the program",
     """
-    Before a program is started, the firmware reads all code from the end of the headers to the end of the image, object
-    after object, wherever the headers say that the codes are. An operation that it does not know, a first constant out
-    of the range of its type, a variable that is not aligned, or bytes after the last object: any of them is enough, and
-    the program is not run at all. Commands that came after the release of 2013 are known where the image says that it
-    is for a newer firmware, by a version of 105 to 109.
+    Before it starts a program, the firmware reads all code from the end of the headers to the end of the image, object
+    after object, wherever the headers say that the code is. One fault is enough to refuse the program: an unknown
+    operation, a first constant out of range of its type, a misaligned variable, or bytes after the last object.
+    Commands added after the release of 2013 are known if the image's version, 105 to 109, is of newer firmware.
     """,
     _image("30 05 60 DF 0A"),
     _FINE,
@@ -67,7 +66,7 @@ NO_SUCH_OBJECT = _code(
     "no such object",
     """
     Objects are numbered from 1 in the order of the table. The operation names one that the program does not have, so
-    the brick looks for its header in what stands after the table.
+    the brick reads its header from the bytes after the table.
     """,
     _image("05 03 0A"),
     _image("05 02 0A"),
@@ -77,7 +76,7 @@ NOT_A_SUBCALL = _code(
     "a call of something that is not a subcall",
     """
     A subcall starts with a table of its parameters, which CALL reads. A thread or a block has none, and its first
-    operations would be taken for that.
+    operations would be read as that table.
     """,
     _image("09 01 00 0A"),
     _FINE,
@@ -86,17 +85,17 @@ CALL_COUNT = _code(
     "E005",
     "a call with a wrong number of parameters",
     """
-    CALL takes as many arguments as the subcall declares, whatever the call says: with fewer, the following operations
-    are taken for arguments; with more, the arguments that are left over are taken for operations.
+    CALL takes as many arguments as the subcall declares, whatever the call says: with fewer, the next operations are
+    taken for arguments; with more, the extra arguments are taken for operations.
     """,
     _image("09 02 02 05 05 0A"),
     _FINE,
 )
 CALL_OUTPUT = _code(
     "W006",
-    "a constant where a subcall writes",
+    "a constant for a subcall's output",
     """
-    The subcall declares the parameter as an output, and writes it back when it returns. What is written into a constant
+    The subcall declares the parameter as an output, and writes it back when it returns. A value written into a constant
     is lost.
     """,
     _image("09 02 01 05 0A", "0141 08 0A"),
@@ -106,8 +105,8 @@ OUTSIDE_MEMORY = _code(
     "E007",
     "a variable outside its memory",
     """
-    The header of the image asks for the bytes of globals, that of the object for its locals. The variable ends further
-    on: what the brick reads there belongs to something else, and what it writes destroys that.
+    The header of the image requests the bytes of globals, that of the object its locals. The variable ends beyond
+    them: what the brick reads there belongs to something else, and what it writes destroys that.
     """,
     _image("30 05 64 0A"),
     _image("30 05 63 0A"),
@@ -116,17 +115,17 @@ BAD_JUMP = _code(
     "E008",
     "a jump that leads to no operation",
     """
-    A jump is counted from the end of its operation. This one leads into the middle of another operation, or out of the
-    object, and the brick runs whatever bytes are there.
+    A jump distance is counted from the end of its operation. This one leads into the middle of another operation, or
+    out of the object, and the brick runs whatever bytes are there.
     """,
     _image("40 01 30 05 60 0A"),
     _image("40 03 30 05 60 0A"),
 )
 UNREACHABLE = _code(
     "W009",
-    "operations that no way leads to",
+    "unreachable operations",
     """
-    They follow a jump or a return, and no jump leads to them: they are never run. Either a label is at the wrong place,
+    They follow a jump or a return, and no jump leads to them: they never run. Either a label is at the wrong place,
     or they can be omitted.
     """,
     _image("40 03 30 05 60 0A"),
@@ -136,18 +135,18 @@ NO_END = _code(
     "W010",
     "an object without its end",
     """
-    An object ends with OBJECT_END, a subcall with RETURN before it. Without that the brick runs on in the code of the
-    object that follows. The validator does not mind: it, too, reads on there.
+    An object ends with OBJECT_END, a subcall with RETURN before it. Without it the brick continues with the code of the
+    next object. The validator accepts that: it continues there, too.
     """,
     _image("30 05 60", ""),
     _image("30 05 60 0A", ""),
 )
 LEFT_OVER = _code(
     "W011",
-    "bytes that belong to nothing",
+    "unused bytes",
     """
-    There are bytes after the end of an object, or between the table and the first code. No writer of programs puts any
-    there; a file that was written over another one may have some.
+    There are bytes after the end of an object, or between the table and the first code. No compiler puts any
+    there; a file written over a longer one may have some.
     """,
     _image("0A 01", ""),
     _image("0A", ""),
@@ -156,9 +155,9 @@ OTHER_CODE = _code(
     "W012",
     "an object whose header points elsewhere",
     """
-    The firmware validates codes one after the other, in the order of the objects, and runs what the headers point to.
-    This header points to a place where no code begins that was validated, so the object does something else than the
-    verdict is about.
+    The firmware validates the code of one object after the other, in order, and runs what the headers point to. This
+    header points to a place where no validated code begins, so the object does something else than what the verdict is
+    about.
     """,
     _image("30 05 60 0A", "", offset=1),
     _image("30 05 60 0A", ""),
@@ -167,7 +166,7 @@ NOTHING_TO_RUN = _code(
     "W013",
     "nothing to run",
     """
-    The firmware accepts a program without any code. Object 1 is started with the program, and has none.
+    The firmware accepts a program without any code. Object 1, which starts with the program, has none.
     """,
     _image("", "", offset=0, count=1),
     _image("0A", ""),
@@ -176,8 +175,8 @@ UNREAD = _code(
     "W014",
     "an operation that cannot be read",
     """
-    The firmware's validator lets a CMD pass that its family does not have, and takes what follows for the next
-    operation. What the brick does when it comes to that is not documented.
+    The firmware's validator accepts an unknown CMD of a family, and takes what follows for the next operation. What
+    the brick does when it runs it is not documented.
     """,
     _image("8D 1F 0A", ""),
     _FINE,
@@ -186,8 +185,8 @@ UNKNOWN_JUMP = _code(
     "W015",
     "a jump that may lead anywhere",
     """
-    How far this jump leads is in a variable, or behind a handle or an address. What runs then depends on numbers that
-    are not in the code, so nothing is said of operations that no way leads to.
+    The distance of this jump is in a variable, or behind a handle or an address. What runs then depends on numbers
+    outside the code, so unreachable operations are not reported.
     """,
     _image("40 60 0A"),
     _image("40 00 0A"),

@@ -1,4 +1,4 @@
-"""What a check finds: the brick's own verdict, and one finding for everything that should be looked at."""
+"""The result of a check: the brick's own verdict, and one finding for each problem."""
 
 from __future__ import annotations
 
@@ -9,7 +9,10 @@ from typing import Any
 
 
 class Severity(StrEnum):
-    """How bad it is: an error will not do what was meant, a warning may not, a hint only could be done better."""
+    """The severity of a finding.
+
+    An error will not do what was meant, a warning may not; a hint marks something that could be done better.
+    """
 
     ERROR = "error"
     WARNING = "warning"
@@ -18,16 +21,16 @@ class Severity(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Finding:
-    """One thing that is wrong, or could be better.
+    """One thing that is wrong or could be better.
 
     severity   error, warning or hint
-    code       stable name of what it is: `E101`, `W203`, `H301`; `ev3proto check --explain` explains it
-    offset     of the first byte it is about, counted from the frame's first
-    length     bytes it is about, 0 where something is missing
+    code       stable name of the problem: `E101`, `W203`, `H301`; `ev3proto check --explain` explains it
+    offset     of the first byte concerned, from the start of the frame
+    length     number of bytes concerned, 0 if something is missing
     message    one sentence: what is wrong
     help       one sentence: how to fix it
-    operation  name of the operation or system command, None for what is about the header
-    parameter  name of the parameter or field, None where it is about none
+    operation  name of the operation or system command, None for the header
+    parameter  name of the parameter or field, or None
     """
 
     severity: Severity
@@ -40,7 +43,7 @@ class Finding:
     parameter: str | None = None
 
     def as_dict(self) -> dict[str, Any]:
-        """The same for other tools, `help` as `mend`; keys that do not apply are absent."""
+        """Returns it as a dictionary for other tools, `help` as `mend`; keys that do not apply are absent."""
         entry: dict[str, Any] = {
             "severity": self.severity,
             "code": self.code,
@@ -63,15 +66,15 @@ class Finding:
 
 @dataclass(frozen=True, slots=True)
 class Report:
-    """What a check found.
+    """The result of a check.
 
     frame        the bytes that were checked
-    accepted     whether the brick will run the command; of all but direct commands, whether nothing in it stops that
-    rejected_at  offset in the frame where the brick gives up: the operation, or the field of the header; None where it
+    accepted     whether the brick will run the command; for other messages, whether nothing prevents that
+    rejected_at  offset in the frame where the brick stops: the operation, or the field of the header; None if it
                  accepts
-    findings     in the order of their offsets
-    dialect      the firmware whose instruction set it was read by
-    carrier      what was to carry it; None where that did not matter
+    findings     ordered by offset
+    dialect      the firmware whose instruction set was used
+    carrier      the carrier; None if it did not matter
     """
 
     frame: bytes
@@ -82,30 +85,30 @@ class Report:
     carrier: str | None = None
 
     def __str__(self) -> str:
-        """What `ev3proto check` prints of it."""
+        """Returns what `ev3proto check` prints."""
         return uses.report_text(self)
 
     @property
     def fixed(self) -> Fix:
-        """The frame with everything fixed that can be fixed with certainty, as `ev3proto check --fix` prints it."""
+        """Fixes everything in the frame that can be fixed with certainty, like `ev3proto check --fix`."""
         return uses.fix(self.frame, dialect=self.dialect, carrier=self.carrier)
 
     def of(self, severity: Severity) -> tuple[Finding, ...]:
-        """The findings of one severity."""
+        """Returns the findings of one severity."""
         return tuple(finding for finding in self.findings if finding.severity is severity)
 
     @property
     def errors(self) -> tuple[Finding, ...]:
-        """What will not do what was meant."""
+        """The findings about what will not do what was meant."""
         return self.of(Severity.ERROR)
 
     @property
     def warnings(self) -> tuple[Finding, ...]:
-        """What may not do what was meant."""
+        """The findings about what may not do what was meant."""
         return self.of(Severity.WARNING)
 
     def as_dict(self) -> dict[str, Any]:
-        """The same for other tools."""
+        """Returns it as a dictionary for other tools."""
         return {
             "accepted": self.accepted,
             "rejected_at": self.rejected_at,
@@ -119,9 +122,9 @@ class Change:
     """One thing that was fixed.
 
     what    `length field`, `global memory`, `FREQUENCY of SOUND.TONE at offset 10`
-    before  what stood there
-    after   what stands there now
-    why     half a sentence
+    before  the old value
+    after   the new value
+    why     reason, in half a sentence
     """
 
     what: str
@@ -133,18 +136,18 @@ class Change:
         return f"{self.what}: {self.before} -> {self.after} ({self.why})"
 
     def as_dict(self) -> dict[str, str]:
-        """The same for other tools."""
+        """Returns it as a dictionary for other tools."""
         return {name: getattr(self, name) for name in self.__slots__}
 
 
 @dataclass(frozen=True, slots=True)
 class Fix:
-    """A frame and what was fixed in it.
+    """A fixed frame and its changes.
 
-    frame     the fixed bytes; those that were given where nothing was fixed
-    changes   what was fixed, in the order in which it was done
-    unfixed   sentences: what looked fixable and was left, and why
-    report    what a check says of the fixed bytes
+    frame     the fixed bytes; the given ones if nothing was fixed
+    changes   the changes, in order
+    unfixed   sentences: what looked fixable but was kept, and why
+    report    the report of a check of the fixed bytes
     """
 
     frame: bytes
@@ -153,7 +156,7 @@ class Fix:
     report: Report
 
     def __str__(self) -> str:
-        """What `ev3proto check --fix` prints of it."""
+        """Returns what `ev3proto check --fix` prints."""
         return uses.fix_text(self)
 
     @property
@@ -162,7 +165,7 @@ class Fix:
         return self.unfixed
 
     def as_dict(self) -> dict[str, Any]:
-        """The same for other tools; `hex` is the fixed frame."""
+        """Returns it as a dictionary for other tools; `hex` is the fixed frame."""
         return {
             **self.report.as_dict(),
             "changes": [change.as_dict() for change in self.changes],
@@ -171,11 +174,11 @@ class Fix:
 
 
 class Uses:
-    """What floors above give a report to do; each registers its function when it is loaded.
+    """Functions of higher floors that a report calls; each is registered when its module is loaded.
 
     fix          fixes a frame: `checking.fixing`
-    report_text  what is printed of a report, and
-    fix_text     of a fix: `text.diagnostics`, which `ev3proto.check` and `ev3proto.fix` load
+    report_text  the printed text of a report
+    fix_text     the printed text of a fix; both from `text.diagnostics`, which `ev3proto.check` and `ev3proto.fix` load
     """
 
     fix: Callable[..., Fix]

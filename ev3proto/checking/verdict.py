@@ -1,23 +1,23 @@
-"""The brick's own verdict: what the firmware does with a frame before it runs it, rule by rule, quirks included.
+"""The brick's own verdict: the firmware's checks of a frame before it runs it, rule by rule, quirks included.
 
-The firmware looks at the header of a direct command, makes a program with one object of its code, and validates that.
-What is decided here is what the release of 2013 decides; where it gives up is the start of the operation that it reads
-then, the last one where that ends too late. The rules, whose numbers stand in the comments:
+The firmware checks the header of a direct command, makes its code a program with one object, and validates that.
+The verdict is that of the release of 2013. It stops at the start of the operation that it is reading,
+the last one if that ends too late. The rules, by the numbers in the comments:
 
- 1  Operations stand one after the other and end exactly where the code ends. After it the firmware finds an
-    OBJECT_END and zeros, so an operation that is cut short swallows those, and ends too late.
- 2  An opcode that the tables do not have is refused, and so is ERROR. OBJECT_END ends the code: nothing may follow.
+ 1  Operations follow each other and end exactly where the code ends. After it the firmware finds an
+    OBJECT_END and zeros, so an operation that is cut short reads those, and ends too late.
+ 2  An opcode that is not in the tables is refused, and so is ERROR. OBJECT_END ends the code: nothing may follow.
  3  An operation is bad until one of its parameters passes, and never bad again: only the first one decides.
  4  A variable passes, whatever its index.
- 5  A constant passes within the range of its type, which excludes the value that means "not a number"; a float, and a
+ 5  A constant passes within the range of its type, which excludes the value for "not a number"; a float, and a
     value whose type depends on an array, always pass.
- 6  A label counts as a constant. A form whose width is not defined takes no byte after the first one.
+ 6  A label counts as a constant. A form of undefined width takes no byte after the first one.
  7  The index of a variable is a multiple of 2 for 16 bits and for handles, of 4 for 32 bits and floats, or the
-    operation is refused. From a count of parameters on, nobody looks at it.
- 8  CMD is the low byte of the value read last, with its sign; of a variable, of its index. One that the opcode's table
-    does not have is accepted, and the operation ends there.
- 9  A count of parameters is a constant from 0 to 127, and so many parameters follow; or else none do.
-10  A count of values is the value read last, of a variable its index, as 32 bits without sign.
+    operation is refused. From a count of parameters on, it is not checked.
+ 8  CMD is the low byte of the value read last, signed; for a variable, of its index. A CMD that the opcode's table
+    lacks is accepted, and the operation ends there.
+ 9  A count of parameters is a constant from 0 to 127, followed by that number of parameters; otherwise none follow.
+10  A count of values is the value read last (for a variable, its index), as 32 bits unsigned.
 11  The number of a label is 0 to 31.
 """
 
@@ -42,7 +42,7 @@ from ev3proto.tables.validation import CMD_TABLES, LABELS, SPINNING, TABLE_SIZE
 
 
 class Reason(Enum):
-    """Why a frame is refused."""
+    """The reason for a refusal."""
 
     NO_COMMAND = "no command"
     INCOMPLETE = "incomplete"
@@ -58,13 +58,13 @@ class Reason(Enum):
 
 
 class Verdict(NamedTuple):
-    """What the brick says to a frame.
+    """The brick's verdict on a frame.
 
-    accepted     whether it runs it
-    rejected_at  offset of what it stops at: the operation, of the header the field; None where it accepts
-    reason       why it refuses; None where it accepts
-    blamed       offset of the very bytes that are the reason, such as the argument; rejected_at where there is no other
-    spins        it reads values for so long that it seems dead, before it refuses
+    accepted     whether the brick runs it
+    rejected_at  offset where it stops: the operation, or the field of the header; None if it accepts
+    reason       why it refuses; None if it accepts
+    blamed       offset of the exact cause, such as the argument; else rejected_at
+    spins        whether it hangs reading values before it refuses
     """
 
     accepted: bool
@@ -78,11 +78,11 @@ ACCEPTED = Verdict(True)
 
 
 class _Check(NamedTuple):
-    """What the validator wants of a parameter.
+    """The validator's requirements on a parameter.
 
-    numbers      what a constant may be (rules 5 and 11), None for anything
-    mask         bits that must not be set in the index of a variable (rule 7)
-    handle_mask  the same where the variable holds a handle
+    numbers      the allowed constants (rules 5 and 11), None for any
+    mask         bits that must be clear in the index of a variable (rule 7)
+    handle_mask  the same if the variable holds a handle
     """
 
     numbers: range | None = None
@@ -109,15 +109,15 @@ _CHECKS = {
 }
 
 _OF_GLOBAL = 0x20
-"""The bit of the short form of a global variable that says so, which the validator takes for a part of the index."""
+"""The bit that marks the short form of a global variable, which the validator takes for a part of the index."""
 
 OBJECT_END = with_effect(Effect.ENDS_CODE).opcode.number
-"""The opcode that ends a code."""
+"""The opcode that ends the code."""
 
-# Rule 1. More zeros than an operation reads after the parameter that reaches beyond the end.
+# Rule 1. At least as many zeros as an operation reads after the parameter that reaches beyond the end.
 _BEYOND = bytes((OBJECT_END,)) + bytes(160)
 
-# Rule 6: a form that is not defined takes no more bytes, and is no reason to refuse anything.
+# Rule 6: an undefined form takes no more bytes, and is accepted.
 _UNDEFINED: Form = (Encoding("", CONSTANT, 0), lambda _data, _at: (0,), 1)
 _FORMS = tuple(form or _UNDEFINED for form in INTEGER_FORMS)
 
@@ -125,11 +125,11 @@ _CMD = ((CMD.parameter, _FORMS),)
 
 
 class _Expected(NamedTuple):
-    """What the validator expects after an opcode or a CMD.
+    """The validator's expectations after an opcode or a CMD.
 
     readers  read the parameters before the elements of a list
-    checks   what is wanted of each of them
-    listed   COUNT or VALUES where a list ends it
+    checks   the requirements on each of them
+    listed   COUNT or VALUES if it ends in a list
     """
 
     readers: tuple[Reader, ...] = ()
@@ -154,13 +154,13 @@ class Validator:
                 self.families[declaration.opcode.number] = tables[declaration.opcode.validator_table]
 
     def scan(self, frame: bytes, at: int, end: int, starts: list[int] | None = None) -> Verdict:
-        """The verdict on the code in `frame[at:end]`.
+        """Returns the verdict on the code in `frame[at:end]`.
 
         Args:
             frame: The frame.
             at: The offset of the first opcode.
-            end: Where the code ends.
-            starts: A list that gets the offset of every operation.
+            end: The end of the code.
+            starts: A list to which the offset of every operation is added.
         """
         data = frame[:end] + _BEYOND
         while at < end:
@@ -180,12 +180,12 @@ class Validator:
         return ACCEPTED
 
     def step(self, data: bytes, at: int, end: int) -> int | Refusal:
-        """The offset after the operation at an offset, or why it is refused.
+        """Returns the offset after the operation at `at`, or why it is refused.
 
         Args:
-            data: The frame or the image, and zeros after it.
+            data: The frame or the image, followed by zeros.
             at: The offset of the opcode.
-            end: Where the code ends; the operation may end further on.
+            end: The end of the code; the operation may end later.
         """
         found: list[Argument] = []
         expected = self.opcodes[data[at]]
@@ -195,7 +195,7 @@ class Validator:
             if commands is None:
                 # Rule 2.
                 return Refusal(Reason.OPCODE, at)
-            # Rule 8: CMD is a parameter of 8 bits, whose value chooses those that follow.
+            # Rule 8: CMD is a parameter of 8 bits, whose value selects the rest.
             after = read_arguments(_CMD, data, after, len(data), found)
             expected = commands[_number(found[0]) & 0xFF]
         after = read_arguments(expected.readers, data, after, len(data), found)
@@ -212,7 +212,7 @@ class Validator:
 
 
 class Refusal(NamedTuple):
-    """Why an operation is refused, the offset of what is to blame, and whether the brick spins before it says so."""
+    """Why an operation is refused, the offset of the cause, and whether the brick hangs before it refuses."""
 
     reason: Reason
     blamed: int
@@ -220,25 +220,25 @@ class Refusal(NamedTuple):
 
 
 def _after_list(data: bytes, at: int, end: int, kind: Type, counter: Argument) -> int | Refusal:
-    """The offset after the elements of a list, which nobody looks at; an offset beyond `end` where they reach there."""
+    """Returns the offset after the elements of a list, which are not checked; beyond `end` if they reach there."""
     count = _number(counter)
     if kind is Type.VALUES:
-        # Rule 10. Each value takes a byte at least: more of them than there are bytes end beyond the code.
+        # Rule 10. Each value takes at least one byte: more values than bytes end beyond the code.
         count &= 0xFFFFFFFF
         if count > end - at:
             return Refusal(Reason.CUT_OFF, counter.offset, count >= SPINNING)
     elif counter.is_variable or not 0 <= count <= RANGES[Type.COUNT].high:
-        # Rule 9. What does not pass leaves the operation good all the same (rule 3), and empty.
+        # Rule 9. A bad count leaves the operation valid (rule 3), without elements.
         return at
     try:
         return read_arguments(repeat(_CMD[0], count), data, at, end, [])
     except DecodeError:
-        # Rule 1. What follows has no end that would matter.
+        # Rule 1. The rest has no relevant end.
         return end + 1
 
 
 def _number(argument: Argument) -> int:
-    """The value of an argument as the validator takes it: 0 of a text."""
+    """Returns the value of an argument for the validator: 0 for a text."""
     value = argument.value
     if not isinstance(value, int):
         return 0
@@ -252,12 +252,12 @@ def _expected(parameters: Sequence[Parameter]) -> _Expected:
 
 
 def _check(parameter: Parameter) -> _Check:
-    # How far to jump is a number; only LABEL has a label.
+    # A jump distance is a number; only LABEL has a label.
     return _CHECKS[Type.DATA32 if parameter.role is Role.JUMP else parameter.validated or parameter.type]
 
 
 def _cmd_tables(known: Sequence[Declaration]) -> dict[str, Sequence[_Expected]]:
-    """For each table of CMDs by its name, what follows a CMD by the byte that is its number; nothing for unknown ones.
+    """Returns, by name of a table of CMDs, what follows each CMD; nothing for unknown CMDs.
 
     Args:
         known: The operations that the validator knows.
@@ -271,7 +271,7 @@ def _cmd_tables(known: Sequence[Declaration]) -> dict[str, Sequence[_Expected]]:
             if table == name and command is not None:
                 found[command.number] = _expected(parameters)
         row += found
-    # Rule 8. The firmware does not expect a negative CMD: it looks before its table, which is in the table before it.
+    # Rule 8. The firmware does not expect a negative CMD: it reads before its table, which is in the previous table.
     tables: dict[str, Sequence[_Expected]] = {}
     for name, start in zip(names, range(0, len(row), TABLE_SIZE), strict=True):
         own = row[start : start + TABLE_SIZE]
@@ -282,7 +282,7 @@ def _cmd_tables(known: Sequence[Declaration]) -> dict[str, Sequence[_Expected]]:
 
 @cache
 def validator(dialect: str, is_latest: bool = False) -> Validator:
-    """The validator of a dialect, made once. That of the latest firmware knows the commands of all."""
+    """Returns the validator of a dialect, created once. The latest firmware's knows the commands of all releases."""
     return Validator(dialect, is_latest)
 
 
@@ -290,11 +290,11 @@ _DIRECT = {member.value for member in MessageType if member.kind == "direct-comm
 
 
 def operation_offsets(code: bytes, dialect: str = "official") -> list[int]:
-    """Where the validator sees an operation begin in byte code, up to the one that it refuses, if it refuses one.
+    """Returns the offsets of the operations that the validator sees in byte code, up to one that it refuses.
 
     Args:
-        code: Operations without the header of a frame, to which the offsets refer.
-        dialect: "official", "xtended" or "compat": the firmware whose validator it is.
+        code: Operations, without the header of a frame; offsets are relative to it.
+        dialect: "official", "xtended" or "compat": the firmware of the validator.
     """
     starts: list[int] = []
     validator(dialect).scan(code, 0, len(code), starts)
@@ -302,17 +302,17 @@ def operation_offsets(code: bytes, dialect: str = "official") -> list[int]:
 
 
 def verdict(frame: bytes, dialect: str = "official") -> Verdict:
-    """What the brick says to the frame of a direct command. Never raises for what is in a frame.
+    """Returns the brick's verdict on the frame of a direct command. No content of a frame makes it raise.
 
-    A frame with more bytes than its length field says is validated as far as that goes, as the firmware does. One with
-    fewer bytes than that is refused where what is there is refused, or else where it ends: the brick waits for more.
+    A frame with more bytes than its length field says is validated up to that length, as in the firmware. One with
+    fewer bytes is refused where those bytes are refused, or else where they end: the brick waits for more.
 
     Args:
-        frame: From its length field to its last byte.
-        dialect: The firmware whose instruction set to go by; the rules are those of LEGO's.
+        frame: The bytes from the length field to the last one.
+        dialect: The firmware whose instruction set is used; the rules are those of LEGO's.
 
     Returns:
-        Whether it runs the command, and where it stops if not.
+        Whether it runs the command, and if not, where it stops.
 
     Raises:
         ValueError: The dialect is unknown.

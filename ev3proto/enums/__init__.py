@@ -421,7 +421,7 @@ class FILETYPE(IntEnum):
 
 
 class RESULT(IntEnum):
-    """How an operation went, or whether it is still going on."""
+    """Result of an operation, or that it is still running."""
 
     OK = 0
     BUSY = 1
@@ -446,7 +446,7 @@ class DATA_FORMAT(IntEnum):
 
 
 class DEL(IntEnum):
-    """What stands between two values in a text file."""
+    """Separators between two values in a text file."""
 
     DEL_NONE = 0
     DEL_TAB = 1
@@ -563,7 +563,7 @@ class DEVCMD(IntEnum):
 
 
 class CONN(IntEnum):
-    """What kind of connection a port has found."""
+    """Kinds of connection that a port detects."""
 
     CONN_UNKNOWN = 111
     CONN_DAISYCHAIN = 117

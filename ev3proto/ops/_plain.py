@@ -253,7 +253,7 @@ def jr_true(flag: Number, offset: Jump, *, unchecked: bool = False) -> Draft:
 
 
 def jr_nan(value: Real, offset: Jump, *, unchecked: bool = False) -> Draft:
-    """Jumps if a value is not a number, as a sensor without data gives.
+    """Jumps if a value is not a number, as read from a sensor without data.
 
     Args:
         value: Value to look at; DATAF.
@@ -555,7 +555,7 @@ def com_ready(hardware: AnyHWTYPE, name: Text, *, unchecked: bool = False) -> Dr
     """Waits until nothing is being sent to a device.
 
     Args:
-        hardware: Which way to communicate; a member of HWTYPE; DATA8.
+        hardware: Carrier to use; a member of HWTYPE; DATA8.
         name: Name of the other device, empty: the brick's own adapter; string.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -570,10 +570,10 @@ def com_readdata(
     *,
     unchecked: bool = False,
 ) -> Draft:
-    """Does nothing in the firmware, meant to receive data.
+    """Does nothing in the firmware; meant to receive data.
 
     Args:
-        value1: Which way to communicate, ignored; a member of HWTYPE; DATA8.
+        value1: Carrier, ignored; a member of HWTYPE; DATA8.
         value2: Name of the other device, ignored; DATA8.
         value3: Number of bytes, ignored; bytes; DATA16.
         value4: The bytes, ignored; DATA8.
@@ -590,10 +590,10 @@ def com_writedata(
     *,
     unchecked: bool = False,
 ) -> Draft:
-    """Does nothing in the firmware, meant to send data.
+    """Does nothing in the firmware; meant to send data.
 
     Args:
-        value1: Which way to communicate, ignored; a member of HWTYPE; DATA8.
+        value1: Carrier, ignored; a member of HWTYPE; DATA8.
         value2: Name of the other device, ignored; DATA8.
         value3: Number of bytes, ignored; bytes; DATA16.
         value4: The bytes, ignored; DATA8.
@@ -603,10 +603,10 @@ def com_writedata(
 
 
 def com_test(hardware: AnyHWTYPE, name: Text, busy: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells whether something is still being sent to a device.
+    """Reports whether something is still being sent to a device.
 
     Args:
-        hardware: Which way to communicate; a member of HWTYPE; DATA8.
+        hardware: Carrier to use; a member of HWTYPE; DATA8.
         name: Name of the other device, empty: the brick's own adapter; string.
         busy: Whether to wait; 0 to 1; 0: ready; 1: busy; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
@@ -618,7 +618,7 @@ def com_remove(hardware: AnyHWTYPE, remote_name: Text, *, unchecked: bool = Fals
     """Forgets a paired device or a known network.
 
     Args:
-        hardware: Which way to communicate; a member of HWTYPE; DATA8.
+        hardware: Carrier to use; a member of HWTYPE; DATA8.
         remote_name: Name of the other device or network; string.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -636,7 +636,7 @@ def com_writefile(
     """Sends a file or a folder to another brick, Bluetooth only.
 
     Args:
-        hardware: Which way to communicate; a member of HWTYPE; DATA8.
+        hardware: Carrier to use; a member of HWTYPE; DATA8.
         remote_name: Name of the other device or network; string.
         file_name: Path of the file or folder on this brick; string.
         file_type: TYPE_FOLDER for a folder, else a file; a member of FILETYPE; DATA8.
@@ -683,7 +683,7 @@ def mailbox_write(
         hardware: Read by the firmware and never used; 0: as compilers write; a member of HWTYPE; DATA8.
         boxname: Name of the mailbox; string.
         type: Type of the values; a member of DATA_FORMAT; DATA8.
-        values: How many values of TYPE follow, one only for a string; a list, of the type that type says.
+        values: Number of values of TYPE follow; exactly one for a string; a list, of the type that type says.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MAILBOX_WRITE"].draft((brickname, hardware, boxname, type, values), unchecked)
@@ -694,8 +694,8 @@ def mailbox_read(no: Number, length: Number, values: Outputs = None, *, unchecke
 
     Args:
         no: Number of the mailbox on this brick; 0 to 29; DATA8.
-        length: Most bytes to read, ignored by the firmware; bytes; DATA8.
-        values: How many values follow, of the type given to MAILBOX_OPEN; a list of array-typed; an output for each: a
+        length: Maximum number of bytes to read, ignored by the firmware; bytes; DATA8.
+        values: Number of values follow, of the type given to MAILBOX_OPEN; a list of array-typed; an output for each: a
             list of variables, or how many; one when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -703,7 +703,7 @@ def mailbox_read(no: Number, length: Number, values: Outputs = None, *, unchecke
 
 
 def mailbox_test(no: Number, busy: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells whether a mailbox has an unread message.
+    """Reports whether a mailbox has an unread message.
 
     Args:
         no: Number of the mailbox on this brick; 0 to 29; DATA8.
@@ -735,301 +735,301 @@ def mailbox_close(no: Number, *, unchecked: bool = False) -> Draft:
 
 
 def cp_lt8(left: Number, right: Number, flag: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells whether LEFT is less than RIGHT, as 8-bit numbers.
+    """Tests whether LEFT is less than RIGHT, as 8-bit numbers.
 
     Args:
         left: Left side of the comparison; DATA8.
         right: Right side of the comparison; DATA8.
-        flag: Whether it holds; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
+        flag: Result of the comparison; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_LT8"].draft((left, right, flag), unchecked)
 
 
 def cp_lt16(left: Number, right: Number, flag: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells whether LEFT is less than RIGHT, as 16-bit numbers.
+    """Tests whether LEFT is less than RIGHT, as 16-bit numbers.
 
     Args:
         left: Left side of the comparison; DATA16.
         right: Right side of the comparison; DATA16.
-        flag: Whether it holds; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
+        flag: Result of the comparison; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_LT16"].draft((left, right, flag), unchecked)
 
 
 def cp_lt32(left: Number, right: Number, flag: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells whether LEFT is less than RIGHT, as 32-bit numbers.
+    """Tests whether LEFT is less than RIGHT, as 32-bit numbers.
 
     Args:
         left: Left side of the comparison; DATA32.
         right: Right side of the comparison; DATA32.
-        flag: Whether it holds; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
+        flag: Result of the comparison; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_LT32"].draft((left, right, flag), unchecked)
 
 
 def cp_ltf(left: Real, right: Real, flag: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells whether LEFT is less than RIGHT, as floating-point numbers.
+    """Tests whether LEFT is less than RIGHT, as floating-point numbers.
 
     Args:
         left: Left side of the comparison; DATAF.
         right: Right side of the comparison; DATAF.
-        flag: Whether it holds; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
+        flag: Result of the comparison; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_LTF"].draft((left, right, flag), unchecked)
 
 
 def cp_gt8(left: Number, right: Number, flag: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells whether LEFT is greater than RIGHT, as 8-bit numbers.
+    """Tests whether LEFT is greater than RIGHT, as 8-bit numbers.
 
     Args:
         left: Left side of the comparison; DATA8.
         right: Right side of the comparison; DATA8.
-        flag: Whether it holds; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
+        flag: Result of the comparison; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_GT8"].draft((left, right, flag), unchecked)
 
 
 def cp_gt16(left: Number, right: Number, flag: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells whether LEFT is greater than RIGHT, as 16-bit numbers.
+    """Tests whether LEFT is greater than RIGHT, as 16-bit numbers.
 
     Args:
         left: Left side of the comparison; DATA16.
         right: Right side of the comparison; DATA16.
-        flag: Whether it holds; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
+        flag: Result of the comparison; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_GT16"].draft((left, right, flag), unchecked)
 
 
 def cp_gt32(left: Number, right: Number, flag: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells whether LEFT is greater than RIGHT, as 32-bit numbers.
+    """Tests whether LEFT is greater than RIGHT, as 32-bit numbers.
 
     Args:
         left: Left side of the comparison; DATA32.
         right: Right side of the comparison; DATA32.
-        flag: Whether it holds; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
+        flag: Result of the comparison; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_GT32"].draft((left, right, flag), unchecked)
 
 
 def cp_gtf(left: Real, right: Real, flag: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells whether LEFT is greater than RIGHT, as floating-point numbers.
+    """Tests whether LEFT is greater than RIGHT, as floating-point numbers.
 
     Args:
         left: Left side of the comparison; DATAF.
         right: Right side of the comparison; DATAF.
-        flag: Whether it holds; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
+        flag: Result of the comparison; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_GTF"].draft((left, right, flag), unchecked)
 
 
 def cp_eq8(left: Number, right: Number, flag: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells whether LEFT is equal to RIGHT, as 8-bit numbers.
+    """Tests whether LEFT is equal to RIGHT, as 8-bit numbers.
 
     Args:
         left: Left side of the comparison; DATA8.
         right: Right side of the comparison; DATA8.
-        flag: Whether it holds; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
+        flag: Result of the comparison; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_EQ8"].draft((left, right, flag), unchecked)
 
 
 def cp_eq16(left: Number, right: Number, flag: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells whether LEFT is equal to RIGHT, as 16-bit numbers.
+    """Tests whether LEFT is equal to RIGHT, as 16-bit numbers.
 
     Args:
         left: Left side of the comparison; DATA16.
         right: Right side of the comparison; DATA16.
-        flag: Whether it holds; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
+        flag: Result of the comparison; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_EQ16"].draft((left, right, flag), unchecked)
 
 
 def cp_eq32(left: Number, right: Number, flag: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells whether LEFT is equal to RIGHT, as 32-bit numbers.
+    """Tests whether LEFT is equal to RIGHT, as 32-bit numbers.
 
     Args:
         left: Left side of the comparison; DATA32.
         right: Right side of the comparison; DATA32.
-        flag: Whether it holds; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
+        flag: Result of the comparison; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_EQ32"].draft((left, right, flag), unchecked)
 
 
 def cp_eqf(left: Real, right: Real, flag: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells whether LEFT is equal to RIGHT, as floating-point numbers.
+    """Tests whether LEFT is equal to RIGHT, as floating-point numbers.
 
     Args:
         left: Left side of the comparison; DATAF.
         right: Right side of the comparison; DATAF.
-        flag: Whether it holds; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
+        flag: Result of the comparison; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_EQF"].draft((left, right, flag), unchecked)
 
 
 def cp_neq8(left: Number, right: Number, flag: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells whether LEFT is different from RIGHT, as 8-bit numbers.
+    """Tests whether LEFT is different from RIGHT, as 8-bit numbers.
 
     Args:
         left: Left side of the comparison; DATA8.
         right: Right side of the comparison; DATA8.
-        flag: Whether it holds; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
+        flag: Result of the comparison; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_NEQ8"].draft((left, right, flag), unchecked)
 
 
 def cp_neq16(left: Number, right: Number, flag: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells whether LEFT is different from RIGHT, as 16-bit numbers.
+    """Tests whether LEFT is different from RIGHT, as 16-bit numbers.
 
     Args:
         left: Left side of the comparison; DATA16.
         right: Right side of the comparison; DATA16.
-        flag: Whether it holds; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
+        flag: Result of the comparison; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_NEQ16"].draft((left, right, flag), unchecked)
 
 
 def cp_neq32(left: Number, right: Number, flag: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells whether LEFT is different from RIGHT, as 32-bit numbers.
+    """Tests whether LEFT is different from RIGHT, as 32-bit numbers.
 
     Args:
         left: Left side of the comparison; DATA32.
         right: Right side of the comparison; DATA32.
-        flag: Whether it holds; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
+        flag: Result of the comparison; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_NEQ32"].draft((left, right, flag), unchecked)
 
 
 def cp_neqf(left: Real, right: Real, flag: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells whether LEFT is different from RIGHT, as floating-point numbers.
+    """Tests whether LEFT is different from RIGHT, as floating-point numbers.
 
     Args:
         left: Left side of the comparison; DATAF.
         right: Right side of the comparison; DATAF.
-        flag: Whether it holds; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
+        flag: Result of the comparison; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_NEQF"].draft((left, right, flag), unchecked)
 
 
 def cp_lteq8(left: Number, right: Number, flag: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells whether LEFT is less than or equal to RIGHT, as 8-bit numbers.
+    """Tests whether LEFT is less than or equal to RIGHT, as 8-bit numbers.
 
     Args:
         left: Left side of the comparison; DATA8.
         right: Right side of the comparison; DATA8.
-        flag: Whether it holds; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
+        flag: Result of the comparison; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_LTEQ8"].draft((left, right, flag), unchecked)
 
 
 def cp_lteq16(left: Number, right: Number, flag: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells whether LEFT is less than or equal to RIGHT, as 16-bit numbers.
+    """Tests whether LEFT is less than or equal to RIGHT, as 16-bit numbers.
 
     Args:
         left: Left side of the comparison; DATA16.
         right: Right side of the comparison; DATA16.
-        flag: Whether it holds; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
+        flag: Result of the comparison; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_LTEQ16"].draft((left, right, flag), unchecked)
 
 
 def cp_lteq32(left: Number, right: Number, flag: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells whether LEFT is less than or equal to RIGHT, as 32-bit numbers.
+    """Tests whether LEFT is less than or equal to RIGHT, as 32-bit numbers.
 
     Args:
         left: Left side of the comparison; DATA32.
         right: Right side of the comparison; DATA32.
-        flag: Whether it holds; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
+        flag: Result of the comparison; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_LTEQ32"].draft((left, right, flag), unchecked)
 
 
 def cp_lteqf(left: Real, right: Real, flag: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells whether LEFT is less than or equal to RIGHT, as floating-point numbers.
+    """Tests whether LEFT is less than or equal to RIGHT, as floating-point numbers.
 
     Args:
         left: Left side of the comparison; DATAF.
         right: Right side of the comparison; DATAF.
-        flag: Whether it holds; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
+        flag: Result of the comparison; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_LTEQF"].draft((left, right, flag), unchecked)
 
 
 def cp_gteq8(left: Number, right: Number, flag: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells whether LEFT is greater than or equal to RIGHT, as 8-bit numbers.
+    """Tests whether LEFT is greater than or equal to RIGHT, as 8-bit numbers.
 
     Args:
         left: Left side of the comparison; DATA8.
         right: Right side of the comparison; DATA8.
-        flag: Whether it holds; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
+        flag: Result of the comparison; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_GTEQ8"].draft((left, right, flag), unchecked)
 
 
 def cp_gteq16(left: Number, right: Number, flag: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells whether LEFT is greater than or equal to RIGHT, as 16-bit numbers.
+    """Tests whether LEFT is greater than or equal to RIGHT, as 16-bit numbers.
 
     Args:
         left: Left side of the comparison; DATA16.
         right: Right side of the comparison; DATA16.
-        flag: Whether it holds; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
+        flag: Result of the comparison; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_GTEQ16"].draft((left, right, flag), unchecked)
 
 
 def cp_gteq32(left: Number, right: Number, flag: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells whether LEFT is greater than or equal to RIGHT, as 32-bit numbers.
+    """Tests whether LEFT is greater than or equal to RIGHT, as 32-bit numbers.
 
     Args:
         left: Left side of the comparison; DATA32.
         right: Right side of the comparison; DATA32.
-        flag: Whether it holds; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
+        flag: Result of the comparison; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_GTEQ32"].draft((left, right, flag), unchecked)
 
 
 def cp_gteqf(left: Real, right: Real, flag: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells whether LEFT is greater than or equal to RIGHT, as floating-point numbers.
+    """Tests whether LEFT is greater than or equal to RIGHT, as floating-point numbers.
 
     Args:
         left: Left side of the comparison; DATAF.
         right: Right side of the comparison; DATAF.
-        flag: Whether it holds; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
+        flag: Result of the comparison; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_GTEQF"].draft((left, right, flag), unchecked)
 
 
 def select8(flag: Number, source1: Number, source2: Number, result: Output = None, *, unchecked: bool = False) -> Draft:
-    """Takes one of two 8-bit values, whichever the flag says.
+    """Selects one of two 8-bit values by a flag.
 
     Args:
-        flag: Which to take: anything but 0 takes SOURCE1; 0: SOURCE2; 1: SOURCE1; DATA8.
-        source1: Value taken if the flag is set; DATA8.
-        source2: Value taken if the flag is 0; DATA8.
-        result: The value taken; DATA8; an output, in global memory when omitted.
+        flag: Which one: anything but 0 selects SOURCE1; 0: SOURCE2; 1: SOURCE1; DATA8.
+        source1: Value selected if the flag is set; DATA8.
+        source2: Value selected if the flag is 0; DATA8.
+        result: The selected value; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["SELECT8"].draft((flag, source1, source2, result), unchecked)
@@ -1043,13 +1043,13 @@ def select16(
     *,
     unchecked: bool = False,
 ) -> Draft:
-    """Takes one of two 16-bit values, whichever the flag says.
+    """Selects one of two 16-bit values by a flag.
 
     Args:
-        flag: Which to take: anything but 0 takes SOURCE1; 0: SOURCE2; 1: SOURCE1; DATA8.
-        source1: Value taken if the flag is set; DATA16.
-        source2: Value taken if the flag is 0; DATA16.
-        result: The value taken; DATA16; an output, in global memory when omitted.
+        flag: Which one: anything but 0 selects SOURCE1; 0: SOURCE2; 1: SOURCE1; DATA8.
+        source1: Value selected if the flag is set; DATA16.
+        source2: Value selected if the flag is 0; DATA16.
+        result: The selected value; DATA16; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["SELECT16"].draft((flag, source1, source2, result), unchecked)
@@ -1063,26 +1063,26 @@ def select32(
     *,
     unchecked: bool = False,
 ) -> Draft:
-    """Takes one of two 32-bit values, whichever the flag says.
+    """Selects one of two 32-bit values by a flag.
 
     Args:
-        flag: Which to take: anything but 0 takes SOURCE1; 0: SOURCE2; 1: SOURCE1; DATA8.
-        source1: Value taken if the flag is set; DATA32.
-        source2: Value taken if the flag is 0; DATA32.
-        result: The value taken; DATA32; an output, in global memory when omitted.
+        flag: Which one: anything but 0 selects SOURCE1; 0: SOURCE2; 1: SOURCE1; DATA8.
+        source1: Value selected if the flag is set; DATA32.
+        source2: Value selected if the flag is 0; DATA32.
+        result: The selected value; DATA32; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["SELECT32"].draft((flag, source1, source2, result), unchecked)
 
 
 def selectf(flag: Number, source1: Real, source2: Real, result: Output = None, *, unchecked: bool = False) -> Draft:
-    """Takes one of two floating-point values, whichever the flag says.
+    """Selects one of two floating-point values by a flag.
 
     Args:
-        flag: Which to take: anything but 0 takes SOURCE1; 0: SOURCE2; 1: SOURCE1; DATA8.
-        source1: Value taken if the flag is set; DATAF.
-        source2: Value taken if the flag is 0; DATAF.
-        result: The value taken; DATAF; an output, in global memory when omitted.
+        flag: Which one: anything but 0 selects SOURCE1; 0: SOURCE2; 1: SOURCE1; DATA8.
+        source1: Value selected if the flag is set; DATAF.
+        source2: Value selected if the flag is 0; DATAF.
+        result: The selected value; DATAF; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["SELECTF"].draft((flag, source1, source2, result), unchecked)
@@ -1104,14 +1104,14 @@ def input_sample(
 
     Args:
         time: Time between two samples; ms; DATA32.
-        samples: How many devices the arrays list; DATA16.
+        samples: Number of devices the arrays list; DATA16.
         init: Place in the sample buffer of each device, -1 starts it anew; as many values as SAMPLES says; DATA16.
         devices: Ports, 0 to 3 for sensors, 4 to 7 for motors A to D; as many values as SAMPLES says; DATA8.
-        types: Type each device shall have; a member of TYPE; as many values as SAMPLES says; DATA8.
-        modes: Mode each device shall have; as many values as SAMPLES says; DATA8.
-        datasets: Which of its values to read from each device, from 0; as many values as SAMPLES says; DATA8.
-        values: One value per device, NaN where there is none; as many values as SAMPLES says; DATAF; an output, in
-            global memory when omitted.
+        types: Type to set for each device; a member of TYPE; as many values as SAMPLES says; DATA8.
+        modes: Mode to set for each device; as many values as SAMPLES says; DATA8.
+        datasets: Index of the value to read from each device, from 0; as many values as SAMPLES says; DATA8.
+        values: One value per device, NaN if there is none; as many values as SAMPLES says; DATAF; an output, in global
+            memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_SAMPLE"].draft((time, samples, init, devices, types, modes, datasets, values), unchecked)
@@ -1127,7 +1127,7 @@ def input_device_list(
     """Lists the types of all devices, sensor ports of each layer first, then motor ports.
 
     Args:
-        length: Room in the array, 32 takes the whole daisy chain; DATA8.
+        length: Size of the array; 32 holds the whole daisy chain; DATA8.
         array: Type of device at each port; a member of TYPE; as many values as LENGTH says; DATA8; an output, in global
             memory when omitted.
         changed: Whether devices came or went since the last call; 0: no change; DATA8; an output, in global memory when
@@ -1152,16 +1152,16 @@ def input_read(
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
         no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1; 1: port 2; 2: port 3; 3: port 4; 16: motor
             port A; 17: motor port B; 18: motor port C; 19: motor port D; DATA8.
-        type: Type the device shall have; 0: keep the type; a member of TYPE; DATA8.
-        mode: Mode the device shall have; 0 to 7; -1: keep the mode; DATA8.
-        pct: Value, NaN where there is none; %; DATA8; an output, in global memory when omitted.
+        type: Type to set; 0: keep the type; a member of TYPE; DATA8.
+        mode: Mode to set; 0 to 7; -1: keep the mode; DATA8.
+        pct: Value, NaN if there is none; %; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_READ"].draft((layer, no, type, mode, pct), unchecked)
 
 
 def input_test(layer: Number, no: Number, busy: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells whether a device is still changing type or mode.
+    """Reports whether a device is still changing type or mode.
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
@@ -1200,9 +1200,9 @@ def input_readsi(
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
         no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1; 1: port 2; 2: port 3; 3: port 4; 16: motor
             port A; 17: motor port B; 18: motor port C; 19: motor port D; DATA8.
-        type: Type the device shall have; 0: keep the type; a member of TYPE; DATA8.
-        mode: Mode the device shall have; 0 to 7; -1: keep the mode; DATA8.
-        si: Value in the mode's unit, NaN where there is none; DATAF; an output, in global memory when omitted.
+        type: Type to set; 0: keep the type; a member of TYPE; DATA8.
+        mode: Mode to set; 0 to 7; -1: keep the mode; DATA8.
+        si: Value in the mode's unit, NaN if there is none; DATAF; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_READSI"].draft((layer, no, type, mode, si), unchecked)
@@ -1224,11 +1224,11 @@ def input_readext(
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
         no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1; 1: port 2; 2: port 3; 3: port 4; 16: motor
             port A; 17: motor port B; 18: motor port C; 19: motor port D; DATA8.
-        type: Type the device shall have; 0: keep the type; a member of TYPE; DATA8.
-        mode: Mode the device shall have; 0 to 7; -1: keep the mode; DATA8.
-        format: DATA_PCT, DATA_RAW or DATA_SI, others give NaN; a member of DATA_FORMAT; DATA8.
-        values: How many values follow, each in FORMAT; a list, of the type that format says; an output for each: a list
-            of variables, or how many; one when omitted.
+        type: Type to set; 0: keep the type; a member of TYPE; DATA8.
+        mode: Mode to set; 0 to 7; -1: keep the mode; DATA8.
+        format: DATA_PCT, DATA_RAW or DATA_SI; others give NaN; a member of DATA_FORMAT; DATA8.
+        values: Number of values follow, each in FORMAT; a list, of the type that format says; an output for each: a
+            list of variables, or how many; one when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_READEXT"].draft((layer, no, type, mode, format, values), unchecked)
@@ -1240,7 +1240,7 @@ def input_write(layer: Number, no: Number, bytes: Number, data: Elements, *, unc
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
         no: Sensor port, counted from 0; 0 to 3; 0: port 1; 1: port 2; 2: port 3; 3: port 4; DATA8.
-        bytes: How many bytes to send; 1 to 32 bytes; DATA8.
+        bytes: Number of bytes to send; 1 to 32 bytes; DATA8.
         data: Bytes to send; as many values as BYTES says; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -1548,11 +1548,11 @@ def xor32(source1: Number, source2: Number, destination: Output = None, *, unche
 
 
 def rl8(source1: Number, source2: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
-    """Shifts 8-bit values left; despite the name (rotate), bits leaving on the left are lost.
+    """Shifts 8-bit values left; despite the name (rotate), bits shifted out on the left are lost.
 
     Args:
         source1: Value to shift; DATA8.
-        source2: How many places; bits; DATA8.
+        source2: Number of places; bits; DATA8.
         destination: Shifted value, filled up with zero bits; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -1560,11 +1560,11 @@ def rl8(source1: Number, source2: Number, destination: Output = None, *, uncheck
 
 
 def rl16(source1: Number, source2: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
-    """Shifts 16-bit values left; despite the name (rotate), bits leaving on the left are lost.
+    """Shifts 16-bit values left; despite the name (rotate), bits shifted out on the left are lost.
 
     Args:
         source1: Value to shift; DATA16.
-        source2: How many places; bits; DATA16.
+        source2: Number of places; bits; DATA16.
         destination: Shifted value, filled up with zero bits; DATA16; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -1572,11 +1572,11 @@ def rl16(source1: Number, source2: Number, destination: Output = None, *, unchec
 
 
 def rl32(source1: Number, source2: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
-    """Shifts 32-bit values left; despite the name (rotate), bits leaving on the left are lost.
+    """Shifts 32-bit values left; despite the name (rotate), bits shifted out on the left are lost.
 
     Args:
         source1: Value to shift; DATA32.
-        source2: How many places; bits; DATA32.
+        source2: Number of places; bits; DATA32.
         destination: Shifted value, filled up with zero bits; DATA32; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -1610,7 +1610,7 @@ def memory_write(
         prgid: Slot of the program, which must be running; 0 to 4; a member of SLOT; DATA16.
         objid: Object whose local memory is meant; 0: the program's global memory; DATA16.
         offset: First byte in that memory; 0 to 2147483647 bytes; DATA32.
-        size: How many bytes; 0 to 2147483647 bytes; DATA32.
+        size: Number of bytes; 0 to 2147483647 bytes; DATA32.
         array: The bytes; those beyond the end of the memory are dropped; as many values as SIZE says; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -1632,7 +1632,7 @@ def memory_read(
         prgid: Slot of the program, which must be running; 0 to 4; a member of SLOT; DATA16.
         objid: Object whose local memory is meant; 0: the program's global memory; DATA16.
         offset: First byte in that memory; 0 to 2147483647 bytes; DATA32.
-        size: How many bytes; 0 to 2147483647 bytes; DATA32.
+        size: Number of bytes; 0 to 2147483647 bytes; DATA32.
         array: The bytes, zeros beyond the end of the memory; as many values as SIZE says; DATA8; an output, in global
             memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
@@ -1676,11 +1676,11 @@ def array_append(handle: Number, value: Real, *, unchecked: bool = False) -> Dra
 
 
 def memory_usage(total: Output = None, free: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells how much memory for user files there is and how much of it is free.
+    """Reports the total and free memory for user files.
 
     Args:
-        total: All of it; KiB; DATA32; an output, in global memory when omitted.
-        free: What is free; KiB; DATA32; an output, in global memory when omitted.
+        total: Total memory; KiB; DATA32; an output, in global memory when omitted.
+        free: Free memory; KiB; DATA32; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MEMORY_USAGE"].draft((total, free), unchecked)
@@ -1713,11 +1713,11 @@ def init_bytes(
     *,
     unchecked: bool = False,
 ) -> Draft:
-    """Fills consecutive bytes of memory with values given in place.
+    """Fills consecutive bytes of memory with constant values.
 
     Args:
         destination: First byte to fill; as many values as LENGTH says; DATA8; an output, in global memory when omitted.
-        length: How many values follow; a negative count hangs the brick; bytes; DATA32; worked out when omitted.
+        length: Number of values follow; a negative count hangs the brick; bytes; DATA32; worked out when omitted.
         source: The values, one per byte; a list of DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -1901,7 +1901,7 @@ def movef_f(source: Real, destination: Output = None, *, unchecked: bool = False
 
 
 def read8(source: Number, index: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
-    """Takes one element out of an array of 8-bit values.
+    """Reads one element of an array of 8-bit values.
 
     Args:
         source: First element of the array, as a variable; DATA8.
@@ -1913,7 +1913,7 @@ def read8(source: Number, index: Number, destination: Output = None, *, unchecke
 
 
 def read16(source: Number, index: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
-    """Takes one element out of an array of 16-bit values.
+    """Reads one element of an array of 16-bit values.
 
     Args:
         source: First element of the array, as a variable; DATA16.
@@ -1925,7 +1925,7 @@ def read16(source: Number, index: Number, destination: Output = None, *, uncheck
 
 
 def read32(source: Number, index: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
-    """Takes one element out of an array of 32-bit values.
+    """Reads one element of an array of 32-bit values.
 
     Args:
         source: First element of the array, as a variable; DATA32.
@@ -1937,7 +1937,7 @@ def read32(source: Number, index: Number, destination: Output = None, *, uncheck
 
 
 def readf(source: Real, index: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
-    """Takes one element out of an array of floating-point values.
+    """Reads one element of an array of floating-point values.
 
     Args:
         source: First element of the array, as a variable; DATAF.
@@ -1949,10 +1949,10 @@ def readf(source: Real, index: Number, destination: Output = None, *, unchecked:
 
 
 def write8(source: Number, index: Number, destination: Number, *, unchecked: bool = False) -> Draft:
-    """Sets one element of an array of 8-bit values.
+    """Writes one element of an array of 8-bit values.
 
     Args:
-        source: Value to set; DATA8.
+        source: Value to write; DATA8.
         index: Which element, counted from 0; the firmware does not check it; 0 to 127; DATA8.
         destination: First element of the array, as a variable; element INDEX is written; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
@@ -1961,10 +1961,10 @@ def write8(source: Number, index: Number, destination: Number, *, unchecked: boo
 
 
 def write16(source: Number, index: Number, destination: Number, *, unchecked: bool = False) -> Draft:
-    """Sets one element of an array of 16-bit values.
+    """Writes one element of an array of 16-bit values.
 
     Args:
-        source: Value to set; DATA16.
+        source: Value to write; DATA16.
         index: Which element, counted from 0; the firmware does not check it; 0 to 127; DATA8.
         destination: First element of the array, as a variable; element INDEX is written; DATA16.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
@@ -1973,10 +1973,10 @@ def write16(source: Number, index: Number, destination: Number, *, unchecked: bo
 
 
 def write32(source: Number, index: Number, destination: Number, *, unchecked: bool = False) -> Draft:
-    """Sets one element of an array of 32-bit values.
+    """Writes one element of an array of 32-bit values.
 
     Args:
-        source: Value to set; DATA32.
+        source: Value to write; DATA32.
         index: Which element, counted from 0; the firmware does not check it; 0 to 127; DATA8.
         destination: First element of the array, as a variable; element INDEX is written; DATA32.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
@@ -1985,10 +1985,10 @@ def write32(source: Number, index: Number, destination: Number, *, unchecked: bo
 
 
 def writef(source: Real, index: Number, destination: Real, *, unchecked: bool = False) -> Draft:
-    """Sets one element of an array of floating-point values.
+    """Writes one element of an array of floating-point values.
 
     Args:
-        source: Value to set; DATAF.
+        source: Value to write; DATAF.
         index: Which element, counted from 0; the firmware does not check it; 0 to 127; DATA8.
         destination: First element of the array, as a variable; element INDEX is written; DATAF.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
@@ -2034,26 +2034,26 @@ def output_stop(layer: Number, nos: NamedNumber, brake: Number, *, unchecked: bo
 
 
 def output_power(layer: Number, nos: NamedNumber, power: Number, *, unchecked: bool = False) -> Draft:
-    """Sets the power of motors, OUTPUT_START makes them run.
+    """Sets the power of motors, which run at the next OUTPUT_START.
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
         nos: Ports as a bit mask: A 1, B 2, C 4, D 8; 0 to 15; 0: none; 1: A; 2: B; 3: A+B; 4: C; 5: A+C; 6: B+C; 7:
             A+B+C; 8: D; 9: A+D; 10: B+D; 11: A+B+D; 12: C+D; 13: A+C+D; 14: B+C+D; 15: A+B+C+D; DATA8.
-        power: Unregulated power, negative: backward; -100 to 100 %; DATA8.
+        power: Unregulated power; negative: backward; -100 to 100 %; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["OUTPUT_POWER"].draft((layer, nos, power), unchecked)
 
 
 def output_speed(layer: Number, nos: NamedNumber, speed: Number, *, unchecked: bool = False) -> Draft:
-    """Sets the speed of motors, OUTPUT_START makes them run.
+    """Sets the speed of motors, which run at the next OUTPUT_START.
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
         nos: Ports as a bit mask: A 1, B 2, C 4, D 8; 0 to 15; 0: none; 1: A; 2: B; 3: A+B; 4: C; 5: A+C; 6: B+C; 7:
             A+B+C; 8: D; 9: A+D; 10: B+D; 11: A+B+D; 12: C+D; 13: A+C+D; 14: B+C+D; 15: A+B+C+D; DATA8.
-        speed: Regulated speed, negative: backward; -100 to 100 %; DATA8.
+        speed: Regulated speed; negative: backward; -100 to 100 %; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["OUTPUT_SPEED"].draft((layer, nos, speed), unchecked)
@@ -2078,7 +2078,7 @@ def output_polarity(layer: Number, nos: NamedNumber, pol: Number, *, unchecked: 
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
         nos: Ports as a bit mask: A 1, B 2, C 4, D 8; 0 to 15; 0: none; 1: A; 2: B; 3: A+B; 4: C; 5: A+C; 6: B+C; 7:
             A+B+C; 8: D; 9: A+D; 10: B+D; 11: A+B+D; 12: C+D; 13: A+C+D; 14: B+C+D; 15: A+B+C+D; DATA8.
-        pol: Direction; -1 to 1; -1: backward; 0: opposite of the present one; 1: forward; DATA8.
+        pol: Direction; -1 to 1; -1: backward; 0: opposite of the current one; 1: forward; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["OUTPUT_POLARITY"].draft((layer, nos, pol), unchecked)
@@ -2097,7 +2097,7 @@ def output_read(
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
         no: Port, counted from 0; 0 to 3; 0: A; 1: B; 2: C; 3: D; DATA8.
-        speed: Present speed; -100 to 100 %; DATA8; an output, in global memory when omitted.
+        speed: Current speed; -100 to 100 %; DATA8; an output, in global memory when omitted.
         tacho: Angle since OUTPUT_RESET; degrees; DATA32; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -2105,7 +2105,7 @@ def output_read(
 
 
 def output_test(layer: Number, nos: NamedNumber, busy: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells whether one of the motors is still in a move that ends by itself.
+    """Reports whether one of the motors is still in a move that ends by itself.
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
@@ -2118,7 +2118,7 @@ def output_test(layer: Number, nos: NamedNumber, busy: Output = None, *, uncheck
 
 
 def output_ready(layer: Number, nos: NamedNumber, *, unchecked: bool = False) -> Draft:
-    """Waits until the moves of the motors have ended, OUTPUT_START does not count.
+    """Waits until the moves of the motors have ended; ignores those from OUTPUT_START.
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
@@ -2146,7 +2146,7 @@ def output_step_power(
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
         nos: Ports as a bit mask: A 1, B 2, C 4, D 8; 0 to 15; 0: none; 1: A; 2: B; 3: A+B; 4: C; 5: A+C; 6: B+C; 7:
             A+B+C; 8: D; 9: A+D; 10: B+D; 11: A+B+D; 12: C+D; 13: A+C+D; 14: B+C+D; 15: A+B+C+D; DATA8.
-        power: Unregulated power, negative: backward; -100 to 100 %; DATA8.
+        power: Unregulated power; negative: backward; -100 to 100 %; DATA8.
         step1: Angle of the ramp up; 0 to 2147483647 degrees; DATA32.
         step2: Angle at constant drive; 0 to 2147483647 degrees; DATA32.
         step3: Angle of the ramp down; 0 to 2147483647 degrees; DATA32.
@@ -2173,7 +2173,7 @@ def output_time_power(
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
         nos: Ports as a bit mask: A 1, B 2, C 4, D 8; 0 to 15; 0: none; 1: A; 2: B; 3: A+B; 4: C; 5: A+C; 6: B+C; 7:
             A+B+C; 8: D; 9: A+D; 10: B+D; 11: A+B+D; 12: C+D; 13: A+C+D; 14: B+C+D; 15: A+B+C+D; DATA8.
-        power: Unregulated power, negative: backward; -100 to 100 %; DATA8.
+        power: Unregulated power; negative: backward; -100 to 100 %; DATA8.
         time1: Time of the ramp up; 0 to 2147483647 ms; DATA32.
         time2: Time at constant drive; 0 to 2147483647 ms; DATA32.
         time3: Time of the ramp down; 0 to 2147483647 ms; DATA32.
@@ -2200,7 +2200,7 @@ def output_step_speed(
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
         nos: Ports as a bit mask: A 1, B 2, C 4, D 8; 0 to 15; 0: none; 1: A; 2: B; 3: A+B; 4: C; 5: A+C; 6: B+C; 7:
             A+B+C; 8: D; 9: A+D; 10: B+D; 11: A+B+D; 12: C+D; 13: A+C+D; 14: B+C+D; 15: A+B+C+D; DATA8.
-        speed: Regulated speed, negative: backward; -100 to 100 %; DATA8.
+        speed: Regulated speed; negative: backward; -100 to 100 %; DATA8.
         step1: Angle of the ramp up; 0 to 2147483647 degrees; DATA32.
         step2: Angle at constant drive; 0 to 2147483647 degrees; DATA32.
         step3: Angle of the ramp down; 0 to 2147483647 degrees; DATA32.
@@ -2227,7 +2227,7 @@ def output_time_speed(
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
         nos: Ports as a bit mask: A 1, B 2, C 4, D 8; 0 to 15; 0: none; 1: A; 2: B; 3: A+B; 4: C; 5: A+C; 6: B+C; 7:
             A+B+C; 8: D; 9: A+D; 10: B+D; 11: A+B+D; 12: C+D; 13: A+C+D; 14: B+C+D; 15: A+B+C+D; DATA8.
-        speed: Regulated speed, negative: backward; -100 to 100 %; DATA8.
+        speed: Regulated speed; negative: backward; -100 to 100 %; DATA8.
         time1: Time of the ramp up; 0 to 2147483647 ms; DATA32.
         time2: Time at constant drive; 0 to 2147483647 ms; DATA32.
         time3: Time of the ramp down; 0 to 2147483647 ms; DATA32.
@@ -2253,11 +2253,11 @@ def output_step_sync(
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
         nos: Ports as a bit mask: A 1, B 2, C 4, D 8; 0 to 15; 0: none; 1: A; 2: B; 3: A+B; 4: C; 5: A+C; 6: B+C; 7:
             A+B+C; 8: D; 9: A+D; 10: B+D; 11: A+B+D; 12: C+D; 13: A+C+D; 14: B+C+D; 15: A+B+C+D; DATA8.
-        speed: Regulated speed, negative: backward; -100 to 100 %; DATA8.
+        speed: Regulated speed; negative: backward; -100 to 100 %; DATA8.
         turn: How tight the turn is, positive slows the higher port, negative the lower; -200 to 200; -200: spin, lower
-            port runs backward; -100: lower port stands; 0: straight; 100: higher port stands; 200: spin, higher port
-            runs backward; DATA16.
-        step: Angle of the faster motor; 0 to 2147483647 degrees; 0: no end; DATA32.
+            port runs backward; -100: lower port stands still; 0: straight; 100: higher port stands still; 200: spin,
+            higher port runs backward; DATA16.
+        step: Angle of the faster motor; 0 to 2147483647 degrees; 0: endless; DATA32.
         brake: What the motors do at the end; 0 to 1; 0: coast; 1: brake and hold; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -2280,11 +2280,11 @@ def output_time_sync(
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
         nos: Ports as a bit mask: A 1, B 2, C 4, D 8; 0 to 15; 0: none; 1: A; 2: B; 3: A+B; 4: C; 5: A+C; 6: B+C; 7:
             A+B+C; 8: D; 9: A+D; 10: B+D; 11: A+B+D; 12: C+D; 13: A+C+D; 14: B+C+D; 15: A+B+C+D; DATA8.
-        speed: Regulated speed, negative: backward; -100 to 100 %; DATA8.
+        speed: Regulated speed; negative: backward; -100 to 100 %; DATA8.
         turn: How tight the turn is, positive slows the higher port, negative the lower; -200 to 200; -200: spin, lower
-            port runs backward; -100: lower port stands; 0: straight; 100: higher port stands; 200: spin, higher port
-            runs backward; DATA16.
-        time: How long to run; 0 to 2147483647 ms; 0: no end; DATA32.
+            port runs backward; -100: lower port stands still; 0: straight; 100: higher port stands still; 200: spin,
+            higher port runs backward; DATA16.
+        time: How long to run; 0 to 2147483647 ms; 0: endless; DATA32.
         brake: What the motors do at the end; 0 to 1; 0: coast; 1: brake and hold; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -2292,7 +2292,7 @@ def output_time_sync(
 
 
 def output_clr_count(layer: Number, nos: NamedNumber, *, unchecked: bool = False) -> Draft:
-    """Sets the tacho counts that motors have as sensors to zero.
+    """Sets the tacho counts of motors read as sensors to zero.
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
@@ -2304,7 +2304,7 @@ def output_clr_count(layer: Number, nos: NamedNumber, *, unchecked: bool = False
 
 
 def output_get_count(layer: Number, nos: NamedNumber, tacho: Output = None, *, unchecked: bool = False) -> Draft:
-    """Reads the tacho count that a motor has as a sensor.
+    """Reads the tacho count of a motor read as a sensor.
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
@@ -2321,7 +2321,7 @@ def output_prg_stop(*, unchecked: bool = False) -> Draft:
 
 
 def sound_test(busy: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells whether a sound is playing.
+    """Reports whether a sound is playing.
 
     Args:
         busy: Whether a sound is playing; 0 to 1; 0: ready; 1: busy; DATA8; an output, in global memory when omitted.
@@ -2331,15 +2331,15 @@ def sound_test(busy: Output = None, *, unchecked: bool = False) -> Draft:
 
 
 def sound_ready(*, unchecked: bool = False) -> Draft:
-    """Waits until the sound has ended (for ever after REPEAT or a tone without end)."""
+    """Waits until the sound has ended (forever after REPEAT or an endless tone)."""
     return _OPERATIONS["SOUND_READY"].draft((), unchecked)
 
 
 def timer_wait(time: Number, timer: Output = None, *, unchecked: bool = False) -> Draft:
-    """Notes when a wait will be over and returns at once; TIMER_READY does the waiting.
+    """Stores the end of a wait and returns at once; TIMER_READY does the waiting.
 
     Args:
-        time: How long to wait; 0 to 2147483647 ms; DATA32.
+        time: Duration of the wait; 0 to 2147483647 ms; DATA32.
         timer: Variable that gets the end of the wait, on the brick's millisecond clock; DATA32; an output, in global
             memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
@@ -2348,7 +2348,7 @@ def timer_wait(time: Number, timer: Output = None, *, unchecked: bool = False) -
 
 
 def timer_ready(timer: Number, *, unchecked: bool = False) -> Draft:
-    """Waits until the time that TIMER_WAIT noted has come.
+    """Waits until the time that TIMER_WAIT stored.
 
     Args:
         timer: Variable that TIMER_WAIT has set; DATA32.
@@ -2358,7 +2358,7 @@ def timer_ready(timer: Number, *, unchecked: bool = False) -> Draft:
 
 
 def timer_read(time: Output = None, *, unchecked: bool = False) -> Draft:
-    """Reads the time since the program or direct command that asks was started.
+    """Reads the time since the start of the program or direct command that asks.
 
     Args:
         time: Time since the start; ms; DATA32; an output, in global memory when omitted.
@@ -2371,20 +2371,19 @@ def timer_read_us(time: Output = None, *, unchecked: bool = False) -> Draft:
     """Reads the free-running microsecond clock, for differences only.
 
     Args:
-        time: Low 32 bits of the clock, back to 0 every 71.6 minutes; us; DATA32; an output, in global memory when
-            omitted.
+        time: Low 32 bits of the clock, wraps every 71.6 minutes; us; DATA32; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["TIMER_READ_US"].draft((time,), unchecked)
 
 
 def ui_flush(*, unchecked: bool = False) -> Draft:
-    """Sends what was written for the terminal and is still in its buffer."""
+    """Sends the contents of the terminal's output buffer."""
     return _OPERATIONS["UI_FLUSH"].draft((), unchecked)
 
 
 def keep_alive(minutes: Output = None, *, unchecked: bool = False) -> Draft:
-    """Restarts the time after which the idle brick switches off, and reads it.
+    """Restarts the timer that switches off an idle brick, and reads its time.
 
     Args:
         minutes: Idle time before switching off; min; 0: never; DATA8; an output, in global memory when omitted.
@@ -2399,7 +2398,7 @@ def error(*, unchecked: bool = False) -> Draft:
 
 
 def nop(*, unchecked: bool = False) -> Draft:
-    """Does nothing; a harmless way to see whether the brick answers."""
+    """Does nothing; a harmless way to test whether the brick answers."""
     return _OPERATIONS["NOP"].draft((), unchecked)
 
 
@@ -2407,14 +2406,14 @@ def program_stop(prgid: AnySLOT, *, unchecked: bool = False) -> Draft:
     """Stops the program of a slot.
 
     Args:
-        prgid: Program slot to stop; 0: all programs; -1: the program that says so; a member of SLOT; DATA16.
+        prgid: Program slot to stop; 0: all programs; -1: the calling program; a member of SLOT; DATA16.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["PROGRAM_STOP"].draft((prgid,), unchecked)
 
 
 def program_start(prgid: AnySLOT, size: Number, ip: Number, debug: Number, *, unchecked: bool = False) -> Draft:
-    """Starts a loaded program; by direct command only while no user program runs.
+    """Starts a loaded program; a direct command can do this only while no user program runs.
 
     Args:
         prgid: Program slot; a member of SLOT; DATA16.
@@ -2427,7 +2426,7 @@ def program_start(prgid: AnySLOT, size: Number, ip: Number, debug: Number, *, un
 
 
 def object_stop(objid: Number, *, unchecked: bool = False) -> Draft:
-    """Stops an object of the own program.
+    """Stops an object of its own program.
 
     Args:
         objid: Object of the program, counted from 1; DATA16.
@@ -2437,7 +2436,7 @@ def object_stop(objid: Number, *, unchecked: bool = False) -> Draft:
 
 
 def object_start(objid: Number, *, unchecked: bool = False) -> Draft:
-    """Starts an object of the own program.
+    """Starts an object of its own program.
 
     Args:
         objid: Object of the program, counted from 1; DATA16.
@@ -2472,18 +2471,18 @@ def return_(*, unchecked: bool = False) -> Draft:
 
 
 def call(objid: Number, parameters: Sequence[Untyped], *, unchecked: bool = False) -> Draft:
-    """Calls a subroutine of the own program; waits while another thread is in it.
+    """Calls a subroutine of its own program; waits while another thread runs it.
 
     Args:
-        objid: Object that is the subroutine, counted from 1; DATA16.
-        parameters: How many parameters follow; the subroutine declares their types and directions; a list of DATA32.
+        objid: Object number of the subroutine, counted from 1; DATA16.
+        parameters: Number of parameters follow; the subroutine declares their types and directions; a list of DATA32.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CALL"].draft((objid, parameters), unchecked)
 
 
 def object_end(*, unchecked: bool = False) -> Draft:
-    """Ends the object; the firmware puts one after every direct command."""
+    """Ends the object; the firmware appends one to every direct command."""
     return _OPERATIONS["OBJECT_END"].draft((), unchecked)
 
 
@@ -2508,15 +2507,15 @@ def probe(prgid: AnySLOT, objid: Number, offset: Number, size: Number, *, unchec
     Args:
         prgid: Program slot; a member of SLOT; DATA16.
         objid: Object whose local memory to print; 0: the global memory; DATA16.
-        offset: Where to begin; bytes; DATA32.
-        size: How much to print; 0 to 1024 bytes; 0: all, 1024 at most; DATA32.
+        offset: First byte; bytes; DATA32.
+        size: Number of bytes to print; 0 to 1024 bytes; 0: all, 1024 at most; DATA32.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["PROBE"].draft((prgid, objid, offset, size), unchecked)
 
 
 def do(prgid: AnySLOT, image: Number, global_: Number, *, unchecked: bool = False) -> Draft:
-    """Runs byte code that is already in memory, ending what the slot ran before.
+    """Runs byte code that is already in memory, ending the slot's previous program.
 
     Args:
         prgid: Program slot; a member of SLOT; DATA16.
@@ -2528,7 +2527,7 @@ def do(prgid: AnySLOT, image: Number, global_: Number, *, unchecked: bool = Fals
 
 
 def system(command: Text, status: Output = None, *, unchecked: bool = False) -> Draft:
-    """Runs a shell command on the brick's Linux and waits for its end.
+    """Runs a shell command on the brick's Linux and waits until it ends.
 
     Args:
         command: The command line; string.
@@ -2553,8 +2552,8 @@ def port_cnv_output(
         portin: Three decimal digits, each 1-4: layer, first port, second port (123: B and C); DATA32.
         layer: Position in the daisy chain; 0 to 3; 0: this brick; DATA8; an output, in global memory when omitted.
         bitfield: Motor ports as bits: A=1 B=2 C=4 D=8; 0 to 15; DATA8; an output, in global memory when omitted.
-        inverted: Whether the first port comes after the second, as in C and A; 0 to 1; 0: no; 1: yes; DATA8; an output,
-            in global memory when omitted.
+        inverted: Whether the first port comes after the second, as in CA; 0 to 1; 0: no; 1: yes; DATA8; an output, in
+            global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["PORT_CNV_OUTPUT"].draft((portin, layer, bitfield, inverted), unchecked)
@@ -2566,7 +2565,7 @@ def port_cnv_input(portin: Number, layer: Output = None, portout: Output = None,
     Args:
         portin: Three decimal digits: layer 1-4, any, port 1-4 (103: port 3); DATA32.
         layer: Position in the daisy chain; 0 to 3; 0: this brick; DATA8; an output, in global memory when omitted.
-        portout: Sensor port less one, as INPUT_* takes it; 0 to 3; DATA8; an output, in global memory when omitted.
+        portout: Sensor port minus one, as in INPUT_*; 0 to 3; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["PORT_CNV_INPUT"].draft((portin, layer, portout), unchecked)
@@ -2577,8 +2576,7 @@ def note_to_freq(note: Text, freq: Output = None, *, unchecked: bool = False) ->
 
     Args:
         note: C4 to B6, sharps as C#4; string.
-        freq: Frequency; 440 for a note it does not know; 262 to 1976 Hz; DATA16; an output, in global memory when
-            omitted.
+        freq: Frequency; 440 for an unknown note; 262 to 1976 Hz; DATA16; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["NOTE_TO_FREQ"].draft((note, freq), unchecked)
@@ -2600,7 +2598,7 @@ def bp2(*, unchecked: bool = False) -> Draft:
 
 
 def bp3(*, unchecked: bool = False) -> Draft:
-    """Pulses test pin TP4 and goes on; BP_SET puts it over the instruction it replaces."""
+    """Pulses test pin TP4 and continues; BP_SET puts it over the instruction it replaces."""
     return _OPERATIONS["BP3"].draft((), unchecked)
 
 
@@ -2610,7 +2608,7 @@ def bp_set(prgid: AnySLOT, no: Number, address: Number, *, unchecked: bool = Fal
     Args:
         prgid: Program slot; a member of SLOT; DATA16.
         no: Number of the breakpoint; 0 to 2; 3: pulse on test pin TP4, no stop; DATA8.
-        address: Where in the image; bytes; 0: remove the breakpoint; DATA32.
+        address: Offset in the image; bytes; 0: remove the breakpoint; DATA32.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["BP_SET"].draft((prgid, no, address), unchecked)

@@ -1,4 +1,4 @@
-"""ARRAY: makes, fills, copies and resizes arrays.
+"""ARRAY: creates, fills, copies and resizes arrays.
 
 Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate.
 """
@@ -35,7 +35,7 @@ _OPERATIONS = drafts("official")
 
 
 def delete(handle: Number, *, unchecked: bool = False) -> Draft:
-    """Deletes an array and gives its handle back.
+    """Deletes an array and frees its handle.
 
     Args:
         handle: The array; handle.
@@ -48,8 +48,8 @@ def create8(elements: Number, handle: Output = None, *, unchecked: bool = False)
     """Creates an array of DATA8 elements.
 
     Args:
-        elements: How many elements it has at first; 0 to 2147483647; DATA32.
-        handle: What names the array from now on; handle; an output, in global memory when omitted.
+        elements: Initial number of elements; 0 to 2147483647; DATA32.
+        handle: Handle of the new array; handle; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["ARRAY.CREATE8"].draft((elements, handle), unchecked)
@@ -59,8 +59,8 @@ def create16(elements: Number, handle: Output = None, *, unchecked: bool = False
     """Creates an array of DATA16 elements.
 
     Args:
-        elements: How many elements it has at first; 0 to 2147483647; DATA32.
-        handle: What names the array from now on; handle; an output, in global memory when omitted.
+        elements: Initial number of elements; 0 to 2147483647; DATA32.
+        handle: Handle of the new array; handle; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["ARRAY.CREATE16"].draft((elements, handle), unchecked)
@@ -70,8 +70,8 @@ def create32(elements: Number, handle: Output = None, *, unchecked: bool = False
     """Creates an array of DATA32 elements.
 
     Args:
-        elements: How many elements it has at first; 0 to 2147483647; DATA32.
-        handle: What names the array from now on; handle; an output, in global memory when omitted.
+        elements: Initial number of elements; 0 to 2147483647; DATA32.
+        handle: Handle of the new array; handle; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["ARRAY.CREATE32"].draft((elements, handle), unchecked)
@@ -81,19 +81,19 @@ def createf(elements: Number, handle: Output = None, *, unchecked: bool = False)
     """Creates an array of DATAF elements.
 
     Args:
-        elements: How many elements it has at first; 0 to 2147483647; DATA32.
-        handle: What names the array from now on; handle; an output, in global memory when omitted.
+        elements: Initial number of elements; 0 to 2147483647; DATA32.
+        handle: Handle of the new array; handle; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["ARRAY.CREATEF"].draft((elements, handle), unchecked)
 
 
 def resize(handle: Number, elements: Number, *, unchecked: bool = False) -> Draft:
-    """Changes how many elements an array has.
+    """Changes the number of elements of an array.
 
     Args:
         handle: The array; handle.
-        elements: How many elements it has from now on; 0 to 2147483647; DATA32.
+        elements: New number of elements; 0 to 2147483647; DATA32.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["ARRAY.RESIZE"].draft((handle, elements), unchecked)
@@ -111,11 +111,11 @@ def fill(handle: Number, value: Real, *, unchecked: bool = False) -> Draft:
 
 
 def copy(hsource: Number, hdest: Number, *, unchecked: bool = False) -> Draft:
-    """Copies the content of one array into another of the same type, which takes its size.
+    """Copies the content of one array into another of the same type, which is resized to match.
 
     Args:
         hsource: Array to copy from; handle.
-        hdest: Array to copy into, which has to exist; handle.
+        hdest: Array to copy into, which must exist; handle.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["ARRAY.COPY"].draft((hsource, hdest), unchecked)
@@ -156,7 +156,7 @@ def init8(
     Args:
         handle: The array; handle.
         index: First element to write, counted from 0; 0 to 2147483647; DATA32.
-        elements: How many values follow; 0 to 2147483647; DATA32; worked out when omitted.
+        elements: Number of values follow; 0 to 2147483647; DATA32; worked out when omitted.
         values: The values, one parameter each; a list of DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -198,7 +198,7 @@ def init16(
     Args:
         handle: The array; handle.
         index: First element to write, counted from 0; 0 to 2147483647; DATA32.
-        elements: How many values follow; 0 to 2147483647; DATA32; worked out when omitted.
+        elements: Number of values follow; 0 to 2147483647; DATA32; worked out when omitted.
         values: The values, one parameter each; a list of DATA16.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -240,7 +240,7 @@ def init32(
     Args:
         handle: The array; handle.
         index: First element to write, counted from 0; 0 to 2147483647; DATA32.
-        elements: How many values follow; 0 to 2147483647; DATA32; worked out when omitted.
+        elements: Number of values follow; 0 to 2147483647; DATA32; worked out when omitted.
         values: The values, one parameter each; a list of DATA32.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -282,7 +282,7 @@ def initf(
     Args:
         handle: The array; handle.
         index: First element to write, counted from 0; 0 to 2147483647; DATA32.
-        elements: How many values follow; 0 to 2147483647; DATA32; worked out when omitted.
+        elements: Number of values follow; 0 to 2147483647; DATA32; worked out when omitted.
         values: The values, one parameter each; a list of DATAF.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -290,12 +290,11 @@ def initf(
 
 
 def size(handle: Number, elements: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells how many elements an array has.
+    """Counts the elements of an array.
 
     Args:
         handle: The array; handle.
-        elements: How many elements it has, 0 where there is no such array; DATA32; an output, in global memory when
-            omitted.
+        elements: Number of elements, 0 if there is no such array; DATA32; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["ARRAY.SIZE"].draft((handle, elements), unchecked)
@@ -310,13 +309,13 @@ def read_content(
     *,
     unchecked: bool = False,
 ) -> Draft:
-    """Reads an array's content as bytes, of another program too.
+    """Reads an array's content as bytes, also of another program.
 
     Args:
         prgid: Slot of the program that owns the array; a member of SLOT; DATA16.
         handle: The array; handle.
         index: First byte in the array's content, whatever its elements; 0 to 2147483647; DATA32.
-        bytes: How many bytes; 0 to 2147483647 bytes; DATA32.
+        bytes: Number of bytes; 0 to 2147483647 bytes; DATA32.
         array: The bytes, zeros beyond the end of the array; as many values as BYTES says; DATA8; an output, in global
             memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
@@ -333,13 +332,13 @@ def write_content(
     *,
     unchecked: bool = False,
 ) -> Draft:
-    """Writes an array's content as bytes; the array then ends with them.
+    """Writes an array's content as bytes; the array then ends after them.
 
     Args:
         prgid: Slot of the program that owns the array; a member of SLOT; DATA16.
         handle: The array; handle.
         index: First byte in the array's content, whatever its elements; 0 to 2147483647; DATA32.
-        bytes: How many bytes; 0 to 2147483647 bytes; DATA32.
+        bytes: Number of bytes; 0 to 2147483647 bytes; DATA32.
         array: The bytes; as many values as BYTES says; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -347,12 +346,12 @@ def write_content(
 
 
 def read_size(prgid: AnySLOT, handle: Number, bytes: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells how many bytes an array's content has, of another program too.
+    """Returns the size of an array's content, also of another program.
 
     Args:
         prgid: Slot of the program that owns the array; a member of SLOT; DATA16.
         handle: The array; handle.
-        bytes: How many bytes, 0 where there is no such array; bytes; DATA32; an output, in global memory when omitted.
+        bytes: Number of bytes, 0 if there is no such array; bytes; DATA32; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["ARRAY.READ_SIZE"].draft((prgid, handle, bytes), unchecked)

@@ -33,10 +33,10 @@ _OPERATIONS = drafts("official")
 
 
 def get_on_off(hardware: AnyHWTYPE, active: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells whether Bluetooth or WiFi is on.
+    """Reports whether Bluetooth or WiFi is on.
 
     Args:
-        hardware: Which way to communicate; a member of HWTYPE; DATA8.
+        hardware: Carrier to use; a member of HWTYPE; DATA8.
         active: Whether it is on; 0 to 1; 0: off; 1: on; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -44,10 +44,10 @@ def get_on_off(hardware: AnyHWTYPE, active: Output = None, *, unchecked: bool = 
 
 
 def get_visible(hardware: AnyHWTYPE, visible: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells whether other devices can see the brick by Bluetooth.
+    """Reports whether other devices can see the brick by Bluetooth.
 
     Args:
-        hardware: Which way to communicate; a member of HWTYPE; DATA8.
+        hardware: Carrier to use; a member of HWTYPE; DATA8.
         visible: Whether it is visible; 0 to 1; 0: no; 1: yes; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -55,10 +55,10 @@ def get_visible(hardware: AnyHWTYPE, visible: Output = None, *, unchecked: bool 
 
 
 def get_result(hardware: AnyHWTYPE, item: Number, result: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells how a search or connection request is going.
+    """Reports the state of a search or connection request.
 
     Args:
-        hardware: Which way to communicate; a member of HWTYPE; DATA8.
+        hardware: Carrier to use; a member of HWTYPE; DATA8.
         item: Place in the list, ignored by the firmware; DATA8.
         result: State of the request; a member of RESULT; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
@@ -77,9 +77,9 @@ def get_pin(
     """Reads the PIN for a device, always 1234.
 
     Args:
-        hardware: Which way to communicate; a member of HWTYPE; DATA8.
+        hardware: Carrier to use; a member of HWTYPE; DATA8.
         name: Name of the other device or network; string.
-        length: Room for the PIN with its zero; bytes; DATA8.
+        length: Size of the PIN's buffer, including the zero; bytes; DATA8.
         pincode: The PIN; as many bytes as LENGTH says; string; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -87,11 +87,11 @@ def get_pin(
 
 
 def search_items(hardware: AnyHWTYPE, items: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells how many devices or networks a search found.
+    """Counts the devices or networks that a search found.
 
     Args:
-        hardware: Which way to communicate; a member of HWTYPE; DATA8.
-        items: How many the list has; DATA8; an output, in global memory when omitted.
+        hardware: Carrier to use; a member of HWTYPE; DATA8.
+        items: Number of entries in the list; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_GET.SEARCH_ITEMS"].draft((hardware, items), unchecked)
@@ -112,9 +112,9 @@ def search_item(
     """Describes one device or network that a search found.
 
     Args:
-        hardware: Which way to communicate; a member of HWTYPE; DATA8.
+        hardware: Carrier to use; a member of HWTYPE; DATA8.
         item: Place in the list, counted from 0; DATA8.
-        length: Room for the text with its zero; bytes; -1: as long as it gets (handles only); DATA8.
+        length: Size of the text buffer, including the zero; bytes; -1: unlimited (handles only); DATA8.
         name: Name of the other device or network; as many bytes as LENGTH says; string; an output, in global memory
             when omitted.
         paired: Whether it is paired (Bluetooth) or known (WiFi); 0 to 1; 0: no; 1: yes; DATA8; an output, in global
@@ -122,7 +122,7 @@ def search_item(
         connected: Whether it is connected; 0 to 1; 0: no; 1: yes; DATA8; an output, in global memory when omitted.
         type: Kind of device (Bluetooth) or encryption (WiFi); 0: WiFi, not encrypted; 1: WiFi, WPA2; a member of
             BTTYPE; DATA8; an output, in global memory when omitted.
-        visible: Whether it is in sight; 0 to 1; 0: no; 1: yes; DATA8; an output, in global memory when omitted.
+        visible: Whether it is in range; 0 to 1; 0: no; 1: yes; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_GET.SEARCH_ITEM"].draft(
@@ -131,11 +131,11 @@ def search_item(
 
 
 def favour_items(hardware: AnyHWTYPE, items: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells how many devices are paired, in sight or not.
+    """Counts the paired devices, in range or not.
 
     Args:
-        hardware: Which way to communicate; a member of HWTYPE; DATA8.
-        items: How many the list has; DATA8; an output, in global memory when omitted.
+        hardware: Carrier to use; a member of HWTYPE; DATA8.
+        items: Number of entries in the list; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_GET.FAVOUR_ITEMS"].draft((hardware, items), unchecked)
@@ -155,9 +155,9 @@ def favour_item(
     """Describes one paired device or known network.
 
     Args:
-        hardware: Which way to communicate; a member of HWTYPE; DATA8.
+        hardware: Carrier to use; a member of HWTYPE; DATA8.
         item: Place in the list, counted from 0; DATA8.
-        length: Room for the text with its zero; bytes; -1: as long as it gets (handles only); DATA8.
+        length: Size of the text buffer, including the zero; bytes; -1: unlimited (handles only); DATA8.
         name: Name of the other device or network; as many bytes as LENGTH says; string; an output, in global memory
             when omitted.
         paired: Whether it is paired (Bluetooth) or known (WiFi); 0 to 1; 0: no; 1: yes; DATA8; an output, in global
@@ -174,8 +174,8 @@ def get_id(hardware: AnyHWTYPE, length: Number, string: Output = None, *, unchec
     """Reads the brick's Bluetooth address.
 
     Args:
-        hardware: Which way to communicate; a member of HWTYPE; DATA8.
-        length: Room for the text with its zero; bytes; -1: as long as it gets (handles only); DATA8.
+        hardware: Carrier to use; a member of HWTYPE; DATA8.
+        length: Size of the text buffer, including the zero; bytes; -1: unlimited (handles only); DATA8.
         string: 12 hex digits; as many bytes as LENGTH says; string; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -186,7 +186,7 @@ def get_brickname(length: Number, name: Output = None, *, unchecked: bool = Fals
     """Reads the brick's name.
 
     Args:
-        length: Room for the text with its zero; bytes; -1: as long as it gets (handles only); DATA8.
+        length: Size of the text buffer, including the zero; bytes; -1: unlimited (handles only); DATA8.
         name: Name of the brick; as many bytes as LENGTH says; string; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -205,8 +205,8 @@ def get_network(
     """Reads network name and addresses, WiFi only.
 
     Args:
-        hardware: Which way to communicate; a member of HWTYPE; DATA8.
-        length: Room for each of the three texts with its zero; bytes; -1: as long as it gets (handles only); DATA8.
+        hardware: Carrier to use; a member of HWTYPE; DATA8.
+        length: Buffer size for each of the three texts, including the zero; bytes; -1: unlimited (handles only); DATA8.
         name: Name of the network, NONE without one; as many bytes as LENGTH says; string; an output, in global memory
             when omitted.
         mac: MAC address of the brick, ?? when WiFi is off; as many bytes as LENGTH says; string; an output, in global
@@ -219,35 +219,35 @@ def get_network(
 
 
 def get_present(hardware: AnyHWTYPE, ok: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells whether the hardware is there, for WiFi a known dongle.
+    """Reports whether the hardware is present (for WiFi: a known dongle).
 
     Args:
-        hardware: Which way to communicate; a member of HWTYPE; DATA8.
-        ok: Whether it is there; 0 to 1; 0: no; 1: yes; DATA8; an output, in global memory when omitted.
+        hardware: Carrier to use; a member of HWTYPE; DATA8.
+        ok: Whether it is present; 0 to 1; 0: no; 1: yes; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_GET.GET_PRESENT"].draft((hardware, ok), unchecked)
 
 
 def get_encrypt(hardware: AnyHWTYPE, item: Number, type: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells the encryption of a network, WiFi only.
+    """Reports the encryption of a network, WiFi only.
 
     Args:
-        hardware: Which way to communicate; a member of HWTYPE; DATA8.
+        hardware: Carrier to use; a member of HWTYPE; DATA8.
         item: Place in the list, counted from 0; DATA8.
-        type: Kind of encryption, the 2013 firmware says none; a member of ENCRYPT; DATA8; an output, in global memory
-            when omitted.
+        type: Kind of encryption; always none in the 2013 firmware; a member of ENCRYPT; DATA8; an output, in global
+            memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_GET.GET_ENCRYPT"].draft((hardware, item, type), unchecked)
 
 
 def connec_items(hardware: AnyHWTYPE, items: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells how many devices are connected, Bluetooth only.
+    """Counts the connected devices, Bluetooth only.
 
     Args:
-        hardware: Which way to communicate; a member of HWTYPE; DATA8.
-        items: How many the list has; DATA8; an output, in global memory when omitted.
+        hardware: Carrier to use; a member of HWTYPE; DATA8.
+        items: Number of entries in the list; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_GET.CONNEC_ITEMS"].draft((hardware, items), unchecked)
@@ -265,9 +265,9 @@ def connec_item(
     """Describes one connected device, Bluetooth only.
 
     Args:
-        hardware: Which way to communicate; a member of HWTYPE; DATA8.
+        hardware: Carrier to use; a member of HWTYPE; DATA8.
         item: Place in the list, counted from 0; DATA8.
-        length: Room for the text with its zero; bytes; -1: as long as it gets (handles only); DATA8.
+        length: Size of the text buffer, including the zero; bytes; -1: unlimited (handles only); DATA8.
         name: Name of the device; as many bytes as LENGTH says; string; an output, in global memory when omitted.
         type: Kind of device; a member of BTTYPE; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
@@ -283,11 +283,11 @@ def get_incoming(
     *,
     unchecked: bool = False,
 ) -> Draft:
-    """Tells which device asks for a connection, Bluetooth only.
+    """Reports which device asks for a connection, Bluetooth only.
 
     Args:
-        hardware: Which way to communicate; a member of HWTYPE; DATA8.
-        length: Room for the text with its zero; bytes; -1: as long as it gets (handles only); DATA8.
+        hardware: Carrier to use; a member of HWTYPE; DATA8.
+        length: Size of the text buffer, including the zero; bytes; -1: unlimited (handles only); DATA8.
         name: Name of the device; as many bytes as LENGTH says; string; an output, in global memory when omitted.
         type: Kind of device; a member of BTTYPE; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
@@ -296,10 +296,10 @@ def get_incoming(
 
 
 def get_mode2(hardware: AnyHWTYPE, active: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells whether Bluetooth is in its mode for Apple devices.
+    """Reports whether Bluetooth is in its mode for Apple devices.
 
     Args:
-        hardware: Which way to communicate; a member of HWTYPE; DATA8.
+        hardware: Carrier to use; a member of HWTYPE; DATA8.
         active: Whether it is on; 0 to 1; 0: off; 1: on; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """

@@ -22,14 +22,13 @@ def command(
     *,
     unchecked: bool = False,
 ) -> Draft:
-    """Tells where the direct command received last lies in the brick's memory.
+    """Returns the address of the last direct command received.
 
     Args:
-        length: Most bytes of code, ignored by the firmware; bytes; DATA32.
+        length: Maximum number of bytes of code, ignored by the firmware; bytes; DATA32.
         image: Address of the code; DATA32; an output, in global memory when omitted.
         global_: Address of its global memory; DATA32; an output, in global memory when omitted.
-        flag: Whether a command waits; 0 to 1; 0: none; 1: ready to run; DATA8; an output, in global memory when
-            omitted.
+        flag: Whether one is waiting; 0 to 1; 0: none; 1: ready to run; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_READ.COMMAND"].draft((length, image, global_, flag), unchecked)

@@ -47,22 +47,22 @@ _OPERATIONS = drafts("official")
 
 
 def open_append(name: Text, handle: Output = None, *, unchecked: bool = False) -> Draft:
-    """Opens a file to write at its end, creates it where there is none.
+    """Opens a file for appending; creates it if it does not exist.
 
     Args:
         name: Path of the file; a bare name is taken from the program's own folder; at most 119 characters; string.
-        handle: What names the file from now on; handle; an output, in global memory when omitted.
+        handle: Handle of the opened file; handle; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.OPEN_APPEND"].draft((name, handle), unchecked)
 
 
 def open_read(name: Text, handle: Output = None, size: Output = None, *, unchecked: bool = False) -> Draft:
-    """Opens a file to read.
+    """Opens a file for reading.
 
     Args:
         name: Path of the file; a bare name is taken from the program's own folder; at most 119 characters; string.
-        handle: What names the file from now on; handle; an output, in global memory when omitted.
+        handle: Handle of the opened file; handle; an output, in global memory when omitted.
         size: Size of the file; bytes; 0: not found; DATA32; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -70,11 +70,11 @@ def open_read(name: Text, handle: Output = None, size: Output = None, *, uncheck
 
 
 def open_write(name: Text, handle: Output = None, *, unchecked: bool = False) -> Draft:
-    """Creates a file or empties the one there is, and opens it to write.
+    """Creates or truncates a file and opens it for writing.
 
     Args:
         name: Path of the file; a bare name is taken from the program's own folder; at most 119 characters; string.
-        handle: What names the file from now on; handle; an output, in global memory when omitted.
+        handle: Handle of the opened file; handle; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.OPEN_WRITE"].draft((name, handle), unchecked)
@@ -85,8 +85,8 @@ def read_value(handle: Number, del_: AnyDEL, value: Output = None, *, unchecked:
 
     Args:
         handle: The open file; handle.
-        del_: What stands between two values in the file; a member of DEL; DATA8.
-        value: The number, 0 where the text is none; DATAF; an output, in global memory when omitted.
+        del_: Separator between two values in the file; a member of DEL; DATA8.
+        value: The number, 0 if the text is not a number; DATAF; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.READ_VALUE"].draft((handle, del_, value), unchecked)
@@ -105,9 +105,9 @@ def write_value(
 
     Args:
         handle: The open file; handle.
-        del_: What stands between two values in the file; a member of DEL; DATA8.
+        del_: Separator between two values in the file; a member of DEL; DATA8.
         value: The number; DATAF.
-        figures: Least width in characters, the decimal point included; DATA8.
+        figures: Minimum width in characters, including the decimal point; DATA8.
         decimals: Digits after the decimal point; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -119,9 +119,9 @@ def read_text(handle: Number, del_: AnyDEL, length: Number, text: Output = None,
 
     Args:
         handle: The open file; handle.
-        del_: What stands between two values in the file; a member of DEL; DATA8.
-        length: Most bytes to read; LEGO's firmware keeps the low 8 bits, so 127; bytes; DATA16.
-        text: The text, without a zero at its end when it fills all the room; as many bytes as LENGTH says; string; an
+        del_: Separator between two values in the file; a member of DEL; DATA8.
+        length: Maximum number of bytes to read; LEGO's firmware keeps the low 8 bits, so 127; bytes; DATA16.
+        text: The text, without a zero at its end if it fills the whole buffer; as many bytes as LENGTH says; string; an
             output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -133,7 +133,7 @@ def write_text(handle: Number, del_: AnyDEL, text: Text, *, unchecked: bool = Fa
 
     Args:
         handle: The open file; handle.
-        del_: What stands between two values in the file; a member of DEL; DATA8.
+        del_: Separator between two values in the file; a member of DEL; DATA8.
         text: The text; string.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -141,7 +141,7 @@ def write_text(handle: Number, del_: AnyDEL, text: Text, *, unchecked: bool = Fa
 
 
 def close(handle: Number, *, unchecked: bool = False) -> Draft:
-    """Closes a file and gives its handle back.
+    """Closes a file and frees its handle.
 
     Args:
         handle: The open file; handle.
@@ -158,8 +158,7 @@ def load_image(prgid: AnySLOT, name: Text, size: Output = None, ip: Output = Non
         name: Path of the program, relative to /home/root/lms2012/sys; .rbf may be omitted; at most 119 characters;
             string.
         size: Size of the program; bytes; 0: not loaded; DATA32; an output, in global memory when omitted.
-        ip: Where it was loaded, to be handed to PROGRAM_START; 0: not loaded; DATA32; an output, in global memory when
-            omitted.
+        ip: Where it was loaded, for PROGRAM_START; 0: not loaded; DATA32; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.LOAD_IMAGE"].draft((prgid, name, size, ip), unchecked)
@@ -171,18 +170,19 @@ def get_handle(name: Text, handle: Output = None, write: Output = None, *, unche
     Args:
         name: Path of the file; a bare name is taken from the program's own folder; at most 119 characters; string.
         handle: The open file; -1: not open; handle; an output, in global memory when omitted.
-        write: Whether it is open to write or append; 0: no; 1: yes; DATA8; an output, in global memory when omitted.
+        write: Whether it is open for writing or appending; 0: no; 1: yes; DATA8; an output, in global memory when
+            omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.GET_HANDLE"].draft((name, handle, write), unchecked)
 
 
 def make_folder(name: Text, success: Output = None, *, unchecked: bool = False) -> Draft:
-    """Creates a folder unless it is there.
+    """Creates a folder unless it exists.
 
     Args:
         name: Path of the folder, relative to /home/root/lms2012/sys; at most 119 characters; string.
-        success: Whether the folder is there now; 0: no; 1: yes; DATA8; an output, in global memory when omitted.
+        success: Whether the folder exists now; 0: no; 1: yes; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.MAKE_FOLDER"].draft((name, success), unchecked)
@@ -193,7 +193,7 @@ def get_pool(size: Number, handle: Output = None, ip: Output = None, *, unchecke
 
     Args:
         size: How much memory; 0 to 2147483647 bytes; DATA32.
-        handle: What names the block from now on; handle; an output, in global memory when omitted.
+        handle: Handle of the block; handle; an output, in global memory when omitted.
         ip: Address of the block; DATA32; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -201,7 +201,7 @@ def get_pool(size: Number, handle: Output = None, ip: Output = None, *, unchecke
 
 
 def set_log_sync_time(time: Number, tick: Number, *, unchecked: bool = False) -> Draft:
-    """Stores the time and tick by which data logs are lined up.
+    """Stores the time and tick to which data logs are aligned.
 
     Args:
         time: The common time; DATA32.
@@ -216,14 +216,14 @@ def get_folders(name: Text, items: Output = None, *, unchecked: bool = False) ->
 
     Args:
         name: Path of the folder with its closing slash, such as ../prjs/; at most 119 characters; string.
-        items: How many entries there are; DATA8; an output, in global memory when omitted.
+        items: Number of entries; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.GET_FOLDERS"].draft((name, items), unchecked)
 
 
 def get_log_sync_time(time: Output = None, tick: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells the time and tick by which data logs are lined up.
+    """Reads the time and tick to which data logs are aligned.
 
     Args:
         time: The common time; DATA32; an output, in global memory when omitted.
@@ -241,13 +241,13 @@ def get_subfolder_name(
     *,
     unchecked: bool = False,
 ) -> Draft:
-    """Tells the name of one entry of a folder.
+    """Reads the name of one entry of a folder.
 
     Args:
         name: Path of the folder with its closing slash, such as ../prjs/; at most 119 characters; string.
         item: Which entry of the folder, the first is 1; 1 to 127; DATA8.
-        length: Room for the string, its zero included; bytes; DATA8.
-        string: Its name without extension, empty where there is no such entry; as many bytes as LENGTH says; string; an
+        length: Size of the string's buffer, including the zero; bytes; DATA8.
+        string: Its name without extension, empty if there is no such entry; as many bytes as LENGTH says; string; an
             output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -260,7 +260,7 @@ def write_log(handle: Number, time: Number, items: Number, values: Elements, *, 
     Args:
         handle: The open data log; handle.
         time: Time of the samples since the log began; ms; DATA32.
-        items: How many samples; with 0 nothing is written; 0 to 127; DATA8.
+        items: Number of samples; with 0 nothing is written; 0 to 127; DATA8.
         values: The samples, in one array; as many values as ITEMS says; DATAF.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -268,7 +268,7 @@ def write_log(handle: Number, time: Number, items: Number, values: Elements, *, 
 
 
 def close_log(handle: Number, name: Text, *, unchecked: bool = False) -> Draft:
-    """Writes a data log to its end and closes it.
+    """Writes the rest of a data log and closes it.
 
     Args:
         handle: The open data log; handle.
@@ -297,7 +297,7 @@ def get_item(name: Text, string: Text, item: Output = None, *, unchecked: bool =
     Args:
         name: Path of the folder with its closing slash, such as ../prjs/; at most 119 characters; string.
         string: Name to look for, without extension; string.
-        item: Which entry it is, the first is 1; 1 to 127; 0: not found; DATA8; an output, in global memory when
+        item: Number of the entry; the first is 1; 1 to 127; 0: not found; DATA8; an output, in global memory when
             omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -308,7 +308,7 @@ def get_cache_files(items: Output = None, *, unchecked: bool = False) -> Draft:
     """Counts the recently run files.
 
     Args:
-        items: How many there are, 10 at most; DATA8; an output, in global memory when omitted.
+        items: Number of files, at most 10; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.GET_CACHE_FILES"].draft((items,), unchecked)
@@ -325,12 +325,12 @@ def put_cache_file(string: Text, *, unchecked: bool = False) -> Draft:
 
 
 def get_cache_file(item: Number, length: Number, string: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells the path of one recently run file.
+    """Reads the path of one recently run file.
 
     Args:
         item: Which one, 1 is the latest; 1 to 10; DATA8.
-        length: Room for the string, its zero included; bytes; DATA8.
-        string: Path of the file, empty where there is none; as many bytes as LENGTH says; string; an output, in global
+        length: Size of the string's buffer, including the zero; bytes; DATA8.
+        string: Path of the file, empty if there is none; as many bytes as LENGTH says; string; an output, in global
             memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -338,10 +338,10 @@ def get_cache_file(item: Number, length: Number, string: Output = None, *, unche
 
 
 def del_cache_file(string: Text, *, unchecked: bool = False) -> Draft:
-    """Takes a file off the list of recently run files.
+    """Removes a file from the list of recently run files.
 
     Args:
-        string: Path of the file, as PUT_CACHE_FILE got it; string.
+        string: Path of the file, as given to PUT_CACHE_FILE; string.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.DEL_CACHE_FILE"].draft((string,), unchecked)
@@ -359,12 +359,12 @@ def del_subfolder(name: Text, item: Number, *, unchecked: bool = False) -> Draft
 
 
 def get_log_name(length: Number, name: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells the path of the data log that is open.
+    """Reads the path of the open data log.
 
     Args:
-        length: Room for the string, its zero included; bytes; DATA8.
-        name: Path of the log, empty where none is open; as many bytes as LENGTH says; string; an output, in global
-            memory when omitted.
+        length: Size of the string's buffer, including the zero; bytes; DATA8.
+        name: Path of the log, empty if none is open; as many bytes as LENGTH says; string; an output, in global memory
+            when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.GET_LOG_NAME"].draft((length, name), unchecked)
@@ -386,13 +386,13 @@ def open_log(
 
     Args:
         name: Path of the log; .rdf may be omitted; with an empty one it stays in memory; string.
-        syncedtime: The common time, as GET_LOG_SYNC_TIME tells it; DATA32.
+        syncedtime: The common time, as GET_LOG_SYNC_TIME returns it; DATA32.
         syncedtick: The brick's tick at that time; DATA32.
         nowtick: The brick's tick at the start of the log; DATA32.
         sample_interval_in_ms: Time between samples; fast logs are kept in memory first; ms; DATA32.
-        duration_in_ms: How long the log is to run; ms; DATA32.
+        duration_in_ms: Duration of the log; ms; DATA32.
         sdata: Text that describes the sensors, copied into the header; string.
-        handle: What names the log from now on; handle; an output, in global memory when omitted.
+        handle: Handle of the log; handle; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.OPEN_LOG"].draft(
@@ -401,12 +401,12 @@ def open_log(
 
 
 def read_bytes(handle: Number, bytes: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
-    """Reads bytes from a file as they are.
+    """Reads raw bytes from a file.
 
     Args:
         handle: The open file; handle.
-        bytes: How many bytes; 0 to 32767 bytes; DATA16.
-        destination: The bytes; a zero follows where the file ended early; as many values as BYTES says; DATA8; an
+        bytes: Number of bytes; 0 to 32767 bytes; DATA16.
+        destination: The bytes; followed by a zero if the file ended early; as many values as BYTES says; DATA8; an
             output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -414,11 +414,11 @@ def read_bytes(handle: Number, bytes: Number, destination: Output = None, *, unc
 
 
 def write_bytes(handle: Number, bytes: Number, source: Elements, *, unchecked: bool = False) -> Draft:
-    """Writes bytes to a file as they are.
+    """Writes raw bytes to a file.
 
     Args:
         handle: The open file; handle.
-        bytes: How many bytes; 0 to 32767 bytes; DATA16.
+        bytes: Number of bytes; 0 to 32767 bytes; DATA16.
         source: The bytes; as many values as BYTES says; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -436,11 +436,11 @@ def remove(name: Text, *, unchecked: bool = False) -> Draft:
 
 
 def move(source: Text, dest: Text, *, unchecked: bool = False) -> Draft:
-    """Copies a file or folder over whatever is at the destination; the source stays.
+    """Copies a file or folder and replaces the destination; the source is kept.
 
     Args:
         source: Path to copy from; string.
-        dest: Path to copy to; what is there is deleted first; string.
+        dest: Path to copy to; any existing one is deleted first; string.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.MOVE"].draft((source, dest), unchecked)

@@ -1,4 +1,4 @@
-"""FILENAME: takes file names apart, checks them, and packs files.
+"""FILENAME: splits and checks file names, and packs files.
 
 Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate.
 """
@@ -15,23 +15,22 @@ _OPERATIONS = drafts("official")
 
 
 def exist(name: Text, flag: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells whether a file or folder is there.
+    """Reports whether a file or folder exists.
 
     Args:
         name: Path of the file; a bare name is taken from the program's own folder; at most 119 characters; string.
-        flag: Whether it is there; 0: no; 1: yes; DATA8; an output, in global memory when omitted.
+        flag: Whether it exists; 0: no; 1: yes; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILENAME.EXIST"].draft((name, flag), unchecked)
 
 
 def totalsize(name: Text, files: Output = None, size: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells how many files a folder has and their size.
+    """Reports the number of files in a folder and their size.
 
     Args:
         name: Path of the folder or file; string.
-        files: How many entries, with . and .. counted in; 0 for a file; DATA32; an output, in global memory when
-            omitted.
+        files: Number of entries, including . and ..; 0 for a file; DATA32; an output, in global memory when omitted.
         size: Size of all of them, rounded up; KiB; DATA32; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -47,12 +46,12 @@ def split(
     *,
     unchecked: bool = False,
 ) -> Draft:
-    """Takes a path apart into folder, name and extension.
+    """Splits a path into folder, name and extension.
 
     Args:
         filename: The path; string.
-        length: Room for each of the three parts, its zero included; bytes; DATA8.
-        folder: The folder, on LEGO's firmware with its closing slash; as many bytes as LENGTH says; string; an output,
+        length: Buffer size for each of the three parts, including the zero; bytes; DATA8.
+        folder: The folder, with its closing slash on LEGO's firmware; as many bytes as LENGTH says; string; an output,
             in global memory when omitted.
         name: The name, without folder and extension; as many bytes as LENGTH says; string; an output, in global memory
             when omitted.
@@ -71,13 +70,13 @@ def merge(
     *,
     unchecked: bool = False,
 ) -> Draft:
-    """Puts a path together from folder, name and extension.
+    """Builds a path from folder, name and extension.
 
     Args:
         folder: The folder, without a slash at its end; string.
         name: The name; string.
         ext: The extension with its dot; string.
-        length: Room for the string, its zero included; bytes; DATA8.
+        length: Size of the string's buffer, including the zero; bytes; DATA8.
         filename: The path; as many bytes as LENGTH says; string; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -85,7 +84,7 @@ def merge(
 
 
 def check(filename: Text, ok: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells whether a path has allowed characters and lengths; the file need not exist.
+    """Reports whether a path's characters and lengths are allowed; the file need not exist.
 
     Args:
         filename: The path; string.
@@ -99,7 +98,7 @@ def pack(filename: Text, *, unchecked: bool = False) -> Draft:
     """Packs a file or folder into a .raf archive beside it.
 
     Args:
-        filename: Path of what to pack; string.
+        filename: Path of the file or folder; string.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILENAME.PACK"].draft((filename,), unchecked)
@@ -109,17 +108,17 @@ def unpack(filename: Text, *, unchecked: bool = False) -> Draft:
     """Unpacks a .raf archive into the folder it is in.
 
     Args:
-        filename: Path of the archive; whatever its extension, .raf is taken; string.
+        filename: Path of the archive; its extension is replaced by .raf; string.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILENAME.UNPACK"].draft((filename,), unchecked)
 
 
 def get_foldername(length: Number, foldername: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells the program's own folder.
+    """Reads the path of the program's own folder.
 
     Args:
-        length: Room for the string, its zero included; bytes; DATA8.
+        length: Size of the string's buffer, including the zero; bytes; DATA8.
         foldername: Path of the folder, without a slash at its end; as many bytes as LENGTH says; string; an output, in
             global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.

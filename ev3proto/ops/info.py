@@ -15,7 +15,7 @@ _OPERATIONS = drafts("official")
 
 
 def set_error(number: Number, *, unchecked: bool = False) -> Draft:
-    """Puts an error into the brick's error log.
+    """Adds an error to the brick's error log.
 
     Args:
         number: Number of the error; 0: nothing is logged; DATA8.
@@ -25,7 +25,7 @@ def set_error(number: Number, *, unchecked: bool = False) -> Draft:
 
 
 def get_error(number: Output = None, *, unchecked: bool = False) -> Draft:
-    """Takes the oldest error out of the brick's error log.
+    """Removes and returns the oldest error of the brick's error log.
 
     Args:
         number: Number of the error; 0: the log is empty; DATA8; an output, in global memory when omitted.
@@ -39,8 +39,8 @@ def errortext(number: Number, length: Number, destination: Output = None, *, unc
 
     Args:
         number: Number of the error; 0: gives an empty text; DATA8.
-        length: Room for the text, with its zero; bytes; -1: no limit; DATA8.
-        destination: Name of the error, less than 32 characters; as many bytes as LENGTH says; string; an output, in
+        length: Size of the text buffer, including the zero; bytes; -1: no limit; DATA8.
+        destination: Name of the error, at most 31 characters; as many bytes as LENGTH says; string; an output, in
             global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -51,7 +51,7 @@ def get_volume(value: Output = None, *, unchecked: bool = False) -> Draft:
     """Reads the volume setting.
 
     Args:
-        value: How loud; 0 to 100 %; DATA8; an output, in global memory when omitted.
+        value: Volume; 0 to 100 %; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INFO.GET_VOLUME"].draft((value,), unchecked)
@@ -61,27 +61,27 @@ def set_volume(value: Number, *, unchecked: bool = False) -> Draft:
     """Changes the volume setting.
 
     Args:
-        value: How loud; 0 to 100 %; DATA8.
+        value: Volume; 0 to 100 %; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INFO.SET_VOLUME"].draft((value,), unchecked)
 
 
 def get_minutes(value: Output = None, *, unchecked: bool = False) -> Draft:
-    """Reads after how long without use the brick powers off.
+    """Reads the idle time after which the brick powers off.
 
     Args:
-        value: Time without use; 0 to 120 min; 0: never; DATA8; an output, in global memory when omitted.
+        value: Idle time; 0 to 120 min; 0: never; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INFO.GET_MINUTES"].draft((value,), unchecked)
 
 
 def set_minutes(value: Number, *, unchecked: bool = False) -> Draft:
-    """Changes after how long without use the brick powers off.
+    """Changes the idle time after which the brick powers off.
 
     Args:
-        value: Time without use; 0 to 120 min; 0: never; DATA8.
+        value: Idle time; 0 to 120 min; 0: never; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INFO.SET_MINUTES"].draft((value,), unchecked)

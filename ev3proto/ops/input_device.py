@@ -63,16 +63,16 @@ def get_format(
     *,
     unchecked: bool = False,
 ) -> Draft:
-    """Tells the shape of a device's values in its present mode.
+    """Describes the values of a device in its current mode.
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
         no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1; 1: port 2; 2: port 3; 3: port 4; 16: motor
             port A; 17: motor port B; 18: motor port C; 19: motor port D; DATA8.
-        datasets: How many values one reading has; DATA8; an output, in global memory when omitted.
+        datasets: Number of values in one reading; DATA8; an output, in global memory when omitted.
         format: Type of one raw value; 0 to 3; a member of DATA_FORMAT; DATA8; an output, in global memory when omitted.
-        modes: How many modes the device has; 1 to 8; DATA8; an output, in global memory when omitted.
-        views: How many of the modes are shown to users; 1 to 8; DATA8; an output, in global memory when omitted.
+        modes: Number of modes of the device; 1 to 8; DATA8; an output, in global memory when omitted.
+        views: Number of modes shown to users; 1 to 8; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_DEVICE.GET_FORMAT"].draft((layer, no, datasets, format, modes, views), unchecked)
@@ -92,7 +92,7 @@ def cal_minmax(type: AnyTYPE, mode: Number, cal_min: Number, cal_max: Number, *,
 
 
 def cal_default(type: AnyTYPE, mode: Number, *, unchecked: bool = False) -> Draft:
-    """Goes back to the built-in scaling of a type and mode.
+    """Restores the built-in scaling of a type and mode.
 
     Args:
         type: Type of device the calibration is for; a member of TYPE; DATA8.
@@ -110,7 +110,7 @@ def get_typemode(
     *,
     unchecked: bool = False,
 ) -> Draft:
-    """Tells which device is at a port and in which mode.
+    """Reports the device at a port and its mode.
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
@@ -131,15 +131,15 @@ def get_symbol(
     *,
     unchecked: bool = False,
 ) -> Draft:
-    """Reads the symbol of the unit of the present mode.
+    """Reads the symbol of the unit of the current mode.
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
         no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1; 1: port 2; 2: port 3; 3: port 4; 16: motor
             port A; 17: motor port B; 18: motor port C; 19: motor port D; DATA8.
-        length: Room for the text with its zero; bytes; -1: as long as it is (handles only); DATA8.
-        destination: Symbol, filled up with blanks; as many bytes as LENGTH says; string; an output, in global memory
-            when omitted.
+        length: Size of the text buffer, including the zero; bytes; -1: unlimited (handles only); DATA8.
+        destination: Symbol, padded with blanks; as many bytes as LENGTH says; string; an output, in global memory when
+            omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_DEVICE.GET_SYMBOL"].draft((layer, no, length, destination), unchecked)
@@ -181,16 +181,16 @@ def setup(
     *,
     unchecked: bool = False,
 ) -> Draft:
-    """Writes to an I2C sensor and reads its answer, again and again if asked to.
+    """Writes to an I2C sensor and reads its answer, repeatedly if requested.
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
         no: Sensor port, counted from 0; 0 to 3; 0: port 1; 1: port 2; 2: port 3; 3: port 4; DATA8.
-        repeat: How often to write and read; 0: without end; DATA8.
+        repeat: Number of repeats; 0: endless; DATA8.
         time: Time between repeats; 10 to 1000 ms; 0: 10 ms; DATA16.
-        write_len: How many bytes to write; 0 to 32 bytes; DATA8.
+        write_len: Number of bytes to write; 0 to 32 bytes; DATA8.
         write_data: Bytes to write: I2C address, register, data; as many values as WRITE_LEN says; DATA8.
-        read_len: How many bytes to read, negative: in reverse order; -32 to 32 bytes; DATA8.
+        read_len: Number of bytes to read, negative: in reverse order; -32 to 32 bytes; DATA8.
         read_data: Bytes read; as many values as READ_LEN says; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -216,14 +216,14 @@ def get_raw(layer: Number, no: Number, value: Output = None, *, unchecked: bool 
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
         no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1; 1: port 2; 2: port 3; 3: port 4; 16: motor
             port A; 17: motor port B; 18: motor port C; 19: motor port D; DATA8.
-        value: Raw value, NaN where there is none; DATA32; an output, in global memory when omitted.
+        value: Raw value, NaN if there is none; DATA32; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_DEVICE.GET_RAW"].draft((layer, no, value), unchecked)
 
 
 def get_connection(layer: Number, no: Number, conn: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells how the device at a port is connected.
+    """Reports how the device at a port is connected.
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
@@ -257,10 +257,10 @@ def set_typemode(
     """Renumbers an entry of the table of device types, third party types only.
 
     Args:
-        type: Type the entry has; 50 to 98; a member of TYPE; DATA8.
-        mode: Mode the entry has; 0 to 7; DATA8.
-        newtype: Type the entry shall have; 50 to 98; a member of TYPE; DATA8.
-        newmode: Mode the entry shall have; 0 to 7; DATA8.
+        type: Type of the entry; 50 to 98; a member of TYPE; DATA8.
+        mode: Mode of the entry; 0 to 7; DATA8.
+        newtype: New type of the entry; 50 to 98; a member of TYPE; DATA8.
+        newmode: New mode of the entry; 0 to 7; DATA8.
         error: Whether it failed; 0 to 1; 0: done; 1: failed or not found; DATA8; an output, in global memory when
             omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
@@ -279,14 +279,14 @@ def ready_iic(
     *,
     unchecked: bool = False,
 ) -> Draft:
-    """Writes to an I2C sensor once, waits for its answer and tells how it went.
+    """Writes to an I2C sensor once, waits for its answer and reports the result.
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
         no: Sensor port, counted from 0; 0 to 3; 0: port 1; 1: port 2; 2: port 3; 3: port 4; DATA8.
-        wrlng: How many bytes to write; 0 to 32 bytes; DATA8.
+        wrlng: Number of bytes to write; 0 to 32 bytes; DATA8.
         wrdata: Bytes to write: I2C address, register, data; as many values as WRLNG says; DATA8.
-        rdlng: How many bytes to read, negative: in reverse order; -32 to 32 bytes; DATA8.
+        rdlng: Number of bytes to read, negative: in reverse order; -32 to 32 bytes; DATA8.
         rddata: Bytes read; as many values as RDLNG says; DATA8; an output, in global memory when omitted.
         result: How the transfer ended; a member of RESULT; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
@@ -302,14 +302,14 @@ def get_name(
     *,
     unchecked: bool = False,
 ) -> Draft:
-    """Reads the name of a device in its present mode, such as TOUCH or COL-REFLECT.
+    """Reads the name of a device in its current mode, such as TOUCH or COL-REFLECT.
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
         no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1; 1: port 2; 2: port 3; 3: port 4; 16: motor
             port A; 17: motor port B; 18: motor port C; 19: motor port D; DATA8.
-        length: Room for the text with its zero; bytes; -1: as long as it is (handles only); DATA8.
-        destination: Name, filled up with blanks; as many bytes as LENGTH says; string; an output, in global memory when
+        length: Size of the text buffer, including the zero; bytes; -1: unlimited (handles only); DATA8.
+        destination: Name, padded with blanks; as many bytes as LENGTH says; string; an output, in global memory when
             omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -332,8 +332,8 @@ def get_modename(
         no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1; 1: port 2; 2: port 3; 3: port 4; 16: motor
             port A; 17: motor port B; 18: motor port C; 19: motor port D; DATA8.
         mode: Mode to name; 0 to 7; DATA8.
-        length: Room for the text with its zero; bytes; -1: as long as it is (handles only); DATA8.
-        destination: Name, filled up with blanks; as many bytes as LENGTH says; string; an output, in global memory when
+        length: Size of the text buffer, including the zero; bytes; -1: unlimited (handles only); DATA8.
+        destination: Name, padded with blanks; as many bytes as LENGTH says; string; an output, in global memory when
             omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -341,14 +341,14 @@ def get_modename(
 
 
 def set_raw(layer: Number, no: Number, type: AnyTYPE, value: Number, *, unchecked: bool = False) -> Draft:
-    """Pretends that a device has read this raw value.
+    """Simulates a raw value of a device.
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
         no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1; 1: port 2; 2: port 3; 3: port 4; 16: motor
             port A; 17: motor port B; 18: motor port C; 19: motor port D; DATA8.
-        type: Type the device shall have; 0: keep the type; a member of TYPE; DATA8.
-        value: Raw value to pretend; DATA32.
+        type: Type to set; 0: keep the type; a member of TYPE; DATA8.
+        value: Raw value to simulate; DATA32.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_DEVICE.SET_RAW"].draft((layer, no, type, value), unchecked)
@@ -362,13 +362,13 @@ def get_figures(
     *,
     unchecked: bool = False,
 ) -> Draft:
-    """Tells how many digits a value of the present mode needs.
+    """Reports the number of digits that a value of the current mode needs.
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
         no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1; 1: port 2; 2: port 3; 3: port 4; 16: motor
             port A; 17: motor port B; 18: motor port C; 19: motor port D; DATA8.
-        figures: Characters in all, with point and decimals; DATA8; an output, in global memory when omitted.
+        figures: Total number of characters, with point and decimals; DATA8; an output, in global memory when omitted.
         decimals: Digits after the point; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -376,7 +376,7 @@ def get_figures(
 
 
 def get_changes(layer: Number, no: Number, value: Output = None, *, unchecked: bool = False) -> Draft:
-    """Reads how often a touch sensor changed in positive direction since CLR_CHANGES.
+    """Reads how often a touch sensor changed to pressed since CLR_CHANGES.
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
@@ -415,9 +415,9 @@ def ready_pct(
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
         no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1; 1: port 2; 2: port 3; 3: port 4; 16: motor
             port A; 17: motor port B; 18: motor port C; 19: motor port D; DATA8.
-        type: Type the device shall have; 0: keep the type; a member of TYPE; DATA8.
-        mode: Mode the device shall have; 0 to 7; -1: keep the mode; DATA8.
-        values: How many values follow, each in percent; a list of DATA8; an output for each: a list of variables, or
+        type: Type to set; 0: keep the type; a member of TYPE; DATA8.
+        mode: Mode to set; 0 to 7; -1: keep the mode; DATA8.
+        values: Number of values follow, each in percent; a list of DATA8; an output for each: a list of variables, or
             how many; one when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -439,9 +439,9 @@ def ready_raw(
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
         no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1; 1: port 2; 2: port 3; 3: port 4; 16: motor
             port A; 17: motor port B; 18: motor port C; 19: motor port D; DATA8.
-        type: Type the device shall have; 0: keep the type; a member of TYPE; DATA8.
-        mode: Mode the device shall have; 0 to 7; -1: keep the mode; DATA8.
-        values: How many raw values follow; a list of DATA32; an output for each: a list of variables, or how many; one
+        type: Type to set; 0: keep the type; a member of TYPE; DATA8.
+        mode: Mode to set; 0 to 7; -1: keep the mode; DATA8.
+        values: Number of raw values follow; a list of DATA32; an output for each: a list of variables, or how many; one
             when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -463,9 +463,9 @@ def ready_si(
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
         no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1; 1: port 2; 2: port 3; 3: port 4; 16: motor
             port A; 17: motor port B; 18: motor port C; 19: motor port D; DATA8.
-        type: Type the device shall have; 0: keep the type; a member of TYPE; DATA8.
-        mode: Mode the device shall have; 0 to 7; -1: keep the mode; DATA8.
-        values: How many values follow, each in SI units; a list of DATAF; an output for each: a list of variables, or
+        type: Type to set; 0: keep the type; a member of TYPE; DATA8.
+        mode: Mode to set; 0 to 7; -1: keep the mode; DATA8.
+        values: Number of values follow, each in SI units; a list of DATAF; an output for each: a list of variables, or
             how many; one when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -473,7 +473,7 @@ def ready_si(
 
 
 def get_minmax(layer: Number, no: Number, min: Output = None, max: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells between which SI values the present mode moves.
+    """Reports the range of SI values of the current mode.
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
@@ -487,7 +487,7 @@ def get_minmax(layer: Number, no: Number, min: Output = None, max: Output = None
 
 
 def get_bumps(layer: Number, no: Number, value: Output = None, *, unchecked: bool = False) -> Draft:
-    """Reads how often a touch sensor changed in negative direction since CLR_CHANGES.
+    """Reads how often a touch sensor changed to released since CLR_CHANGES.
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.

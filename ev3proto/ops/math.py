@@ -53,7 +53,7 @@ def mod(x: Real, y: Real, r: Output = None, *, unchecked: bool = False) -> Draft
     Args:
         x: Number to divide; DATAF.
         y: Number to divide by; DATAF.
-        r: What is left over, with the sign of X; DATAF; an output, in global memory when omitted.
+        r: Remainder, with the sign of X; DATAF; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MATH.MOD"].draft((x, y, r), unchecked)
@@ -219,7 +219,7 @@ def mod8(x: Number, y: Number, r: Output = None, *, unchecked: bool = False) -> 
     Args:
         x: Number to divide; DATA8.
         y: Number to divide by, not 0; DATA8.
-        r: What is left over, with the sign of X; DATA8; an output, in global memory when omitted.
+        r: Remainder, with the sign of X; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MATH.MOD8"].draft((x, y, r), unchecked)
@@ -231,7 +231,7 @@ def mod16(x: Number, y: Number, r: Output = None, *, unchecked: bool = False) ->
     Args:
         x: Number to divide; DATA16.
         y: Number to divide by, not 0; DATA16.
-        r: What is left over, with the sign of X; DATA16; an output, in global memory when omitted.
+        r: Remainder, with the sign of X; DATA16; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MATH.MOD16"].draft((x, y, r), unchecked)
@@ -243,7 +243,7 @@ def mod32(x: Number, y: Number, r: Output = None, *, unchecked: bool = False) ->
     Args:
         x: Number to divide; DATA32.
         y: Number to divide by, not 0; DATA32.
-        r: What is left over, with the sign of X; DATA32; an output, in global memory when omitted.
+        r: Remainder, with the sign of X; DATA32; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MATH.MOD32"].draft((x, y, r), unchecked)
@@ -266,7 +266,7 @@ def trunc(x: Real, p: Number, r: Output = None, *, unchecked: bool = False) -> D
 
     Args:
         x: Number to work on; DATAF.
-        p: How many decimals to keep (more than 6 are not there); 0 to 9; DATA8.
+        p: Number of decimals to keep (at most 6 are available); 0 to 9; DATA8.
         r: Result; DATAF; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """

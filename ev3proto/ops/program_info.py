@@ -48,7 +48,7 @@ def get_status(prgid: AnySLOT, data: Output = None, *, unchecked: bool = False) 
 
 
 def get_speed(prgid: AnySLOT, data: Output = None, *, unchecked: bool = False) -> Draft:
-    """Asks how fast a program runs.
+    """Asks for a program's speed.
 
     Args:
         prgid: Program slot; a member of SLOT; DATA16.

@@ -23,9 +23,9 @@ def tone(volume: Number, frequency: Number, duration: Number, *, unchecked: bool
     """Plays one tone and returns at once.
 
     Args:
-        volume: How loud; 0 to 100 %; 0: silent; DATA8.
-        frequency: Pitch; the driver moves others into the range; 250 to 10000 Hz; DATA16.
-        duration: How long, read without sign (-1 is 65535); ms; 0: until BREAK or the next sound; DATA16.
+        volume: Volume; 0 to 100 %; 0: silent; DATA8.
+        frequency: Pitch; the driver clamps it to the range; 250 to 10000 Hz; DATA16.
+        duration: Duration, read unsigned (-1 is 65535); ms; 0: until BREAK or the next sound; DATA16.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["SOUND.TONE"].draft((volume, frequency, duration), unchecked)
@@ -35,7 +35,7 @@ def play(volume: Number, name: Text, *, unchecked: bool = False) -> Draft:
     """Plays a sound file once and returns at once.
 
     Args:
-        volume: How loud; 0 to 100 %; 0: silent; DATA8.
+        volume: Volume; 0 to 100 %; 0: silent; DATA8.
         name: Sound file without its extension .rsf, absolute or relative to /home/root/lms2012/sys; at most 119
             characters; string.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
@@ -47,7 +47,7 @@ def repeat(volume: Number, name: Text, *, unchecked: bool = False) -> Draft:
     """Plays a sound file over and over until BREAK and returns at once.
 
     Args:
-        volume: How loud; 0 to 100 %; 0: silent; DATA8.
+        volume: Volume; 0 to 100 %; 0: silent; DATA8.
         name: Sound file without its extension .rsf, absolute or relative to /home/root/lms2012/sys; at most 119
             characters; string.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
@@ -56,5 +56,5 @@ def repeat(volume: Number, name: Text, *, unchecked: bool = False) -> Draft:
 
 
 def service(*, unchecked: bool = False) -> Draft:
-    """Does nothing here: the firmware itself feeds its sound driver by this number."""
+    """Does nothing; the number is used inside the firmware to feed the sound driver."""
     return _OPERATIONS["SOUND.SERVICE"].draft((), unchecked)

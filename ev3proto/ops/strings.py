@@ -27,11 +27,11 @@ _OPERATIONS = drafts("official")
 
 
 def get_size(source1: Text, size: Output = None, *, unchecked: bool = False) -> Draft:
-    """Measures a text.
+    """Reads the length of a text.
 
     Args:
         source1: Text to work on; string.
-        size: Its length without the zero; bytes; DATA16; an output, in global memory when omitted.
+        size: Its length, not including the zero; bytes; DATA16; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["STRINGS.GET_SIZE"].draft((source1, size), unchecked)
@@ -43,19 +43,20 @@ def add(source1: Text, source2: Text, destination: Output = None, *, unchecked: 
     Args:
         source1: First part; string.
         source2: Second part; string.
-        destination: Resulting text, ended by its zero; string; an output, in global memory when omitted.
+        destination: Resulting text, zero-terminated; string; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["STRINGS.ADD"].draft((source1, source2, destination), unchecked)
 
 
 def compare(source1: Text, source2: Text, result: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells whether two texts are the same, upper and lower case kept apart.
+    """Reports whether two texts are equal; case matters.
 
     Args:
         source1: One text; string.
         source2: The other text; string.
-        result: Whether they match; 0 to 1; 0: different; 1: the same; DATA8; an output, in global memory when omitted.
+        result: Whether they are equal; 0 to 1; 0: different; 1: the same; DATA8; an output, in global memory when
+            omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["STRINGS.COMPARE"].draft((source1, source2, result), unchecked)
@@ -66,7 +67,7 @@ def duplicate(source1: Text, destination: Output = None, *, unchecked: bool = Fa
 
     Args:
         source1: Text to work on; string.
-        destination: Resulting text, ended by its zero; string; an output, in global memory when omitted.
+        destination: Resulting text, zero-terminated; string; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["STRINGS.DUPLICATE"].draft((source1, destination), unchecked)
@@ -80,13 +81,13 @@ def value_to_string(
     *,
     unchecked: bool = False,
 ) -> Draft:
-    """Writes a floating-point number as text, without zeros at its end.
+    """Writes a floating-point number as text, without trailing zeros.
 
     Args:
         value: Number to write; NaN becomes ----; DATAF.
-        figures: Width with the point; negative aligns left; characters; DATA8.
+        figures: Width, including the point; negative aligns left; characters; DATA8.
         decimals: Digits after the point; DATA8.
-        destination: Resulting text, ended by its zero; string; an output, in global memory when omitted.
+        destination: Resulting text, zero-terminated; string; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["STRINGS.VALUE_TO_STRING"].draft((value, figures, decimals, destination), unchecked)
@@ -108,31 +109,31 @@ def strip(source1: Text, destination: Output = None, *, unchecked: bool = False)
 
     Args:
         source1: Text to work on; string.
-        destination: Resulting text, ended by its zero; string; an output, in global memory when omitted.
+        destination: Resulting text, zero-terminated; string; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["STRINGS.STRIP"].draft((source1, destination), unchecked)
 
 
 def number_to_string(value: Number, figures: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
-    """Writes a whole number as text, with zeros in front.
+    """Writes a whole number as text, with leading zeros.
 
     Args:
         value: Number to write; DATA16.
         figures: Width of the text; characters; DATA8.
-        destination: Resulting text, ended by its zero; string; an output, in global memory when omitted.
+        destination: Resulting text, zero-terminated; string; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["STRINGS.NUMBER_TO_STRING"].draft((value, figures, destination), unchecked)
 
 
 def sub(source1: Text, source2: Text, destination: Output = None, *, unchecked: bool = False) -> Draft:
-    """Takes from a text what comes after another text found in it.
+    """Returns the part of a text after another text found in it.
 
     Args:
         source1: Text to search; string.
-        source2: Text to find; it should be there; string.
-        destination: Resulting text, ended by its zero; string; an output, in global memory when omitted.
+        source2: Text to find; must occur; string.
+        destination: Resulting text, zero-terminated; string; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["STRINGS.SUB"].draft((source1, source2, destination), unchecked)
@@ -151,7 +152,7 @@ def value_formatted(
     Args:
         value: Number to write; DATAF.
         format: Format, such as %5.2f; string.
-        size: Room for the text, with its zero; bytes; DATA8.
+        size: Size of the text buffer, including the zero; bytes; DATA8.
         destination: Resulting text; as many bytes as SIZE says; string; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -171,7 +172,7 @@ def number_formatted(
     Args:
         value: Number to write; DATA32.
         format: Format, such as %05d or %X; string.
-        size: Room for the text, with its zero; bytes; DATA8.
+        size: Size of the text buffer, including the zero; bytes; DATA8.
         destination: Resulting text; as many bytes as SIZE says; string; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """

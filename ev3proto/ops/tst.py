@@ -1,4 +1,4 @@
-"""TST: tests the hardware, as the factory does; all but TST_OPEN fail unless opened before.
+"""TST: tests the hardware, as the factory does; all fail before TST_OPEN.
 
 Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate.
 """
@@ -30,7 +30,7 @@ _OPERATIONS = drafts("official")
 
 
 def tst_open(*, unchecked: bool = False) -> Draft:
-    """Allows test commands for 10 seconds; each one renews the time."""
+    """Allows test commands for 10 seconds; each one restarts the timer."""
     return _OPERATIONS["TST.TST_OPEN"].draft((), unchecked)
 
 
@@ -44,7 +44,7 @@ def tst_read_pins(port: Number, length: Number, string: Output = None, *, unchec
 
     Args:
         port: Connector: 0..3 are sensor ports 1-4, 16..19 are motor ports A-D; 0 to 19; DATA8.
-        length: How many pins to read, usually 5; DATA8.
+        length: Number of pins to read, usually 5; DATA8.
         string: One character per pin: 0 low, 1 high; as many values as LENGTH says; DATA8; an output, in global memory
             when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
@@ -57,8 +57,8 @@ def tst_write_pins(port: Number, length: Number, string: Elements, *, unchecked:
 
     Args:
         port: Connector: 0..3 are sensor ports 1-4, 16..19 are motor ports A-D; 0 to 19; DATA8.
-        length: How many pins to set, usually 5; DATA8.
-        string: One character per pin: 0 low, 1 high, X floating, - as it is; as many values as LENGTH says; DATA8.
+        length: Number of pins to set, usually 5; DATA8.
+        string: One character per pin: 0 low, 1 high, X floating, - unchanged; as many values as LENGTH says; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["TST.TST_WRITE_PINS"].draft((port, length, string), unchecked)
@@ -77,11 +77,11 @@ def tst_read_adc(index: Number, value: Output = None, *, unchecked: bool = False
 
 
 def tst_write_uart(port: Number, length: Number, string: Elements, *, unchecked: bool = False) -> Draft:
-    """Sends bytes out of a sensor port's serial line.
+    """Sends bytes on a sensor port's serial line.
 
     Args:
-        port: Sensor port less one; 0 to 3; DATA8.
-        length: How many bytes to send; 0 to 63 bytes; DATA8.
+        port: Sensor port minus one; 0 to 3; DATA8.
+        length: Number of bytes to send; 0 to 63 bytes; DATA8.
         string: The bytes; as many values as LENGTH says; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -89,12 +89,12 @@ def tst_write_uart(port: Number, length: Number, string: Elements, *, unchecked:
 
 
 def tst_read_uart(port: Number, length: Number, string: Output = None, *, unchecked: bool = False) -> Draft:
-    """Reads bytes that arrived on a sensor port's serial line.
+    """Reads the bytes received on a sensor port's serial line.
 
     Args:
-        port: Sensor port less one; 0 to 3; DATA8.
-        length: How many bytes to read; 0 to 63 bytes; DATA8.
-        string: The bytes, filled up with zeros; as many values as LENGTH says; DATA8; an output, in global memory when
+        port: Sensor port minus one; 0 to 3; DATA8.
+        length: Number of bytes to read; 0 to 63 bytes; DATA8.
+        string: The bytes, padded with zeros; as many values as LENGTH says; DATA8; an output, in global memory when
             omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -128,12 +128,12 @@ def tst_accu_switch(active: Output = None, *, unchecked: bool = False) -> Draft:
 
 
 def tst_boot_mode2(*, unchecked: bool = False) -> Draft:
-    """Starts mode 2 of Bluetooth, the one for Apple's devices."""
+    """Starts Bluetooth mode 2, for Apple devices."""
     return _OPERATIONS["TST.TST_BOOT_MODE2"].draft((), unchecked)
 
 
 def tst_poll_mode2(status: Output = None, *, unchecked: bool = False) -> Draft:
-    """Asks how far the start of Bluetooth's mode 2 is.
+    """Asks for the state of the start of Bluetooth mode 2.
 
     Args:
         status: OK, BUSY (still starting) or FAIL; 0 to 2; a member of RESULT; DATA8; an output, in global memory when
@@ -144,12 +144,12 @@ def tst_poll_mode2(status: Output = None, *, unchecked: bool = False) -> Draft:
 
 
 def tst_close_mode2(*, unchecked: bool = False) -> Draft:
-    """Ends mode 2 of Bluetooth."""
+    """Ends Bluetooth mode 2."""
     return _OPERATIONS["TST.TST_CLOSE_MODE2"].draft((), unchecked)
 
 
 def tst_ram_check(status: Output = None, *, unchecked: bool = False) -> Draft:
-    """Asks how the memory test at power-on went.
+    """Asks for the result of the memory test at power-on.
 
     Args:
         status: OK or FAIL; 0 to 2; a member of RESULT; DATA8; an output, in global memory when omitted.

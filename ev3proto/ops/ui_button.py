@@ -31,7 +31,7 @@ _OPERATIONS = drafts("official")
 
 
 def shortpress(button: AnyBUTTONTYPE, state: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells whether a button was pressed since last asked, and forgets it.
+    """Reports whether a button was pressed since the last query, and clears the press.
 
     Args:
         button: Which button; a member of BUTTONTYPE; DATA8.
@@ -42,7 +42,7 @@ def shortpress(button: AnyBUTTONTYPE, state: Output = None, *, unchecked: bool =
 
 
 def longpress(button: AnyBUTTONTYPE, state: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells whether a button was held for 3 s since last asked, and forgets it.
+    """Reports whether a button was held for 3 s since the last query, and clears it.
 
     Args:
         button: Which button; a member of BUTTONTYPE; DATA8.
@@ -59,7 +59,7 @@ def wait_for_press(*, unchecked: bool = False) -> Draft:
 
 
 def flush(*, unchecked: bool = False) -> Draft:
-    """Forgets all presses that nobody has asked for."""
+    """Clears all pending presses."""
     return _OPERATIONS["UI_BUTTON.FLUSH"].draft((), unchecked)
 
 
@@ -84,7 +84,7 @@ def release(button: AnyBUTTONTYPE, *, unchecked: bool = False) -> Draft:
 
 
 def get_horz(value: Output = None, *, unchecked: bool = False) -> Draft:
-    """Reads the left and right buttons as one axis, and forgets their presses.
+    """Reads the left and right buttons as one axis, and clears their presses.
 
     Args:
         value: Direction; -1 to 1; -1: left; 1: right; 0: not pressed; DATA16; an output, in global memory when omitted.
@@ -94,7 +94,7 @@ def get_horz(value: Output = None, *, unchecked: bool = False) -> Draft:
 
 
 def get_vert(value: Output = None, *, unchecked: bool = False) -> Draft:
-    """Reads the up and down buttons as one axis, and forgets their presses.
+    """Reads the up and down buttons as one axis, and clears their presses.
 
     Args:
         value: Direction; -1 to 1; -1: up; 1: down; 0: not pressed; DATA16; an output, in global memory when omitted.
@@ -104,7 +104,7 @@ def get_vert(value: Output = None, *, unchecked: bool = False) -> Draft:
 
 
 def pressed(button: AnyBUTTONTYPE, state: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells whether a button is down at the moment.
+    """Reports whether a button is down at the moment.
 
     Args:
         button: Which button; a member of BUTTONTYPE; DATA8.
@@ -115,7 +115,7 @@ def pressed(button: AnyBUTTONTYPE, state: Output = None, *, unchecked: bool = Fa
 
 
 def set_back_block(blocked: Number, *, unchecked: bool = False) -> Draft:
-    """Sets whether the back button is kept from ending the running program.
+    """Blocks or unblocks the back button, which ends the running program.
 
     Args:
         blocked: Whether the back button is blocked; 0 to 1; 0: not blocked; 1: blocked; DATA8.
@@ -125,7 +125,7 @@ def set_back_block(blocked: Number, *, unchecked: bool = False) -> Draft:
 
 
 def get_back_block(blocked: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells whether the back button is kept from ending the running program.
+    """Reports whether the back button is blocked.
 
     Args:
         blocked: Whether the back button is blocked; 0 to 1; 0: not blocked; 1: blocked; DATA8; an output, in global
@@ -136,7 +136,7 @@ def get_back_block(blocked: Output = None, *, unchecked: bool = False) -> Draft:
 
 
 def testshortpress(button: AnyBUTTONTYPE, state: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells like SHORTPRESS whether a button was pressed, without forgetting it.
+    """Reports, like SHORTPRESS, whether a button was pressed, without clearing the press.
 
     Args:
         button: Which button; a member of BUTTONTYPE; DATA8.
@@ -147,7 +147,7 @@ def testshortpress(button: AnyBUTTONTYPE, state: Output = None, *, unchecked: bo
 
 
 def testlongpress(button: AnyBUTTONTYPE, state: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells like LONGPRESS whether a button was held for 3 s, without forgetting it.
+    """Reports, like LONGPRESS, whether a button was held for 3 s, without clearing it.
 
     Args:
         button: Which button; a member of BUTTONTYPE; DATA8.
@@ -159,7 +159,7 @@ def testlongpress(button: AnyBUTTONTYPE, state: Output = None, *, unchecked: boo
 
 
 def get_bumbed(button: AnyBUTTONTYPE, state: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells whether a button was pressed and released since last asked, and forgets it.
+    """Reports whether a button was pressed and released since the last query, and clears it.
 
     Args:
         button: Which button; a member of BUTTONTYPE; DATA8.
@@ -171,7 +171,7 @@ def get_bumbed(button: AnyBUTTONTYPE, state: Output = None, *, unchecked: bool =
 
 
 def get_click(click: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells whether a key click is due because a press was handled, and forgets it.
+    """Reports whether a key click is due for a handled press, and clears it.
 
     Args:
         click: Whether a click is due; 0 to 1; 0: no; 1: yes; DATA8; an output, in global memory when omitted.

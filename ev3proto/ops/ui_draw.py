@@ -63,12 +63,12 @@ _OPERATIONS = drafts("official")
 
 
 def update(*, unchecked: bool = False) -> Draft:
-    """Shows on the display what has been drawn, and returns to the normal font."""
+    """Shows on the display what has been drawn, and restores the normal font."""
     return _OPERATIONS["UI_DRAW.UPDATE"].draft((), unchecked)
 
 
 def clean(*, unchecked: bool = False) -> Draft:
-    """Wipes the canvas white, and returns to the normal font."""
+    """Clears the canvas to white, and restores the normal font."""
     return _OPERATIONS["UI_DRAW.CLEAN"].draft((), unchecked)
 
 
@@ -112,7 +112,7 @@ def circle(color: NamedNumber, x0: Number, y0: Number, r: Number, *, unchecked: 
 
 
 def text(color: NamedNumber, x0: Number, y0: Number, string: Text, *, unchecked: bool = False) -> Draft:
-    """Draws text in the font that SELECT_FONT has chosen.
+    """Draws text in the font chosen by SELECT_FONT.
 
     Args:
         color: Colour to draw in; 0 to 1; 0: white; 1: black; DATA8.
@@ -147,7 +147,7 @@ def icon(
 
 
 def picture(color: NamedNumber, x0: Number, y0: Number, ip: Number, *, unchecked: bool = False) -> Draft:
-    """Draws a picture that is in memory.
+    """Draws a picture from memory.
 
     Args:
         color: Colour to draw in; 0 to 1; 0: white; 1: black; DATA8.
@@ -176,7 +176,7 @@ def value(
         x0: Left edge; 0 to 177 px; DATA16.
         y0: Top edge; 0 to 127 px; DATA16.
         value: Number to draw; DATAF.
-        figures: Characters in all, decimal point included; negative aligns left; DATA8.
+        figures: Total number of characters, including the decimal point; negative aligns left; DATA8.
         decimals: Digits after the decimal point; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -233,7 +233,7 @@ def notification(
         icon2: Second large icon; -1: none; a member of L_ICON_NO; DATA8.
         icon3: Third large icon; -1: none; a member of L_ICON_NO; DATA8.
         string: Text beside the icons; may be empty; string.
-        state: Variable the dialogue keeps its progress in; set to 0 before; 0 to 1; 0: start, or done; 1: being shown;
+        state: Variable for the dialogue's progress; must be 0 at first; 0 to 1; 0: start, or done; 1: being shown;
             DATA8, a variable that is read and written.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -261,9 +261,9 @@ def question(
         icon1: First large icon; -1: none; a member of L_ICON_NO; DATA8.
         icon2: Second large icon; -1: none; a member of L_ICON_NO; DATA8.
         string: Text of the question (LEGO's firmware does not show it); string.
-        state: Variable the dialogue keeps its progress in; set to 0 before; 0 to 1; 0: start, or done; 1: being shown;
+        state: Variable for the dialogue's progress; must be 0 at first; 0 to 1; 0: start, or done; 1: being shown;
             DATA8, a variable that is read and written.
-        ok: Answer; what the variable holds before is selected first; -1 to 1; 0: no; 1: yes; -1: left with the back
+        ok: Answer; the variable's previous value is selected at first; -1 to 1; 0: no; 1: yes; -1: closed with the back
             button; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -289,13 +289,13 @@ def keyboard(
         x0: Left edge; 0 to 177 px; DATA16.
         y0: Top edge; 0 to 127 px; DATA16.
         icon: Normal icon before the caption; a member of N_ICON_NO; DATA8.
-        length: Most bytes to return, the zero included; 0 to 127 bytes; DATA8.
+        length: Maximum number of bytes to return, including the zero; 0 to 127 bytes; DATA8.
         default: Caption above the text, not a preset as its name says; 0: none; string.
-        charset: Variable with the sum of what may be typed; becomes 0 once the keyboard shows; 0: being shown; 1: brick
-            name; 2: file name; 4: Bluetooth PIN; 8: WiFi password; 16: WiFi name; DATA8, a variable that is read and
-            written.
-        string: Text entered; what the variable holds before is edited, back button empties it; as many bytes as LENGTH
-            says; string; an output, in global memory when omitted.
+        charset: Variable with the sum of the allowed kinds of text; becomes 0 once the keyboard is shown; 0: being
+            shown; 1: brick name; 2: file name; 4: Bluetooth PIN; 8: WiFi password; 16: WiFi name; DATA8, a variable
+            that is read and written.
+        string: Entered text; the variable's previous text is edited, the back button empties it; as many bytes as
+            LENGTH says; string; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_DRAW.KEYBOARD"].draft((color, x0, y0, icon, length, default, charset, string), unchecked)
@@ -316,16 +316,16 @@ def browse(
     """Shows files and folders and waits until one is chosen.
 
     Args:
-        type: What is listed; a member of BROWSERTYPE; DATA8.
+        type: What to list; a member of BROWSERTYPE; DATA8.
         x0: Left edge; 0 to 177 px; DATA16.
         y0: Top edge; 0 to 127 px; DATA16.
         x1: Width; 0 to 178 px; DATA16.
         y1: Height; 0 to 128 px; DATA16.
-        length: Most bytes to return, the zero included; 0 to 127 bytes; DATA8.
-        item_type: Kind of what was chosen; set the variable to 0 before; a member of FILETYPE; DATA8; an output, in
+        length: Maximum number of bytes to return, including the zero; 0 to 127 bytes; DATA8.
+        item_type: Kind of the chosen entry; the variable must be 0 at first; a member of FILETYPE; DATA8; an output, in
             global memory when omitted.
-        string: Path of what was chosen; the variable holds the top folder before; as many bytes as LENGTH says; string;
-            an output, in global memory when omitted.
+        string: Path of the chosen entry; set the variable to the top folder first; as many bytes as LENGTH says;
+            string; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_DRAW.BROWSE"].draft((type, x0, y0, x1, y1, length, item_type, string), unchecked)
@@ -373,7 +373,7 @@ def inverserect(x0: Number, y0: Number, x1: Number, y1: Number, *, unchecked: bo
 
 
 def select_font(type: AnyFONTTYPE, *, unchecked: bool = False) -> Draft:
-    """Chooses the font for text until UPDATE, CLEAN or FILLWINDOW.
+    """Chooses the font for text, until UPDATE, CLEAN or FILLWINDOW.
 
     Args:
         type: Font; 0 to 3; a member of FONTTYPE; DATA8.
@@ -393,12 +393,12 @@ def topline(enable: Number, *, unchecked: bool = False) -> Draft:
 
 
 def fillwindow(color: NamedNumber, y0: Number, y1: Number, *, unchecked: bool = False) -> Draft:
-    """Fills rows over the whole width, and returns to the normal font.
+    """Fills rows over the whole width, and restores the normal font.
 
     Args:
         color: Colour to fill with; any other value makes a test pattern; 0: white; 1: black; DATA8.
         y0: Top edge; 0 to 127 px; DATA16.
-        y1: Height; nothing is filled where Y0 and it make 128 or more; 0 to 127 px; 0: down to the bottom; DATA16.
+        y1: Height; nothing is filled if Y0 plus it is 128 or more; 0 to 127 px; 0: down to the bottom; DATA16.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_DRAW.FILLWINDOW"].draft((color, y0, y1), unchecked)
@@ -408,7 +408,7 @@ def scroll(y: Number, *, unchecked: bool = False) -> Draft:
     """Moves the canvas up.
 
     Args:
-        y: How far; 1 to 127 px; DATA16.
+        y: Distance; 1 to 127 px; DATA16.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_DRAW.SCROLL"].draft((y,), unchecked)
@@ -450,14 +450,14 @@ def view_value(
     *,
     unchecked: bool = False,
 ) -> Draft:
-    """Draws a number centred in its place, with > instead of digits where it does not fit.
+    """Draws a number centred in its place, or > instead of digits if it does not fit.
 
     Args:
         color: Colour to draw in; 0 to 1; 0: white; 1: black; DATA8.
         x0: Left edge; 0 to 177 px; DATA16.
         y0: Top edge; 0 to 127 px; DATA16.
         value: Number to draw; DATAF.
-        figures: Characters in all, decimal point included; DATA8.
+        figures: Total number of characters, including the decimal point; DATA8.
         decimals: Digits after the decimal point; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -483,9 +483,9 @@ def view_unit(
         x0: Left edge; 0 to 177 px; DATA16.
         y0: Top edge; 0 to 127 px; DATA16.
         value: Number to draw; DATAF.
-        figures: Characters in all, decimal point included; DATA8.
+        figures: Total number of characters, including the decimal point; DATA8.
         decimals: Digits after the decimal point; DATA8.
-        length: Most bytes of the unit, the zero included; 0 to 127 bytes; DATA8.
+        length: Maximum number of bytes of the unit, including the zero; 0 to 127 bytes; DATA8.
         string: Unit to draw after the number; string.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -509,17 +509,17 @@ def store(no: Number, *, unchecked: bool = False) -> Draft:
     """Keeps a copy of the canvas.
 
     Args:
-        no: Memory for one screen; 0 holds the one from before the program ran; 0 to 2; DATA8.
+        no: Slot for one screen; 0 holds the screen from before the program ran; 0 to 2; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_DRAW.STORE"].draft((no,), unchecked)
 
 
 def restore(no: Number, *, unchecked: bool = False) -> Draft:
-    """Brings back a canvas kept by STORE.
+    """Restores a canvas kept by STORE.
 
     Args:
-        no: Memory for one screen; 0 holds the one from before the program ran; 0 to 2; DATA8.
+        no: Slot for one screen; 0 holds the screen from before the program ran; 0 to 2; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_DRAW.RESTORE"].draft((no,), unchecked)
@@ -540,9 +540,9 @@ def icon_question(
         color: Colour to draw in; 0 to 1; 0: white; 1: black; DATA8.
         x0: Left edge; 0 to 177 px; DATA16.
         y0: Top edge; 0 to 127 px; DATA16.
-        state: Variable the dialogue keeps its progress in; set to 0 before; 0 to 1; 0: start, or done; 1: being shown;
+        state: Variable for the dialogue's progress; must be 0 at first; 0 to 1; 0: start, or done; 1: being shown;
             DATA8, a variable that is read and written.
-        icons: Bit n stands for large icon n: before those to show, then the one chosen; 0: none: left with the back
+        icons: Bit n is large icon n: first the icons to show, then the chosen one; 0: none: closed with the back
             button; DATA32, a variable that is read and written.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -563,10 +563,10 @@ def bmpfile(color: Number, x0: Number, y0: Number, name: Text, *, unchecked: boo
 
 
 def popup(open: Number, *, unchecked: bool = False) -> Draft:
-    """Opens a window that only its opener draws on, or closes it and brings back the display.
+    """Opens a window that only its opener can draw on, or closes it and restores the display.
 
     Args:
-        open: What to do; 0 to 1; 0: close; 1: open; DATA8.
+        open: Action; 0 to 1; 0: close; 1: open; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_DRAW.POPUP"].draft((open,), unchecked)
@@ -584,17 +584,17 @@ def graph_setup(
     *,
     unchecked: bool = False,
 ) -> Draft:
-    """Sets up a graph of up to 8 curves; their arrays must outlive it, so useless in direct commands.
+    """Sets up a graph of up to 8 curves; useless in direct commands, since the arrays must outlive it.
 
     Args:
         x0: Left edge; 0 to 177 px; DATA16.
         x1: Width; 0 to 178 px; DATA16.
-        items: How many curves; 0 to 8; DATA8.
+        items: Number of curves; 0 to 8; DATA8.
         offset: Top edge of each curve; 0 to 127 px; as many values as ITEMS says; DATA16.
         span: Height of each curve; 0 to 128 px; as many values as ITEMS says; DATA16.
         min: Value at the bottom of each curve; as many values as ITEMS says; DATAF.
         max: Value at the top of each curve; as many values as ITEMS says; DATAF.
-        sample: Present value of each curve, read anew at each GRAPH_SAMPLE; as many values as ITEMS says; DATAF.
+        sample: Current value of each curve, read again at each GRAPH_SAMPLE; as many values as ITEMS says; DATAF.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_DRAW.GRAPH_SETUP"].draft((x0, x1, items, offset, span, min, max, sample), unchecked)
@@ -613,7 +613,7 @@ def graph_draw(
 
     Args:
         view: Curve to draw, counted from 0; any other value draws all and measures none; -1: all; DATA8.
-        actual: Latest value, not a number where there is none; DATAF; an output, in global memory when omitted.
+        actual: Latest value, NaN if there is none; DATAF; an output, in global memory when omitted.
         lowest: Lowest value in the graph; DATAF; an output, in global memory when omitted.
         highest: Highest value in the graph; DATAF; an output, in global memory when omitted.
         average: Mean of the values in the graph; DATAF; an output, in global memory when omitted.
@@ -642,10 +642,10 @@ def textbox(
         x1: Width; 0 to 178 px; DATA16.
         y1: Height; 0 to 128 px; DATA16.
         text: Whole text of the box, its lines separated by DEL; string.
-        size: Bytes that the box has for its text, the zero included; bytes; DATA32.
+        size: Size of the box's text buffer, including the zero; bytes; DATA32.
         del_: What separates the lines; a member of DEL; DATA8.
-        line: Variable, set to -1 before; then the line chosen, counted from 1; -1: start, or left with the back button;
-            0: being shown; DATA16, a variable that is read and written.
+        line: Variable, must be -1 at first; then the chosen line, counted from 1; -1: start, or closed with the back
+            button; 0: being shown; DATA16, a variable that is read and written.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_DRAW.TEXTBOX"].draft((x0, y0, x1, y1, text, size, del_, line), unchecked)

@@ -63,7 +63,7 @@ def get_os_vers(length: Number, destination: Output = None, *, unchecked: bool =
     """Reads name and version of the operating system.
 
     Args:
-        length: Most bytes to return, the zero included; 0 to 127 bytes; -1: no limit; DATA8.
+        length: Maximum number of bytes to return, including the zero; 0 to 127 bytes; -1: no limit; DATA8.
         destination: System and kernel release, such as Linux 2.6.33-rc4; as many bytes as LENGTH says; string; an
             output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
@@ -83,10 +83,10 @@ def get_event(event: Output = None, *, unchecked: bool = False) -> Draft:
 
 
 def get_tbatt(value: Output = None, *, unchecked: bool = False) -> Draft:
-    """Reads how much the batteries have warmed up, as estimated from the current.
+    """Reads the rise in battery temperature, estimated from the current.
 
     Args:
-        value: Estimated rise of the temperature; °C; DATAF; an output, in global memory when omitted.
+        value: Estimated rise in temperature; °C; DATAF; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_READ.GET_TBATT"].draft((value,), unchecked)
@@ -116,7 +116,7 @@ def get_string(length: Number, destination: Output = None, *, unchecked: bool = 
     """Waits for a line typed at the terminal and reads it.
 
     Args:
-        length: Most bytes to return; the zero comes on top; 0 to 127 bytes; DATA8.
+        length: Maximum number of bytes to return, not including the zero; 0 to 127 bytes; DATA8.
         destination: The line; as many bytes as LENGTH says; string; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -127,7 +127,7 @@ def get_hw_vers(length: Number, destination: Output = None, *, unchecked: bool =
     """Reads the hardware version.
 
     Args:
-        length: Most bytes to return, the zero included; 0 to 127 bytes; -1: no limit; DATA8.
+        length: Maximum number of bytes to return, including the zero; 0 to 127 bytes; -1: no limit; DATA8.
         destination: Hardware version, such as V0.60; as many bytes as LENGTH says; string; an output, in global memory
             when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
@@ -139,7 +139,7 @@ def get_fw_vers(length: Number, destination: Output = None, *, unchecked: bool =
     """Reads the firmware version.
 
     Args:
-        length: Most bytes to return, the zero included; 0 to 127 bytes; -1: no limit; DATA8.
+        length: Maximum number of bytes to return, including the zero; 0 to 127 bytes; -1: no limit; DATA8.
         destination: Firmware version, such as V1.04H; as many bytes as LENGTH says; string; an output, in global memory
             when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
@@ -148,10 +148,10 @@ def get_fw_vers(length: Number, destination: Output = None, *, unchecked: bool =
 
 
 def get_fw_build(length: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
-    """Reads when the firmware was built.
+    """Reads the build time of the firmware.
 
     Args:
-        length: Most bytes to return, the zero included; 0 to 127 bytes; -1: no limit; DATA8.
+        length: Maximum number of bytes to return, including the zero; 0 to 127 bytes; -1: no limit; DATA8.
         destination: Build time as yymmddhhmm; as many bytes as LENGTH says; string; an output, in global memory when
             omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
@@ -160,10 +160,10 @@ def get_fw_build(length: Number, destination: Output = None, *, unchecked: bool 
 
 
 def get_os_build(length: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
-    """Reads when the operating system was built.
+    """Reads the build time of the operating system.
 
     Args:
-        length: Most bytes to return, the zero included; 0 to 127 bytes; -1: no limit; DATA8.
+        length: Maximum number of bytes to return, including the zero; 0 to 127 bytes; -1: no limit; DATA8.
         destination: Build time as yymmddhhmm; as many bytes as LENGTH says; string; an output, in global memory when
             omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
@@ -189,13 +189,13 @@ def get_code(
     *,
     unchecked: bool = False,
 ) -> Draft:
-    """Waits for byte code typed as hex at the terminal and makes a program of it (debugging).
+    """Waits for byte code typed as hex at the terminal and builds a program from it (debugging).
 
     Args:
-        length: Most bytes of the program, headers included; bytes; DATA32.
+        length: Maximum number of bytes of the program, including headers; bytes; DATA32.
         image: Address of the memory where the program is built; DATA32.
         global_: Address of the program's global variables; DATA32; an output, in global memory when omitted.
-        flag: Whether the program can be started; 1 or left as it was; 1: ready; DATA8; an output, in global memory when
+        flag: Whether the program can be started; 1 or unchanged; 1: ready; DATA8; an output, in global memory when
             omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -213,7 +213,7 @@ def key(value: Output = None, *, unchecked: bool = False) -> Draft:
 
 
 def get_shutdown(flag: Output = None, *, unchecked: bool = False) -> Draft:
-    """Reads and clears the wish to shut down (used by the brick's own menus).
+    """Reads and clears the request to shut down (used by the brick's own menus).
 
     Args:
         flag: Whether the brick wants to shut down; 0 to 1; 0: no; 1: yes; DATA8; an output, in global memory when
@@ -224,7 +224,7 @@ def get_shutdown(flag: Output = None, *, unchecked: bool = False) -> Draft:
 
 
 def get_warning(warnings: Output = None, *, unchecked: bool = False) -> Draft:
-    """Reads what the brick warns of.
+    """Reads the brick's warnings.
 
     Args:
         warnings: One bit for each warning; 0: none; a member of WARNING; DATA8; an output, in global memory when
@@ -235,7 +235,7 @@ def get_warning(warnings: Output = None, *, unchecked: bool = False) -> Draft:
 
 
 def get_lbatt(pct: Output = None, *, unchecked: bool = False) -> Draft:
-    """Reads how full the battery is, derived from its voltage.
+    """Reads the battery level, derived from its voltage.
 
     Args:
         pct: Battery level; 0 to 100 %; DATA8; an output, in global memory when omitted.
@@ -258,11 +258,11 @@ def textbox_read(
 
     Args:
         text: Whole text of the box, its lines separated by DEL; string.
-        size: Bytes that the box has for its text, the zero included; bytes; DATA32.
+        size: Size of the box's text buffer, including the zero; bytes; DATA32.
         del_: What separates the lines; a member of DEL; DATA8.
-        length: Most bytes to return, the zero included; 0 to 127 bytes; -1: no limit; DATA8.
+        length: Maximum number of bytes to return, including the zero; 0 to 127 bytes; -1: no limit; DATA8.
         line: Which line, counted from 1; DATA16.
-        destination: The line, empty where there is no such line; as many bytes as LENGTH says; string; an output, in
+        destination: The line, empty if there is no such line; as many bytes as LENGTH says; string; an output, in
             global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -270,10 +270,10 @@ def textbox_read(
 
 
 def get_version(length: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
-    """Reads name, version and build date of the firmware in one.
+    """Reads name, version and build date of the firmware in one string.
 
     Args:
-        length: Most bytes to return, the zero included; 0 to 127 bytes; -1: no limit; DATA8.
+        length: Maximum number of bytes to return, including the zero; 0 to 127 bytes; -1: no limit; DATA8.
         destination: Such as LMS2012 V1.04H(Jul 26 2013 12:00:00); as many bytes as LENGTH says; string; an output, in
             global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
@@ -285,7 +285,7 @@ def get_ip(length: Number, destination: Output = None, *, unchecked: bool = Fals
     """Reads the brick's IP address.
 
     Args:
-        length: Most bytes to return, the zero included; 0 to 127 bytes; -1: no limit; DATA8.
+        length: Maximum number of bytes to return, including the zero; 0 to 127 bytes; -1: no limit; DATA8.
         destination: Address in dotted notation; as many bytes as LENGTH says; string; an output, in global memory when
             omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
@@ -314,7 +314,7 @@ def get_power(
 
 
 def get_sdcard(state: Output = None, total: Output = None, free: Output = None, *, unchecked: bool = False) -> Draft:
-    """Reads whether an SD card is in and its space.
+    """Reads whether an SD card is present, and its space.
 
     Args:
         state: Whether one is present; 0 to 1; 0: absent; 1: present; DATA8; an output, in global memory when omitted.
@@ -326,7 +326,7 @@ def get_sdcard(state: Output = None, total: Output = None, free: Output = None, 
 
 
 def get_usbstick(state: Output = None, total: Output = None, free: Output = None, *, unchecked: bool = False) -> Draft:
-    """Reads whether a USB stick is in and its space.
+    """Reads whether a USB stick is present, and its space.
 
     Args:
         state: Whether one is present; 0 to 1; 0: absent; 1: present; DATA8; an output, in global memory when omitted.

@@ -39,7 +39,7 @@ _OPERATIONS = drafts("official")
 
 
 def write_flush(*, unchecked: bool = False) -> Draft:
-    """Sends what is still in the terminal's buffer, like UI_FLUSH."""
+    """Sends the contents of the terminal's output buffer, like UI_FLUSH."""
     return _OPERATIONS["UI_WRITE.WRITE_FLUSH"].draft((), unchecked)
 
 
@@ -48,7 +48,7 @@ def floatvalue(value: Real, figures: Number, decimals: Number, *, unchecked: boo
 
     Args:
         value: Number to write; DATAF.
-        figures: Characters in all, decimal point included; negative aligns left; DATA8.
+        figures: Total number of characters, including the decimal point; negative aligns left; DATA8.
         decimals: Digits after the decimal point; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -56,7 +56,7 @@ def floatvalue(value: Real, figures: Number, decimals: Number, *, unchecked: boo
 
 
 def stamp(value: Text, *, unchecked: bool = False) -> Draft:
-    """Writes time, program, object, position and a remark to the terminal.
+    """Writes time, program, object, position and a comment to the terminal.
 
     Args:
         value: Remark; string.
@@ -86,7 +86,7 @@ def value8(value: Number, *, unchecked: bool = False) -> Draft:
 
 
 def value16(value: Number, *, unchecked: bool = False) -> Draft:
-    """Writes a whole number to the terminal, without its sign.
+    """Writes an unsigned whole number to the terminal.
 
     Args:
         value: Number to write; DATA16.
@@ -116,7 +116,7 @@ def valuef(value: Real, *, unchecked: bool = False) -> Draft:
 
 
 def address(value: Output = None, *, unchecked: bool = False) -> Draft:
-    """Has a number but no code in the firmware: the program that runs it fails.
+    """Not implemented in the firmware: the program that runs it fails.
 
     Args:
         value: Address; never written; DATA32; an output, in global memory when omitted.
@@ -130,7 +130,7 @@ def code(array: Number, length: Number, *, unchecked: bool = False) -> Draft:
 
     Args:
         array: Address of the bytes; DATA32.
-        length: How many bytes; bytes; DATA32.
+        length: Number of bytes; bytes; DATA32.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_WRITE.CODE"].draft((array, length), unchecked)
@@ -142,7 +142,7 @@ def download_end(*, unchecked: bool = False) -> Draft:
 
 
 def screen_block(status: Number, *, unchecked: bool = False) -> Draft:
-    """Blocks or frees the display and the buttons for programs.
+    """Blocks or unblocks the display and the buttons for programs.
 
     Args:
         status: Whether drawing is ignored; 0 to 1; 0: normal; 1: blocked; DATA8.
@@ -152,7 +152,7 @@ def screen_block(status: Number, *, unchecked: bool = False) -> Draft:
 
 
 def allow_pulse(value: Number, *, unchecked: bool = False) -> Draft:
-    """Selects the debug pulses that are shown (only in firmware built for it).
+    """Selects the debug pulses that are shown (only in debug builds of the firmware).
 
     Args:
         value: Sum of bits; 1: menu background; 2: browser; 4: key; DATA8.
@@ -162,7 +162,7 @@ def allow_pulse(value: Number, *, unchecked: bool = False) -> Draft:
 
 
 def set_pulse(value: Number, *, unchecked: bool = False) -> Draft:
-    """Raises debug pulses (only in firmware built for it).
+    """Raises debug pulses (only in debug builds of the firmware).
 
     Args:
         value: Sum of bits; 1: menu background; 2: browser; 4: key; DATA8.
@@ -177,7 +177,7 @@ def textbox_append(text: AnyVariable, size: Number, del_: AnyDEL, source: Text, 
     Args:
         text: Whole text of the box, its lines separated by DEL; as many bytes as SIZE says; string, a variable that is
             read and written.
-        size: Bytes that the box has for its text, the zero included; bytes; DATA32.
+        size: Size of the box's text buffer, including the zero; bytes; DATA32.
         del_: What separates the lines; a member of DEL; DATA8.
         source: Line to append; string.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
@@ -226,7 +226,7 @@ def led(pattern: AnyLEDPATTERN, *, unchecked: bool = False) -> Draft:
 
 
 def power(value: Number, *, unchecked: bool = False) -> Draft:
-    """Sets the power driver's flag for switching off when the firmware ends.
+    """Sets the flag that makes the power driver switch off when the firmware ends.
 
     Args:
         value: The flag; 0 to 1; DATA8.
@@ -236,7 +236,7 @@ def power(value: Number, *, unchecked: bool = False) -> Draft:
 
 
 def graph_sample(*, unchecked: bool = False) -> Draft:
-    """Adds the present values to the graph that GRAPH_SETUP has set up."""
+    """Adds the current values to the graph of GRAPH_SETUP."""
     return _OPERATIONS["UI_WRITE.GRAPH_SAMPLE"].draft((), unchecked)
 
 

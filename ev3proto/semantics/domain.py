@@ -141,7 +141,7 @@ def element(parameter: Parameter) -> str | None:
 
 
 def comment(parameter: Parameter) -> str:
-    """`how loud (0 to 100 %; 0: silent)`."""
+    """`volume (0 to 100 %; 0: silent)`."""
     pieces = list(facts(parameter, most_special=MOST_SPECIAL))
     each = element(parameter)
     if each is not None:

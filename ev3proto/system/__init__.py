@@ -45,10 +45,10 @@ def begin_download(
     counter: int = 0,
     reply: bool = True,
 ) -> SystemCommand:
-    """Opens a file on the brick for writing and says how long it will be.
+    """Opens a file on the brick for writing and announces its size.
 
     Args:
-        path: Where the file or folder is, absolute or relative to /home/root/lms2012/sys.
+        path: Path of the file or folder, absolute or relative to /home/root/lms2012/sys.
         size: Bytes of the whole file; 0 to 4294967295.
         data: The first bytes of the file, usually none.
         counter: Of the message, 0 to 65535.
@@ -73,8 +73,8 @@ def begin_upload(path: str, max_bytes: int = 1012, *, counter: int = 0, reply: b
     """Opens a file on the brick for reading and fetches its first piece.
 
     Args:
-        path: Where the file or folder is, absolute or relative to /home/root/lms2012/sys.
-        max_bytes: Most bytes of contents that the reply may carry; 0 to 65535.
+        path: Path of the file or folder, absolute or relative to /home/root/lms2012/sys.
+        max_bytes: Maximum number of content bytes in the reply; 0 to 65535.
         counter: Of the message, 0 to 65535.
         reply: Whether the brick is to answer.
     """
@@ -86,7 +86,7 @@ def continue_upload(handle: int, max_bytes: int = 1016, *, counter: int = 0, rep
 
     Args:
         handle: The open file on the brick, as its reply to BEGIN_... gave it; 0 to 255.
-        max_bytes: Most bytes of contents that the reply may carry; 0 to 65535.
+        max_bytes: Maximum number of content bytes in the reply; 0 to 65535.
         counter: Of the message, 0 to 65535.
         reply: Whether the brick is to answer.
     """
@@ -97,8 +97,8 @@ def begin_getfile(path: str, max_bytes: int = 1012, *, counter: int = 0, reply: 
     """Opens a file that may still be growing, such as a data log, and fetches its first piece.
 
     Args:
-        path: Where the file or folder is, absolute or relative to /home/root/lms2012/sys.
-        max_bytes: Most bytes of contents that the reply may carry; 0 to 65535.
+        path: Path of the file or folder, absolute or relative to /home/root/lms2012/sys.
+        max_bytes: Maximum number of content bytes in the reply; 0 to 65535.
         counter: Of the message, 0 to 65535.
         reply: Whether the brick is to answer.
     """
@@ -110,7 +110,7 @@ def continue_getfile(handle: int, max_bytes: int = 1012, *, counter: int = 0, re
 
     Args:
         handle: The open file on the brick, as its reply to BEGIN_... gave it; 0 to 255.
-        max_bytes: Most bytes of contents that the reply may carry; 0 to 65535.
+        max_bytes: Maximum number of content bytes in the reply; 0 to 65535.
         counter: Of the message, 0 to 65535.
         reply: Whether the brick is to answer.
     """
@@ -133,8 +133,8 @@ def list_files(path: str, max_bytes: int = 1012, *, counter: int = 0, reply: boo
     """Lists a folder and fetches the first piece of the listing.
 
     Args:
-        path: Where the file or folder is, absolute or relative to /home/root/lms2012/sys.
-        max_bytes: Most bytes of contents that the reply may carry; 0 to 65535.
+        path: Path of the file or folder, absolute or relative to /home/root/lms2012/sys.
+        max_bytes: Maximum number of content bytes in the reply; 0 to 65535.
         counter: Of the message, 0 to 65535.
         reply: Whether the brick is to answer.
     """
@@ -146,7 +146,7 @@ def continue_list_files(handle: int, max_bytes: int = 1016, *, counter: int = 0,
 
     Args:
         handle: The open file on the brick, as its reply to BEGIN_... gave it; 0 to 255.
-        max_bytes: Most bytes of contents that the reply may carry; 0 to 65535.
+        max_bytes: Maximum number of content bytes in the reply; 0 to 65535.
         counter: Of the message, 0 to 65535.
         reply: Whether the brick is to answer.
     """
@@ -154,10 +154,10 @@ def continue_list_files(handle: int, max_bytes: int = 1016, *, counter: int = 0,
 
 
 def create_dir(path: str, *, counter: int = 0, reply: bool = True) -> SystemCommand:
-    """Makes a folder.
+    """Creates a folder.
 
     Args:
-        path: Where the file or folder is, absolute or relative to /home/root/lms2012/sys.
+        path: Path of the file or folder, absolute or relative to /home/root/lms2012/sys.
         counter: Of the message, 0 to 65535.
         reply: Whether the brick is to answer.
     """
@@ -168,7 +168,7 @@ def delete_file(path: str, *, counter: int = 0, reply: bool = True) -> SystemCom
     """Deletes a file or an empty folder.
 
     Args:
-        path: Where the file or folder is, absolute or relative to /home/root/lms2012/sys.
+        path: Path of the file or folder, absolute or relative to /home/root/lms2012/sys.
         counter: Of the message, 0 to 65535.
         reply: Whether the brick is to answer.
     """
@@ -224,7 +224,7 @@ def bluetoothpin(
     counter: int = 0,
     reply: bool = True,
 ) -> SystemCommand:
-    """Hands over the PIN for a Bluetooth device (USB only).
+    """Sends the PIN for a Bluetooth device (USB only).
 
     Args:
         mac: MAC address of the other device, in hex.
@@ -248,7 +248,7 @@ def enterfwupdate(*, counter: int = 0, reply: bool = False) -> SystemCommand:
 
 
 def setbundleid(id: str, *, counter: int = 0, reply: bool = True) -> SystemCommand:
-    """Sets the bundle identifier with which the brick shows itself to Apple devices.
+    """Sets the bundle identifier that the brick shows to Apple devices.
 
     Args:
         id: The identifier; at most 24 bytes with its zero.
@@ -259,7 +259,7 @@ def setbundleid(id: str, *, counter: int = 0, reply: bool = True) -> SystemComma
 
 
 def setbundleseedid(id: str, *, counter: int = 0, reply: bool = True) -> SystemCommand:
-    """Sets the bundle seed identifier with which the brick shows itself to Apple devices.
+    """Sets the bundle seed identifier that the brick shows to Apple devices.
 
     Args:
         id: The identifier; at most 11 bytes with its zero.

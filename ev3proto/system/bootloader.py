@@ -18,10 +18,10 @@ __all__ = [
 
 
 def begin_download_with_erase(address: int, image_size: int, *, counter: int = 0, reply: bool = True) -> SystemCommand:
-    """Erases a region of the flash memory and makes ready to write it.
+    """Erases a region of the flash memory and prepares to write it.
 
     Args:
-        address: First byte of the flash memory meant; 0 to 4294967295.
+        address: Address of the first byte in flash memory; 0 to 4294967295.
         image_size: Bytes of the image or region; 0 to 4294967295.
         counter: Of the message, 0 to 65535.
         reply: Whether the brick is to answer.
@@ -30,10 +30,10 @@ def begin_download_with_erase(address: int, image_size: int, *, counter: int = 0
 
 
 def begin_download(address: int, image_size: int, *, counter: int = 0, reply: bool = True) -> SystemCommand:
-    """Makes ready to write a region of the flash memory that is already erased.
+    """Prepares to write a region of the flash memory that is already erased.
 
     Args:
-        address: First byte of the flash memory meant; 0 to 4294967295.
+        address: Address of the first byte in flash memory; 0 to 4294967295.
         image_size: Bytes of the image or region; 0 to 4294967295.
         counter: Of the message, 0 to 65535.
         reply: Whether the brick is to answer.
@@ -76,7 +76,7 @@ def get_checksum(address: int, image_size: int, *, counter: int = 0, reply: bool
     """Asks for the checksum of a region of the flash memory.
 
     Args:
-        address: First byte of the flash memory meant; 0 to 4294967295.
+        address: Address of the first byte in flash memory; 0 to 4294967295.
         image_size: Bytes of the image or region; 0 to 4294967295.
         counter: Of the message, 0 to 65535.
         reply: Whether the brick is to answer.

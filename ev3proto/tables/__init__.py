@@ -1,7 +1,7 @@
-"""What the firmware knows, as data. Reading these files teaches the protocol; nothing here imports the rest.
+"""What the firmware knows, as data. Read these files to learn the protocol; they import no other part of the package.
 
-`OPCODES` is the instruction set by the firmware's areas, one file an area. `DECLARATIONS` are its operations one by one
-(an opcode with its CMD), `find` looks one up by the name people write.
+`OPCODES` is the instruction set, one file for each of the firmware's areas. `DECLARATIONS` lists its operations (an
+opcode with its CMD), `find` looks one up by its written name.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ OPCODES: tuple[Opcode, ...] = tuple(opcode for area in AREAS.values() for opcode
 
 
 def check_dialect(dialect: str) -> str:
-    """The dialect itself; ValueError names the ones there are when it is none of them."""
+    """Returns the dialect; raises ValueError with the known names when it is unknown."""
     if dialect not in DIALECTS:
         raise ValueError(f"dialect must be one of {', '.join(DIALECTS)}, not {dialect!r}")
     return dialect
@@ -51,14 +51,14 @@ def check_dialect(dialect: str) -> str:
 
 @cache
 def operations(dialect: str = "official") -> dict[str, Declaration]:
-    """The operations of one dialect by name (`SOUND.TONE`, `UI_FLUSH`). ValueError for an unknown dialect."""
+    """Returns the operations of one dialect by name (`SOUND.TONE`, `UI_FLUSH`). ValueError for an unknown dialect."""
     check_dialect(dialect)
     return {entry.name: entry for entry in declarations(OPCODES) if dialect in entry.dialects}
 
 
 @cache
 def with_effect(effect: Effect) -> Declaration:
-    """The first operation of LEGO's own firmware that has an effect; KeyError where none has."""
+    """Returns the first operation of LEGO's own firmware that has an effect; KeyError where none has."""
     for entry in operations().values():
         if effect in entry.effects:
             return entry
@@ -66,5 +66,5 @@ def with_effect(effect: Effect) -> Declaration:
 
 
 def area_of(opcode: Opcode) -> str:
-    """The firmware's area that an opcode belongs to."""
+    """Returns the firmware's area that an opcode belongs to."""
     return next(name for name, opcodes in AREAS.items() if opcode in opcodes)

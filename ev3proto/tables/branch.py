@@ -1,6 +1,6 @@
-"""Jumps inside a program or a direct command: always, by a flag, or by comparing two numbers.
+"""Jumps inside a program or a direct command: always, on a flag, or on a comparison of two numbers.
 
-The same comparison exists once per size of its operands, so these are built size by size from one line each.
+Each comparison exists for every operand size; one line here builds all sizes of it.
 """
 
 from ev3proto.tables.declaration import DATA8, DATA16, DATA32, DATAF, LABEL, Effect, In, Opcode, Role
@@ -18,7 +18,7 @@ FLAG = In("FLAG", DATA8, "the condition: anything but 0 is true", special={0: "f
 
 
 def _by_type(name: str, numbers: tuple[int, int, int, int], relation: str) -> tuple[Opcode, ...]:
-    """The same conditional jump on 8, 16, 32 bits and float."""
+    """Builds one conditional jump on 8, 16, 32 bits and float."""
     return tuple(
         Opcode(
             number,
@@ -41,7 +41,7 @@ BRANCH = (
     Opcode(
         0x43,
         "JR_NAN",
-        "Jumps if a value is not a number, as a sensor without data gives",
+        "Jumps if a value is not a number, as read from a sensor without data",
         (In("VALUE", DATAF, "value to look at"), OFFSET),
     ),
     *_by_type("JR_LT", (0x64, 0x65, 0x66, 0x67), "less than"),

@@ -13,7 +13,7 @@ from typing import Self
 
 
 class Link(IntEnum):
-    """What the packets of a capture start with, by the numbers of https://www.tcpdump.org/linktypes.html."""
+    """Link types of captures, numbered as in https://www.tcpdump.org/linktypes.html."""
 
     LOOPBACK = 0
     ETHERNET = 1
@@ -35,13 +35,13 @@ class Link(IntEnum):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CarrierFacts:
-    """What the tables know of a carrier.
+    """The facts about one carrier.
 
-    label      how people write its name
+    label      its name as people write it
     links      link types of captures that have it
-    protocols  what Wireshark calls the protocols that hold its frames
-    export     the link type in which captures of it are written
-    interface  name of an interface on which such captures are made
+    protocols  Wireshark's names of the protocols that hold its frames
+    export     link type of the captures that ev3proto writes
+    interface  example of an interface to capture on
     """
 
     label: str
@@ -52,12 +52,12 @@ class CarrierFacts:
 
 
 class Carrier(StrEnum):
-    """What carries frames."""
+    """The carriers of frames."""
 
     facts: CarrierFacts
 
     def __new__(cls, name: str, facts: CarrierFacts | None = None) -> Self:
-        """A member with its name as the value. The default is for type checkers: `Carrier("usb")` looks like a call."""
+        """A member with its name as value. Type checkers need the default: `Carrier("usb")` looks like a call."""
         assert facts is not None
         member = str.__new__(cls, name)
         member._value_ = name
@@ -111,10 +111,10 @@ CARRIERS = tuple(carrier.value for carrier in Carrier)
 """The names of all carriers."""
 
 DEFAULT_CARRIER = Carrier.WIFI
-"""The carrier that is written where nobody names one."""
+"""The default carrier of written captures."""
 
 USB_VENDOR = 0x0694
-"""LEGO's number among the makers of USB devices."""
+"""LEGO's USB vendor id."""
 
 USB_PRODUCT = 0x0005
 """The brick running its firmware: one HID interface, one interrupt endpoint each way."""
@@ -123,7 +123,7 @@ USB_BOOTLOADER = 0x0006
 """The brick while its firmware is updated."""
 
 USB_PRODUCTS = frozenset(((USB_VENDOR, USB_PRODUCT), (USB_VENDOR, USB_BOOTLOADER)))
-"""Vendor and product of devices that are bricks."""
+"""USB vendor and product ids of bricks."""
 
 USB_ENDPOINT_OUT = 0x01
 """Interrupt endpoint of the reports to the brick."""

@@ -1,43 +1,51 @@
-"""Ours and not ours: when traffic is taken for this protocol, and when it is left to others.
+"""The rule that decides whether a conversation is claimed as this protocol or left to others.
 
-The ports, channels and reports that bricks use belong to others as well: debuggers on TCP port 5555, LEGO's NXT on the
-serial port of Bluetooth, any other device on USB. The dissector and the built-in reader of captures follow one rule:
+Other traffic uses the same ports, channels and reports as bricks: debuggers use TCP port 5555, LEGO's NXT the serial
+port of Bluetooth, any device USB reports. The dissector and the built-in reader of captures follow one rule.
 
-Ours is what the unlock text or its answer, a beacon's announced port, the product of a USB device or the user
-(`--port`, Decode As) says. Else, on TCP port 5555, on the RFCOMM channel of the serial port and in reports of a brick's
-size, a conversation is ours from its first *plausible* command on: read whole, by the instructions of some firmware, at
-least one operation that is not `NOT_TELLING`, none that is `NEVER_SENT` or `ONLY_IN_PROGRAMS`, each argument of a kind
-and range that its parameter takes, variables within the memory that the header asks for; of one that the capture has
-cut, what is there, if its operations are of devices (from `FIRST_OF_DEVICES` on); or a system command that fits its
-fields, in one packet if it has data, and is not the NXT's (`NXT_WRITE`). On TCP `REPLIES` complete replies in a row
-that bring something begin one, too. It ends after `STRANGE_PACKETS` packets in a row without a frame that can be read
-whole; once a reply came with the counter and the length that a command asked for, after as many without any, if they
-have more bytes than one. After a gap or garbage the next plausible frame is found.
+Claimed without looking at frames: what the unlock text or its answer, the port announced in a beacon, the product of a
+USB device, or the user (`--port`, Decode As) identifies.
+
+Elsewhere (TCP port 5555, the RFCOMM channel of the serial port, reports of a brick's size), a conversation is claimed
+from its first *plausible* command on. A direct command is plausible if
+
+- the instructions of some firmware read it to its end;
+- at least one operation is not in `NOT_TELLING`, and none is `NEVER_SENT` or in `ONLY_IN_PROGRAMS`;
+- each argument has a kind and range that its parameter accepts;
+- variables are within the memory that the header requests.
+
+Of a frame that the capture has cut, the remaining part counts, if its operations are of devices (from
+`FIRST_OF_DEVICES` on). A system command is plausible if it fits its fields, is in one packet if it has data, and is not
+the NXT's (`NXT_WRITE`). On TCP, `REPLIES` complete, non-empty replies in a row begin a conversation, too.
+
+A conversation ends after `STRANGE_PACKETS` packets in a row without a complete frame. Once a reply had the counter and
+the length that a command asked for, packets of one byte do not count as strange. After a gap or garbage, the next
+plausible frame is searched for.
 """
 
 STRANGE_PACKETS = 3
-"""Packets in a row with nothing of ours after which a conversation is left to others."""
+"""Packets in a row without a frame of this protocol after which a conversation is left to others."""
 
 REPLIES = 2
 """Complete replies in a row that begin a conversation on TCP."""
 
 NEVER_SENT = "ERROR"
-"""The opcode that stands for a fault. Its number is that of zeros in others' data."""
+"""The opcode of a fault. Its number is zero, which is common in other data."""
 
 NOT_TELLING = ("PROGRAM_STOP", "PROGRAM_START", "PROGRAM_INFO")
-"""Opcodes that commands have, and whose numbers are small: alone they tell nothing."""
+"""Opcodes of commands with small numbers: alone they are no evidence."""
 
 ONLY_IN_PROGRAMS = (
     *("OBJECT_STOP", "OBJECT_START", "OBJECT_TRIG", "OBJECT_WAIT", "RETURN", "CALL", "OBJECT_END", "SLEEP"),
     *("LABEL", "PROBE", "DO", "JR"),
 )
-"""Opcodes that commands seldom have, and whose numbers are small, or the size of many blocks, in others' data."""
+"""Opcodes that are rare in commands, and whose numbers are common in other data (small ones, sizes of blocks)."""
 
 FIRST_OF_DEVICES = "UI_FLUSH"
-"""The first opcode of those that say something to a device: display, motors, sensors, files, radio."""
+"""The first opcode that addresses a device: display, motors, sensors, files, radio."""
 
 NXT_WRITE, NXT_MASK = 0x8301, 0xFF7F
-"""What the NXT's command that writes a piece of a file has in the place of the counter, and the bits that tell it.
+"""The NXT's command that writes a piece of a file, at the position of the counter, and the bits to compare.
 
-The NXT is found on the same channel and has the same length field. Its other commands are not plausible.
+The NXT uses the same channel and the same length field. Its other commands are not plausible.
 """

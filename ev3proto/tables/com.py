@@ -27,11 +27,15 @@ OFF_ON = {0: "off", 1: "on"}
 NO_YES = {0: "no", 1: "yes"}
 READY_BUSY = {0: "ready", 1: "busy"}
 
-HARDWARE = In("HARDWARE", DATA8, "which way to communicate", enum=HWTYPE)
+HARDWARE = In("HARDWARE", DATA8, "carrier to use", enum=HWTYPE)
 ITEM = In("ITEM", DATA8, "place in the list, counted from 0")
-ITEMS = Out("ITEMS", DATA8, "how many the list has")
+ITEMS = Out("ITEMS", DATA8, "number of entries in the list")
 LENGTH = In(
-    "LENGTH", DATA8, "room for the text with its zero", unit="bytes", special={-1: "as long as it gets (handles only)"}
+    "LENGTH",
+    DATA8,
+    "size of the text buffer, including the zero",
+    unit="bytes",
+    special={-1: "unlimited (handles only)"},
 )
 NAME = In("NAME", STRING, "name of the other device or network")
 NAME_OUT = Out("NAME", STRING, "name of the other device or network", length="LENGTH")
@@ -50,9 +54,9 @@ ACTIVE = In("ACTIVE", DATA8, "whether to switch it on", range=(0, 1), special=OF
 BOX_NO = In("NO", DATA8, "number of the mailbox on this brick", range=(0, 29))
 BOX_NAME = In("BOXNAME", STRING, "name of the mailbox", note=FIRST_BYTE)
 REMOTE_NAME = In("REMOTE_NAME", STRING, "name of the other device or network")
-# The firmware takes these four off and does nothing with them; their names say as little.
+# The firmware reads these four and ignores them; their names are as vague.
 UNUSED = (
-    In("VALUE1", DATA8, "which way to communicate, ignored", enum=HWTYPE),
+    In("VALUE1", DATA8, "carrier, ignored", enum=HWTYPE),
     In("VALUE2", DATA8, "name of the other device, ignored"),
     In("VALUE3", DATA16, "number of bytes, ignored", unit="bytes"),
     In("VALUE4", DATA8, "the bytes, ignored"),
@@ -67,12 +71,12 @@ COM = (
             Command(
                 14,
                 "COMMAND",
-                "Tells where the direct command received last lies in the brick's memory",
+                "Returns the address of the last direct command received",
                 (
-                    In("LENGTH", DATA32, "most bytes of code, ignored by the firmware", unit="bytes"),
+                    In("LENGTH", DATA32, "maximum number of bytes of code, ignored by the firmware", unit="bytes"),
                     Out("IMAGE", DATA32, "address of the code"),
                     Out("GLOBAL", DATA32, "address of its global memory"),
-                    Out("FLAG", DATA8, "whether a command waits", range=(0, 1), special={0: "none", 1: "ready to run"}),
+                    Out("FLAG", DATA8, "whether one is waiting", range=(0, 1), special={0: "none", 1: "ready to run"}),
                 ),
                 effects=(Effect.VARIES,),
             ),
@@ -90,7 +94,7 @@ COM = (
                 (
                     In("IMAGE", DATA32, "address of the code"),
                     In("GLOBAL", DATA32, "address of its global memory"),
-                    In("STATUS", DATA8, "how it ended, all but OK give DIRECT_REPLY_ERROR", enum=RESULT),
+                    In("STATUS", DATA8, "how it ended; all but OK give DIRECT_REPLY_ERROR", enum=RESULT),
                 ),
             ),
         ),
@@ -102,8 +106,8 @@ COM = (
         (HARDWARE, NAME_TO_TEST),
         effects=(Effect.WAITS,),
     ),
-    Opcode(0xD1, "COM_READDATA", "Does nothing in the firmware, meant to receive data", UNUSED),
-    Opcode(0xD2, "COM_WRITEDATA", "Does nothing in the firmware, meant to send data", UNUSED),
+    Opcode(0xD1, "COM_READDATA", "Does nothing in the firmware; meant to receive data", UNUSED),
+    Opcode(0xD2, "COM_WRITEDATA", "Does nothing in the firmware; meant to send data", UNUSED),
     Opcode(
         0xD3,
         "COM_GET",
@@ -112,21 +116,21 @@ COM = (
             Command(
                 1,
                 "GET_ON_OFF",
-                "Tells whether Bluetooth or WiFi is on",
+                "Reports whether Bluetooth or WiFi is on",
                 (HARDWARE, IS_ACTIVE),
                 effects=(Effect.VARIES,),
             ),
             Command(
                 2,
                 "GET_VISIBLE",
-                "Tells whether other devices can see the brick by Bluetooth",
+                "Reports whether other devices can see the brick by Bluetooth",
                 (HARDWARE, Out("VISIBLE", DATA8, "whether it is visible", range=(0, 1), special=NO_YES)),
                 effects=(Effect.VARIES,),
             ),
             Command(
                 4,
                 "GET_RESULT",
-                "Tells how a search or connection request is going",
+                "Reports the state of a search or connection request",
                 (
                     HARDWARE,
                     In("ITEM", DATA8, "place in the list, ignored by the firmware"),
@@ -141,7 +145,7 @@ COM = (
                 (
                     HARDWARE,
                     NAME,
-                    In("LENGTH", DATA8, "room for the PIN with its zero", unit="bytes"),
+                    In("LENGTH", DATA8, "size of the PIN's buffer, including the zero", unit="bytes"),
                     Out("PINCODE", STRING, "the PIN", length="LENGTH"),
                 ),
                 effects=(Effect.VARIES,),
@@ -149,14 +153,14 @@ COM = (
             Command(
                 7,
                 "LIST_STATE",
-                "Reads a number that changes when a device enters or leaves a list",
+                "Reads a counter that changes when a device enters or leaves a list",
                 (HARDWARE, Out("STATE", DATA16, "number to compare with the one of the last call")),
                 dialects=("compat",),
             ),
             Command(
                 8,
                 "SEARCH_ITEMS",
-                "Tells how many devices or networks a search found",
+                "Counts the devices or networks that a search found",
                 (HARDWARE, ITEMS),
                 effects=(Effect.VARIES,),
             ),
@@ -172,14 +176,14 @@ COM = (
                     PAIRED,
                     CONNECTED,
                     LIST_TYPE,
-                    Out("VISIBLE", DATA8, "whether it is in sight", range=(0, 1), special=NO_YES),
+                    Out("VISIBLE", DATA8, "whether it is in range", range=(0, 1), special=NO_YES),
                 ),
                 effects=(Effect.VARIES,),
             ),
             Command(
                 10,
                 "FAVOUR_ITEMS",
-                "Tells how many devices are paired, in sight or not",
+                "Counts the paired devices, in range or not",
                 (HARDWARE, ITEMS),
                 effects=(Effect.VARIES,),
             ),
@@ -213,9 +217,9 @@ COM = (
                     In(
                         "LENGTH",
                         DATA8,
-                        "room for each of the three texts with its zero",
+                        "buffer size for each of the three texts, including the zero",
                         unit="bytes",
-                        special={-1: "as long as it gets (handles only)"},
+                        special={-1: "unlimited (handles only)"},
                     ),
                     Out("NAME", STRING, "name of the network, NONE without one", length="LENGTH"),
                     Out("MAC", STRING, "MAC address of the brick, ?? when WiFi is off", length="LENGTH"),
@@ -226,21 +230,25 @@ COM = (
             Command(
                 15,
                 "GET_PRESENT",
-                "Tells whether the hardware is there, for WiFi a known dongle",
-                (HARDWARE, Out("OK", DATA8, "whether it is there", range=(0, 1), special=NO_YES)),
+                "Reports whether the hardware is present (for WiFi: a known dongle)",
+                (HARDWARE, Out("OK", DATA8, "whether it is present", range=(0, 1), special=NO_YES)),
                 effects=(Effect.VARIES,),
             ),
             Command(
                 16,
                 "GET_ENCRYPT",
-                "Tells the encryption of a network, WiFi only",
-                (HARDWARE, ITEM, Out("TYPE", DATA8, "kind of encryption, the 2013 firmware says none", enum=ENCRYPT)),
+                "Reports the encryption of a network, WiFi only",
+                (
+                    HARDWARE,
+                    ITEM,
+                    Out("TYPE", DATA8, "kind of encryption; always none in the 2013 firmware", enum=ENCRYPT),
+                ),
                 effects=(Effect.VARIES,),
             ),
             Command(
                 17,
                 "CONNEC_ITEMS",
-                "Tells how many devices are connected, Bluetooth only",
+                "Counts the connected devices, Bluetooth only",
                 (HARDWARE, ITEMS),
                 effects=(Effect.VARIES,),
             ),
@@ -260,7 +268,7 @@ COM = (
             Command(
                 19,
                 "GET_INCOMING",
-                "Tells which device asks for a connection, Bluetooth only",
+                "Reports which device asks for a connection, Bluetooth only",
                 (
                     HARDWARE,
                     LENGTH,
@@ -270,7 +278,7 @@ COM = (
                         DATA8,
                         "kind of device",
                         enum=BTTYPE,
-                        note="a kind of Bluetooth device, though other tables give the names of encryptions",
+                        note="a kind of Bluetooth device; other tables give the names of encryptions",
                     ),
                 ),
                 effects=(Effect.VARIES,),
@@ -278,7 +286,7 @@ COM = (
             Command(
                 20,
                 "GET_MODE2",
-                "Tells whether Bluetooth is in its mode for Apple devices",
+                "Reports whether Bluetooth is in its mode for Apple devices",
                 (HARDWARE, IS_ACTIVE),
                 effects=(Effect.VARIES,),
             ),
@@ -305,7 +313,7 @@ COM = (
                     In(
                         "VISIBLE",
                         DATA8,
-                        "whether other devices shall see it",
+                        "whether other devices can see it",
                         range=(0, 1),
                         special={0: "invisible", 1: "visible"},
                     ),
@@ -395,7 +403,7 @@ COM = (
                         "ITEM",
                         STRING,
                         "name of the network",
-                        note="the firmware takes a name here; other tables say a place in the list, DATA8",
+                        note="the firmware reads a name; other tables say a place in the list, DATA8",
                     ),
                     In("ENCRYPT", DATA8, "kind of encryption", enum=ENCRYPT),
                 ),
@@ -420,7 +428,7 @@ COM = (
     Opcode(
         0xD5,
         "COM_TEST",
-        "Tells whether something is still being sent to a device",
+        "Reports whether something is still being sent to a device",
         (
             HARDWARE,
             NAME_TO_TEST,
@@ -474,7 +482,7 @@ COM = (
             ),
             BOX_NAME,
             In("TYPE", DATA8, "type of the values", enum=DATA_FORMAT),
-            Count("VALUES", "how many values of TYPE follow, one only for a string", "TYPE"),
+            Count("VALUES", "number of values of TYPE follow; exactly one for a string", "TYPE"),
         ),
         effects=(Effect.SENDS_MESSAGES,),
     ),
@@ -484,15 +492,15 @@ COM = (
         "Reads the content of a mailbox and marks it read",
         (
             BOX_NO,
-            In("LENGTH", DATA8, "most bytes to read, ignored by the firmware", unit="bytes"),
-            Count("VALUES", "how many values follow, of the type given to MAILBOX_OPEN", ARRAY_TYPED, Direction.OUT),
+            In("LENGTH", DATA8, "maximum number of bytes to read, ignored by the firmware", unit="bytes"),
+            Count("VALUES", "number of values follow, of the type given to MAILBOX_OPEN", ARRAY_TYPED, Direction.OUT),
         ),
         effects=(Effect.VARIES,),
     ),
     Opcode(
         0xDB,
         "MAILBOX_TEST",
-        "Tells whether a mailbox has an unread message",
+        "Reports whether a mailbox has an unread message",
         (
             BOX_NO,
             Out(
@@ -510,7 +518,7 @@ COM = (
     Opcode(
         0xE5,
         "MAILBOX_SIZE",
-        "Tells how many bytes the content of a mailbox has",
+        "Returns the size of a mailbox's content",
         (BOX_NO, Out("SIZE", DATA8, "size of the content", unit="bytes")),
         dialects=EXTENSIONS,
     ),

@@ -14,11 +14,11 @@ def _by_type(name: str, numbers: tuple[int, int, int, int], relation: str) -> tu
         Opcode(
             number,
             name + suffix,
-            f"Tells whether LEFT is {relation} RIGHT, as {size} numbers",
+            f"Tests whether LEFT is {relation} RIGHT, as {size} numbers",
             (
                 In("LEFT", type_, "left side of the comparison"),
                 In("RIGHT", type_, "right side of the comparison"),
-                Out("FLAG", DATA8, "whether it holds", range=(0, 1), special={0: "false", 1: "true"}),
+                Out("FLAG", DATA8, "result of the comparison", range=(0, 1), special={0: "false", 1: "true"}),
             ),
         )
         for number, (suffix, type_, size) in zip(numbers, SIZES, strict=True)
@@ -31,12 +31,12 @@ def _select_by_type(numbers: tuple[int, int, int, int]) -> tuple[Opcode, ...]:
         Opcode(
             number,
             "SELECT" + suffix,
-            f"Takes one of two {size} values, whichever the flag says",
+            f"Selects one of two {size} values by a flag",
             (
-                In("FLAG", DATA8, "which to take: anything but 0 takes SOURCE1", special={0: "SOURCE2", 1: "SOURCE1"}),
-                In("SOURCE1", type_, "value taken if the flag is set"),
-                In("SOURCE2", type_, "value taken if the flag is 0"),
-                Out("RESULT", type_, "the value taken"),
+                In("FLAG", DATA8, "which one: anything but 0 selects SOURCE1", special={0: "SOURCE2", 1: "SOURCE1"}),
+                In("SOURCE1", type_, "value selected if the flag is set"),
+                In("SOURCE2", type_, "value selected if the flag is 0"),
+                Out("RESULT", type_, "the selected value"),
             ),
         )
         for number, (suffix, type_, size) in zip(numbers, SIZES, strict=True)

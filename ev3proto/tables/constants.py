@@ -1,7 +1,7 @@
 """The firmware's plain numbers and names: sizes, limits, folders, file names, extensions, positions on the display.
 
-No operation refers to them, so they are no enumerations. They are here because checks, texts and exports need them and
-should not repeat them; the names are the firmware's, without the `vm` that its headers put before some of them.
+Plain constants, since no operation refers to them. Checks, texts and exports share them from here;
+the names are the firmware's, without the `vm` prefix of its headers.
 """
 
 CONSTANTS: dict[str, int | str] = {
@@ -17,12 +17,12 @@ CONSTANTS: dict[str, int | str] = {
     "LCD_STORE_LEVELS": 3,
     "FG_COLOR": 1,
     "BG_COLOR": 0,
-    # Settings of a brick that has none stored: percent, minutes
+    # Settings of a brick without stored ones: percent, minutes
     "DEFAULT_VOLUME": 100,
     "DEFAULT_SLEEPMINUTES": 30,
     # Bricks in a daisy chain, the first one included
     "CHAIN_DEPT": 4,
-    # Room for strings, in bytes with the zero
+    # Size of string buffers, in bytes, including the zero
     "PATHSIZE": 84,
     "NAMESIZE": 32,
     "EXTSIZE": 5,
@@ -34,13 +34,13 @@ CONSTANTS: dict[str, int | str] = {
     "BRICKNAMESIZE": 120,
     "BTPASSKEYSIZE": 7,
     "WIFIPASSKEYSIZE": 33,
-    # Events of the communication that wait for the user
+    # Communication events that wait for the user
     "EVENT_NONE": 0,
     "EVENT_BT_PIN": 1,
     "EVENT_BT_REQ_CONF": 2,
     # The highest number of a device type that a sensor may claim
     "MAX_VALID_TYPE": 101,
-    # Folders, most of them relative to /home/root/lms2012/sys, and how many entries of one are kept
+    # Folders, most of them relative to /home/root/lms2012/sys, and the limit of entries kept
     "MEMORY_FOLDER": "/mnt/ramdisk",
     "PROGRAM_FOLDER": "../prjs/BrkProg_SAVE",
     "DATALOG_FOLDER": "../prjs/BrkDL_SAVE",
@@ -88,7 +88,7 @@ CONSTANTS: dict[str, int | str] = {
     "DATA16_NAN": 0x8000,
     "DATA32_NAN": 0x80000000,
     "DATAF_NAN": 0x7FC00000,
-    # What the user interface is busy with, one bit each; firmware built for debugging shows it
+    # Activity of the user interface, one bit each; shown by debug builds of the firmware
     "PULSE_GUI_BACKGROUND": 1,
     "PULSE_BROWSER": 2,
     "PULSE_KEY": 4,

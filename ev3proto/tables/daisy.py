@@ -1,4 +1,4 @@
-"""The daisy chain: what bricks say to each other when they are joined by USB."""
+"""The daisy chain: messages between bricks that are joined by USB."""
 
 from enum import IntEnum
 
@@ -20,14 +20,14 @@ class DaisyCommand(IntEnum):
 
 
 TEXTS = {
-    DaisyCommand.DOWNSTREAM: "Hands operations on to a brick further down",
-    DaisyCommand.UPSTREAM: "Hands sensor data up towards the first brick",
+    DaisyCommand.DOWNSTREAM: "Forwards operations to a brick further down",
+    DaisyCommand.UPSTREAM: "Passes sensor data up towards the first brick",
     DaisyCommand.INFO: "Asks which sensors a brick further down has",
-    DaisyCommand.UNLOCK_SLAVE: "Lets the brick below answer again",
+    DaisyCommand.UNLOCK_SLAVE: "Allows the brick below to answer again",
     DaisyCommand.SET_TYPE: "Sets type and mode of a sensor further down",
-    DaisyCommand.DOWNSTREAM_WITH_BUSY: "Hands operations on, with the motors that are to be reported busy",
+    DaisyCommand.DOWNSTREAM_WITH_BUSY: "Forwards operations, and names the motors to report as busy",
 }
-"""One line on each sub-command."""
+"""A one-line description of each sub-command."""
 
 SENSOR_DATA_SIZE = 32
 """Bytes of a sensor's raw data in a layered report."""

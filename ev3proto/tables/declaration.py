@@ -1,7 +1,7 @@
-"""The words in which the tables are written: types, parameters, commands, opcodes, enumerations.
+"""The vocabulary of the tables: types, parameters, commands, opcodes, enumerations.
 
-Nothing here knows a single opcode. The tables beside this file use these words to say what the firmware knows, and
-everything else in the project (schemas, texts, dissector, exports) reads what they say.
+No opcode is defined here. The tables beside this file use these classes to describe the firmware, and
+everything else in the project (schemas, texts, dissector, exports) reads those tables.
 """
 
 from __future__ import annotations
@@ -14,17 +14,17 @@ from types import MappingProxyType
 from typing import NamedTuple, TypedDict, Unpack
 
 DIALECTS = ("official", "xtended", "compat")
-"""The firmwares whose instruction sets differ: LEGO's own, the community's extended one, its compatible sibling."""
+"""The firmwares with different instruction sets: LEGO's own, the community's extended one, its compatible sibling."""
 
 EXTENSIONS = ("xtended", "compat")
-"""What an entry names that LEGO's firmware does not have."""
+"""The dialects of an entry that LEGO's firmware lacks."""
 
 UNRELEASED = ()
-"""What an entry names that has a number in the headers and no code in any firmware."""
+"""The dialects of an entry that has a number in the headers but no code in any firmware."""
 
 
 class Type(Enum):
-    """What a parameter holds; the name is what people read, `size` the bytes of one value in memory (0: it varies)."""
+    """The type of a parameter; its value is the name, `size` the bytes of one value in memory (0: it varies)."""
 
     DATA8 = ("DATA8", 1)
     DATA16 = ("DATA16", 2)
@@ -46,11 +46,11 @@ class Type(Enum):
 
 
 LISTS = (Type.COUNT, Type.VALUES)
-"""The types of parameters that stand for a list."""
+"""The types of parameters that hold a list."""
 
 
 class Direction(Enum):
-    """Which way a parameter carries its value: to the operation, from it, or both."""
+    """The direction of a parameter's value: to the operation, from it, or both."""
 
     IN = "in"
     OUT = "out"
@@ -61,9 +61,9 @@ class Direction(Enum):
 
 
 class Role(Enum):
-    """What a parameter is for, where something beside its own argument depends on it.
+    """The role of a parameter on which something besides its own argument depends.
 
-    Its value is what it is, in a few words.
+    The value describes it in a few words.
     """
 
     JUMP = "how far to jump, or a label"
@@ -80,39 +80,39 @@ class Role(Enum):
 
 
 class Effect(Enum):
-    """What an operation or system command does besides what its parameters say. The value completes "it ..."."""
+    """A side effect of an operation or system command that its parameters do not show. The value completes "it ..."."""
 
     STARTS_SOUND = "starts a sound and returns at once; a sound that is playing ends"
     ENDS_SOUND = "ends the sound that is playing"
     AWAITS_SOUND = "waits until the sound has ended"
-    DRAWS = "draws on the canvas, which nobody sees before it is shown"
-    WIPES = "draws over all that was on the canvas, or much of it"
+    DRAWS = "draws on the canvas, which stays invisible until it is shown"
+    WIPES = "draws over most or all of the canvas"
     SHOWS = "shows the canvas"
-    DIALOG = "takes the display for itself and shows what is on it"
+    DIALOG = "takes over the display and shows its content"
     STARTS_MOVE = "starts a move that ends by itself and returns at once; a move of the same motors ends"
     STOPS_MOTORS = "stops motors"
     AWAITS_MOVE = "waits until the moves of motors have ended"
     RUNS_MOTORS = "makes motors turn"
-    SETS_MOTORS = "changes how motors turn, or what their counts are"
-    WAITS = "waits, or tells whether to wait: what was begun before it is given some time"
-    JUMPS_ALWAYS = "never goes on with the next operation"
-    ENDS = "ends the command: nothing after it is run unless something jumps there"
+    SETS_MOTORS = "changes how motors turn, or their counts"
+    WAITS = "waits, or reports whether to wait, for what was started before"
+    JUMPS_ALWAYS = "never continues with the next operation"
+    ENDS = "ends the command: operations after it run only if something jumps to them"
     ENDS_CODE = "ends the code: the firmware reads nothing after it"
     MAY_END = "ends the command itself where its own slot or object is meant"
-    NEVER_RUNS = "is refused wherever it stands"
-    OF_PROGRAMS = "is about the objects of the program that it stands in"
+    NEVER_RUNS = "is refused everywhere"
+    OF_PROGRAMS = "acts on the objects of its own program"
     WRITES_FILES = "creates, changes or moves files or folders"
     DELETES_FILES = "deletes files or folders"
-    CHANGES_SETTINGS = "changes a setting of the brick, which stays when the command has ended"
+    CHANGES_SETTINGS = "changes a setting of the brick, which remains after the command has ended"
     RENAMES = "gives the brick another name"
     CONTROLS_PROGRAMS = "starts, stops or changes other programs"
-    SENDS_MESSAGES = "puts a message into a mailbox, on which a program may act"
-    PRESSES_BUTTONS = "presses a button as if by hand: what that does, up to switching the brick off, is open"
+    SENDS_MESSAGES = "puts a message into a mailbox, where a program may react to it"
+    PRESSES_BUTTONS = "presses a button as if by hand, which may do anything up to switching the brick off"
     WRITES_TO_DEVICES = "sends bytes to a device at a port, or sets lines of the brick's circuits"
     RESTARTS = "restarts the brick, or ends its firmware"
     WRITES_FIRMWARE = "erases or writes the memory that the firmware is in"
     RUNS_SHELL = "runs a command on the brick's operating system"
-    VARIES = "answers what differs from brick to brick, and from moment to moment"
+    VARIES = "returns a value that differs between bricks and moments"
 
 
 DATA8, DATA16, DATA32, DATAF = Type.DATA8, Type.DATA16, Type.DATA32, Type.DATAF
@@ -122,9 +122,9 @@ STRING, HANDLE, ARRAY_TYPED, LABEL = Type.STRING, Type.HANDLE, Type.ARRAY_TYPED,
 class Enumeration(NamedTuple):
     """Names of numbers, as the firmware spells them.
 
-    `members` maps each name to its number; where two names share a number the first is the one shown.
-    `end` is the name the firmware gives to the number after the last (or to a mask of all): a constant, never a value.
-    With `flags` the value is a set of bits and each member one of them.
+    `members` maps each name to its number; where two names share a number the first one is shown.
+    `end` is the firmware's name for the number after the last (or for a mask of all): a constant, never a value.
+    With `flags`, the value is a set of bits and each member is one bit.
     """
 
     name: str
@@ -135,7 +135,7 @@ class Enumeration(NamedTuple):
     dialects: tuple[str, ...] = DIALECTS
 
     def name_of(self, value: object) -> str | None:
-        """The name of a number (`A|B` for flags), None when it has none."""
+        """Returns the name of a number (`A|B` for flags), or None."""
         if not isinstance(value, int):
             return None
         for name, number in self.members.items():
@@ -155,26 +155,26 @@ class Parameter(NamedTuple):
     """One parameter of an operation, as the firmware reads it.
 
     name       the firmware's name
-    type       what it holds
-    text       one line: what it means
+    type       its type
+    text       one line of description
     direction  to the operation, from it, or both
-    unit       of the value, as people write it ("ms", "Hz", "%"); None where it has none
-    range      smallest and largest value that makes sense, both included; None where the type alone limits it
+    unit       of the value, as written ("ms", "Hz", "%"); None where it has none
+    range      smallest and largest sensible value, both included; None where the type alone limits it
     enum       names of its values
     special    single values with a meaning of their own
-    length     for strings, arrays and buffers: the parameter that tells how many bytes (strings) or elements (others)
-               there are, or that number itself where it is fixed
-    element    for counts and value lists: the type of what follows, or the name of the parameter that tells the type
+    length     for strings, arrays and buffers: the parameter that gives the number of bytes (strings) or elements
+               (others), or that number itself where it is fixed
+    element    for counts and value lists: the type of what follows, or the name of the parameter that gives the type
     elements   for counts: the direction of what follows
-    validated  the type the firmware's validator checks it as, where that is not the type it has
+    validated  the type that the firmware's validator assumes, where that differs from `type`
     most       for texts: largest number of bytes, the zero included, where the firmware has a limit
-    note       why the entry differs from other published tables, where it does
-    role       what else depends on it, None where nothing does
-    indexed_by  for arrays of which one element is used: the parameter that tells which
-    stores     the operation writes that element, so the array is no output that starts at the variable's own place
+    note       where and why the entry differs from other published tables
+    role       what else depends on it, or None
+    indexed_by  for arrays of which one element is used: the parameter that gives its index
+    stores     the operation writes that element, not the first byte of the variable
     names      names of its values besides those of `enum`: the letters of motor ports, names of another enumeration
-    unsigned   the firmware reads its bits without sign, so there are numbers up to all bits set
-    any_type   for counts: the values that follow have types that others declare, so each is written as what it is
+    unsigned   the firmware reads its bits unsigned, so numbers up to all bits set are valid
+    any_type   for counts: the types of the values that follow are declared elsewhere, so each is written as it is
     """
 
     name: str
@@ -200,14 +200,14 @@ class Parameter(NamedTuple):
 
     @property
     def is_output(self) -> bool:
-        """True where the operation writes the value."""
+        """Whether the operation writes the value."""
         return self.direction is not Direction.IN
 
     def number_of(self, name: str) -> int | None:
-        """The value that a name stands for, None where it is no name of its values.
+        """Returns the value of a name, None for an unknown name.
 
         Args:
-            name: As the firmware spells it; of a mask of motor ports also some joined, `A+B`.
+            name: The firmware's spelling; for a mask of motor ports also joined names, `A+B`.
         """
         if self.enum is not None and name in self.enum.members:
             return self.enum.members[name]
@@ -218,7 +218,7 @@ class Parameter(NamedTuple):
 
 
 class Facts(TypedDict, total=False):
-    """What the words below take besides name, type and text; `Parameter` says what each means."""
+    """The keyword arguments of the functions below; `Parameter` documents them."""
 
     unit: str | None
     range: tuple[int, int]
@@ -237,29 +237,29 @@ class Facts(TypedDict, total=False):
 
 
 def In(name: str, type: Type, text: str, **facts: Unpack[Facts]) -> Parameter:  # noqa: N802 - a word of the tables' language
-    """A parameter that the operation reads."""
+    """Returns a parameter that the operation reads."""
     return Parameter(name, type, text, Direction.IN, **facts)
 
 
 def Out(name: str, type: Type, text: str, **facts: Unpack[Facts]) -> Parameter:  # noqa: N802
-    """A parameter that the operation writes."""
+    """Returns a parameter that the operation writes."""
     return Parameter(name, type, text, Direction.OUT, **facts)
 
 
 def InOut(name: str, type: Type, text: str, **facts: Unpack[Facts]) -> Parameter:  # noqa: N802
-    """A parameter that the operation reads and writes."""
+    """Returns a parameter that the operation reads and writes."""
     return Parameter(name, type, text, Direction.INOUT, **facts)
 
 
 def Count(  # noqa: N802
     name: str, text: str, element: Type | str = DATA32, elements: Direction = Direction.IN, **facts: Unpack[Facts]
 ) -> Parameter:
-    """A constant that tells how many parameters follow it (PARNO in the firmware)."""
+    """Returns a constant that counts the parameters after it (PARNO in the firmware)."""
     return Parameter(name, Type.COUNT, text, element=element, elements=elements, **facts)
 
 
 def Values(name: str, text: str, element: Type, **facts: Unpack[Facts]) -> Parameter:  # noqa: N802
-    """As many values as the parameter before it tells (PARVALUES in the firmware)."""
+    """Returns a list of values, counted by the parameter before it (PARVALUES in the firmware)."""
     return Parameter(name, Type.VALUES, text, element=element, **facts)
 
 
@@ -268,12 +268,12 @@ class Command(NamedTuple):
 
     number      the CMD
     name        the firmware's name
-    text        one line: what it means
-    parameters  what follows it
+    text        one line of description
+    parameters  the parameters after it
     dialects    the firmwares that have it
-    note        where the entry differs from other published tables, and why
-    effects     what it does besides what its parameters say
-    newer       the validator of the release of 2013 does not know it
+    note        where and why the entry differs from other published tables
+    effects     its side effects
+    newer       unknown to the validator of the release of 2013
     """
 
     number: int
@@ -287,12 +287,12 @@ class Command(NamedTuple):
 
 
 class Opcode(NamedTuple):
-    """One opcode: either plain, with parameters, or a family whose first parameter is a CMD that selects the rest.
+    """One opcode: plain, with parameters, or a family, whose first parameter is a CMD that selects the rest.
 
-    As in `Command`, and:
+    Fields as in `Command`, and:
 
     commands   of a family: its CMDs
-    cmd_table  of a family: the validator's table that its CMDs are looked up in, where that is not its own; the order
+    cmd_table  of a family: the validator's table of its CMDs, where that is not its own; the order
                of these tables is in `ev3proto.tables.validation`
     """
 
@@ -309,18 +309,18 @@ class Opcode(NamedTuple):
 
     @property
     def is_family(self) -> bool:
-        """True where CMD selects the parameters."""
+        """Whether a CMD selects the parameters."""
         return bool(self.commands)
 
     @property
     def validator_table(self) -> str:
-        """Of a family: the validator's table that its CMDs are looked up in."""
+        """The validator's table in which the CMDs of a family are looked up."""
         return self.cmd_table or self.name
 
 
 @dataclass(frozen=True)
 class Declaration:
-    """An opcode together with its CMD if it has one: what the tables say of one operation."""
+    """The declaration of one operation: an opcode together with its CMD, if it has one."""
 
     opcode: Opcode
     command: Command | None = None
@@ -332,17 +332,17 @@ class Declaration:
 
     @property
     def text(self) -> str:
-        """One line of meaning."""
+        """One line of description."""
         return self.command.text if self.command else self.opcode.text
 
     @property
     def parameters(self) -> tuple[Parameter, ...]:
-        """What follows the opcode and CMD."""
+        """The parameters after the opcode and CMD."""
         return self.command.parameters if self.command else self.opcode.parameters
 
     @property
     def is_jump(self) -> bool:
-        """True where the last parameter says how far to jump, or a label."""
+        """Whether the last parameter is a jump distance or a label."""
         return bool(self.parameters) and self.parameters[-1].role is Role.JUMP
 
     @property
@@ -354,22 +354,22 @@ class Declaration:
 
     @property
     def note(self) -> str:
-        """Where the entry differs from other published tables, and why."""
+        """Where and why the entry differs from other published tables."""
         return self.command.note if self.command else self.opcode.note
 
     @property
     def effects(self) -> tuple[Effect, ...]:
-        """What it does besides what its parameters say."""
+        """Its side effects."""
         return self.command.effects if self.command else self.opcode.effects
 
     @property
     def is_newer(self) -> bool:
-        """True where the validator of the release of 2013 does not know it."""
+        """Whether the validator of the release of 2013 does not know it."""
         return self.command.newer if self.command else self.opcode.newer
 
 
 def declarations(opcodes: tuple[Opcode, ...]) -> Iterator[Declaration]:
-    """Every operation that these opcodes make, in their order."""
+    """Yields every operation of these opcodes, in order."""
     for opcode in opcodes:
         if opcode.is_family:
             for command in opcode.commands:

@@ -1,6 +1,6 @@
-"""Types of sensors and motors with their modes: what raw values mean, how they are shown, what they are called.
+"""Types of sensors and motors with their modes: scaling of raw values, display format, names.
 
-The firmware has this as a table of its own (type data); EV3 sensors also send theirs when they are plugged in.
+The firmware's own table (type data); EV3 sensors also send theirs when they are plugged in.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from ev3proto.tables.enumerations import CONN, DATA_FORMAT, TYPE
 
 
 class Range(NamedTuple):
-    """Two ends that belong to those of another range; the raw range of an inverted sensor begins with the larger."""
+    """The two ends of a range, scaled to those of another; the larger end comes first for inverted sensors."""
 
     least: float
     most: float
@@ -27,11 +27,11 @@ class Mode:
     """One mode of a device.
 
     name      the firmware's name
-    datasets  values at a time
-    format    of a raw value: 0 8-bit, 1 16-bit, 2 32-bit, 3 float, as DATA_FORMAT has it
-    figures   characters that the firmware shows, point included
-    decimals  of them after the point
-    raw       raw values that become `si` and `percent`
+    datasets  values per reading
+    format    of a raw value, as in DATA_FORMAT: 0 8-bit, 1 16-bit, 2 32-bit, 3 float
+    figures   number of characters shown by the firmware, point included
+    decimals  how many of them after the point
+    raw       raw values that map to `si` and `percent`
     si        values in the unit
     percent   values in percent
     symbol    the unit
@@ -54,7 +54,7 @@ class DeviceType:
 
     number      its number, see TYPE
     connection  how it is connected, see CONN
-    views       modes, from the first on, that the brick's own menus show
+    views       number of modes, from the first on, in the brick's own menus
     modes       by number
     """
 
@@ -80,7 +80,7 @@ def _mode(
     datasets: int = 1,
     percent: Range = _PERCENT,
 ) -> Mode:
-    """A mode whose unit's range is the raw one unless it is given; `shown` is figures and decimals, as in 5.1."""
+    """Builds a mode; `si` defaults to the raw range, `shown` is figures and decimals, as in 5.1."""
     figures, decimals = map(int, shown.split("."))
     return Mode(name, datasets, format, figures, decimals, Range(*raw), Range(*(si or raw)), symbol, percent)
 
@@ -221,4 +221,4 @@ DEVICE_TYPES = MappingProxyType({device.number: device for device in _DEVICES})
 """The types by number."""
 
 NO_DEVICE = DEVICE_TYPES[TYPE.members["TYPE_NONE"]]
-"""What an empty port reports."""
+"""The type that an empty port reports."""

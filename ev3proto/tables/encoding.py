@@ -1,4 +1,4 @@
-"""How a value may stand in a frame: the encodings, their widths, and which numbers each type can hold.
+"""The encodings of values in a frame, their widths, and the numbers that each type can hold.
 
 The identification byte says which encoding follows; its bits are declared in `ev3proto.schema.argument`. Ranges
 omit the one value that means "not a number".
@@ -22,7 +22,7 @@ CONSTANT, TEXT, LOCAL, GLOBAL, JUMP = "constant", "string", "local", "global", "
 
 
 class Encoding(NamedTuple):
-    """What one identification byte says.
+    """The meaning of one identification byte.
 
     name     LC0, LC1, LC2, LC4, LCS, LCS_OLD (the old string form), LV0 ..., GV0 ..., LAB1
     kind     constant, string, local, global or label
@@ -58,12 +58,12 @@ RANGES = {
     Type.LABEL: Range(-2147483647, 2147483647, -2147483648),
     Type.COUNT: Range(0, 127, -128),
 }
-"""What an integer constant of each type may be. A label is a number 0 to 31 or a jump; a count fits a signed byte."""
+"""The valid integer constants of each type. A label is a number 0 to 31 or a jump; a count fits a signed byte."""
 
 BITS = {
     kind: range(RANGES[kind].nan, -2 * RANGES[kind].nan) for kind in (Type.DATA8, Type.DATA16, Type.DATA32, Type.HANDLE)
 }
-"""What a constant may be where only its bits count: each number with a sign, and the same bits read without one."""
+"""The constants of each type where only the bits count: each number with a sign, and the same bits read unsigned."""
 
 CONSTANT_RANGES = {
     0: range(-32, 32),
@@ -71,13 +71,13 @@ CONSTANT_RANGES = {
     2: range(-0x7FFF, 0x8000),
     4: range(-0x7FFFFFFF, 0x80000000),
 }
-"""By the bytes that follow the identification byte: the numbers that a constant of that width can hold."""
+"""The numbers that a constant can hold, by the bytes that follow the identification byte."""
 
 INDEX_RANGES = {0: range(32), 1: range(0x100), 2: range(0x10000), 4: range(0x100000000)}
-"""By the bytes that follow the identification byte: the indexes that a variable of that width can have."""
+"""The indexes that a variable can have, by the bytes that follow the identification byte."""
 
 NAN_FLOAT = b"\x00\x00\xc0\x7f"
 """The bytes of the float that means "not a number" (0x7FC00000)."""
 
 STRING_CODING = "latin-1"
-"""The brick shows its strings as ISO-8859-1; every byte but zero may stand in one."""
+"""The brick shows its strings as ISO-8859-1; every byte but zero is allowed."""

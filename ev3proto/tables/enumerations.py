@@ -1,7 +1,7 @@
-"""The names the firmware gives to numbers: ports, buttons, colours, icons, device types, results.
+"""The firmware's names for numbers: ports, buttons, colours, icons, device types, results.
 
-An enumeration stands here once; the parameters that use it point at it. ENUMERATIONS are all of them. FORMAT_TYPES
-says what values a DATA_FORMAT stands for: counts whose element is the name of a parameter (FORMAT, TYPE) need it.
+Each enumeration is defined once; the parameters that use it refer to it. ENUMERATIONS holds them all. FORMAT_TYPES
+maps a DATA_FORMAT to a type, for counts whose element is the name of a parameter (FORMAT, TYPE).
 """
 
 from collections.abc import Mapping
@@ -302,7 +302,7 @@ FILETYPE = Enumeration(
 
 RESULT = Enumeration(
     "RESULT",
-    "How an operation went, or whether it is still going on",
+    "Result of an operation, or that it is still running",
     {
         "OK": 0,
         "BUSY": 1,
@@ -337,16 +337,16 @@ FORMAT_TYPES: Mapping[int, Type] = {
     3: DATAF,
     4: STRING,
     5: ARRAY_TYPED,  # DATA_A, an array's handle
-    7: ARRAY_TYPED,  # DATA_V, whatever it turns out to be
+    7: ARRAY_TYPED,  # DATA_V, of any type
     16: DATA8,  # DATA_PCT, percent
-    18: DATA32,  # DATA_RAW, as the sensor gave it
+    18: DATA32,  # DATA_RAW, as the sensor sent it
     19: DATAF,  # DATA_SI, in the sensor's unit
 }
-"""The type of the values that a number of DATA_FORMAT announces: look up the value of the parameter that tells it."""
+"""The type of the values by their DATA_FORMAT."""
 
 DEL = Enumeration(
     "DEL",
-    "What stands between two values in a text file",
+    "Separators between two values in a text file",
     {
         "DEL_NONE": 0,
         "DEL_TAB": 1,
@@ -418,8 +418,8 @@ NXTCOLOR = Enumeration(
     },
 )
 
-# The only bit field here. OBJSTAT and RESULT have single bits too, but never two at a time; FILETYPE ORs two of its
-# members to plain numbers, which is no set of bits either.
+# The only set of bits here. OBJSTAT and RESULT use single bits too, but one at a time; FILETYPE ORs two of its
+# members to plain numbers.
 WARNING = Enumeration(
     "WARNING",
     "Warnings of the brick, one bit each; WARNINGS masks those shown to the user",
@@ -461,7 +461,7 @@ DEVCMD = Enumeration(
 
 CONN = Enumeration(
     "CONN",
-    "What kind of connection a port has found",
+    "Kinds of connection that a port detects",
     {
         "CONN_UNKNOWN": 111,
         "CONN_DAISYCHAIN": 117,
@@ -482,7 +482,7 @@ ENUMERATIONS: tuple[Enumeration, ...] = tuple(found for found in vars().values()
 """All of them, in the order of this file."""
 
 NUMBERS: dict[str, int] = {}
-"""Every name with its number, also those of the number after the last. Of a name in several, the first one counts."""
+"""Every name with its number, including the `end` names. If a name occurs more than once, the first one counts."""
 
 for _found in ENUMERATIONS:
     for _name, _number in (*_found.members.items(), *((_found.end,) if _found.end else ())):

@@ -1,4 +1,4 @@
-"""The errors that the firmware logs, by number: what INFO.GET_ERROR gives and INFO.ERRORTEXT spells."""
+"""The errors that the firmware logs, by number: as INFO.GET_ERROR returns them and INFO.ERRORTEXT spells them."""
 
 ERRORS: tuple[str, ...] = (
     "TOO_MANY_ERRORS_TO_BUFFER",
@@ -42,4 +42,4 @@ NUMBERS: dict[str, int] = {name: number for number, name in enumerate(ERRORS)}
 """The numbers by name."""
 
 LOGGED = 7
-"""Errors that the log holds; further ones are dropped."""
+"""Capacity of the log, in errors; further ones are dropped."""

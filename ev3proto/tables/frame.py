@@ -1,4 +1,4 @@
-"""The frame around everything: message types, the bits of a direct command's header, and how big things may be."""
+"""The frame around everything: message types, the bits of a direct command's header, and the size limits."""
 
 from enum import IntEnum
 from functools import cached_property
@@ -7,7 +7,7 @@ MAX_FRAME = 1024
 """Bytes of the largest frame, its length field included: the firmware's buffers, one USB report."""
 
 REPORT_SIZES = (64, MAX_FRAME)
-"""Bytes of a USB report between bricks of a daisy chain and to a computer; after the frame it is padding."""
+"""Bytes of a USB report between bricks of a daisy chain and to a computer; the bytes after the frame are padding."""
 
 LENGTH_FIELD = 2
 """Bytes of the length field, which counts what follows it."""
@@ -19,7 +19,7 @@ MIN_LENGTH = 3
 """Smallest length field a frame can have: message counter and type."""
 
 MAX_LONG_FRAME = LENGTH_FIELD + 0xFFFF
-"""Bytes of the largest frame of the few system commands that may be longer: all that the length field can count."""
+"""Bytes of the longest frame that the length field can count, for the few system commands that may exceed MAX_FRAME."""
 
 MAX_LENGTH = MAX_FRAME - LENGTH_FIELD
 """Largest length field a frame can have."""
@@ -29,14 +29,14 @@ COUNTERS = 1 << 16
 
 GLOBAL_BITS = 10
 MAX_GLOBALS = (1 << GLOBAL_BITS) - 1
-"""Most bytes of global memory that a header can ask for (the firmware grants at most 1021, a reply carries 1019)."""
+"""Maximum global memory that a header can request, in bytes (the firmware grants 1021, a reply carries 1019)."""
 
 GRANTED_GLOBALS = 1021
-"""Most bytes of global memory that the firmware grants; it refuses a command that asks for more."""
+"""Maximum global memory that the firmware grants, in bytes; it refuses a command that requests more."""
 
 LOCAL_BITS = 6
 MAX_LOCALS = (1 << LOCAL_BITS) - 1
-"""Most bytes of local memory that a header can ask for."""
+"""Maximum local memory that a header can request, in bytes."""
 
 
 class MessageType(IntEnum):
@@ -55,16 +55,16 @@ class MessageType(IntEnum):
     DAISY_REPLY = 0x08
     DAISY_REPLY_ERROR = 0x09
 
-    # What is asked of every message is worked out once: the name of a member takes longer to get than its number.
+    # Cached, since every message needs them and looking up a member's name is slower than its number.
 
     @cached_property
     def carries(self) -> str:
-        """Whose message it is: `direct`, `system` or `daisy`."""
+        """The layer that the message belongs to: `direct`, `system` or `daisy`."""
         return self.name.split("_", 1)[0].lower()
 
     @cached_property
     def is_command(self) -> bool:
-        """True from host to brick, False for a reply."""
+        """Whether it goes from host to brick; False for a reply."""
         return "_COMMAND_" in self.name
 
     @cached_property
@@ -74,20 +74,20 @@ class MessageType(IntEnum):
 
     @cached_property
     def wants_reply(self) -> bool:
-        """True for commands that the brick answers."""
+        """Whether the brick answers the command."""
         return self.name.endswith("_COMMAND_REPLY")
 
     @property
     def is_error(self) -> bool:
-        """True for replies that say the command failed."""
+        """Whether a reply says that the command failed."""
         return self.name.endswith("_ERROR")
 
 
 DIRECT_COMMAND_TYPES = {True: MessageType.DIRECT_COMMAND_REPLY, False: MessageType.DIRECT_COMMAND_NO_REPLY}
-"""The type of a direct command, by whether the brick is to answer it."""
+"""The type of a direct command, by whether it wants a reply."""
 
 SYSTEM_COMMAND_TYPES = {True: MessageType.SYSTEM_COMMAND_REPLY, False: MessageType.SYSTEM_COMMAND_NO_REPLY}
-"""The type of a system command, by whether the brick is to answer it."""
+"""The type of a system command, by whether it wants a reply."""
 
 TYPE_MEANINGS = {
     MessageType.DIRECT_COMMAND_REPLY: "Byte code for the virtual machine, to be answered",
@@ -103,7 +103,7 @@ TYPE_MEANINGS = {
     MessageType.DAISY_REPLY: "The answer of another brick of the chain",
     MessageType.DAISY_REPLY_ERROR: "Another brick of the chain refused a command",
 }
-"""What each type of message is."""
+"""A description of each type of message."""
 
 TYPE_ADVICE = {
     MessageType.DIRECT_REPLY_ERROR: (
@@ -112,4 +112,4 @@ TYPE_ADVICE = {
     ),
     MessageType.SYSTEM_REPLY_ERROR: "`ev3proto help` explains the status: `ev3proto help UNKNOWN_HANDLE`",
 }
-"""What to do about a type of reply that says that something failed."""
+"""Advice for replies that report a failure."""

@@ -1,6 +1,6 @@
 """Operations on sensors, and on motors read as sensors: values, types, modes, calibration, raw I2C.
 
-Where the firmware writes several values at once, the entry tells which parameter gives their number and type.
+Where the firmware writes several values at once, the entry names the parameter that gives their number and type.
 """
 
 from ev3proto.tables.declaration import (
@@ -30,19 +30,23 @@ NO = In(
     "NO", DATA8, "port, counted from 0; 16 to 19 for motors", range=(0, 19), special=PORTS | MOTOR_PORTS, role=Role.PORT
 )
 SENSOR_NO = In("NO", DATA8, "sensor port, counted from 0", range=(0, 3), special=PORTS, role=Role.PORT)
-TYPE_TO_SET = In("TYPE", DATA8, "type the device shall have", enum=TYPE, special={0: "keep the type"})
-MODE_TO_SET = In("MODE", DATA8, "mode the device shall have", range=(0, 7), special={-1: "keep the mode"})
+TYPE_TO_SET = In("TYPE", DATA8, "type to set", enum=TYPE, special={0: "keep the type"})
+MODE_TO_SET = In("MODE", DATA8, "mode to set", range=(0, 7), special={-1: "keep the mode"})
 CAL_TYPE = In("TYPE", DATA8, "type of device the calibration is for", enum=TYPE)
 CAL_MODE = In("MODE", DATA8, "mode the calibration is for", range=(0, 7))
 TEXT_LENGTH = In(
-    "LENGTH", DATA8, "room for the text with its zero", unit="bytes", special={-1: "as long as it is (handles only)"}
+    "LENGTH",
+    DATA8,
+    "size of the text buffer, including the zero",
+    unit="bytes",
+    special={-1: "unlimited (handles only)"},
 )
-WRLNG = In("WRLNG", DATA8, "how many bytes to write", unit="bytes", range=(0, 32))
+WRLNG = In("WRLNG", DATA8, "number of bytes to write", unit="bytes", range=(0, 32))
 WRDATA = In("WRDATA", DATA8, "bytes to write: I2C address, register, data", length="WRLNG")
 RDDATA = Out("RDDATA", DATA8, "bytes read", length="RDLNG")
-RDLNG = In("RDLNG", DATA8, "how many bytes to read", unit="bytes", range=(0, 32))
+RDLNG = In("RDLNG", DATA8, "number of bytes to read", unit="bytes", range=(0, 32))
 REVERSIBLE_RDLNG = In(
-    "RDLNG", DATA8, "how many bytes to read, negative: in reverse order", unit="bytes", range=(-32, 32)
+    "RDLNG", DATA8, "number of bytes to read, negative: in reverse order", unit="bytes", range=(-32, 32)
 )
 
 INPUT = (
@@ -52,7 +56,7 @@ INPUT = (
         "Reads one SI value of each of several devices, sampled in the background",
         (
             In("TIME", DATA32, "time between two samples", unit="ms"),
-            In("SAMPLES", DATA16, "how many devices the arrays list"),
+            In("SAMPLES", DATA16, "number of devices the arrays list"),
             In("INIT", DATA16, "place in the sample buffer of each device, -1 starts it anew", length="SAMPLES"),
             In(
                 "DEVICES",
@@ -61,10 +65,10 @@ INPUT = (
                 length="SAMPLES",
                 role=Role.PORTS,
             ),
-            In("TYPES", DATA8, "type each device shall have", enum=TYPE, length="SAMPLES"),
-            In("MODES", DATA8, "mode each device shall have", length="SAMPLES"),
-            In("DATASETS", DATA8, "which of its values to read from each device, from 0", length="SAMPLES"),
-            Out("VALUES", DATAF, "one value per device, NaN where there is none", length="SAMPLES"),
+            In("TYPES", DATA8, "type to set for each device", enum=TYPE, length="SAMPLES"),
+            In("MODES", DATA8, "mode to set for each device", length="SAMPLES"),
+            In("DATASETS", DATA8, "index of the value to read from each device, from 0", length="SAMPLES"),
+            Out("VALUES", DATAF, "one value per device, NaN if there is none", length="SAMPLES"),
         ),
         effects=(Effect.VARIES,),
     ),
@@ -73,7 +77,7 @@ INPUT = (
         "INPUT_DEVICE_LIST",
         "Lists the types of all devices, sensor ports of each layer first, then motor ports",
         (
-            In("LENGTH", DATA8, "room in the array, 32 takes the whole daisy chain"),
+            In("LENGTH", DATA8, "size of the array; 32 holds the whole daisy chain"),
             Out("ARRAY", DATA8, "type of device at each port", enum=TYPE, length="LENGTH"),
             Out("CHANGED", DATA8, "whether devices came or went since the last call", special={0: "no change"}),
         ),
@@ -105,14 +109,14 @@ INPUT = (
             Command(
                 2,
                 "GET_FORMAT",
-                "Tells the shape of a device's values in its present mode",
+                "Describes the values of a device in its current mode",
                 (
                     LAYER,
                     NO,
-                    Out("DATASETS", DATA8, "how many values one reading has"),
+                    Out("DATASETS", DATA8, "number of values in one reading"),
                     Out("FORMAT", DATA8, "type of one raw value", range=(0, 3), enum=DATA_FORMAT),
-                    Out("MODES", DATA8, "how many modes the device has", range=(1, 8)),
-                    Out("VIEWS", DATA8, "how many of the modes are shown to users", range=(1, 8)),
+                    Out("MODES", DATA8, "number of modes of the device", range=(1, 8)),
+                    Out("VIEWS", DATA8, "number of modes shown to users", range=(1, 8)),
                 ),
                 effects=(Effect.VARIES,),
             ),
@@ -131,14 +135,14 @@ INPUT = (
             Command(
                 4,
                 "CAL_DEFAULT",
-                "Goes back to the built-in scaling of a type and mode",
+                "Restores the built-in scaling of a type and mode",
                 (CAL_TYPE, CAL_MODE),
                 effects=(Effect.CHANGES_SETTINGS,),
             ),
             Command(
                 5,
                 "GET_TYPEMODE",
-                "Tells which device is at a port and in which mode",
+                "Reports the device at a port and its mode",
                 (
                     LAYER,
                     NO,
@@ -150,12 +154,12 @@ INPUT = (
             Command(
                 6,
                 "GET_SYMBOL",
-                "Reads the symbol of the unit of the present mode",
+                "Reads the symbol of the unit of the current mode",
                 (
                     LAYER,
                     NO,
                     TEXT_LENGTH,
-                    Out("DESTINATION", STRING, "symbol, filled up with blanks", length="LENGTH"),
+                    Out("DESTINATION", STRING, "symbol, padded with blanks", length="LENGTH"),
                 ),
                 effects=(Effect.VARIES,),
             ),
@@ -176,18 +180,18 @@ INPUT = (
             Command(
                 9,
                 "SETUP",
-                "Writes to an I2C sensor and reads its answer, again and again if asked to",
+                "Writes to an I2C sensor and reads its answer, repeatedly if requested",
                 (
                     LAYER,
                     SENSOR_NO,
-                    In("REPEAT", DATA8, "how often to write and read", special={0: "without end"}),
+                    In("REPEAT", DATA8, "number of repeats", special={0: "endless"}),
                     In("TIME", DATA16, "time between repeats", unit="ms", range=(10, 1000), special={0: "10 ms"}),
-                    In("WRITE_LEN", DATA8, "how many bytes to write", unit="bytes", range=(0, 32)),
+                    In("WRITE_LEN", DATA8, "number of bytes to write", unit="bytes", range=(0, 32)),
                     In("WRITE_DATA", DATA8, "bytes to write: I2C address, register, data", length="WRITE_LEN"),
                     In(
                         "READ_LEN",
                         DATA8,
-                        "how many bytes to read, negative: in reverse order",
+                        "number of bytes to read, negative: in reverse order",
                         unit="bytes",
                         range=(-32, 32),
                     ),
@@ -200,13 +204,13 @@ INPUT = (
                 11,
                 "GET_RAW",
                 "Reads the first raw value of a device",
-                (LAYER, NO, Out("VALUE", DATA32, "raw value, NaN where there is none")),
+                (LAYER, NO, Out("VALUE", DATA32, "raw value, NaN if there is none")),
                 effects=(Effect.VARIES,),
             ),
             Command(
                 12,
                 "GET_CONNECTION",
-                "Tells how the device at a port is connected",
+                "Reports how the device at a port is connected",
                 (LAYER, NO, Out("CONN", DATA8, "kind of connection", enum=CONN)),
                 effects=(Effect.VARIES,),
             ),
@@ -216,10 +220,10 @@ INPUT = (
                 "SET_TYPEMODE",
                 "Renumbers an entry of the table of device types, third party types only",
                 (
-                    In("TYPE", DATA8, "type the entry has", range=(50, 98), enum=TYPE),
-                    In("MODE", DATA8, "mode the entry has", range=(0, 7)),
-                    In("NEWTYPE", DATA8, "type the entry shall have", range=(50, 98), enum=TYPE),
-                    In("NEWMODE", DATA8, "mode the entry shall have", range=(0, 7)),
+                    In("TYPE", DATA8, "type of the entry", range=(50, 98), enum=TYPE),
+                    In("MODE", DATA8, "mode of the entry", range=(0, 7)),
+                    In("NEWTYPE", DATA8, "new type of the entry", range=(50, 98), enum=TYPE),
+                    In("NEWMODE", DATA8, "new mode of the entry", range=(0, 7)),
                     Out(
                         "ERROR",
                         DATA8,
@@ -234,7 +238,7 @@ INPUT = (
             Command(
                 15,
                 "READY_IIC",
-                "Writes to an I2C sensor once, waits for its answer and tells how it went",
+                "Writes to an I2C sensor once, waits for its answer and reports the result",
                 (
                     LAYER,
                     SENSOR_NO,
@@ -250,12 +254,12 @@ INPUT = (
             Command(
                 21,
                 "GET_NAME",
-                "Reads the name of a device in its present mode, such as TOUCH or COL-REFLECT",
+                "Reads the name of a device in its current mode, such as TOUCH or COL-REFLECT",
                 (
                     LAYER,
                     NO,
                     TEXT_LENGTH,
-                    Out("DESTINATION", STRING, "name, filled up with blanks", length="LENGTH"),
+                    Out("DESTINATION", STRING, "name, padded with blanks", length="LENGTH"),
                 ),
                 effects=(Effect.VARIES,),
             ),
@@ -268,25 +272,25 @@ INPUT = (
                     NO,
                     In("MODE", DATA8, "mode to name", range=(0, 7)),
                     TEXT_LENGTH,
-                    Out("DESTINATION", STRING, "name, filled up with blanks", length="LENGTH"),
+                    Out("DESTINATION", STRING, "name, padded with blanks", length="LENGTH"),
                 ),
                 effects=(Effect.VARIES,),
             ),
             Command(
                 23,
                 "SET_RAW",
-                "Pretends that a device has read this raw value",
-                (LAYER, NO, TYPE_TO_SET, In("VALUE", DATA32, "raw value to pretend")),
+                "Simulates a raw value of a device",
+                (LAYER, NO, TYPE_TO_SET, In("VALUE", DATA32, "raw value to simulate")),
                 effects=(Effect.WRITES_TO_DEVICES,),
             ),
             Command(
                 24,
                 "GET_FIGURES",
-                "Tells how many digits a value of the present mode needs",
+                "Reports the number of digits that a value of the current mode needs",
                 (
                     LAYER,
                     NO,
-                    Out("FIGURES", DATA8, "characters in all, with point and decimals"),
+                    Out("FIGURES", DATA8, "total number of characters, with point and decimals"),
                     Out("DECIMALS", DATA8, "digits after the point"),
                 ),
                 effects=(Effect.VARIES,),
@@ -294,7 +298,7 @@ INPUT = (
             Command(
                 25,
                 "GET_CHANGES",
-                "Reads how often a touch sensor changed in positive direction since CLR_CHANGES",
+                "Reads how often a touch sensor changed to pressed since CLR_CHANGES",
                 (LAYER, NO, Out("VALUE", DATAF, "number of changes, 0 for other sensors")),
                 effects=(Effect.VARIES,),
             ),
@@ -308,7 +312,7 @@ INPUT = (
                     NO,
                     TYPE_TO_SET,
                     MODE_TO_SET,
-                    Count("VALUES", "how many values follow, each in percent", DATA8, Direction.OUT),
+                    Count("VALUES", "number of values follow, each in percent", DATA8, Direction.OUT),
                 ),
                 effects=(
                     Effect.WAITS,
@@ -324,7 +328,7 @@ INPUT = (
                     NO,
                     TYPE_TO_SET,
                     MODE_TO_SET,
-                    Count("VALUES", "how many raw values follow", DATA32, Direction.OUT),
+                    Count("VALUES", "number of raw values follow", DATA32, Direction.OUT),
                 ),
                 effects=(
                     Effect.WAITS,
@@ -340,7 +344,7 @@ INPUT = (
                     NO,
                     TYPE_TO_SET,
                     MODE_TO_SET,
-                    Count("VALUES", "how many values follow, each in SI units", DATAF, Direction.OUT),
+                    Count("VALUES", "number of values follow, each in SI units", DATAF, Direction.OUT),
                 ),
                 effects=(
                     Effect.WAITS,
@@ -350,7 +354,7 @@ INPUT = (
             Command(
                 30,
                 "GET_MINMAX",
-                "Tells between which SI values the present mode moves",
+                "Reports the range of SI values of the current mode",
                 (
                     LAYER,
                     NO,
@@ -362,7 +366,7 @@ INPUT = (
             Command(
                 31,
                 "GET_BUMPS",
-                "Reads how often a touch sensor changed in negative direction since CLR_CHANGES",
+                "Reads how often a touch sensor changed to released since CLR_CHANGES",
                 (LAYER, NO, Out("VALUE", DATAF, "number of changes, 0 for other sensors")),
                 effects=(Effect.VARIES,),
             ),
@@ -372,13 +376,13 @@ INPUT = (
         0x9A,
         "INPUT_READ",
         "Sets type and mode and reads the first value in percent at once",
-        (LAYER, NO, TYPE_TO_SET, MODE_TO_SET, Out("PCT", DATA8, "value, NaN where there is none", unit="%")),
+        (LAYER, NO, TYPE_TO_SET, MODE_TO_SET, Out("PCT", DATA8, "value, NaN if there is none", unit="%")),
         effects=(Effect.VARIES,),
     ),
     Opcode(
         0x9B,
         "INPUT_TEST",
-        "Tells whether a device is still changing type or mode",
+        "Reports whether a device is still changing type or mode",
         (LAYER, NO, Out("BUSY", DATA8, "whether to wait", range=(0, 1), special={0: "ready", 1: "busy"})),
         effects=(Effect.VARIES,),
     ),
@@ -387,7 +391,7 @@ INPUT = (
         0x9D,
         "INPUT_READSI",
         "Sets type and mode and reads the first value in SI units at once",
-        (LAYER, NO, TYPE_TO_SET, MODE_TO_SET, Out("SI", DATAF, "value in the mode's unit, NaN where there is none")),
+        (LAYER, NO, TYPE_TO_SET, MODE_TO_SET, Out("SI", DATAF, "value in the mode's unit, NaN if there is none")),
         effects=(Effect.VARIES,),
     ),
     Opcode(
@@ -399,8 +403,8 @@ INPUT = (
             NO,
             TYPE_TO_SET,
             MODE_TO_SET,
-            In("FORMAT", DATA8, "DATA_PCT, DATA_RAW or DATA_SI, others give NaN", enum=DATA_FORMAT),
-            Count("VALUES", "how many values follow, each in FORMAT", "FORMAT", Direction.OUT),
+            In("FORMAT", DATA8, "DATA_PCT, DATA_RAW or DATA_SI; others give NaN", enum=DATA_FORMAT),
+            Count("VALUES", "number of values follow, each in FORMAT", "FORMAT", Direction.OUT),
         ),
         effects=(Effect.VARIES,),
     ),
@@ -411,7 +415,7 @@ INPUT = (
         (
             LAYER,
             SENSOR_NO,
-            In("BYTES", DATA8, "how many bytes to send", unit="bytes", range=(1, 32)),
+            In("BYTES", DATA8, "number of bytes to send", unit="bytes", range=(1, 32)),
             In("DATA", DATA8, "bytes to send", length="BYTES"),
         ),
         effects=(Effect.WRITES_TO_DEVICES,),
@@ -438,20 +442,20 @@ INPUT = (
     Opcode(
         0xE2,
         "INPUT_IIC_STATUS",
-        "Tells the state of the I2C bus of a port",
+        "Reports the state of the I2C bus of a port",
         (LAYER, SENSOR_NO, Out("RESULT", DATA8, "state of the bus", enum=RESULT)),
         dialects=EXTENSIONS,
     ),
     Opcode(
         0xE3,
         "INPUT_IIC_WRITE",
-        "Sends bytes to an I2C sensor once and does not wait for its answer",
+        "Sends bytes to an I2C sensor once, without waiting for its answer",
         (
             LAYER,
             SENSOR_NO,
             WRLNG,
             WRDATA,
-            In("RDLNG", DATA8, "how many bytes the sensor will answer", unit="bytes", range=(0, 32)),
+            In("RDLNG", DATA8, "number of bytes in the sensor's answer", unit="bytes", range=(0, 32)),
             Out("RESULT", DATA8, "state of the bus after the request", enum=RESULT),
         ),
         effects=(Effect.WRITES_TO_DEVICES,),

@@ -1,7 +1,7 @@
-"""Mailboxes: how much they hold, and the three kinds of messages that programs of EV3-G send and expect.
+"""Mailboxes: their capacity, and the three kinds of messages that EV3-G programs send and expect.
 
-A frame carries the bytes of a message and not its kind. All clients follow the blocks of EV3-G: a text is ISO-8859-1
-with a zero at its end, a number a single (4 bytes), a logic value one byte, 0 or 1. So several readings can fit.
+A frame carries the bytes of a message, but not its kind. All clients follow the blocks of EV3-G: a text is ISO-8859-1
+with a zero at its end, a number is a single (4 bytes), a logic value is one byte, 0 or 1. More than one can fit.
 """
 
 import struct
@@ -32,8 +32,8 @@ _PRINTABLE = frozenset({*range(0x20, 0x7F), *range(0xA0, 0x100)})
 def readings(payload: bytes) -> dict[str, Reading]:
     """Returns each reading that fits a message: `{"number": 1.5}`, `{"text": "hi"}`, `{"logic": True}`.
 
-    One byte 0 or 1 is a logic value, 4 bytes are a number. What ends in its only zero is a text; of 4 bytes only where
-    the first three are printable.
+    One byte 0 or 1 is a logic value, 4 bytes are a number. Bytes that end in their only zero are a text; 4
+    bytes only if the first three are printable.
     """
     found: dict[str, Reading] = {}
     if payload in _LOGIC:
@@ -50,7 +50,7 @@ def readings(payload: bytes) -> dict[str, Reading]:
 def lacks_zero(payload: bytes) -> bool:
     """Returns whether a message looks like a text without the zero that ends it.
 
-    Four letters are a number, too, but one that no program means.
+    Four letters are also a number, but too large for a program to mean it.
     """
     if not payload or not _PRINTABLE.issuperset(payload):
         return False
@@ -62,7 +62,7 @@ def message_of(value: Reading | bytes) -> bytes:
     """Returns the bytes of a message: a text with its zero, a number as a single, True and False as one byte.
 
     Raises:
-        UnicodeEncodeError: The text has a letter that ISO-8859-1 does not have.
+        UnicodeEncodeError: The text has a letter outside ISO-8859-1.
         OverflowError: The number is too large for a single.
     """
     if isinstance(value, bytes):

@@ -1,6 +1,6 @@
 """Arithmetic and bit operations on numbers: adding to shifting in every size, the MATH functions, random numbers.
 
-The same operation exists once per size of its operands, so the plain ones are built size by size from one line each.
+Most operations exist for every operand size; one line here builds all sizes of a plain one.
 """
 
 from ev3proto.tables.declaration import DATA8, DATA16, DATA32, DATAF, Command, Effect, In, Opcode, Out
@@ -11,9 +11,9 @@ SIZES = (("8", DATA8, "8-bit"), ("16", DATA16, "16-bit"), ("32", DATA32, "32-bit
 def _by_type(
     name: str, numbers: tuple[int, ...], text: str, first: str, second: str, result: str, unit: str | None = None
 ) -> tuple[Opcode, ...]:
-    """The same operation on 8, 16, 32 bits and float, as far as there are numbers; `{}` in the text is the size.
+    """Builds one operation for 8, 16, 32 bits and float, as far as numbers are given; `{}` in the text is the size.
 
-    The unit is that of the second operand.
+    `unit` applies to the second operand.
     """
     return tuple(
         Opcode(
@@ -36,7 +36,7 @@ ANGLE_IN = In("X", DATAF, "angle", unit="degrees")
 ANGLE_OUT = Out("R", DATAF, "angle", unit="degrees")
 DIVIDEND = "number to divide"
 DIVISOR = "number to divide by"
-REMAINDER = "what is left over, with the sign of X"
+REMAINDER = "remainder, with the sign of X"
 
 MATH = (
     *_by_type("ADD", (0x10, 0x11, 0x12, 0x13), "Adds two {} numbers", "first number", "second number", "their sum"),
@@ -82,9 +82,9 @@ MATH = (
     *_by_type(
         "RL",
         (0x2C, 0x2D, 0x2E),
-        "Shifts {} values left; despite the name (rotate), bits leaving on the left are lost",
+        "Shifts {} values left; despite the name (rotate), bits shifted out on the left are lost",
         "value to shift",
-        "how many places",
+        "number of places",
         "shifted value, filled up with zero bits",
         unit="bits",
     ),
@@ -146,7 +146,7 @@ MATH = (
                 21,
                 "TRUNC",
                 "Cuts off decimals without rounding",
-                (X, In("P", DATA8, "how many decimals to keep (more than 6 are not there)", range=(0, 9)), R),
+                (X, In("P", DATA8, "number of decimals to keep (at most 6 are available)", range=(0, 9)), R),
             ),
         ),
     ),

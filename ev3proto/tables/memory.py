@@ -1,7 +1,7 @@
-"""What reaches the brick's memory: variables of running programs, files and folders, data logs, arrays.
+"""Operations on the brick's memory: variables of running programs, files and folders, data logs, arrays.
 
-A handle is a number that one program slot gave to an open file, an array or a block of memory; elsewhere it means
-nothing without the slot.
+A handle is the number of an open file, an array or a block of memory; it is valid only in the program slot that
+opened it.
 """
 
 from ev3proto.tables import paths
@@ -28,46 +28,46 @@ from ev3proto.tables.enumerations import DEL, SLOT
 NOT_NEGATIVE = (0, 2**31 - 1)
 NO_YES = {0: "no", 1: "yes"}
 
-# The VM's own memory knows the numbered slots only; arrays and images see CURRENT_SLOT (-1) as well.
+# Access to a program's memory takes numbered slots only; arrays and images also accept CURRENT_SLOT (-1).
 PROGRAM = In("PRGID", DATA16, "slot of the program, which must be running", range=(0, 4), enum=SLOT)
 OBJECT = In("OBJID", DATA16, "object whose local memory is meant", special={0: "the program's global memory"})
 OFFSET = In("OFFSET", DATA32, "first byte in that memory", range=NOT_NEGATIVE, unit="bytes")
-MEMORY_SIZE = In("SIZE", DATA32, "how many bytes", range=NOT_NEGATIVE, unit="bytes")
+MEMORY_SIZE = In("SIZE", DATA32, "number of bytes", range=NOT_NEGATIVE, unit="bytes")
 
 FILE_NAME = In("NAME", STRING, "path of the file; a bare name is taken from the program's own folder", most=paths.WHOLE)
 FOLDER_NAME = In("NAME", STRING, "path of the folder with its closing slash, such as ../prjs/", most=paths.WHOLE)
 FILE_HANDLE = In("HANDLE", HANDLE, "the open file")
-NEW_FILE = Out("HANDLE", HANDLE, "what names the file from now on")
+NEW_FILE = Out("HANDLE", HANDLE, "handle of the opened file")
 LOG_HANDLE = In("HANDLE", HANDLE, "the open data log")
-DELIMITER = In("DEL", DATA8, "what stands between two values in the file", enum=DEL)
-ROOM = In("LENGTH", DATA8, "room for the string, its zero included", unit="bytes")
+DELIMITER = In("DEL", DATA8, "separator between two values in the file", enum=DEL)
+ROOM = In("LENGTH", DATA8, "size of the string's buffer, including the zero", unit="bytes")
 ENTRY = In("ITEM", DATA8, "which entry of the folder, the first is 1", range=(1, 127))
-IMAGE_ADDRESS = Out("IP", DATA32, "where it was loaded, to be handed to PROGRAM_START", special={0: "not loaded"})
+IMAGE_ADDRESS = Out("IP", DATA32, "where it was loaded, for PROGRAM_START", special={0: "not loaded"})
 
 OWNER = In("PRGID", DATA16, "slot of the program that owns the array", enum=SLOT)
 ARRAY_HANDLE = In("HANDLE", HANDLE, "the array")
-NEW_ARRAY = Out("HANDLE", HANDLE, "what names the array from now on")
+NEW_ARRAY = Out("HANDLE", HANDLE, "handle of the new array")
 INDEX = In("INDEX", DATA32, "which element, the first is 0", range=NOT_NEGATIVE, role=Role.INDEX)
 FIRST_BYTE = In("INDEX", DATA32, "first byte in the array's content, whatever its elements", range=NOT_NEGATIVE)
-BYTES_32 = In("BYTES", DATA32, "how many bytes", range=NOT_NEGATIVE, unit="bytes")
-BYTES_16 = In("BYTES", DATA16, "how many bytes", range=(0, 32767), unit="bytes")
+BYTES_32 = In("BYTES", DATA32, "number of bytes", range=NOT_NEGATIVE, unit="bytes")
+BYTES_16 = In("BYTES", DATA16, "number of bytes", range=(0, 32767), unit="bytes")
 
 
 def _create(number: int, name: str, element: Type) -> Command:
-    """An ARRAY command that makes an array of elements of one type."""
+    """Builds an ARRAY command that creates an array of one element type."""
     return Command(
         number,
         name,
         f"Creates an array of {element} elements",
         (
-            In("ELEMENTS", DATA32, "how many elements it has at first", range=NOT_NEGATIVE),
+            In("ELEMENTS", DATA32, "initial number of elements", range=NOT_NEGATIVE),
             NEW_ARRAY,
         ),
     )
 
 
 def _init(number: int, name: str, element: Type) -> Command:
-    """An ARRAY command that writes several elements of one type, each a parameter of its own."""
+    """Builds an ARRAY command that writes several elements of one type, each as a separate parameter."""
     return Command(
         number,
         name,
@@ -75,8 +75,8 @@ def _init(number: int, name: str, element: Type) -> Command:
         (
             ARRAY_HANDLE,
             In("INDEX", DATA32, "first element to write, counted from 0", range=NOT_NEGATIVE),
-            # A negative count makes the firmware's validator spin.
-            In("ELEMENTS", DATA32, "how many values follow", range=NOT_NEGATIVE),
+            # A negative count sends the firmware's validator into an endless loop.
+            In("ELEMENTS", DATA32, "number of values follow", range=NOT_NEGATIVE),
             Values("VALUES", "the values, one parameter each", element),
         ),
     )
@@ -117,7 +117,7 @@ MEMORY = (
             Command(
                 0,
                 "OPEN_APPEND",
-                "Opens a file to write at its end, creates it where there is none",
+                "Opens a file for appending; creates it if it does not exist",
                 (
                     FILE_NAME,
                     NEW_FILE,
@@ -127,7 +127,7 @@ MEMORY = (
             Command(
                 1,
                 "OPEN_READ",
-                "Opens a file to read",
+                "Opens a file for reading",
                 (
                     FILE_NAME,
                     NEW_FILE,
@@ -138,7 +138,7 @@ MEMORY = (
             Command(
                 2,
                 "OPEN_WRITE",
-                "Creates a file or empties the one there is, and opens it to write",
+                "Creates or truncates a file and opens it for writing",
                 (
                     FILE_NAME,
                     NEW_FILE,
@@ -152,7 +152,7 @@ MEMORY = (
                 (
                     FILE_HANDLE,
                     DELIMITER,
-                    Out("VALUE", DATAF, "the number, 0 where the text is none"),
+                    Out("VALUE", DATAF, "the number, 0 if the text is not a number"),
                 ),
                 effects=(Effect.VARIES,),
             ),
@@ -164,7 +164,7 @@ MEMORY = (
                     FILE_HANDLE,
                     DELIMITER,
                     In("VALUE", DATAF, "the number"),
-                    In("FIGURES", DATA8, "least width in characters, the decimal point included"),
+                    In("FIGURES", DATA8, "minimum width in characters, including the decimal point"),
                     In("DECIMALS", DATA8, "digits after the decimal point"),
                 ),
                 effects=(Effect.WRITES_FILES,),
@@ -179,13 +179,13 @@ MEMORY = (
                     In(
                         "LENGTH",
                         DATA16,
-                        "most bytes to read; LEGO's firmware keeps the low 8 bits, so 127",
+                        "maximum number of bytes to read; LEGO's firmware keeps the low 8 bits, so 127",
                         unit="bytes",
                     ),
                     Out(
                         "TEXT",
                         STRING,
-                        "the text, without a zero at its end when it fills all the room",
+                        "the text, without a zero at its end if it fills the whole buffer",
                         length="LENGTH",
                     ),
                 ),
@@ -202,7 +202,7 @@ MEMORY = (
                 ),
                 effects=(Effect.WRITES_FILES,),
             ),
-            Command(7, "CLOSE", "Closes a file and gives its handle back", (FILE_HANDLE,)),
+            Command(7, "CLOSE", "Closes a file and frees its handle", (FILE_HANDLE,)),
             Command(
                 8,
                 "LOAD_IMAGE",
@@ -227,16 +227,16 @@ MEMORY = (
                 (
                     FILE_NAME,
                     Out("HANDLE", HANDLE, "the open file", special={-1: "not open"}),
-                    Out("WRITE", DATA8, "whether it is open to write or append", special=NO_YES),
+                    Out("WRITE", DATA8, "whether it is open for writing or appending", special=NO_YES),
                 ),
             ),
             Command(
                 10,
                 "MAKE_FOLDER",
-                "Creates a folder unless it is there",
+                "Creates a folder unless it exists",
                 (
                     In("NAME", STRING, "path of the folder, relative to /home/root/lms2012/sys", most=paths.WHOLE),
-                    Out("SUCCESS", DATA8, "whether the folder is there now", special=NO_YES),
+                    Out("SUCCESS", DATA8, "whether the folder exists now", special=NO_YES),
                 ),
                 effects=(Effect.WRITES_FILES,),
             ),
@@ -246,7 +246,7 @@ MEMORY = (
                 "Reserves a block of memory for the program",
                 (
                     In("SIZE", DATA32, "how much memory", range=NOT_NEGATIVE, unit="bytes"),
-                    Out("HANDLE", HANDLE, "what names the block from now on"),
+                    Out("HANDLE", HANDLE, "handle of the block"),
                     Out("IP", DATA32, "address of the block"),
                 ),
                 effects=(Effect.VARIES,),
@@ -254,7 +254,7 @@ MEMORY = (
             Command(
                 12,
                 "SET_LOG_SYNC_TIME",
-                "Stores the time and tick by which data logs are lined up",
+                "Stores the time and tick to which data logs are aligned",
                 (
                     In("TIME", DATA32, "the common time"),
                     In("TICK", DATA32, "the brick's tick at that time"),
@@ -266,14 +266,14 @@ MEMORY = (
                 "Counts the entries of a folder, without hidden ones",
                 (
                     FOLDER_NAME,
-                    Out("ITEMS", DATA8, "how many entries there are"),
+                    Out("ITEMS", DATA8, "number of entries"),
                 ),
                 effects=(Effect.VARIES,),
             ),
             Command(
                 14,
                 "GET_LOG_SYNC_TIME",
-                "Tells the time and tick by which data logs are lined up",
+                "Reads the time and tick to which data logs are aligned",
                 (
                     Out("TIME", DATA32, "the common time"),
                     Out("TICK", DATA32, "the brick's tick at that time"),
@@ -283,7 +283,7 @@ MEMORY = (
             Command(
                 15,
                 "GET_SUBFOLDER_NAME",
-                "Tells the name of one entry of a folder",
+                "Reads the name of one entry of a folder",
                 (
                     FOLDER_NAME,
                     ENTRY,
@@ -291,7 +291,7 @@ MEMORY = (
                     Out(
                         "STRING",
                         STRING,
-                        "its name without extension, empty where there is no such entry",
+                        "its name without extension, empty if there is no such entry",
                         length="LENGTH",
                     ),
                 ),
@@ -304,7 +304,7 @@ MEMORY = (
                 (
                     LOG_HANDLE,
                     In("TIME", DATA32, "time of the samples since the log began", unit="ms"),
-                    In("ITEMS", DATA8, "how many samples; with 0 nothing is written", range=(0, 127)),
+                    In("ITEMS", DATA8, "number of samples; with 0 nothing is written", range=(0, 127)),
                     In("VALUES", DATAF, "the samples, in one array", length="ITEMS"),
                 ),
                 effects=(Effect.WRITES_FILES,),
@@ -312,7 +312,7 @@ MEMORY = (
             Command(
                 17,
                 "CLOSE_LOG",
-                "Writes a data log to its end and closes it",
+                "Writes the rest of a data log and closes it",
                 (
                     LOG_HANDLE,
                     In("NAME", STRING, "path of the log as given to OPEN_LOG; .rdf may be omitted"),
@@ -338,7 +338,7 @@ MEMORY = (
                 (
                     FOLDER_NAME,
                     In("STRING", STRING, "name to look for, without extension"),
-                    Out("ITEM", DATA8, "which entry it is, the first is 1", range=(1, 127), special={0: "not found"}),
+                    Out("ITEM", DATA8, "number of the entry; the first is 1", range=(1, 127), special={0: "not found"}),
                 ),
                 effects=(Effect.VARIES,),
             ),
@@ -346,7 +346,7 @@ MEMORY = (
                 20,
                 "GET_CACHE_FILES",
                 "Counts the recently run files",
-                (Out("ITEMS", DATA8, "how many there are, 10 at most"),),
+                (Out("ITEMS", DATA8, "number of files, at most 10"),),
                 effects=(Effect.VARIES,),
             ),
             Command(
@@ -359,23 +359,23 @@ MEMORY = (
             Command(
                 22,
                 "GET_CACHE_FILE",
-                "Tells the path of one recently run file",
+                "Reads the path of one recently run file",
                 (
                     In("ITEM", DATA8, "which one, 1 is the latest", range=(1, 10)),
                     ROOM,
-                    Out("STRING", STRING, "path of the file, empty where there is none", length="LENGTH"),
+                    Out("STRING", STRING, "path of the file, empty if there is none", length="LENGTH"),
                 ),
                 effects=(Effect.VARIES,),
             ),
             Command(
                 23,
                 "DEL_CACHE_FILE",
-                "Takes a file off the list of recently run files",
+                "Removes a file from the list of recently run files",
                 (
                     In(
                         "STRING",
                         STRING,
-                        "path of the file, as PUT_CACHE_FILE got it",
+                        "path of the file, as given to PUT_CACHE_FILE",
                         note="elsewhere an output; the firmware reads the path from it and writes nothing",
                     ),
                 ),
@@ -394,13 +394,13 @@ MEMORY = (
             Command(
                 25,
                 "GET_LOG_NAME",
-                "Tells the path of the data log that is open",
+                "Reads the path of the open data log",
                 (
                     ROOM,
                     Out(
                         "NAME",
                         STRING,
-                        "path of the log, empty where none is open",
+                        "path of the log, empty if none is open",
                         length="LENGTH",
                         note="elsewhere an input; the firmware writes the path into it",
                     ),
@@ -413,7 +413,7 @@ MEMORY = (
                 "Creates a data log and writes its header",
                 (
                     In("NAME", STRING, "path of the log; .rdf may be omitted; with an empty one it stays in memory"),
-                    In("syncedTime", DATA32, "the common time, as GET_LOG_SYNC_TIME tells it"),
+                    In("syncedTime", DATA32, "the common time, as GET_LOG_SYNC_TIME returns it"),
                     In("syncedTick", DATA32, "the brick's tick at that time"),
                     In("nowTick", DATA32, "the brick's tick at the start of the log"),
                     In(
@@ -422,27 +422,27 @@ MEMORY = (
                         "time between samples; fast logs are kept in memory first",
                         unit="ms",
                     ),
-                    In("duration_in_ms", DATA32, "how long the log is to run", unit="ms"),
+                    In("duration_in_ms", DATA32, "duration of the log", unit="ms"),
                     In("SDATA", STRING, "text that describes the sensors, copied into the header"),
-                    Out("HANDLE", HANDLE, "what names the log from now on"),
+                    Out("HANDLE", HANDLE, "handle of the log"),
                 ),
                 effects=(Effect.WRITES_FILES,),
             ),
             Command(
                 28,
                 "READ_BYTES",
-                "Reads bytes from a file as they are",
+                "Reads raw bytes from a file",
                 (
                     FILE_HANDLE,
                     BYTES_16,
-                    Out("DESTINATION", DATA8, "the bytes; a zero follows where the file ended early", length="BYTES"),
+                    Out("DESTINATION", DATA8, "the bytes; followed by a zero if the file ended early", length="BYTES"),
                 ),
                 effects=(Effect.VARIES,),
             ),
             Command(
                 29,
                 "WRITE_BYTES",
-                "Writes bytes to a file as they are",
+                "Writes raw bytes to a file",
                 (
                     FILE_HANDLE,
                     BYTES_16,
@@ -460,10 +460,10 @@ MEMORY = (
             Command(
                 31,
                 "MOVE",
-                "Copies a file or folder over whatever is at the destination; the source stays",
+                "Copies a file or folder and replaces the destination; the source is kept",
                 (
                     In("SOURCE", STRING, "path to copy from"),
-                    In("DEST", STRING, "path to copy to; what is there is deleted first"),
+                    In("DEST", STRING, "path to copy to; any existing one is deleted first"),
                 ),
                 effects=(
                     Effect.WRITES_FILES,
@@ -475,13 +475,13 @@ MEMORY = (
     Opcode(
         0xC1,
         "ARRAY",
-        "Makes, fills, copies and resizes arrays",
+        "Creates, fills, copies and resizes arrays",
         commands=(
-            Command(0, "DELETE", "Deletes an array and gives its handle back", (ARRAY_HANDLE,), dialects=("official",)),
+            Command(0, "DELETE", "Deletes an array and frees its handle", (ARRAY_HANDLE,), dialects=("official",)),
             Command(
                 0,
                 "DESTROY",
-                "Deletes an array and gives its handle back (LEGO's name for it is DELETE)",
+                "Deletes an array and frees its handle (LEGO's name for it is DELETE)",
                 (ARRAY_HANDLE,),
                 dialects=EXTENSIONS,
             ),
@@ -492,10 +492,10 @@ MEMORY = (
             Command(
                 5,
                 "RESIZE",
-                "Changes how many elements an array has",
+                "Changes the number of elements of an array",
                 (
                     ARRAY_HANDLE,
-                    In("ELEMENTS", DATA32, "how many elements it has from now on", range=NOT_NEGATIVE),
+                    In("ELEMENTS", DATA32, "new number of elements", range=NOT_NEGATIVE),
                 ),
             ),
             Command(
@@ -510,13 +510,13 @@ MEMORY = (
             Command(
                 7,
                 "COPY",
-                "Copies the content of one array into another of the same type, which takes its size",
+                "Copies the content of one array into another of the same type, which is resized to match",
                 (
                     In("HSOURCE", HANDLE, "array to copy from"),
                     In(
                         "HDEST",
                         HANDLE,
-                        "array to copy into, which has to exist",
+                        "array to copy into, which must exist",
                         note="elsewhere an output; the firmware reads the handle of an array that exists",
                     ),
                 ),
@@ -528,27 +528,27 @@ MEMORY = (
             Command(
                 12,
                 "SIZE",
-                "Tells how many elements an array has",
+                "Counts the elements of an array",
                 (
                     ARRAY_HANDLE,
-                    Out("ELEMENTS", DATA32, "how many elements it has, 0 where there is no such array"),
+                    Out("ELEMENTS", DATA32, "number of elements, 0 if there is no such array"),
                 ),
                 dialects=("official",),
             ),
             Command(
                 12,
                 "SET_SIZE",
-                "Tells how many elements an array has (LEGO's name for it is SIZE)",
+                "Counts the elements of an array (LEGO's name for it is SIZE)",
                 (
                     ARRAY_HANDLE,
-                    Out("ELEMENTS", DATA32, "how many elements it has, 0 where there is no such array"),
+                    Out("ELEMENTS", DATA32, "number of elements, 0 if there is no such array"),
                 ),
                 dialects=EXTENSIONS,
             ),
             Command(
                 13,
                 "READ_CONTENT",
-                "Reads an array's content as bytes, of another program too",
+                "Reads an array's content as bytes, also of another program",
                 (
                     OWNER,
                     ARRAY_HANDLE,
@@ -560,7 +560,7 @@ MEMORY = (
             Command(
                 14,
                 "WRITE_CONTENT",
-                "Writes an array's content as bytes; the array then ends with them",
+                "Writes an array's content as bytes; the array then ends after them",
                 (
                     OWNER,
                     ARRAY_HANDLE,
@@ -573,11 +573,11 @@ MEMORY = (
             Command(
                 15,
                 "READ_SIZE",
-                "Tells how many bytes an array's content has, of another program too",
+                "Returns the size of an array's content, also of another program",
                 (
                     OWNER,
                     ARRAY_HANDLE,
-                    Out("BYTES", DATA32, "how many bytes, 0 where there is no such array", unit="bytes"),
+                    Out("BYTES", DATA32, "number of bytes, 0 if there is no such array", unit="bytes"),
                 ),
             ),
         ),
@@ -614,34 +614,34 @@ MEMORY = (
     Opcode(
         0xC5,
         "MEMORY_USAGE",
-        "Tells how much memory for user files there is and how much of it is free",
+        "Reports the total and free memory for user files",
         (
-            Out("TOTAL", DATA32, "all of it", unit="KiB"),
-            Out("FREE", DATA32, "what is free", unit="KiB"),
+            Out("TOTAL", DATA32, "total memory", unit="KiB"),
+            Out("FREE", DATA32, "free memory", unit="KiB"),
         ),
         effects=(Effect.VARIES,),
     ),
     Opcode(
         0xC6,
         "FILENAME",
-        "Takes file names apart, checks them, and packs files",
+        "Splits and checks file names, and packs files",
         commands=(
             Command(
                 16,
                 "EXIST",
-                "Tells whether a file or folder is there",
+                "Reports whether a file or folder exists",
                 (
                     FILE_NAME,
-                    Out("FLAG", DATA8, "whether it is there", special=NO_YES),
+                    Out("FLAG", DATA8, "whether it exists", special=NO_YES),
                 ),
             ),
             Command(
                 17,
                 "TOTALSIZE",
-                "Tells how many files a folder has and their size",
+                "Reports the number of files in a folder and their size",
                 (
                     In("NAME", STRING, "path of the folder or file"),
-                    Out("FILES", DATA32, "how many entries, with . and .. counted in; 0 for a file"),
+                    Out("FILES", DATA32, "number of entries, including . and ..; 0 for a file"),
                     Out("SIZE", DATA32, "size of all of them, rounded up", unit="KiB"),
                 ),
                 effects=(Effect.VARIES,),
@@ -649,11 +649,11 @@ MEMORY = (
             Command(
                 18,
                 "SPLIT",
-                "Takes a path apart into folder, name and extension",
+                "Splits a path into folder, name and extension",
                 (
                     In("FILENAME", STRING, "the path"),
-                    In("LENGTH", DATA8, "room for each of the three parts, its zero included", unit="bytes"),
-                    Out("FOLDER", STRING, "the folder, on LEGO's firmware with its closing slash", length="LENGTH"),
+                    In("LENGTH", DATA8, "buffer size for each of the three parts, including the zero", unit="bytes"),
+                    Out("FOLDER", STRING, "the folder, with its closing slash on LEGO's firmware", length="LENGTH"),
                     Out("NAME", STRING, "the name, without folder and extension", length="LENGTH"),
                     Out("EXT", STRING, "the extension with its dot", length="LENGTH"),
                 ),
@@ -661,7 +661,7 @@ MEMORY = (
             Command(
                 19,
                 "MERGE",
-                "Puts a path together from folder, name and extension",
+                "Builds a path from folder, name and extension",
                 (
                     In("FOLDER", STRING, "the folder, without a slash at its end"),
                     In("NAME", STRING, "the name"),
@@ -673,7 +673,7 @@ MEMORY = (
             Command(
                 20,
                 "CHECK",
-                "Tells whether a path has allowed characters and lengths; the file need not exist",
+                "Reports whether a path's characters and lengths are allowed; the file need not exist",
                 (
                     In("FILENAME", STRING, "the path"),
                     Out("OK", DATA8, "whether the path can be used", special={0: "not allowed", 1: "allowed"}),
@@ -683,20 +683,20 @@ MEMORY = (
                 21,
                 "PACK",
                 "Packs a file or folder into a .raf archive beside it",
-                (In("FILENAME", STRING, "path of what to pack"),),
+                (In("FILENAME", STRING, "path of the file or folder"),),
                 effects=(Effect.WRITES_FILES,),
             ),
             Command(
                 22,
                 "UNPACK",
                 "Unpacks a .raf archive into the folder it is in",
-                (In("FILENAME", STRING, "path of the archive; whatever its extension, .raf is taken"),),
+                (In("FILENAME", STRING, "path of the archive; its extension is replaced by .raf"),),
                 effects=(Effect.WRITES_FILES,),
             ),
             Command(
                 23,
                 "GET_FOLDERNAME",
-                "Tells the program's own folder",
+                "Reads the path of the program's own folder",
                 (
                     ROOM,
                     Out("FOLDERNAME", STRING, "path of the folder, without a slash at its end", length="LENGTH"),

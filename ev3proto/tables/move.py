@@ -1,6 +1,6 @@
-"""Copying values between variables: from one size to another, into a row of bytes, from and to elements of an array.
+"""Copying values between variables: between sizes, into consecutive bytes, from and to elements of an array.
 
-The same operation exists once per size of its operands, so all but one are built size by size.
+All operations but one exist for every operand size and are built for each.
 """
 
 from ev3proto.tables.declaration import DATA8, DATA16, DATA32, DATAF, In, Opcode, Out, Role, Type, Values
@@ -17,7 +17,7 @@ INDEX = In(
 
 
 def _moves_from(name: str, source: Type, size: str, numbers: tuple[int, int, int, int]) -> tuple[Opcode, ...]:
-    """Copying from one type to each of the four."""
+    """Builds the copies from one type to each of the four."""
     return tuple(
         Opcode(
             number,
@@ -40,12 +40,12 @@ def _move_text(source: Type, size: str, destination: Type, to: str) -> str:
 
 
 def _reads(numbers: tuple[int, int, int, int]) -> tuple[Opcode, ...]:
-    """READ on 8, 16, 32 bits and float."""
+    """Builds READ on 8, 16, 32 bits and float."""
     return tuple(
         Opcode(
             number,
             "READ" + suffix,
-            f"Takes one element out of an array of {size} values",
+            f"Reads one element of an array of {size} values",
             (
                 In("SOURCE", type_, "first element of the array, as a variable", indexed_by="INDEX"),
                 INDEX,
@@ -57,14 +57,14 @@ def _reads(numbers: tuple[int, int, int, int]) -> tuple[Opcode, ...]:
 
 
 def _writes(numbers: tuple[int, int, int, int]) -> tuple[Opcode, ...]:
-    """WRITE on 8, 16, 32 bits and float."""
+    """Builds WRITE on 8, 16, 32 bits and float."""
     return tuple(
         Opcode(
             number,
             "WRITE" + suffix,
-            f"Sets one element of an array of {size} values",
+            f"Writes one element of an array of {size} values",
             (
-                In("SOURCE", type_, "value to set"),
+                In("SOURCE", type_, "value to write"),
                 INDEX,
                 In(
                     "DESTINATION",
@@ -83,10 +83,10 @@ MOVE = (
     Opcode(
         0x2F,
         "INIT_BYTES",
-        "Fills consecutive bytes of memory with values given in place",
+        "Fills consecutive bytes of memory with constant values",
         (
             Out("DESTINATION", DATA8, "first byte to fill", length="LENGTH"),
-            In("LENGTH", DATA32, "how many values follow; a negative count hangs the brick", unit="bytes"),
+            In("LENGTH", DATA32, "number of values follow; a negative count hangs the brick", unit="bytes"),
             Values("SOURCE", "the values, one per byte", DATA8),
         ),
     ),

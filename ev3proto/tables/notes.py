@@ -40,4 +40,4 @@ NOTES: dict[str, int] = {
 }
 
 OTHER_NOTE = NOTES["A4"]
-"""What every other text gives."""
+"""The frequency for any other text, in Hz."""

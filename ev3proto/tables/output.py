@@ -1,6 +1,6 @@
 """Operations on motors: power, speed, limited and synchronised moves, tacho counts.
 
-Most of them take a set of ports as a bit mask (NOS), a few take one port by its number (NO).
+Most take a set of ports as a bit mask (NOS), a few the number of one port (NO).
 """
 
 from ev3proto.tables.declaration import (
@@ -37,8 +37,8 @@ NOS = In(
     role=Role.MOTORS,
 )
 BRAKE = In("BRAKE", DATA8, "what the motors do at the end", range=(0, 1), special={0: "coast", 1: "brake and hold"})
-POWER = In("POWER", DATA8, "unregulated power, negative: backward", unit="%", range=(-100, 100))
-SPEED = In("SPEED", DATA8, "regulated speed, negative: backward", unit="%", range=(-100, 100))
+POWER = In("POWER", DATA8, "unregulated power; negative: backward", unit="%", range=(-100, 100))
+SPEED = In("SPEED", DATA8, "regulated speed; negative: backward", unit="%", range=(-100, 100))
 TURN = In(
     "TURN",
     DATA16,
@@ -46,9 +46,9 @@ TURN = In(
     range=(-200, 200),
     special={
         -200: "spin, lower port runs backward",
-        -100: "lower port stands",
+        -100: "lower port stands still",
         0: "straight",
-        100: "higher port stands",
+        100: "higher port stands still",
         200: "spin, higher port runs backward",
     },
 )
@@ -65,7 +65,7 @@ TIME_LIMITS = (
 
 
 def limited(number: int, name: str, text: str, drive: Parameter, limits: tuple[Parameter, ...]) -> Opcode:
-    """A move of independent motors that ends by itself after ramp up, constant drive and ramp down."""
+    """Builds a move of independent motors that ends by itself after ramp up, constant drive and ramp down."""
     return Opcode(
         number,
         name,
@@ -79,10 +79,10 @@ OUTPUT = (
     Opcode(
         0xA0,
         "OUTPUT_GET_TYPE",
-        "Tells the type of motor at a port: documented, and never implemented by any firmware",
+        "Reports the type of motor at a port; documented, but not implemented by any firmware",
         (LAYER, NO, Out("TYPE", DATA8, "type of the motor", enum=TYPE)),
         dialects=UNRELEASED,
-        note="INPUT_DEVICE.GET_TYPEMODE with ports 16 to 19 tells the type of the motor at A to D",
+        note="INPUT_DEVICE.GET_TYPEMODE with ports 16 to 19 reports the type of the motor at A to D",
     ),
     Opcode(
         0xA1,
@@ -96,7 +96,7 @@ OUTPUT = (
                 DATA8,
                 "type of the motor",
                 enum=TYPE,
-                note="an input, which the firmware reads; some published tables call it an output",
+                note="an input that the firmware reads; some published tables call it an output",
             ),
         ),
         effects=(Effect.SETS_MOTORS,),
@@ -112,14 +112,14 @@ OUTPUT = (
     Opcode(
         0xA4,
         "OUTPUT_POWER",
-        "Sets the power of motors, OUTPUT_START makes them run",
+        "Sets the power of motors, which run at the next OUTPUT_START",
         (LAYER, NOS, POWER),
         effects=(Effect.SETS_MOTORS,),
     ),
     Opcode(
         0xA5,
         "OUTPUT_SPEED",
-        "Sets the speed of motors, OUTPUT_START makes them run",
+        "Sets the speed of motors, which run at the next OUTPUT_START",
         (LAYER, NOS, SPEED),
         effects=(Effect.SETS_MOTORS,),
     ),
@@ -142,7 +142,7 @@ OUTPUT = (
                 DATA8,
                 "direction",
                 range=(-1, 1),
-                special={-1: "backward", 0: "opposite of the present one", 1: "forward"},
+                special={-1: "backward", 0: "opposite of the current one", 1: "forward"},
             ),
         ),
         effects=(Effect.SETS_MOTORS,),
@@ -154,7 +154,7 @@ OUTPUT = (
         (
             LAYER,
             NO,
-            Out("SPEED", DATA8, "present speed", unit="%", range=(-100, 100)),
+            Out("SPEED", DATA8, "current speed", unit="%", range=(-100, 100)),
             Out("TACHO", DATA32, "angle since OUTPUT_RESET", unit="degrees"),
         ),
         effects=(Effect.VARIES,),
@@ -162,7 +162,7 @@ OUTPUT = (
     Opcode(
         0xA9,
         "OUTPUT_TEST",
-        "Tells whether one of the motors is still in a move that ends by itself",
+        "Reports whether one of the motors is still in a move that ends by itself",
         (LAYER, NOS, Out("BUSY", DATA8, "whether to wait", range=(0, 1), special={0: "ready", 1: "busy"})),
         effects=(
             Effect.WAITS,
@@ -172,7 +172,7 @@ OUTPUT = (
     Opcode(
         0xAA,
         "OUTPUT_READY",
-        "Waits until the moves of the motors have ended, OUTPUT_START does not count",
+        "Waits until the moves of the motors have ended; ignores those from OUTPUT_START",
         (LAYER, NOS),
         effects=(
             Effect.WAITS,
@@ -182,10 +182,10 @@ OUTPUT = (
     Opcode(
         0xAB,
         "OUTPUT_POSITION",
-        "Tells the position of motors: documented, and never implemented by any firmware",
+        "Reports the position of motors; documented, but not implemented by any firmware",
         (LAYER, NOS, Out("POS", DATA32, "position", unit="degrees")),
         dialects=UNRELEASED,
-        note="OUTPUT_GET_COUNT tells the position of a motor as a sensor, OUTPUT_READ that since the last reset",
+        note="OUTPUT_GET_COUNT reads the position of a motor as a sensor, OUTPUT_READ that since the last reset",
     ),
     limited(0xAC, "OUTPUT_STEP_POWER", "Turns motors by an angle with unregulated power", POWER, TACHO_LIMITS),
     limited(0xAD, "OUTPUT_TIME_POWER", "Runs motors for a time with unregulated power", POWER, TIME_LIMITS),
@@ -200,7 +200,7 @@ OUTPUT = (
             NOS,
             SPEED,
             TURN,
-            In("STEP", DATA32, "angle of the faster motor", unit="degrees", range=(0, MOST), special={0: "no end"}),
+            In("STEP", DATA32, "angle of the faster motor", unit="degrees", range=(0, MOST), special={0: "endless"}),
             BRAKE,
         ),
         effects=(
@@ -217,7 +217,7 @@ OUTPUT = (
             NOS,
             SPEED,
             TURN,
-            In("TIME", DATA32, "how long to run", unit="ms", range=(0, MOST), special={0: "no end"}),
+            In("TIME", DATA32, "how long to run", unit="ms", range=(0, MOST), special={0: "endless"}),
             BRAKE,
         ),
         effects=(
@@ -228,14 +228,14 @@ OUTPUT = (
     Opcode(
         0xB2,
         "OUTPUT_CLR_COUNT",
-        "Sets the tacho counts that motors have as sensors to zero",
+        "Sets the tacho counts of motors read as sensors to zero",
         (LAYER, NOS),
         effects=(Effect.SETS_MOTORS,),
     ),
     Opcode(
         0xB3,
         "OUTPUT_GET_COUNT",
-        "Reads the tacho count that a motor has as a sensor",
+        "Reads the tacho count of a motor read as a sensor",
         (
             LAYER,
             In(
@@ -246,7 +246,7 @@ OUTPUT = (
                 special=PORTS,
                 names=LETTERS,
                 role=Role.MOTOR,
-                note="named as a bit mask, used by the firmware as the number of one port",
+                note="named like a bit mask, but the firmware reads the number of one port",
             ),
             Out("TACHO", DATA32, "angle since OUTPUT_CLR_COUNT", unit="degrees"),
         ),

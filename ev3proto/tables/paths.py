@@ -1,4 +1,4 @@
-"""Paths on the brick: how long one and its parts may be, each with its zero. The firmware refuses longer ones."""
+"""Paths on the brick: maximum lengths, each including the zero. The firmware refuses longer ones."""
 
 from ev3proto.tables.constants import CONSTANTS
 
@@ -6,13 +6,13 @@ WHOLE = int(CONSTANTS["FILENAMESIZE"])
 """Bytes of a whole path."""
 
 FOLDER = int(CONSTANTS["PATHSIZE"])
-"""Bytes of what comes before the name, its slash included."""
+"""Bytes before the name, including the slash."""
 
 NAME = int(CONSTANTS["NAMESIZE"])
 """Bytes of the name, up to its first dot."""
 
 EXTENSION = int(CONSTANTS["EXTSIZE"])
-"""Bytes of the extension, its dot included."""
+"""Bytes of the extension, including the dot."""
 
 USUAL_FOLDERS = (
     *(f"apps/{name}" for name in ("Brick Datalog", "Brick Program", "IR Control", "Motor Control", "Port View")),

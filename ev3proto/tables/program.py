@@ -1,4 +1,4 @@
-"""The program image (.rbf): sign, versions, kinds of objects, the codes of parameters, how memory is laid out."""
+"""The program image (.rbf): magic bytes, versions, kinds of objects, codes of parameters, memory layout."""
 
 from __future__ import annotations
 
@@ -7,16 +7,16 @@ from enum import StrEnum
 from ev3proto.tables.declaration import DATA8, DATA16, DATA32, DATAF, STRING, Direction, Type
 
 SIGN = b"LEGO"
-"""What every image starts with."""
+"""The magic bytes at the start of every image."""
 
 DEFAULT_VERSION = 0x6D
-"""The version that an image gets unless the user says another: byte code 1.09. The machine does not depend on it."""
+"""The default version of an image: byte code 1.09. The virtual machine ignores it."""
 
 RELEASE_VERSION = 0x68
 """The version of the release of 2013, whose validator does not know the newer commands."""
 
 OLD_VERSIONS = range(1, RELEASE_VERSION)
-"""Versions that the validator objects to, and accepts all the same."""
+"""Versions that the validator complains about, but accepts."""
 
 VERSIONS = {
     0x00: "EV3 Classroom",
@@ -24,20 +24,20 @@ VERSIONS = {
     RELEASE_VERSION: "the release of 2013, EV3-Basic",
     DEFAULT_VERSION: "the sources of release 1.09",
 }
-"""Who writes which version, as far as that is known."""
+"""The known writers of each version."""
 
 MAX_OBJECTS = 0xFFFF
-"""Objects that the header can count; their numbers start at 1."""
+"""Maximum number of objects that the header can count; their numbers start at 1."""
 
 MAX_MEMORY = 0xFFFFFFFF
-"""Bytes of globals or locals that a header can ask for."""
+"""Maximum size of globals or locals that a header can request, in bytes."""
 
 MAX_PARAMETERS = 0xFF
-"""Parameters that a subcall can declare: their number is one byte."""
+"""Maximum number of parameters of a subcall: their count is one byte."""
 
 
 class ObjectKind(StrEnum):
-    """What an object is. Its header tells: an owner makes a block, one trigger a subcall, all others are threads."""
+    """The kind of an object, by its header: with an owner a block, with one trigger a subcall, else a thread."""
 
     THREAD = "vmthread"
     SUBCALL = "subcall"
@@ -45,25 +45,25 @@ class ObjectKind(StrEnum):
 
 
 def kind_of(owner: int, triggers: int) -> ObjectKind:
-    """The kind of an object with that owner and number of triggers."""
+    """Returns the kind of an object with that owner and number of triggers."""
     if owner:
         return ObjectKind.BLOCK
     return ObjectKind.SUBCALL if triggers == 1 else ObjectKind.THREAD
 
 
 STRING_CODE = 4
-"""The low bits of the code of a parameter that is a string, which is followed by a byte of size."""
+"""The low bits of the code of a string parameter; a byte with its size follows."""
 
 PARAMETER_CODES: dict[int, Type] = {0: DATA8, 1: DATA16, 2: DATA32, 3: DATAF, STRING_CODE: STRING}
 """The low bits of a parameter's code. A handle is declared as 16 bits."""
 
 PARAMETER_DIRECTIONS = {(True, False): Direction.IN, (False, True): Direction.OUT, (True, True): Direction.INOUT}
-"""By the bits "in" (0x80) and "out" (0x40) of a parameter's code."""
+"""The direction by the bits "in" (0x80) and "out" (0x40) of a parameter's code."""
 
 ALIGNED_SIZES = (2, 4)
-"""A variable of so many bytes in all, whatever its type, starts at a multiple of that; all others at the next byte."""
+"""Variables of these total sizes, of any type, start at a multiple of their size; all others at the next byte."""
 
 
 def aligned(offset: int, size: int) -> int:
-    """The offset, at or after the given one, where a variable of that many bytes in all starts."""
+    """Returns the first offset, from the given one on, where a variable of that total size can start."""
     return -(-offset // size) * size if size in ALIGNED_SIZES else offset

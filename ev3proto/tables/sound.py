@@ -1,9 +1,9 @@
-"""The speaker: tones, sound files and waiting for their end. One sound at a time: the next one cuts it off."""
+"""The speaker: tones, sound files, waiting for their end. It plays one sound at a time; the next one interrupts it."""
 
 from ev3proto.tables import paths
 from ev3proto.tables.declaration import DATA8, DATA16, STRING, Command, Effect, In, Opcode, Out
 
-VOLUME = In("VOLUME", DATA8, "how loud", range=(0, 100), unit="%", special={0: "silent"})
+VOLUME = In("VOLUME", DATA8, "volume", range=(0, 100), unit="%", special={0: "silent"})
 NAME = In(
     "NAME",
     STRING,
@@ -27,14 +27,14 @@ SOUND = (
                     In(
                         "FREQUENCY",
                         DATA16,
-                        "pitch; the driver moves others into the range",
+                        "pitch; the driver clamps it to the range",
                         range=(250, 10000),
                         unit="Hz",
                     ),
                     In(
                         "DURATION",
                         DATA16,
-                        "how long, read without sign (-1 is 65535)",
+                        "duration, read unsigned (-1 is 65535)",
                         unit="ms",
                         special={0: "until BREAK or the next sound"},
                         unsigned=True,
@@ -52,13 +52,13 @@ SOUND = (
                 (VOLUME, NAME),
                 effects=(Effect.STARTS_SOUND,),
             ),
-            Command(4, "SERVICE", "Does nothing here: the firmware itself feeds its sound driver by this number"),
+            Command(4, "SERVICE", "Does nothing; the number is used inside the firmware to feed the sound driver"),
         ),
     ),
     Opcode(
         0x95,
         "SOUND_TEST",
-        "Tells whether a sound is playing",
+        "Reports whether a sound is playing",
         (Out("BUSY", DATA8, "whether a sound is playing", range=(0, 1), special={0: "ready", 1: "busy"}),),
         effects=(
             Effect.WAITS,
@@ -68,7 +68,7 @@ SOUND = (
     Opcode(
         0x96,
         "SOUND_READY",
-        "Waits until the sound has ended (for ever after REPEAT or a tone without end)",
+        "Waits until the sound has ended (forever after REPEAT or an endless tone)",
         effects=(
             Effect.WAITS,
             Effect.AWAITS_SOUND,

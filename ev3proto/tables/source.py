@@ -1,4 +1,4 @@
-"""The words of program sources (.lms): types, parameters, objects, and the escapes in strings."""
+"""The keywords of program sources (.lms): types, parameters, objects, and the escapes in strings."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ VARIABLE_WORDS: dict[str, Type] = {
     "ARRAY32": DATA32,
     "ARRAYF": DATAF,
 }
-"""The words that declare a variable, and the type of one element."""
+"""The keywords that declare a variable, and the type of one element."""
 
 SIZED_WORDS = ("DATAS", "ARRAY8", "ARRAY16", "ARRAY32", "ARRAYF")
-"""Those whose name is followed by a number of elements."""
+"""The keywords whose variable name is followed by a number of elements."""
 
 _SUFFIXES = {"8": DATA8, "16": DATA16, "32": DATA32, "F": DATAF, "S": STRING, "H": HANDLE}
 _PREFIXES = {"IN": Direction.IN, "OUT": Direction.OUT, "IO": Direction.INOUT}
@@ -29,30 +29,30 @@ PARAMETER_WORDS: dict[str, tuple[Direction, Type]] = {
     for prefix, direction in _PREFIXES.items()
     for suffix, kind in _SUFFIXES.items()
 }
-"""The words that declare a parameter of a subcall. LEGO's assembler does not have those of handles."""
+"""The keywords that declare a parameter of a subcall. LEGO's assembler lacks those of handles."""
 
 SIZED_PARAMETERS = tuple(word for word, (_, kind) in PARAMETER_WORDS.items() if kind is STRING)
 HANDLE_PARAMETERS = tuple(word for word, (_, kind) in PARAMETER_WORDS.items() if kind is HANDLE)
 
 OLD_WORDS = ("global", "local")
-"""Words of LEGO's assembler that declare so many bytes."""
+"""Keywords of LEGO's assembler that declare a number of bytes."""
 
 OBJECT_WORDS = ("vmthread", "subcall", "block")
-"""What begins an object; LEGO's assembler does not have blocks."""
+"""The keywords that begin an object; LEGO's assembler lacks blocks."""
 
 DEFINE = "define"
 
 ESCAPES = ((r"\n", "\n"), (r"\q", "'"), (r"\r", "\r"), (r"\t", "\t"))
-"""Escapes of both dialects. They are replaced one kind after the other, not from the left."""
+"""Escapes of both dialects. They are replaced one kind at a time, not from left to right."""
 
 BACKSLASH = ("\\\\", "\\")
 """The escape that only the strict dialect has; it is replaced last."""
 
 LEGO_ESCAPES = ((r"\'", "'"), ("''", "'"), (r"\s", " "))
-"""Those that only LEGO's dialect has."""
+"""The escapes that only LEGO's dialect has."""
 
 BASIC_NAMES = {"JR_DYNAMIC": "JR", "AND8888_32": "AND32", "EXTRACTLOWBYTE": "MOVE8_8", "INJECTLOWBYTE": "MOVE8_8"}
-"""Names that EV3 Basic's assembler has for operations where its types would not fit."""
+"""EV3 Basic's extra names for operations whose types would not fit."""
 
 BYTES = "bytes"
-"""Ours: bytes as they are."""
+"""This project's own: raw bytes."""

@@ -1,6 +1,6 @@
-"""System commands: files, mailboxes, Bluetooth PINs, the bootloader. What each one asks and what comes back.
+"""System commands: files, mailboxes, Bluetooth PINs, the bootloader. Their fields and those of their replies.
 
-They are no byte code: a number, then fields of fixed kinds. Replies repeat the number, then have a status and fields.
+Not byte code: a number and fields of fixed kinds. A reply repeats the number, then has a status and fields.
 """
 
 from enum import Enum, IntEnum
@@ -10,7 +10,7 @@ from ev3proto.tables.declaration import Effect
 
 
 class Kind(Enum):
-    """How a field stands in the frame."""
+    """The encoding of a field in the frame."""
 
     U8 = "u8"
     U16 = "u16"
@@ -24,13 +24,13 @@ class Kind(Enum):
 class Field(NamedTuple):
     """One field of a system message.
 
-    name      how it is called here, in JSON and in filters
-    kind      number, text up to a zero, text with its length in the field before, or all the bytes that are left
-    text      one line: what it means
-    counts    for lengths: the field whose bytes they count; omitted when building, it is worked out
-    optional  True where senders omit it
+    name      its name in this package, in JSON and in filters
+    kind      number, text up to a zero, text with its length in the field before, or all remaining bytes
+    text      one line of description
+    counts    for lengths: the field whose bytes they count; computed if omitted when building
+    optional  senders may omit it
     most      largest number of bytes, where the firmware has a limit
-    is_message  True for the message of a mailbox, a text, a number or a logic value: `tables.mailboxes` reads it
+    is_message  the message of a mailbox (text, number or logic value), which `tables.mailboxes` reads
     """
 
     name: str
@@ -43,7 +43,7 @@ class Field(NamedTuple):
 
 
 class SystemStatus(IntEnum):
-    """The byte that says how a system command went. FILE_EXITS is the firmware's spelling."""
+    """The status of a system command. FILE_EXITS is the firmware's spelling."""
 
     SUCCESS = 0
     UNKNOWN_HANDLE = 1
@@ -61,20 +61,20 @@ class SystemStatus(IntEnum):
 
     @property
     def is_failure(self) -> bool:
-        """True when the command did not do what it was asked; END_OF_FILE is how every upload ends."""
+        """Whether the command failed. END_OF_FILE, at the end of every upload, is a success."""
         return self not in (SystemStatus.SUCCESS, SystemStatus.END_OF_FILE)
 
 
 class SystemCommand(NamedTuple):
-    """One system command: number, name, one line of meaning, the fields of request and reply.
+    """One system command: number, name, one line of description, the fields of request and reply.
 
-    answered    False for the ones that the brick never replies to
-    bootloader  True for those that only the brick's firmware updater knows (USB only)
-    transfer    the part it plays in moving a file: `begin`, `continue` or `close`; None for the others
-    usb_only    True for those that the firmware takes by USB only
-    effects     what it does to the brick that outlasts it
-    is_long     True for those whose frame may be longer than MAX_FRAME: the firmware takes the rest in pieces
-    statuses    what the statuses other than SUCCESS mean that the firmware answers with
+    answered    False if the brick never replies to it
+    bootloader  only the brick's firmware updater knows it (USB only)
+    transfer    its part in a file transfer: `begin`, `continue` or `close`, or None
+    usb_only    the firmware accepts it only by USB
+    effects     its side effects on the brick
+    is_long     its frame may be longer than MAX_FRAME: the firmware reads the rest in pieces
+    statuses    the meanings of the statuses other than SUCCESS that the firmware answers with
     """
 
     number: int
@@ -91,14 +91,14 @@ class SystemCommand(NamedTuple):
     statuses: tuple[tuple[SystemStatus, str], ...] = ()
 
 
-_PATH = Field("path", Kind.TEXT, "where the file or folder is, absolute or relative to /home/root/lms2012/sys")
+_PATH = Field("path", Kind.TEXT, "path of the file or folder, absolute or relative to /home/root/lms2012/sys")
 _HANDLE = Field("handle", Kind.U8, "the open file on the brick, as its reply to BEGIN_... gave it")
-_REPLY_HANDLE = Field("handle", Kind.U8, "the open file, for the messages that continue")
+_REPLY_HANDLE = Field("handle", Kind.U8, "the open file, for the messages that follow")
 _SIZE = Field("size", Kind.U32, "bytes of the whole file")
-_MAX_BYTES = Field("max_bytes", Kind.U16, "most bytes of contents that the reply may carry")
+_MAX_BYTES = Field("max_bytes", Kind.U16, "maximum number of content bytes in the reply")
 _DATA = Field("data", Kind.DATA, "a piece of the file's contents")
 _LIST = Field("list", Kind.LISTING, "a piece of the listing: lines with MD5, size and name, or a folder's name and /")
-_ADDRESS = Field("address", Kind.U32, "first byte of the flash memory meant")
+_ADDRESS = Field("address", Kind.U32, "address of the first byte in flash memory")
 _IMAGE_SIZE = Field("image_size", Kind.U32, "bytes of the image or region")
 _PIN = (
     Field("mac_length", Kind.U8, "bytes of the MAC address", counts="mac"),
@@ -111,17 +111,17 @@ SYSTEM = (
     SystemCommand(
         0x92,
         "BEGIN_DOWNLOAD",
-        "Opens a file on the brick for writing and says how long it will be",
+        "Opens a file on the brick for writing and announces its size",
         (_SIZE, _PATH, Field("data", Kind.DATA, "the first bytes of the file, usually none", optional=True)),
         (_REPLY_HANDLE,),
         transfer="begin",
         effects=(Effect.WRITES_FILES,),
         is_long=True,
         statuses=(
-            (SystemStatus.END_OF_FILE, "the file is complete: its size is 0, or all of it came with this frame"),
+            (SystemStatus.END_OF_FILE, "the file is complete: its size is 0, or this frame held all of it"),
             (
                 SystemStatus.UNKNOWN_HANDLE,
-                "no such file can be made: it is a folder, or the file system refuses the name",
+                "the file cannot be created: it is a folder, or the file system refuses the name",
             ),
             (
                 SystemStatus.SIZE_ERROR,
@@ -129,7 +129,7 @@ SYSTEM = (
             ),
             (
                 SystemStatus.NO_HANDLES_AVAILABLE,
-                "all handles are in use: files were begun and never completed or closed",
+                "all handles are in use: earlier files were neither completed nor closed",
             ),
         ),
     ),
@@ -143,10 +143,10 @@ SYSTEM = (
         effects=(Effect.WRITES_FILES,),
         is_long=True,
         statuses=(
-            (SystemStatus.END_OF_FILE, "that was the rest, and the file is closed; bytes beyond its size are dropped"),
+            (SystemStatus.END_OF_FILE, "the file is now complete and closed; bytes beyond its size are dropped"),
             (
                 SystemStatus.UNKNOWN_HANDLE,
-                "no file is open under that handle: it is complete, closed, or was never begun",
+                "no file is open under that handle: it is complete, closed, or was never opened",
             ),
             (SystemStatus.UNKNOWN_ERROR, "the handle is known, but its file is not open"),
         ),
@@ -160,8 +160,8 @@ SYSTEM = (
         transfer="begin",
         effects=(Effect.VARIES,),
         statuses=(
-            (SystemStatus.END_OF_FILE, "all of the file is in this reply"),
-            (SystemStatus.UNKNOWN_HANDLE, "there is no such file"),
+            (SystemStatus.END_OF_FILE, "this reply holds the whole file"),
+            (SystemStatus.UNKNOWN_HANDLE, "no such file"),
             (SystemStatus.NO_HANDLES_AVAILABLE, "all handles are in use"),
         ),
     ),
@@ -174,7 +174,7 @@ SYSTEM = (
         transfer="continue",
         effects=(Effect.VARIES,),
         statuses=(
-            (SystemStatus.END_OF_FILE, "that was the rest of the file"),
+            (SystemStatus.END_OF_FILE, "that was the last piece of the file"),
             (SystemStatus.HANDLE_NOT_READY, "the handle is known, but its file is not open"),
             (SystemStatus.UNKNOWN_HANDLE, "no file is open under that handle"),
         ),
@@ -188,8 +188,8 @@ SYSTEM = (
         transfer="begin",
         effects=(Effect.VARIES,),
         statuses=(
-            (SystemStatus.END_OF_FILE, "all that the file has so far is in this reply"),
-            (SystemStatus.HANDLE_NOT_READY, "there is no such file"),
+            (SystemStatus.END_OF_FILE, "this reply holds all that the file has so far"),
+            (SystemStatus.HANDLE_NOT_READY, "no such file"),
             (SystemStatus.UNKNOWN_HANDLE, "all handles are in use"),
         ),
     ),
@@ -202,7 +202,7 @@ SYSTEM = (
         transfer="continue",
         effects=(Effect.VARIES,),
         statuses=(
-            (SystemStatus.END_OF_FILE, "that was all that the file has so far"),
+            (SystemStatus.END_OF_FILE, "that was the last of what the file has so far"),
             (SystemStatus.HANDLE_NOT_READY, "the handle is known, but its file is not open"),
             (SystemStatus.UNKNOWN_HANDLE, "no file is open under that handle"),
         ),
@@ -212,7 +212,7 @@ SYSTEM = (
         "CLOSE_FILEHANDLE",
         "Closes an open file before its end",
         (_HANDLE, Field("hash", Kind.DATA, "MD5 of the file, often omitted", optional=True, most=16)),
-        # The firmware's structure has a handle in the reply, the published text has none: both occur.
+        # The firmware's structure has a handle in the reply, the published text has not; both occur.
         (Field("handle", Kind.U8, "the file that was closed", optional=True),),
         transfer="close",
         statuses=((SystemStatus.UNKNOWN_HANDLE, "no file is open under that handle"),),
@@ -226,8 +226,8 @@ SYSTEM = (
         transfer="begin",
         effects=(Effect.VARIES,),
         statuses=(
-            (SystemStatus.END_OF_FILE, "all of the listing is in this reply"),
-            (SystemStatus.UNKNOWN_ERROR, "there is no such folder, or no handle is free"),
+            (SystemStatus.END_OF_FILE, "this reply holds the whole listing"),
+            (SystemStatus.UNKNOWN_ERROR, "no such folder, or no free handle"),
         ),
     ),
     SystemCommand(
@@ -239,20 +239,20 @@ SYSTEM = (
         transfer="continue",
         effects=(Effect.VARIES,),
         statuses=(
-            (SystemStatus.END_OF_FILE, "that was the rest of the listing"),
+            (SystemStatus.END_OF_FILE, "that was the last piece of the listing"),
             (SystemStatus.UNKNOWN_ERROR, "the handle holds no listing"),
         ),
     ),
     SystemCommand(
         0x9B,
         "CREATE_DIR",
-        "Makes a folder",
+        "Creates a folder",
         (_PATH,),
         effects=(Effect.WRITES_FILES,),
         statuses=(
             (
                 SystemStatus.NO_PERMISSION,
-                "it cannot be made: it exists, its parent does not, or it is not allowed there",
+                "it cannot be created: it exists, its parent does not, or permission is denied",
             ),
         ),
     ),
@@ -265,7 +265,7 @@ SYSTEM = (
         statuses=(
             (
                 SystemStatus.NO_PERMISSION,
-                "it cannot be removed: it does not exist, is not empty, or it is not allowed there",
+                "it cannot be removed: it does not exist, is not empty, or permission is denied",
             ),
         ),
     ),
@@ -274,14 +274,14 @@ SYSTEM = (
         "LIST_OPEN_HANDLES",
         "Asks which file handles are in use",
         (),
-        (Field("handles", Kind.DATA, "a bit for every handle, set while it is in use"),),
+        (Field("handles", Kind.DATA, "one bit per handle, set while it is in use"),),
     ),
     SystemCommand(
         0x9E,
         "WRITEMAILBOX",
         "Puts a message into a mailbox of the program that runs on the brick",
         (
-            # Published text counts the name without its zero, the firmware sends and expects it counted in.
+            # The published text counts the name without its zero; the firmware counts the zero, too.
             Field("name_length", Kind.U8, "bytes of the name, with or without its zero", counts="name"),
             Field("name", Kind.COUNTED_TEXT, "the mailbox"),
             Field("payload_length", Kind.U16, "bytes of the message", counts="payload"),
@@ -298,7 +298,7 @@ SYSTEM = (
     SystemCommand(
         0x9F,
         "BLUETOOTHPIN",
-        "Hands over the PIN for a Bluetooth device (USB only)",
+        "Sends the PIN for a Bluetooth device (USB only)",
         _PIN,
         _PIN,
         usb_only=True,
@@ -315,21 +315,21 @@ SYSTEM = (
     SystemCommand(
         0xA1,
         "SETBUNDLEID",
-        "Sets the bundle identifier with which the brick shows itself to Apple devices",
+        "Sets the bundle identifier that the brick shows to Apple devices",
         (Field("id", Kind.TEXT, "the identifier", most=24),),
         effects=(Effect.CHANGES_SETTINGS,),
     ),
     SystemCommand(
         0xA2,
         "SETBUNDLESEEDID",
-        "Sets the bundle seed identifier with which the brick shows itself to Apple devices",
+        "Sets the bundle seed identifier that the brick shows to Apple devices",
         (Field("id", Kind.TEXT, "the identifier", most=11),),
         effects=(Effect.CHANGES_SETTINGS,),
     ),
     SystemCommand(
         0xF0,
         "BEGIN_DOWNLOAD_WITH_ERASE",
-        "Erases a region of the flash memory and makes ready to write it",
+        "Erases a region of the flash memory and prepares to write it",
         (_ADDRESS, _IMAGE_SIZE),
         bootloader=True,
         effects=(Effect.WRITES_FIRMWARE,),
@@ -337,7 +337,7 @@ SYSTEM = (
     SystemCommand(
         0xF1,
         "BEGIN_DOWNLOAD",
-        "Makes ready to write a region of the flash memory that is already erased",
+        "Prepares to write a region of the flash memory that is already erased",
         (_ADDRESS, _IMAGE_SIZE),
         bootloader=True,
         effects=(Effect.WRITES_FIRMWARE,),
@@ -369,7 +369,7 @@ SYSTEM = (
         "GET_VERSION",
         "Asks for the versions of hardware and firmware",
         (),
-        # Published sources disagree on which of the two comes first.
+        # Published sources disagree on the order of the two.
         (
             Field("hardware_version", Kind.U32, "version of the hardware"),
             Field("firmware_version", Kind.U32, "version of the updater"),
@@ -379,17 +379,17 @@ SYSTEM = (
 )
 
 SYSTEM_BY_NUMBER = {entry.number: entry for entry in SYSTEM}
-"""The same by number; names are not unique, BEGIN_DOWNLOAD is the bootloader's too."""
+"""System commands by number; names are not unique, the bootloader has a BEGIN_DOWNLOAD, too."""
 
 
 def status_meaning(number: int, status: int) -> str | None:
-    """What a status means as the answer to a system command; None where the firmware does not answer so."""
+    """Returns the meaning of a status as the answer to a system command; None if the firmware never answers with it."""
     entry = SYSTEM_BY_NUMBER.get(number)
     return None if entry is None else dict[int, str](entry.statuses).get(status)
 
 
 LONG_COMMANDS = frozenset(entry.number for entry in SYSTEM if entry.is_long)
-"""Numbers of those whose frame may be longer than MAX_FRAME."""
+"""Numbers of the commands whose frames may be longer than MAX_FRAME."""
 
 UNUSED_STATUSES = frozenset(
     {
@@ -399,4 +399,4 @@ UNUSED_STATUSES = frozenset(
         SystemStatus.ILLEGAL_FILENAME,
     }
 )
-"""Statuses that have a name, and that no command of the published firmware answers with."""
+"""Named statuses that no command of the published firmware answers with."""

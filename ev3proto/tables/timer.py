@@ -6,9 +6,9 @@ TIMER = (
     Opcode(
         0x85,
         "TIMER_WAIT",
-        "Notes when a wait will be over and returns at once; TIMER_READY does the waiting",
+        "Stores the end of a wait and returns at once; TIMER_READY does the waiting",
         (
-            In("TIME", DATA32, "how long to wait", range=(0, 2147483647), unit="ms"),
+            In("TIME", DATA32, "duration of the wait", range=(0, 2147483647), unit="ms"),
             Out(
                 "TIMER",
                 DATA32,
@@ -21,14 +21,14 @@ TIMER = (
     Opcode(
         0x86,
         "TIMER_READY",
-        "Waits until the time that TIMER_WAIT noted has come",
+        "Waits until the time that TIMER_WAIT stored",
         (In("TIMER", DATA32, "variable that TIMER_WAIT has set"),),
         effects=(Effect.WAITS,),
     ),
     Opcode(
         0x87,
         "TIMER_READ",
-        "Reads the time since the program or direct command that asks was started",
+        "Reads the time since the start of the program or direct command that asks",
         (Out("TIME", DATA32, "time since the start", unit="ms"),),
         effects=(Effect.VARIES,),
     ),
@@ -36,7 +36,7 @@ TIMER = (
         0x8F,
         "TIMER_READ_US",
         "Reads the free-running microsecond clock, for differences only",
-        (Out("TIME", DATA32, "low 32 bits of the clock, back to 0 every 71.6 minutes", unit="us"),),
+        (Out("TIME", DATA32, "low 32 bits of the clock, wraps every 71.6 minutes", unit="us"),),
         effects=(Effect.VARIES,),
     ),
 )

@@ -1,7 +1,7 @@
-"""The brick's face: display, buttons, lights, debug terminal, battery and the rest of its state.
+"""The user interface: display, buttons, lights, debug terminal, battery and other state.
 
 Drawing goes to a canvas that UI_DRAW.UPDATE makes visible. Dialogues (NOTIFICATION, QUESTION, KEYBOARD, BROWSE,
-TEXTBOX, ...) keep the program or direct command waiting until somebody presses a button.
+TEXTBOX, ...) keep the program or direct command waiting until a button is pressed.
 """
 
 from ev3proto.tables import paths
@@ -37,11 +37,11 @@ from ev3proto.tables.enumerations import (
 
 NO_YES = {0: "no", 1: "yes"}
 
-LENGTH = In("LENGTH", DATA8, "most bytes to return, the zero included", range=(0, 127), unit="bytes")
+LENGTH = In("LENGTH", DATA8, "maximum number of bytes to return, including the zero", range=(0, 127), unit="bytes")
 LENGTH_OR_ALL = In(
     "LENGTH",
     DATA8,
-    "most bytes to return, the zero included",
+    "maximum number of bytes to return, including the zero",
     range=(0, 127),
     unit="bytes",
     special={-1: "no limit"},
@@ -53,8 +53,8 @@ WAS_PRESSED = Out("STATE", DATA8, "whether the button was pressed", range=(0, 1)
 WAS_HELD = Out("STATE", DATA8, "whether the button was held for 3 s", range=(0, 1), special=NO_YES)
 WAS_BUMPED = Out("STATE", DATA8, "whether the button was pressed and released", range=(0, 1), special=NO_YES)
 
-FIGURES = In("FIGURES", DATA8, "characters in all, decimal point included")
-FIGURES_SIGNED = In("FIGURES", DATA8, "characters in all, decimal point included; negative aligns left")
+FIGURES = In("FIGURES", DATA8, "total number of characters, including the decimal point")
+FIGURES_SIGNED = In("FIGURES", DATA8, "total number of characters, including the decimal point; negative aligns left")
 DECIMALS = In("DECIMALS", DATA8, "digits after the decimal point")
 
 COLORS = {name: int(CONSTANTS[name]) for name in ("FG_COLOR", "BG_COLOR")}
@@ -78,21 +78,21 @@ ICON3 = In("ICON3", DATA8, "third large icon", enum=L_ICON_NO, special={-1: "non
 DIALOGUE_STATE = InOut(
     "STATE",
     DATA8,
-    "variable the dialogue keeps its progress in; set to 0 before",
+    "variable for the dialogue's progress; must be 0 at first",
     range=(0, 1),
     special={0: "start, or done", 1: "being shown"},
     note="the firmware writes it at each step; its documentation lists it among the inputs",
 )
 
-STORED_SCREEN = In("NO", DATA8, "memory for one screen; 0 holds the one from before the program ran", range=(0, 2))
+STORED_SCREEN = In("NO", DATA8, "slot for one screen; 0 holds the screen from before the program ran", range=(0, 2))
 
 TEXT = In(
     "TEXT",
     STRING,
     "whole text of the box, its lines separated by DEL",
-    note="published as one DATA8, the first byte of what the firmware reads as a string",
+    note="published as one DATA8; the firmware reads a string there",
 )
-SIZE = In("SIZE", DATA32, "bytes that the box has for its text, the zero included", unit="bytes")
+SIZE = In("SIZE", DATA32, "size of the box's text buffer, including the zero", unit="bytes")
 DELIMITER = In("DEL", DATA8, "what separates the lines", enum=DEL)
 
 STATE_PRESENT = Out("STATE", DATA8, "whether one is present", range=(0, 1), special={0: "absent", 1: "present"})
@@ -101,12 +101,12 @@ FREE = Out("FREE", DATA32, "free space", unit="KiB")
 
 
 def _string(text: str) -> tuple[Parameter, ...]:
-    """The parameters of the commands that only return a string."""
+    """Builds the parameters of a command that only returns a string."""
     return (LENGTH_OR_ALL, Out("DESTINATION", STRING, text, length="LENGTH"))
 
 
 UI = (
-    Opcode(0x80, "UI_FLUSH", "Sends what was written for the terminal and is still in its buffer"),
+    Opcode(0x80, "UI_FLUSH", "Sends the contents of the terminal's output buffer"),
     Opcode(
         0x81,
         "UI_READ",
@@ -154,8 +154,8 @@ UI = (
             Command(
                 5,
                 "GET_TBATT",
-                "Reads how much the batteries have warmed up, as estimated from the current",
-                (Out("VALUE", DATAF, "estimated rise of the temperature", unit="°C"),),
+                "Reads the rise in battery temperature, estimated from the current",
+                (Out("VALUE", DATAF, "estimated rise in temperature", unit="°C"),),
                 effects=(Effect.VARIES,),
             ),
             Command(
@@ -177,7 +177,13 @@ UI = (
                 "GET_STRING",
                 "Waits for a line typed at the terminal and reads it",
                 (
-                    In("LENGTH", DATA8, "most bytes to return; the zero comes on top", range=(0, 127), unit="bytes"),
+                    In(
+                        "LENGTH",
+                        DATA8,
+                        "maximum number of bytes to return, not including the zero",
+                        range=(0, 127),
+                        unit="bytes",
+                    ),
                     Out("DESTINATION", STRING, "the line", length="LENGTH"),
                 ),
                 effects=(
@@ -202,14 +208,14 @@ UI = (
             Command(
                 11,
                 "GET_FW_BUILD",
-                "Reads when the firmware was built",
+                "Reads the build time of the firmware",
                 _string("build time as yymmddhhmm"),
                 effects=(Effect.VARIES,),
             ),
             Command(
                 12,
                 "GET_OS_BUILD",
-                "Reads when the operating system was built",
+                "Reads the build time of the operating system",
                 _string("build time as yymmddhhmm"),
                 effects=(Effect.VARIES,),
             ),
@@ -226,9 +232,9 @@ UI = (
             Command(
                 14,
                 "GET_CODE",
-                "Waits for byte code typed as hex at the terminal and makes a program of it (debugging)",
+                "Waits for byte code typed as hex at the terminal and builds a program from it (debugging)",
                 (
-                    In("LENGTH", DATA32, "most bytes of the program, headers included", unit="bytes"),
+                    In("LENGTH", DATA32, "maximum number of bytes of the program, including headers", unit="bytes"),
                     In(
                         "IMAGE",
                         DATA32,
@@ -236,7 +242,7 @@ UI = (
                         note="the firmware reads the address; its documentation lists it among the outputs",
                     ),
                     Out("GLOBAL", DATA32, "address of the program's global variables"),
-                    Out("FLAG", DATA8, "whether the program can be started; 1 or left as it was", special={1: "ready"}),
+                    Out("FLAG", DATA8, "whether the program can be started; 1 or unchanged", special={1: "ready"}),
                 ),
                 effects=(
                     Effect.WAITS,
@@ -253,21 +259,21 @@ UI = (
             Command(
                 16,
                 "GET_SHUTDOWN",
-                "Reads and clears the wish to shut down (used by the brick's own menus)",
+                "Reads and clears the request to shut down (used by the brick's own menus)",
                 (Out("FLAG", DATA8, "whether the brick wants to shut down", range=(0, 1), special=NO_YES),),
                 effects=(Effect.VARIES,),
             ),
             Command(
                 17,
                 "GET_WARNING",
-                "Reads what the brick warns of",
+                "Reads the brick's warnings",
                 (Out("WARNINGS", DATA8, "one bit for each warning", enum=WARNING, special={0: "none"}),),
                 effects=(Effect.VARIES,),
             ),
             Command(
                 18,
                 "GET_LBATT",
-                "Reads how full the battery is, derived from its voltage",
+                "Reads the battery level, derived from its voltage",
                 (Out("PCT", DATA8, "battery level", range=(0, 100), unit="%"),),
                 effects=(Effect.VARIES,),
             ),
@@ -284,7 +290,7 @@ UI = (
                     Out(
                         "DESTINATION",
                         STRING,
-                        "the line, empty where there is no such line",
+                        "the line, empty if there is no such line",
                         length="LENGTH",
                         note="published as an input DATA8; the firmware writes a string there",
                     ),
@@ -294,7 +300,7 @@ UI = (
             Command(
                 26,
                 "GET_VERSION",
-                "Reads name, version and build date of the firmware in one",
+                "Reads name, version and build date of the firmware in one string",
                 _string("such as LMS2012 V1.04H(Jul 26 2013 12:00:00)"),
                 effects=(Effect.VARIES,),
             ),
@@ -324,14 +330,14 @@ UI = (
             Command(
                 30,
                 "GET_SDCARD",
-                "Reads whether an SD card is in and its space",
+                "Reads whether an SD card is present, and its space",
                 (STATE_PRESENT, TOTAL, FREE),
                 effects=(Effect.VARIES,),
             ),
             Command(
                 31,
                 "GET_USBSTICK",
-                "Reads whether a USB stick is in and its space",
+                "Reads whether a USB stick is present, and its space",
                 (STATE_PRESENT, TOTAL, FREE),
                 effects=(Effect.VARIES,),
             ),
@@ -342,7 +348,7 @@ UI = (
         "UI_WRITE",
         "Writes to the terminal or sets lights and states of the brick",
         commands=(
-            Command(1, "WRITE_FLUSH", "Sends what is still in the terminal's buffer, like UI_FLUSH"),
+            Command(1, "WRITE_FLUSH", "Sends the contents of the terminal's output buffer, like UI_FLUSH"),
             Command(
                 2,
                 "FLOATVALUE",
@@ -352,13 +358,13 @@ UI = (
             Command(
                 3,
                 "STAMP",
-                "Writes time, program, object, position and a remark to the terminal",
+                "Writes time, program, object, position and a comment to the terminal",
                 (
                     In(
                         "VALUE",
                         STRING,
                         "remark",
-                        note="published as DATA8; the firmware prints the string that starts there",
+                        note="published as DATA8; the firmware prints a string from there",
                     ),
                 ),
             ),
@@ -367,7 +373,7 @@ UI = (
             Command(
                 10,
                 "VALUE16",
-                "Writes a whole number to the terminal, without its sign",
+                "Writes an unsigned whole number to the terminal",
                 (In("VALUE", DATA16, "number to write", unsigned=True),),
             ),
             Command(11, "VALUE32", "Writes a whole number to the terminal", (In("VALUE", DATA32, "number to write"),)),
@@ -375,7 +381,7 @@ UI = (
             Command(
                 13,
                 "ADDRESS",
-                "Has a number but no code in the firmware: the program that runs it fails",
+                "Not implemented in the firmware: the program that runs it fails",
                 (Out("VALUE", DATA32, "address; never written"),),
                 newer=True,
             ),
@@ -391,14 +397,14 @@ UI = (
                         validated=DATA8,
                         note="documented as the first byte of an array; the firmware takes the value as an address",
                     ),
-                    In("LENGTH", DATA32, "how many bytes", unit="bytes"),
+                    In("LENGTH", DATA32, "number of bytes", unit="bytes"),
                 ),
             ),
             Command(15, "DOWNLOAD_END", "Plays the sound of a finished download and refreshes the file browser"),
             Command(
                 16,
                 "SCREEN_BLOCK",
-                "Blocks or frees the display and the buttons for programs",
+                "Blocks or unblocks the display and the buttons for programs",
                 (
                     In(
                         "STATUS",
@@ -412,14 +418,14 @@ UI = (
             Command(
                 17,
                 "ALLOW_PULSE",
-                "Selects the debug pulses that are shown (only in firmware built for it)",
+                "Selects the debug pulses that are shown (only in debug builds of the firmware)",
                 (In("VALUE", DATA8, "sum of bits", special={1: "menu background", 2: "browser", 4: "key"}),),
                 newer=True,
             ),
             Command(
                 18,
                 "SET_PULSE",
-                "Raises debug pulses (only in firmware built for it)",
+                "Raises debug pulses (only in debug builds of the firmware)",
                 (In("VALUE", DATA8, "sum of bits", special={1: "menu background", 2: "browser", 4: "key"}),),
                 newer=True,
             ),
@@ -464,10 +470,10 @@ UI = (
             Command(
                 29,
                 "POWER",
-                "Sets the power driver's flag for switching off when the firmware ends",
+                "Sets the flag that makes the power driver switch off when the firmware ends",
                 (In("VALUE", DATA8, "the flag", range=(0, 1)),),
             ),
-            Command(30, "GRAPH_SAMPLE", "Adds the present values to the graph that GRAPH_SETUP has set up"),
+            Command(30, "GRAPH_SAMPLE", "Adds the current values to the graph of GRAPH_SETUP"),
             Command(
                 31,
                 "TERMINAL",
@@ -484,14 +490,14 @@ UI = (
             Command(
                 1,
                 "SHORTPRESS",
-                "Tells whether a button was pressed since last asked, and forgets it",
+                "Reports whether a button was pressed since the last query, and clears the press",
                 (BUTTON, WAS_PRESSED),
                 effects=(Effect.VARIES,),
             ),
             Command(
                 2,
                 "LONGPRESS",
-                "Tells whether a button was held for 3 s since last asked, and forgets it",
+                "Reports whether a button was held for 3 s since the last query, and clears it",
                 (BUTTON, WAS_HELD),
                 effects=(Effect.VARIES,),
             ),
@@ -501,7 +507,7 @@ UI = (
                 "Waits until any button has been pressed, by hand or by PRESS",
                 effects=(Effect.WAITS,),
             ),
-            Command(4, "FLUSH", "Forgets all presses that nobody has asked for"),
+            Command(4, "FLUSH", "Clears all pending presses"),
             Command(
                 5,
                 "PRESS",
@@ -513,7 +519,7 @@ UI = (
             Command(
                 7,
                 "GET_HORZ",
-                "Reads the left and right buttons as one axis, and forgets their presses",
+                "Reads the left and right buttons as one axis, and clears their presses",
                 (
                     Out(
                         "VALUE",
@@ -528,21 +534,21 @@ UI = (
             Command(
                 8,
                 "GET_VERT",
-                "Reads the up and down buttons as one axis, and forgets their presses",
+                "Reads the up and down buttons as one axis, and clears their presses",
                 (Out("VALUE", DATA16, "direction", range=(-1, 1), special={-1: "up", 1: "down", 0: "not pressed"}),),
                 effects=(Effect.VARIES,),
             ),
             Command(
                 9,
                 "PRESSED",
-                "Tells whether a button is down at the moment",
+                "Reports whether a button is down at the moment",
                 (BUTTON, IS_DOWN),
                 effects=(Effect.VARIES,),
             ),
             Command(
                 10,
                 "SET_BACK_BLOCK",
-                "Sets whether the back button is kept from ending the running program",
+                "Blocks or unblocks the back button, which ends the running program",
                 (
                     In(
                         "BLOCKED",
@@ -557,7 +563,7 @@ UI = (
             Command(
                 11,
                 "GET_BACK_BLOCK",
-                "Tells whether the back button is kept from ending the running program",
+                "Reports whether the back button is blocked",
                 (
                     Out(
                         "BLOCKED",
@@ -572,30 +578,30 @@ UI = (
             Command(
                 12,
                 "TESTSHORTPRESS",
-                "Tells like SHORTPRESS whether a button was pressed, without forgetting it",
+                "Reports, like SHORTPRESS, whether a button was pressed, without clearing the press",
                 (BUTTON, WAS_PRESSED),
                 effects=(Effect.VARIES,),
             ),
             Command(
                 13,
                 "TESTLONGPRESS",
-                "Tells like LONGPRESS whether a button was held for 3 s, without forgetting it",
+                "Reports, like LONGPRESS, whether a button was held for 3 s, without clearing it",
                 (BUTTON, WAS_HELD),
                 effects=(Effect.VARIES,),
             ),
             Command(
                 14,
                 "GET_BUMBED",
-                "Tells whether a button was pressed and released since last asked, and forgets it",
+                "Reports whether a button was pressed and released since the last query, and clears it",
                 (BUTTON, WAS_BUMPED),
                 dialects=("official", "xtended"),
-                note="spelt so in LEGO's headers; lms2012-compat says GET_BUMPED",
+                note="spelling of LEGO's headers; lms2012-compat says GET_BUMPED",
                 effects=(Effect.VARIES,),
             ),
             Command(
                 14,
                 "GET_BUMPED",
-                "Tells whether a button was pressed and released since last asked, and forgets it",
+                "Reports whether a button was pressed and released since the last query, and clears it",
                 (BUTTON, WAS_BUMPED),
                 dialects=("compat",),
                 note="GET_BUMBED in LEGO's headers",
@@ -603,7 +609,7 @@ UI = (
             Command(
                 15,
                 "GET_CLICK",
-                "Tells whether a key click is due because a press was handled, and forgets it",
+                "Reports whether a key click is due for a handled press, and clears it",
                 (Out("CLICK", DATA8, "whether a click is due", range=(0, 1), special=NO_YES),),
                 effects=(Effect.VARIES,),
             ),
@@ -617,13 +623,13 @@ UI = (
             Command(
                 0,
                 "UPDATE",
-                "Shows on the display what has been drawn, and returns to the normal font",
+                "Shows on the display what has been drawn, and restores the normal font",
                 effects=(Effect.SHOWS,),
             ),
             Command(
                 1,
                 "CLEAN",
-                "Wipes the canvas white, and returns to the normal font",
+                "Clears the canvas to white, and restores the normal font",
                 effects=(
                     Effect.DRAWS,
                     Effect.WIPES,
@@ -651,7 +657,7 @@ UI = (
             Command(
                 5,
                 "TEXT",
-                "Draws text in the font that SELECT_FONT has chosen",
+                "Draws text in the font chosen by SELECT_FONT",
                 (COLOR, X0, Y0, In("STRING", STRING, "text to draw")),
                 effects=(Effect.DRAWS,),
             ),
@@ -671,7 +677,7 @@ UI = (
             Command(
                 7,
                 "PICTURE",
-                "Draws a picture that is in memory",
+                "Draws a picture from memory",
                 (COLOR, X0, Y0, In("IP", DATA32, "address of the picture", special={0: "draws nothing"})),
                 effects=(Effect.DRAWS,),
             ),
@@ -735,9 +741,9 @@ UI = (
                     Out(
                         "OK",
                         DATA8,
-                        "answer; what the variable holds before is selected first",
+                        "answer; the variable's previous value is selected at first",
                         range=(-1, 1),
-                        special={0: "no", 1: "yes", -1: "left with the back button"},
+                        special={0: "no", 1: "yes", -1: "closed with the back button"},
                     ),
                 ),
                 effects=(
@@ -759,7 +765,7 @@ UI = (
                     InOut(
                         "CHARSET",
                         DATA8,
-                        "variable with the sum of what may be typed; becomes 0 once the keyboard shows",
+                        "variable with the sum of the allowed kinds of text; becomes 0 once the keyboard is shown",
                         special={
                             0: "being shown",
                             1: "brick name",
@@ -773,7 +779,7 @@ UI = (
                     Out(
                         "STRING",
                         STRING,
-                        "text entered; what the variable holds before is edited, back button empties it",
+                        "entered text; the variable's previous text is edited, the back button empties it",
                         length="LENGTH",
                         role=Role.PRIVATE,
                     ),
@@ -788,17 +794,17 @@ UI = (
                 "BROWSE",
                 "Shows files and folders and waits until one is chosen",
                 (
-                    In("TYPE", DATA8, "what is listed", enum=BROWSERTYPE),
+                    In("TYPE", DATA8, "what to list", enum=BROWSERTYPE),
                     X0,
                     Y0,
                     WIDTH,
                     HEIGHT,
                     LENGTH,
-                    Out("ITEM_TYPE", DATA8, "kind of what was chosen; set the variable to 0 before", enum=FILETYPE),
+                    Out("ITEM_TYPE", DATA8, "kind of the chosen entry; the variable must be 0 at first", enum=FILETYPE),
                     Out(
                         "STRING",
                         STRING,
-                        "path of what was chosen; the variable holds the top folder before",
+                        "path of the chosen entry; set the variable to the top folder first",
                         length="LENGTH",
                     ),
                 ),
@@ -833,7 +839,7 @@ UI = (
             Command(
                 17,
                 "SELECT_FONT",
-                "Chooses the font for text until UPDATE, CLEAN or FILLWINDOW",
+                "Chooses the font for text, until UPDATE, CLEAN or FILLWINDOW",
                 (In("TYPE", DATA8, "font", range=(0, 3), enum=FONTTYPE),),
             ),
             Command(
@@ -853,7 +859,7 @@ UI = (
             Command(
                 19,
                 "FILLWINDOW",
-                "Fills rows over the whole width, and returns to the normal font",
+                "Fills rows over the whole width, and restores the normal font",
                 (
                     In(
                         "COLOR",
@@ -866,7 +872,7 @@ UI = (
                     In(
                         "Y1",
                         DATA16,
-                        "height; nothing is filled where Y0 and it make 128 or more",
+                        "height; nothing is filled if Y0 plus it is 128 or more",
                         range=(0, 127),
                         unit="px",
                         special={0: "down to the bottom"},
@@ -881,7 +887,7 @@ UI = (
                 20,
                 "SCROLL",
                 "Moves the canvas up",
-                (In("Y", DATA16, "how far", range=(1, 127), unit="px"),),
+                (In("Y", DATA16, "distance", range=(1, 127), unit="px"),),
                 effects=(Effect.DRAWS,),
             ),
             Command(
@@ -902,7 +908,7 @@ UI = (
             Command(
                 22,
                 "VIEW_VALUE",
-                "Draws a number centred in its place, with > instead of digits where it does not fit",
+                "Draws a number centred in its place, or > instead of digits if it does not fit",
                 (COLOR, X0, Y0, In("VALUE", DATAF, "number to draw"), FIGURES, DECIMALS),
                 effects=(Effect.DRAWS,),
             ),
@@ -917,7 +923,13 @@ UI = (
                     In("VALUE", DATAF, "number to draw"),
                     FIGURES,
                     DECIMALS,
-                    In("LENGTH", DATA8, "most bytes of the unit, the zero included", range=(0, 127), unit="bytes"),
+                    In(
+                        "LENGTH",
+                        DATA8,
+                        "maximum number of bytes of the unit, including the zero",
+                        range=(0, 127),
+                        unit="bytes",
+                    ),
                     In("STRING", STRING, "unit to draw after the number"),
                 ),
                 effects=(Effect.DRAWS,),
@@ -929,7 +941,7 @@ UI = (
             Command(
                 26,
                 "RESTORE",
-                "Brings back a canvas kept by STORE",
+                "Restores a canvas kept by STORE",
                 (STORED_SCREEN,),
                 effects=(
                     Effect.DRAWS,
@@ -948,8 +960,8 @@ UI = (
                     InOut(
                         "ICONS",
                         DATA32,
-                        "bit n stands for large icon n: before those to show, then the one chosen",
-                        special={0: "none: left with the back button"},
+                        "bit n is large icon n: first the icons to show, then the chosen one",
+                        special={0: "none: closed with the back button"},
                         note="the firmware writes the choice; its documentation lists it among the inputs",
                     ),
                 ),
@@ -984,8 +996,8 @@ UI = (
             Command(
                 29,
                 "POPUP",
-                "Opens a window that only its opener draws on, or closes it and brings back the display",
-                (In("OPEN", DATA8, "what to do", range=(0, 1), special={0: "close", 1: "open"}),),
+                "Opens a window that only its opener can draw on, or closes it and restores the display",
+                (In("OPEN", DATA8, "action", range=(0, 1), special={0: "close", 1: "open"}),),
                 effects=(
                     Effect.DIALOG,
                     Effect.WAITS,
@@ -994,11 +1006,11 @@ UI = (
             Command(
                 30,
                 "GRAPH_SETUP",
-                "Sets up a graph of up to 8 curves; their arrays must outlive it, so useless in direct commands",
+                "Sets up a graph of up to 8 curves; useless in direct commands, since the arrays must outlive it",
                 (
                     X0,
                     WIDTH,
-                    In("ITEMS", DATA8, "how many curves", range=(0, 8), validated=DATA16),
+                    In("ITEMS", DATA8, "number of curves", range=(0, 8), validated=DATA16),
                     In("OFFSET", DATA16, "top edge of each curve", range=(0, 127), unit="px", length="ITEMS"),
                     In(
                         "SPAN",
@@ -1014,7 +1026,7 @@ UI = (
                     In(
                         "SAMPLE",
                         DATAF,
-                        "present value of each curve, read anew at each GRAPH_SAMPLE",
+                        "current value of each curve, read again at each GRAPH_SAMPLE",
                         length="ITEMS",
                         validated=DATA16,
                     ),
@@ -1030,9 +1042,9 @@ UI = (
                         DATA8,
                         "curve to draw, counted from 0; any other value draws all and measures none",
                         special={-1: "all"},
-                        note="documented as 0 for all; the firmware draws the first curve then",
+                        note="documented as 0 for all, but then the firmware draws the first curve",
                     ),
-                    Out("ACTUAL", DATAF, "latest value, not a number where there is none"),
+                    Out("ACTUAL", DATAF, "latest value, NaN if there is none"),
                     Out("LOWEST", DATAF, "lowest value in the graph"),
                     Out("HIGHEST", DATAF, "highest value in the graph"),
                     Out("AVERAGE", DATAF, "mean of the values in the graph"),
@@ -1054,8 +1066,8 @@ UI = (
                     InOut(
                         "LINE",
                         DATA16,
-                        "variable, set to -1 before; then the line chosen, counted from 1",
-                        special={-1: "start, or left with the back button", 0: "being shown"},
+                        "variable, must be -1 at first; then the chosen line, counted from 1",
+                        special={-1: "start, or closed with the back button", 0: "being shown"},
                         validated=DATA8,
                     ),
                 ),
@@ -1069,7 +1081,7 @@ UI = (
     Opcode(
         0x90,
         "KEEP_ALIVE",
-        "Restarts the time after which the idle brick switches off, and reads it",
+        "Restarts the timer that switches off an idle brick, and reads its time",
         (Out("MINUTES", DATA8, "idle time before switching off", unit="min", special={0: "never"}),),
         effects=(Effect.VARIES,),
     ),

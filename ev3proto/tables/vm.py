@@ -1,6 +1,6 @@
 """The virtual machine itself: programs, objects, calls, breakpoints, brick settings, strings, factory tests.
 
-Most of it serves compiled programs; seen on the wire are mainly program control, INFO, STRINGS and TST.
+Most serve compiled programs; direct commands mainly use program control, INFO, STRINGS and TST.
 """
 
 from ev3proto.tables.declaration import (
@@ -26,25 +26,25 @@ from ev3proto.tables.enumerations import OBJSTAT, RESULT, SLOT
 PRGID = In("PRGID", DATA16, "program slot", enum=SLOT)
 OBJID = In("OBJID", DATA16, "object of the program, counted from 1", role=Role.OBJECT)
 SOURCE1 = In("SOURCE1", STRING, "text to work on")
-DESTINATION = Out("DESTINATION", STRING, "resulting text, ended by its zero")
-PORT = In("PORT", DATA8, "sensor port less one", range=(0, 3), role=Role.PORT)
+DESTINATION = Out("DESTINATION", STRING, "resulting text, zero-terminated")
+PORT = In("PORT", DATA8, "sensor port minus one", range=(0, 3), role=Role.PORT)
 PINS_PORT = In("PORT", DATA8, "connector: 0..3 are sensor ports 1-4, 16..19 are motor ports A-D", range=(0, 19))
 LAYER_OUT = Out("Layer", DATA8, "position in the daisy chain", range=(0, 3), special={0: "this brick"})
 VM_NAMES = {0: "RobotC", 1: "LabVIEW"}
 
 
 def _dynload_entries(numbers: tuple[int, ...]) -> tuple[Opcode, ...]:
-    """The entry points of a loaded virtual machine; they differ in nothing but their number."""
+    """Builds the entry points of a loaded virtual machine, which differ only in their number."""
     return tuple(
         Opcode(
             number,
             f"DYNLOAD_ENTRY_{entry}",
             f"Calls entry point {entry} of the additional virtual machine that is loaded",
             (
-                In("CMD", DATA8, "function to call, as that machine numbers them"),
-                In("LENGTH_IN", DATA8, "how much data is handed over"),
-                Out("LENGTH_OUT", DATA16, "how many elements came back"),
-                Out("VALUE", ARRAY_TYPED, "what came back; the type depends on CMD", length="LENGTH_OUT"),
+                In("CMD", DATA8, "function to call, in that machine's numbering"),
+                In("LENGTH_IN", DATA8, "amount of data passed"),
+                Out("LENGTH_OUT", DATA16, "number of elements returned"),
+                Out("VALUE", ARRAY_TYPED, "the returned elements; their type depends on CMD", length="LENGTH_OUT"),
             ),
             effects=(Effect.CONTROLS_PROGRAMS,),
             dialects=EXTENSIONS,
@@ -55,7 +55,7 @@ def _dynload_entries(numbers: tuple[int, ...]) -> tuple[Opcode, ...]:
 
 VM = (
     Opcode(0x00, "ERROR", "Ends the program with a failure; never valid on the wire", effects=(Effect.NEVER_RUNS,)),
-    Opcode(0x01, "NOP", "Does nothing; a harmless way to see whether the brick answers"),
+    Opcode(0x01, "NOP", "Does nothing; a harmless way to test whether the brick answers"),
     Opcode(
         0x02,
         "PROGRAM_STOP",
@@ -66,7 +66,7 @@ VM = (
                 DATA16,
                 "program slot to stop",
                 enum=SLOT,
-                special={0: "all programs", -1: "the program that says so"},
+                special={0: "all programs", -1: "the calling program"},
             ),
         ),
         effects=(
@@ -77,7 +77,7 @@ VM = (
     Opcode(
         0x03,
         "PROGRAM_START",
-        "Starts a loaded program; by direct command only while no user program runs",
+        "Starts a loaded program; a direct command can do this only while no user program runs",
         (
             PRGID,
             In("SIZE", DATA32, "size of the image; read and ignored", unit="bytes"),
@@ -89,14 +89,14 @@ VM = (
     Opcode(
         0x04,
         "OBJECT_STOP",
-        "Stops an object of the own program",
+        "Stops an object of its own program",
         (OBJID,),
         effects=(
             Effect.MAY_END,
             Effect.OF_PROGRAMS,
         ),
     ),
-    Opcode(0x05, "OBJECT_START", "Starts an object of the own program", (OBJID,), effects=(Effect.OF_PROGRAMS,)),
+    Opcode(0x05, "OBJECT_START", "Starts an object of its own program", (OBJID,), effects=(Effect.OF_PROGRAMS,)),
     Opcode(
         0x06,
         "OBJECT_TRIG",
@@ -126,12 +126,12 @@ VM = (
     Opcode(
         0x09,
         "CALL",
-        "Calls a subroutine of the own program; waits while another thread is in it",
+        "Calls a subroutine of its own program; waits while another thread runs it",
         (
-            In("OBJID", DATA16, "object that is the subroutine, counted from 1", role=Role.OBJECT),
+            In("OBJID", DATA16, "object number of the subroutine, counted from 1", role=Role.OBJECT),
             Count(
                 "PARAMETERS",
-                "how many parameters follow; the subroutine declares their types and directions",
+                "number of parameters follow; the subroutine declares their types and directions",
                 element=DATA32,
                 elements=Direction.IN,
                 any_type=True,
@@ -145,7 +145,7 @@ VM = (
     Opcode(
         0x0A,
         "OBJECT_END",
-        "Ends the object; the firmware puts one after every direct command",
+        "Ends the object; the firmware appends one to every direct command",
         effects=(
             Effect.ENDS,
             Effect.ENDS_CODE,
@@ -181,7 +181,7 @@ VM = (
             Command(
                 23,
                 "GET_SPEED",
-                "Asks how fast a program runs",
+                "Asks for a program's speed",
                 (PRGID, Out("DATA", DATA32, "speed since the program started", unit="instructions/s")),
                 effects=(Effect.VARIES,),
             ),
@@ -199,7 +199,7 @@ VM = (
                 (PRGID,),
                 note=(
                     "The 2013 virtual machine reads a second 16-bit value, the number of instructions, after PRGID; "
-                    "its validator and the tables compared have PRGID only."
+                    "its validator and other published tables have only PRGID."
                 ),
                 effects=(Effect.CONTROLS_PROGRAMS,),
             ),
@@ -212,7 +212,7 @@ VM = (
                     Out(
                         "NAME",
                         STRING,
-                        "name of the program, ended by its zero",
+                        "name of the program, zero-terminated",
                         note="Other tables say PAR8, which is the first character of the text.",
                     ),
                 ),
@@ -233,14 +233,21 @@ VM = (
         (
             PRGID,
             In("OBJID", DATA16, "object whose local memory to print", special={0: "the global memory"}),
-            In("OFFSET", DATA32, "where to begin", unit="bytes"),
-            In("SIZE", DATA32, "how much to print", unit="bytes", range=(0, 1024), special={0: "all, 1024 at most"}),
+            In("OFFSET", DATA32, "first byte", unit="bytes"),
+            In(
+                "SIZE",
+                DATA32,
+                "number of bytes to print",
+                unit="bytes",
+                range=(0, 1024),
+                special={0: "all, 1024 at most"},
+            ),
         ),
     ),
     Opcode(
         0x0F,
         "DO",
-        "Runs byte code that is already in memory, ending what the slot ran before",
+        "Runs byte code that is already in memory, ending the slot's previous program",
         (
             PRGID,
             In("IMAGE", DATA32, "address of the byte code image"),
@@ -251,7 +258,7 @@ VM = (
     Opcode(
         0x60,
         "SYSTEM",
-        "Runs a shell command on the brick's Linux and waits for its end",
+        "Runs a shell command on the brick's Linux and waits until it ends",
         (
             In("COMMAND", STRING, "the command line"),
             Out(
@@ -277,7 +284,7 @@ VM = (
             Out(
                 "Inverted",
                 DATA8,
-                "whether the first port comes after the second, as in C and A",
+                "whether the first port comes after the second, as in CA",
                 range=(0, 1),
                 special={0: "no", 1: "yes"},
             ),
@@ -290,7 +297,7 @@ VM = (
         (
             In("PortIn", DATA32, "three decimal digits: layer 1-4, any, port 1-4 (103: port 3)"),
             LAYER_OUT,
-            Out("PortOut", DATA8, "sensor port less one, as INPUT_* takes it", range=(0, 3)),
+            Out("PortOut", DATA8, "sensor port minus one, as in INPUT_*", range=(0, 3)),
         ),
     ),
     Opcode(
@@ -299,7 +306,7 @@ VM = (
         "Converts the name of a note to its frequency",
         (
             In("NOTE", STRING, "C4 to B6, sharps as C#4"),
-            Out("FREQ", DATA16, "frequency; 440 for a note it does not know", unit="Hz", range=(262, 1976)),
+            Out("FREQ", DATA16, "frequency; 440 for an unknown note", unit="Hz", range=(262, 1976)),
         ),
     ),
     Opcode(
@@ -310,13 +317,13 @@ VM = (
             Command(
                 1,
                 "SET_ERROR",
-                "Puts an error into the brick's error log",
+                "Adds an error to the brick's error log",
                 (In("NUMBER", DATA8, "number of the error", role=Role.ERROR, special={0: "nothing is logged"}),),
             ),
             Command(
                 2,
                 "GET_ERROR",
-                "Takes the oldest error out of the brick's error log",
+                "Removes and returns the oldest error of the brick's error log",
                 (Out("NUMBER", DATA8, "number of the error", role=Role.ERROR, special={0: "the log is empty"}),),
                 effects=(Effect.VARIES,),
             ),
@@ -326,36 +333,42 @@ VM = (
                 "Converts the number of an error to its name",
                 (
                     In("NUMBER", DATA8, "number of the error", role=Role.ERROR, special={0: "gives an empty text"}),
-                    In("LENGTH", DATA8, "room for the text, with its zero", unit="bytes", special={-1: "no limit"}),
-                    Out("DESTINATION", STRING, "name of the error, less than 32 characters", length="LENGTH"),
+                    In(
+                        "LENGTH",
+                        DATA8,
+                        "size of the text buffer, including the zero",
+                        unit="bytes",
+                        special={-1: "no limit"},
+                    ),
+                    Out("DESTINATION", STRING, "name of the error, at most 31 characters", length="LENGTH"),
                 ),
             ),
             Command(
                 4,
                 "GET_VOLUME",
                 "Reads the volume setting",
-                (Out("VALUE", DATA8, "how loud", range=(0, 100), unit="%"),),
+                (Out("VALUE", DATA8, "volume", range=(0, 100), unit="%"),),
                 effects=(Effect.VARIES,),
             ),
             Command(
                 5,
                 "SET_VOLUME",
                 "Changes the volume setting",
-                (In("VALUE", DATA8, "how loud", range=(0, 100), unit="%"),),
+                (In("VALUE", DATA8, "volume", range=(0, 100), unit="%"),),
                 effects=(Effect.CHANGES_SETTINGS,),
             ),
             Command(
                 6,
                 "GET_MINUTES",
-                "Reads after how long without use the brick powers off",
-                (Out("VALUE", DATA8, "time without use", range=(0, 120), unit="min", special={0: "never"}),),
+                "Reads the idle time after which the brick powers off",
+                (Out("VALUE", DATA8, "idle time", range=(0, 120), unit="min", special={0: "never"}),),
                 effects=(Effect.VARIES,),
             ),
             Command(
                 7,
                 "SET_MINUTES",
-                "Changes after how long without use the brick powers off",
-                (In("VALUE", DATA8, "time without use", range=(0, 120), unit="min", special={0: "never"}),),
+                "Changes the idle time after which the brick powers off",
+                (In("VALUE", DATA8, "idle time", range=(0, 120), unit="min", special={0: "never"}),),
                 effects=(Effect.CHANGES_SETTINGS,),
             ),
         ),
@@ -368,8 +381,8 @@ VM = (
             Command(
                 1,
                 "GET_SIZE",
-                "Measures a text",
-                (SOURCE1, Out("SIZE", DATA16, "its length without the zero", unit="bytes")),
+                "Reads the length of a text",
+                (SOURCE1, Out("SIZE", DATA16, "its length, not including the zero", unit="bytes")),
             ),
             Command(
                 2,
@@ -380,21 +393,23 @@ VM = (
             Command(
                 3,
                 "COMPARE",
-                "Tells whether two texts are the same, upper and lower case kept apart",
+                "Reports whether two texts are equal; case matters",
                 (
                     In("SOURCE1", STRING, "one text"),
                     In("SOURCE2", STRING, "the other text"),
-                    Out("RESULT", DATA8, "whether they match", range=(0, 1), special={0: "different", 1: "the same"}),
+                    Out(
+                        "RESULT", DATA8, "whether they are equal", range=(0, 1), special={0: "different", 1: "the same"}
+                    ),
                 ),
             ),
             Command(5, "DUPLICATE", "Copies a text", (SOURCE1, DESTINATION)),
             Command(
                 6,
                 "VALUE_TO_STRING",
-                "Writes a floating-point number as text, without zeros at its end",
+                "Writes a floating-point number as text, without trailing zeros",
                 (
                     In("VALUE", DATAF, "number to write; NaN becomes ----"),
-                    In("FIGURES", DATA8, "width with the point; negative aligns left", unit="characters"),
+                    In("FIGURES", DATA8, "width, including the point; negative aligns left", unit="characters"),
                     In("DECIMALS", DATA8, "digits after the point"),
                     DESTINATION,
                 ),
@@ -412,7 +427,7 @@ VM = (
             Command(
                 9,
                 "NUMBER_TO_STRING",
-                "Writes a whole number as text, with zeros in front",
+                "Writes a whole number as text, with leading zeros",
                 (
                     In("VALUE", DATA16, "number to write"),
                     In("FIGURES", DATA8, "width of the text", unit="characters"),
@@ -422,10 +437,10 @@ VM = (
             Command(
                 10,
                 "SUB",
-                "Takes from a text what comes after another text found in it",
+                "Returns the part of a text after another text found in it",
                 (
                     In("SOURCE1", STRING, "text to search"),
-                    In("SOURCE2", STRING, "text to find; it should be there"),
+                    In("SOURCE2", STRING, "text to find; must occur"),
                     DESTINATION,
                 ),
             ),
@@ -436,7 +451,7 @@ VM = (
                 (
                     In("VALUE", DATAF, "number to write"),
                     In("FORMAT", STRING, "format, such as %5.2f"),
-                    In("SIZE", DATA8, "room for the text, with its zero", unit="bytes"),
+                    In("SIZE", DATA8, "size of the text buffer, including the zero", unit="bytes"),
                     Out("DESTINATION", STRING, "resulting text", length="SIZE"),
                 ),
             ),
@@ -447,7 +462,7 @@ VM = (
                 (
                     In("VALUE", DATA32, "number to write"),
                     In("FORMAT", STRING, "format, such as %05d or %X"),
-                    In("SIZE", DATA8, "room for the text, with its zero", unit="bytes"),
+                    In("SIZE", DATA8, "size of the text buffer, including the zero", unit="bytes"),
                     Out("DESTINATION", STRING, "resulting text", length="SIZE"),
                 ),
             ),
@@ -456,7 +471,7 @@ VM = (
     Opcode(0x88, "BP0", "Stops at breakpoint 0; BP_SET puts it over the instruction it replaces"),
     Opcode(0x89, "BP1", "Stops at breakpoint 1; BP_SET puts it over the instruction it replaces"),
     Opcode(0x8A, "BP2", "Stops at breakpoint 2; BP_SET puts it over the instruction it replaces"),
-    Opcode(0x8B, "BP3", "Pulses test pin TP4 and goes on; BP_SET puts it over the instruction it replaces"),
+    Opcode(0x8B, "BP3", "Pulses test pin TP4 and continues; BP_SET puts it over the instruction it replaces"),
     Opcode(
         0x8C,
         "BP_SET",
@@ -464,7 +479,7 @@ VM = (
         (
             PRGID,
             In("NO", DATA8, "number of the breakpoint", range=(0, 2), special={3: "pulse on test pin TP4, no stop"}),
-            In("ADDRESS", DATA32, "where in the image", unit="bytes", special={0: "remove the breakpoint"}),
+            In("ADDRESS", DATA32, "offset in the image", unit="bytes", special={0: "remove the breakpoint"}),
         ),
         effects=(Effect.CONTROLS_PROGRAMS,),
     ),
@@ -497,9 +512,9 @@ VM = (
     Opcode(
         0xFF,
         "TST",
-        "Tests the hardware, as the factory does; all but TST_OPEN fail unless opened before",
+        "Tests the hardware, as the factory does; all fail before TST_OPEN",
         commands=(
-            Command(10, "TST_OPEN", "Allows test commands for 10 seconds; each one renews the time"),
+            Command(10, "TST_OPEN", "Allows test commands for 10 seconds; each one restarts the timer"),
             Command(11, "TST_CLOSE", "Ends the test mode"),
             Command(
                 12,
@@ -507,7 +522,7 @@ VM = (
                 "Reads the pins of a connector",
                 (
                     PINS_PORT,
-                    In("LENGTH", DATA8, "how many pins to read, usually 5"),
+                    In("LENGTH", DATA8, "number of pins to read, usually 5"),
                     Out("STRING", DATA8, "one character per pin: 0 low, 1 high", length="LENGTH"),
                 ),
                 effects=(Effect.VARIES,),
@@ -518,9 +533,12 @@ VM = (
                 "Sets the pins of a connector",
                 (
                     PINS_PORT,
-                    In("LENGTH", DATA8, "how many pins to set, usually 5"),
+                    In("LENGTH", DATA8, "number of pins to set, usually 5"),
                     In(
-                        "STRING", DATA8, "one character per pin: 0 low, 1 high, X floating, - as it is", length="LENGTH"
+                        "STRING",
+                        DATA8,
+                        "one character per pin: 0 low, 1 high, X floating, - unchanged",
+                        length="LENGTH",
                     ),
                 ),
                 effects=(Effect.WRITES_TO_DEVICES,),
@@ -549,10 +567,10 @@ VM = (
             Command(
                 15,
                 "TST_WRITE_UART",
-                "Sends bytes out of a sensor port's serial line",
+                "Sends bytes on a sensor port's serial line",
                 (
                     PORT,
-                    In("LENGTH", DATA8, "how many bytes to send", unit="bytes", range=(0, 63)),
+                    In("LENGTH", DATA8, "number of bytes to send", unit="bytes", range=(0, 63)),
                     In("STRING", DATA8, "the bytes", length="LENGTH"),
                 ),
                 effects=(Effect.WRITES_TO_DEVICES,),
@@ -560,11 +578,11 @@ VM = (
             Command(
                 16,
                 "TST_READ_UART",
-                "Reads bytes that arrived on a sensor port's serial line",
+                "Reads the bytes received on a sensor port's serial line",
                 (
                     PORT,
-                    In("LENGTH", DATA8, "how many bytes to read", unit="bytes", range=(0, 63)),
-                    Out("STRING", DATA8, "the bytes, filled up with zeros", length="LENGTH"),
+                    In("LENGTH", DATA8, "number of bytes to read", unit="bytes", range=(0, 63)),
+                    Out("STRING", DATA8, "the bytes, padded with zeros", length="LENGTH"),
                 ),
                 effects=(Effect.VARIES,),
             ),
@@ -599,21 +617,21 @@ VM = (
             Command(
                 20,
                 "TST_BOOT_MODE2",
-                "Starts mode 2 of Bluetooth, the one for Apple's devices",
+                "Starts Bluetooth mode 2, for Apple devices",
                 effects=(Effect.WRITES_TO_DEVICES,),
             ),
             Command(
                 21,
                 "TST_POLL_MODE2",
-                "Asks how far the start of Bluetooth's mode 2 is",
+                "Asks for the state of the start of Bluetooth mode 2",
                 (Out("STATUS", DATA8, "OK, BUSY (still starting) or FAIL", range=(0, 2), enum=RESULT),),
                 effects=(Effect.VARIES,),
             ),
-            Command(22, "TST_CLOSE_MODE2", "Ends mode 2 of Bluetooth", effects=(Effect.WRITES_TO_DEVICES,)),
+            Command(22, "TST_CLOSE_MODE2", "Ends Bluetooth mode 2", effects=(Effect.WRITES_TO_DEVICES,)),
             Command(
                 23,
                 "TST_RAM_CHECK",
-                "Asks how the memory test at power-on went",
+                "Asks for the result of the memory test at power-on",
                 (Out("STATUS", DATA8, "OK or FAIL", range=(0, 2), enum=RESULT),),
             ),
         ),

@@ -61,7 +61,7 @@ tried: Counter[str] = Counter()
 
 
 def is_same(one: Finding, other: Finding) -> bool:
-    """Whether two findings at one place are the same; the header asks for two memories at one place."""
+    """Whether two findings at one place are the same; the header requests two memories at one place."""
     scopes = [re.findall("local|global", it.message)[:1] for it in (one, other)]
     return one.code == other.code and scopes[0] == scopes[1]
 

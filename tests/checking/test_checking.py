@@ -99,7 +99,7 @@ def test_a_finding_says_all_there_is_to_say() -> None:
             10,
             3,
             "FREQUENCY is 200 Hz, outside of 250 to 10000 Hz",
-            "give 250 to 10000 Hz",
+            "use 250 to 10000 Hz",
             "SOUND.TONE",
             "FREQUENCY",
         ),
@@ -115,7 +115,7 @@ def test_a_finding_for_other_tools() -> None:
             "code": "W304",
             "offset": 9,
             "length": 1,
-            "message": "PATTERN is 31, which LEDPATTERN has no name for",
+            "message": "PATTERN is 31, which is not in LEDPATTERN",
             "mend": report.findings[0].help,
             "operation": "UI_WRITE.LED",
             "parameter": "PATTERN",
@@ -146,15 +146,15 @@ def test_options() -> None:
     frame = raw("E4 00 00 01")
     assert codes(frame, dialect="xtended") == []
     assert only(frame).message == (
-        "0xE4 is INPUT_SET_AUTOID for the dialects xtended and compat, and not an opcode of official firmware"
+        "0xE4 is INPUT_SET_AUTOID in the dialects xtended and compat, but not an opcode of official firmware"
     )
 
 
 def test_what_is_documented_and_never_implemented() -> None:
     (finding,) = check(bytes.fromhex("08000100000400A00060")).findings
     assert (finding.code, finding.offset) == ("E201", 7)
-    assert finding.message == "0xA0 is OUTPUT_GET_TYPE, which is documented, and which no firmware implements"
-    assert finding.help == "INPUT_DEVICE.GET_TYPEMODE with ports 16 to 19 tells the type of the motor at A to D"
+    assert finding.message == "0xA0 is OUTPUT_GET_TYPE, which is documented but not implemented by any firmware"
+    assert finding.help == "INPUT_DEVICE.GET_TYPEMODE with ports 16 to 19 reports the type of the motor at A to D"
 
 
 def test_mailbox_write_takes_the_hardware_that_compilers_write() -> None:
@@ -224,8 +224,8 @@ def test_length_and_padding() -> None:
     assert codes(frame + bytes(1014), carrier="wifi") == ["E103"]
     assert codes(frame + bytes(1013)) == ["E103"]
     assert codes(frame + bytes(1013) + b"\1") == ["E103"]
-    assert only(frame + b"\1").message == "the length field says that 8 bytes follow it, and there are 9"
-    assert only(frame + b"\1").help == "give 9 as the length, or omit the last 1 byte"
+    assert only(frame + b"\1").message == "the length field says that 8 bytes follow it, but there are 9"
+    assert only(frame + b"\1").help == "set the length to 9, or omit the last 1 byte"
 
 
 def test_empty_commands() -> None:
@@ -264,11 +264,11 @@ def test_an_unknown_cmd_is_one_finding_whatever_the_brick_makes_of_it() -> None:
     assert (finding.code, finding.operation, span(finding, frame)) == ("E208", "SOUND", "07")
     assert report.rejected_at == 10
     assert finding.message == (
-        "SOUND has no CMD 7; the brick takes what follows for operations, and refuses the command at offset 10"
+        "SOUND has no CMD 7; the brick reads the next bytes as operations, and refuses the command at offset 10"
     )
     assert "1 TONE" in finding.help
     assert check(raw("94 07 01")).accepted
-    assert only(raw("94 07 01")).message.endswith("; the brick does not notice, and runs what follows as operations")
+    assert only(raw("94 07 01")).message.endswith("; the brick does not notice, and runs the next bytes as operations")
     assert only(raw("94 820101 01")).message == "SOUND has no CMD 257"
     assert only(raw("94 3F")).message.startswith("SOUND has no CMD -1;")
     assert only(raw("FF 04 60")).operation == "TST"
@@ -277,14 +277,14 @@ def test_an_unknown_cmd_is_one_finding_whatever_the_brick_makes_of_it() -> None:
 def test_counts() -> None:
     frame = raw("2F 40 83FFFFFFFF 01", memory=4 << 10)
     assert (only(frame).code, span(only(frame), frame)) == ("E207", "83 ff ff ff ff")
-    assert only(frame).message == ("LENGTH is -1: the brick reads millions of values before it looks at anything else")
+    assert only(frame).message == ("LENGTH is -1: the brick reads millions of values before it does anything else")
     frame = raw("2F 40 05 01 02", memory=5 << 10)
     assert (only(frame).code, only(frame).message) == (
         "E203",
-        "LENGTH says that 5 values follow, and 2 bytes do",
+        "LENGTH says that 5 values follow, but only 2 bytes do",
     )
     frame = raw("2F 40 82F401 01 02", memory=500 % 64 << 10)
-    assert "LENGTH says that 500 values follow, and 2 bytes do" in [it.message for it in check(frame).findings]
+    assert "LENGTH says that 500 values follow, but only 2 bytes do" in [it.message for it in check(frame).findings]
     frame = raw("94 07 2F 40 3F 01", memory=4 << 10)
     assert codes(frame) == ["E208", "E207"]
     frame = raw("99 1D 00 00 00 3F 3F 01", type=0)
@@ -303,14 +303,14 @@ def test_the_first_parameter_and_the_others() -> None:
     assert codes(raw("A3 00 82C801 00")) == ["E301"]
     assert codes(raw("A4 00 01 8180")) == ["W302"]
     assert codes(raw("A6 8180 01")) == ["E204"]
-    assert only(raw("30 82C801 40", memory=1 << 10)).help == "give -127 to 127"
+    assert only(raw("30 82C801 40", memory=1 << 10)).help == "use -127 to 127"
     assert codes(raw("A6 8A0001 01")) == ["E204"]
-    assert only(raw("60 8AC801 40", memory=4 << 10)).help == "give a text"
+    assert only(raw("60 8AC801 40", memory=4 << 10)).help == "use a text"
 
 
 def test_misaligned() -> None:
     frame = asking(operation("UI_READ.GET_VBATT", GV(2)), global_size=6)
-    assert (only(frame).code, only(frame).help) == ("E205", "use GV(4), and ask for 8 bytes of global memory")
+    assert (only(frame).code, only(frame).help) == ("E205", "use GV(4), and request 8 bytes of global memory")
     frame = asking(operation("INPUT_DEVICE.READY_SI", 0, 0, 0, -1, [GV(1)]), global_size=5)
     assert (only(frame).code, check(frame).accepted) == ("W405", True)
     frame = command(operation("UI_DRAW.TEXTBOX", 0, 0, 9, 9, LV(0), 1, 0, LV(3)), local_size=8)
@@ -326,17 +326,17 @@ def test_what_the_brick_cuts_down() -> None:
         "W301",
         "POWER is 200, which the brick reads as -56: it is a DATA8, -127 to 127",
     )
-    assert only(frame).help == "write -56 if these bits are meant, or else a number that fits"
+    assert only(frame).help == "write -56 if these bits are meant, otherwise a number that fits"
     frame = raw("A4 00 01 822C01")
     assert (only(frame).code, only(frame).message) == (
         "E301",
-        "POWER is 300, of which the brick keeps 44: it is a DATA8, -127 to 127",
+        "POWER is 300, which the brick truncates to 44: it is a DATA8, -127 to 127",
     )
-    assert only(frame).help == "give -100 to 100 %"
+    assert only(frame).help == "use -100 to 100 %"
     frame = raw("94 01 82C800 82B801 82E803")
     assert (only(frame).code, only(frame).message) == (
         "W303",
-        "VOLUME is 200 %, outside of 0 to 100 %, and the brick reads it as -56",
+        "VOLUME is 200 %, outside of 0 to 100 %; the brick reads it as -56",
     )
 
 
@@ -378,13 +378,13 @@ def test_variables_beyond_their_memory() -> None:
     frame = asking(operation("UI_READ.GET_VBATT", GV(0)), global_size=3)
     assert (only(frame).code, only(frame).message) == (
         "E402",
-        "VALUE takes bytes 0 to 3 of global memory, and the header asks for 3 bytes of global memory",
+        "VALUE takes bytes 0 to 3 of global memory, but the header requests 3 bytes of global memory",
     )
-    assert only(frame).help == "ask for 4 bytes of global memory, or use a lower index"
+    assert only(frame).help == "request 4 bytes of global memory, or use a lower index"
     frame = asking(operation("UI_READ.GET_VBATT", GV(1020)), global_size=1019)
-    assert only(frame).help == "use a lower index; there are 1019 bytes of global memory at most"
+    assert only(frame).help == "use a lower index; global memory has at most 1019 bytes"
     assert only(asking(operation("UI_READ.GET_LBATT", GV(0)))).message == (
-        "PCT takes byte 0 of global memory, and the header asks for no global memory"
+        "PCT takes byte 0 of global memory, but the header requests no global memory"
     )
     assert codes(command(operation("TIMER_READ", LV(0)), local_size=3)) == ["E401"]
 
@@ -447,7 +447,7 @@ def test_results_that_nobody_gets() -> None:
 
 
 def test_memory_that_nothing_uses() -> None:
-    assert only(asking(operation("UI_READ.GET_LBATT", GV(0)), global_size=20)).help == "ask for 1"
+    assert only(asking(operation("UI_READ.GET_LBATT", GV(0)), global_size=20)).help == "request 1"
     assert codes(asking(operation("UI_READ.GET_LBATT", GV(0)), global_size=4)) == []
     assert codes(command(operation("NOP"), local_size=1)) == ["H401"]
     unknown = operation("STRINGS.ADD", "a", "b", GV(0))
@@ -479,13 +479,13 @@ def test_names_that_are_too_long() -> None:
 def test_jumps() -> None:
     assert codes(raw("41 40 03 82 1B 01", memory=1 << 10)) == []
     assert only(raw("41 40 04 82 1B 01", memory=1 << 10)).message == (
-        "OFFSET is 4, which leads to offset 14, and the operations are at 7 to 12"
+        "OFFSET is 4, which leads to offset 14, but the operations are at 7 to 12"
     )
     assert (
         only(raw("41 40 3C", memory=1 << 10)).help
-        == "give -3 to lead to the first operation, or 0 to lead to the end, counted from the end of the jump"
+        == "use -3 to jump to the first operation, or 0 to jump to the end, counted from the end of the jump"
     )
-    assert only(raw("41 40 02 82 1B 01", memory=1 << 10)).help == ("give 0 to run UI_WRITE.LED, or 3 to skip it")
+    assert only(raw("41 40 02 82 1B 01", memory=1 << 10)).help == ("use 0 to run UI_WRITE.LED, or 3 to skip it")
     assert codes(raw("41 40 A005 82 1B 01 0D 05", memory=1 << 10)) == []
     assert codes(raw("41 40 A006 82 1B 01 0D 05", memory=1 << 10)) == ["E603"]
     assert codes(raw("41 40 A000 82 1B 01", memory=1 << 10)) == []
@@ -652,14 +652,12 @@ def test_messages_to_mailboxes() -> None:
     assert found("a", b"hi") == [("W805", 11, 2, NO_ZERO)]
     assert found("a", b"stop") == [("W805", 11, 4, NO_ZERO)]
     assert found("a", b"b" * 250 + b"\0") == [
-        ("W804", 11, 251, "the message has 251 bytes, and a mailbox has room for 250")
+        ("W804", 11, 251, "the message has 251 bytes, but a mailbox has room for only 250")
     ]
-    assert found("a" * 50, b"\1") == [
-        ("W804", 7, 50, "the name has 50 characters, and that of a mailbox has 49 at most")
-    ]
+    assert found("a" * 50, b"\1") == [("W804", 7, 50, "the name has 50 characters; that of a mailbox has at most 49")]
 
 
-NO_ZERO = "the message looks like a text, and has no zero at its end"
+NO_ZERO = "the message looks like a text without a zero at its end"
 
 
 def test_downloads_may_be_longer_than_other_frames_but_not_on_usb() -> None:
@@ -673,7 +671,7 @@ def test_downloads_may_be_longer_than_other_frames_but_not_on_usb() -> None:
     assert finding.message == "a frame has at most 1024 bytes on USB, this one has 1107"
     cut = only(long[:900])
     assert (cut.code, cut.offset) == ("E102", 0)
-    assert "1105 bytes follow it, and there are 898" in cut.message
+    assert "1105 bytes follow it, but there are 898" in cut.message
 
 
 def test_a_download_may_begin_with_data() -> None:

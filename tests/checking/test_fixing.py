@@ -66,8 +66,7 @@ def test_a_frame_that_is_cut_off_stays() -> None:
     fixed = fix(cut)
     assert (fixed.frame, fixed.changes) == (cut, ())
     assert fixed.unfixed == (
-        "the length field says 14, and 13 bytes follow it; they cannot be read to their end either, so either may be"
-        " wrong",
+        "the length field says 14, but 13 bytes follow it; they cannot be parsed to the end, so either may be wrong",
     )
 
 
@@ -102,9 +101,9 @@ def test_more_memory_than_there_is() -> None:
     local = command(operation("MOVE32_32", 7, LV(60)), local_size=4)
     fixed = fix(local)
     assert fixed.frame == local
-    assert fixed.unfixed == ("DESTINATION of MOVE32_32 would need 64 bytes of local memory, and there are 63 at most",)
+    assert fixed.unfixed == ("DESTINATION of MOVE32_32 would need 64 bytes of local memory; the maximum is 63",)
     far = asking(operation("UI_READ.GET_VBATT", GV(0xFFFFFFF0)))
-    assert "would need 4294967284 bytes of global memory, and there are 1019 at most" in fix(far).unfixed[0]
+    assert "would need 4294967284 bytes of global memory; the maximum is 1019" in fix(far).unfixed[0]
 
 
 def test_more_memory_than_the_firmware_gives() -> None:
@@ -118,7 +117,7 @@ def test_a_text_of_unknown_length_gets_no_memory() -> None:
     fixed = fix(frame)
     assert fixed.frame == frame
     assert fixed.unfixed == (
-        "it is not known how many bytes of global memory DESTINATION of STRINGS.ADD takes, so none were added for it",
+        "DESTINATION of STRINGS.ADD takes an unknown number of bytes of global memory, so none were added for it",
     )
 
 
@@ -155,8 +154,8 @@ def test_misaligned_variables_stay() -> None:
     )
     fixed = fix(frame)
     assert (fixed.frame, fixed.changes) == (frame, ())
-    assert fixed.unfixed == ("GV(1) is not a multiple of 4, as SI of INPUT_READSI needs it: give it another place",)
-    assert "--fix leaves variables" in CODES["E205"].explanation
+    assert fixed.unfixed == ("GV(1) is not at a multiple of 4, as SI of INPUT_READSI requires; move it",)
+    assert "--fix does not move variables" in CODES["E205"].explanation
 
 
 def test_each_misaligned_variable_is_named_once() -> None:
@@ -166,16 +165,14 @@ def test_each_misaligned_variable_is_named_once() -> None:
         operation("ADD32", LV(1), 1, LV(1)),
         local_size=8,
     )
-    assert fix(frame).unfixed == (
-        "LV(1) is not a multiple of 4, as DESTINATION of MOVE32_32 needs it: give it another place",
-    )
+    assert fix(frame).unfixed == ("LV(1) is not at a multiple of 4, as DESTINATION of MOVE32_32 requires; move it",)
 
 
 def test_what_only_the_processor_needs_is_said_too() -> None:
     """After a count of parameters the firmware looks at no index."""
     frame = asking(operation("INPUT_DEVICE.READY_SI", 0, 0, 0, 0, [GV(1)]), global_size=5)
     assert check(frame).accepted
-    assert "GV(1) is not a multiple of 4" in fix(frame).unfixed[0]
+    assert "GV(1) is not at a multiple of 4" in fix(frame).unfixed[0]
 
 
 def test_what_cannot_be_read_on_is_said() -> None:
@@ -225,7 +222,7 @@ def test_what_is_jumped_over_keeps_its_length() -> None:
     back = operation("JR", -long.length - 2)
     fixed = fix(command(long, back, behind))
     assert fixed.frame == command(long, back, short)
-    assert fixed.unfixed == ("1 longer encoding stays: a jump counts its bytes",)
+    assert fixed.unfixed == ("1 longer encoding is kept: a jump counts its bytes",)
     unknown = operation("JR", LV(0))
     frame = command(unknown, long, local_size=4)
     assert fix(frame).frame == frame

@@ -228,7 +228,7 @@ def test_what_is_no_direct_command(frame: bytes) -> None:
 
 
 def test_every_operation_from_its_shortest_values() -> None:
-    """What is built from zeros and aligned variables is accepted, but for what firmware of 2013 does not know."""
+    """What is built from zeros and aligned variables is accepted, but for what the 2013 firmware does not know."""
     for name, declaration in operations().items():
         if declaration.is_newer or name == "ERROR":
             continue

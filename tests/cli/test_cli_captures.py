@@ -57,9 +57,9 @@ def test_a_tree_with_time_place_and_direction(tmp_path: Path) -> None:
     assert done.stdout.decode() == (
         "0.000000 #1 wifi 192.0.2.10:5555 sent DIRECT_COMMAND_NO_REPLY, counter 42, 16 bytes\n"
         "     7  SOUND.TONE  Plays one tone and returns at once\n"
-        "     9    VOLUME    = 1 %  LC0: how loud\n"
-        "    10    FREQUENCY = 440 Hz  LC2: pitch; the driver moves others into the range\n"
-        "    13    DURATION  = 1000 ms  LC2: how long, read without sign (-1 is 65535)\n"
+        "     9    VOLUME    = 1 %  LC0: volume\n"
+        "    10    FREQUENCY = 440 Hz  LC2: pitch; the driver clamps it to the range\n"
+        "    13    DURATION  = 1000 ms  LC2: duration, read unsigned (-1 is 65535)\n"
         "0.001000 #2 wifi 192.0.2.10:5555 sent DIRECT_COMMAND_REPLY, counter 1, 10 bytes\n"
         "  memory: 4 bytes global, 0 bytes local\n"
         "     7  UI_READ.GET_VBATT  Reads the battery voltage\n"

@@ -154,9 +154,9 @@ def test_a_fixed_frame() -> None:
     assert done.stdout.splitlines() == [
         "fixed in 2 places",
         "0x|08:00|2A:00|00|04:00|81|01|60|",
-        "  length field: 9 -> 8 (the bytes that follow it, which read to their end)",
+        "  length field: 9 -> 8 (the number of bytes that follow it)",
         "  type: DIRECT_COMMAND_NO_REPLY -> DIRECT_COMMAND_REPLY (UI_READ.GET_VBATT writes GV(0), which only a reply"
-        " brings)",
+        " carries)",
         "fixed: accepted: no findings",
     ]
 
@@ -176,9 +176,7 @@ def test_a_misaligned_variable_stays() -> None:
         [],
         ["E205"],
     )
-    assert entry["unmended"] == [
-        "GV(1) is not a multiple of 4, as VALUE of UI_READ.GET_VBATT needs it: give it another place"
-    ]
+    assert entry["unmended"] == ["GV(1) is not at a multiple of 4, as VALUE of UI_READ.GET_VBATT requires; move it"]
 
 
 def test_what_cannot_be_fixed_is_said() -> None:
@@ -186,7 +184,7 @@ def test_what_cannot_be_fixed_is_said() -> None:
     assert done.returncode == 1
     lines = done.stdout.splitlines()
     assert lines[:2] == ["nothing could be fixed", "0x|0E:00|2A:00|80|00:00|94|01|01|82:B8:01|82:E8|"]
-    assert lines[2].startswith("  not fixed: the length field says 14, and 13 bytes follow it")
+    assert lines[2].startswith("  not fixed: the length field says 14, but 13 bytes follow it")
     assert any(line.startswith("error[") for line in lines)
 
 

@@ -181,7 +181,7 @@ def test_padding_is_counted(count: int, sentence: str) -> None:
 def test_a_status_is_explained() -> None:
     """A folder that cannot be made, as decode and as --dialogues show it."""
     talk = b"Sent 08:00:01:00:01:9b:2f:70:2f:00\nRecv 05:00:01:00:05:9b:05\n"
-    meaning = "it cannot be made: it exists, its parent does not, or it is not allowed there"
+    meaning = "it cannot be created: it exists, its parent does not, or permission is denied"
     tree = run_ev3proto("decode", stdin=talk).stdout.decode().splitlines()
     at = tree.index("received SYSTEM_REPLY_ERROR, counter 1, 7 bytes: CREATE_DIR NO_PERMISSION")
     assert tree[at + 1] == f"        {meaning}"

@@ -53,8 +53,8 @@ def test_help_of_a_status_says_what_it_means_for_each_command() -> None:
     assert run("help", "UNKNOWN_HANDLE").stdout.splitlines()[:4] == [
         "UNKNOWN_HANDLE  The system command failed",
         "  status 0x01",
-        "  BEGIN_DOWNLOAD: no such file can be made: it is a folder, or the file system refuses the name",
-        "  CONTINUE_DOWNLOAD: no file is open under that handle: it is complete, closed, or was never begun",
+        "  BEGIN_DOWNLOAD: the file cannot be created: it is a folder, or the file system refuses the name",
+        "  CONTINUE_DOWNLOAD: no file is open under that handle: it is complete, closed, or was never opened",
     ]
     never = "no command of the published firmware answers with it"
     for name in ("CORRUPT_FILE", "ILLEGAL_PATH", "FILE_EXITS", "ILLEGAL_FILENAME"):
@@ -69,7 +69,7 @@ def test_help_of_a_refused_command_says_what_to_do() -> None:
 
 def test_help_of_what_is_documented_and_never_implemented() -> None:
     said = run("help", "OUTPUT_GET_TYPE").stdout
-    assert "documented, and never implemented by any firmware" in said
+    assert "documented, but not implemented by any firmware" in said
     assert "INPUT_DEVICE.GET_TYPEMODE with ports 16 to 19" in said
 
 

@@ -370,7 +370,7 @@ def outcome(make: Callable[..., Draft], *arguments: Any) -> str:
 
 
 NEWER = "E212"
-"""What a check says of commands that LEGO's firmware of 2013 does not know; it is right, and no fault of composing."""
+"""What a check says of commands that LEGO's the 2013 firmware does not know; it is right, and no fault of composing."""
 
 
 @each("name", sorted(HOME))

@@ -234,9 +234,9 @@ def test_the_help_of_a_function() -> None:
         "Plays one tone and returns at once.\n"
         "\n"
         "Args:\n"
-        "    volume: How loud; 0 to 100 %; 0: silent; DATA8.\n"
-        "    frequency: Pitch; the driver moves others into the range; 250 to 10000 Hz; DATA16.\n"
-        "    duration: How long, read without sign (-1 is 65535); ms; 0: until BREAK or the next sound; DATA16.\n"
+        "    volume: Volume; 0 to 100 %; 0: silent; DATA8.\n"
+        "    frequency: Pitch; the driver clamps it to the range; 250 to 10000 Hz; DATA16.\n"
+        "    duration: Duration, read unsigned (-1 is 65535); ms; 0: until BREAK or the next sound; DATA16.\n"
         "    unchecked: Let values through that mean nothing to the brick, as far as they can be encoded."
     )
     assert "in global memory when omitted" in (inspect.getdoc(ops.ui_read.get_vbatt) or "")

@@ -257,7 +257,7 @@ def test_its_python_runs_here_too() -> None:
     environment = {**os.environ, "PYTHONPATH": str(ROOT / "docs" / "playground")}
     done = subprocess.run(command, cwd=ROOT, env=environment, capture_output=True, text=True, check=True)
     assert json.loads(done.stdout)["lines"][3] == [
-        "    10    FREQUENCY = 440 Hz  LC2: pitch; the driver moves others into the range",
+        "    10    FREQUENCY = 440 Hz  LC2: pitch; the driver clamps it to the range",
         0,
         10,
         3,

@@ -273,9 +273,9 @@ def test_comments_say_what_the_tables_say() -> None:
     assert """\
     /*
      * Plays one tone and returns at once
-     *   VOLUME     DATA8   how loud (0 to 100 %; 0: silent)
-     *   FREQUENCY  DATA16  pitch; the driver moves others into the range (250 to 10000 Hz)
-     *   DURATION   DATA16  how long, read without sign (-1 is 65535) (ms; 0: until BREAK or the next sound)
+     *   VOLUME     DATA8   volume (0 to 100 %; 0: silent)
+     *   FREQUENCY  DATA16  pitch; the driver clamps it to the range (250 to 10000 Hz)
+     *   DURATION   DATA16  duration, read unsigned (-1 is 65535) (ms; 0: until BREAK or the next sound)
      */
     TONE = 1,
 """ in build()

@@ -37,7 +37,7 @@ def test_an_operation() -> None:
         "name": "FREQUENCY",
         "type": "DATA16",
         "direction": "in",
-        "text": "pitch; the driver moves others into the range",
+        "text": "pitch; the driver clamps it to the range",
         "unit": "Hz",
         "range": [250, 10000],
     }

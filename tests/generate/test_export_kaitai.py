@@ -224,5 +224,5 @@ def test_the_form_of_the_file() -> None:
     text = build()
     assert text.endswith("\n")
     assert [line for line in text.split("\n") if line != line.rstrip() or "\t" in line] == []
-    assert '      - {id: volume, type: argument(false), doc: "how loud (0 to 100 %; 0: silent)"}\n' in text
+    assert '      - {id: volume, type: argument(false), doc: "volume (0 to 100 %; 0: silent)"}\n' in text
     assert sys.getsizeof(text) < 300_000

@@ -1,7 +1,7 @@
-"""What the helps of `check` advise, done: the frames that come of it, one for each number that a help names.
+"""Follows the helps of `check`: yields the resulting frames, one for each number that a help names.
 
-A help is read as a person reads it: the numbers in it are put where it says, and nothing else is changed but the length
-field, which goes on saying as much too little or too much as it did.
+The numbers of a help are put where a person would put them. Only the length field changes with them; it keeps being off
+by the same number of bytes as before.
 """
 
 from __future__ import annotations
@@ -31,9 +31,9 @@ class Advised:
         self._shift = 0
 
     def frames(self) -> Iterator[tuple[str, bytes, int]]:
-        """What was done, the frame that it gives, and where in it stands what the finding was about.
+        """Yields the advice followed, the resulting frame, and the offset of what the finding was about.
 
-        Nothing where the help names no number that can be put in.
+        Nothing if the help names no number to put in.
         """
         for pattern, doing in _DOINGS:
             for found in re.finditer(pattern, self.finding.help):
@@ -44,7 +44,7 @@ class Advised:
     # Changes
 
     def spliced(self, start: int, length: int, data: bytes) -> bytes:
-        """The frame with other bytes at a place."""
+        """Returns the frame with other bytes at an offset."""
         self._shift = len(data) - length if start < self.finding.offset else 0
         frame = self.frame[:start] + data + self.frame[start + length :]
         stated = self.stated + len(data) - length
@@ -118,7 +118,7 @@ def _types(at: Advised, *numbers: str) -> Iterator[bytes]:
 
 
 def _nop(at: Advised, number: str) -> Iterator[bytes]:
-    memory = bytes(2) if at.finding.help.startswith("give two bytes") else b""
+    memory = bytes(2) if at.finding.help.startswith("add two bytes") else b""
     start = HEADER_SIZE if memory else at.finding.offset
     yield at.spliced(start, len(at.frame) - start, memory + bytes((int(number, 16),)))
 
@@ -165,7 +165,7 @@ def _beside(at: Advised, number: str) -> Iterator[bytes]:
         yield at.with_number(int(number))
 
 
-def _count(at: Advised, number: str, name: str) -> Iterator[bytes]:
+def _count(at: Advised, name: str, number: str) -> Iterator[bytes]:
     yield at.with_number(int(number), name)
 
 
@@ -219,21 +219,21 @@ def _as_float(at: Advised, number: str) -> Iterator[bytes]:
 _HEX = "0x([0-9A-F]{2})"
 
 _DOINGS: tuple[tuple[str, Doing], ...] = (
-    (r"give (\d+) as the length", _length),
+    (r"set (?:the length|it) to (\d+)", _length),
     (r"omit the last (\d+) bytes?", _omit_last),
-    (rf"give {_HEX} for a direct command with a reply, {_HEX} for one without, {_HEX} or {_HEX} for a system", _types),
-    (rf"give the type {_HEX}", _type),
+    (rf"use {_HEX} for a direct command with a reply, {_HEX} for one without, {_HEX} or {_HEX} for a system", _types),
+    (rf"use type {_HEX}", _type),
     (rf"NOP \({_HEX}\)", _nop),
-    (r"(?<!and )ask for (?:no more than )?(\d+) bytes? of (global|local) memory", _memory),
-    (r"(?<!and )ask for (?:no more than )?(\d+|none)\b(?! bytes? of)", _memory),
-    (r"use ([GL])V\((\d+)\)(?:, and ask for (\d+) bytes? of (global|local) memory)?", _variable),
-    (r"give (?:a sub-command, )?0x([0-9A-F]{2}) to 0x([0-9A-F]{2})", _interval),
-    (r"give (-?\d+) to (-?\d+)", _interval),
-    (r"give one of (.*)", _one_of),
+    (r"(?<!and )request (?:at most )?(\d+) bytes? of (global|local) memory", _memory),
+    (r"(?<!and )request (?:at most )?(\d+|none)\b(?! bytes? of)", _memory),
+    (r"use ([GL])V\((\d+)\)(?:, and request (\d+) bytes? of (global|local) memory)?", _variable),
+    (r"use (?:a sub-command, )?0x([0-9A-F]{2}) to 0x([0-9A-F]{2})", _interval),
+    (r"use (-?\d+) to (-?\d+)", _interval),
+    (r"use one of (.*)", _one_of),
     (r" or (-?\d+) \(", _beside),
-    (r"give (-?\d+) as ([A-Z]\w*)", _count),
+    (r"set ([A-Z]\w*) to (-?\d+)", _count),
     (r"shorten (?:it|its folder) by (\d+)", _shorten),
-    (r"(?:give|or) (-?\d+) to (?:run|skip|lead)", _jump),
+    (r"(?:use|or) (-?\d+) to (?:run|skip|jump)", _jump),
     (r"write (-?\d+) if these bits", _beside),
     (r"put LABEL (\d+)", _label),
     (r"values that follow, (\d+) or more", _beside),
@@ -241,6 +241,6 @@ _DOINGS: tuple[tuple[str, Doing], ...] = (
     (rf"put SOUND_READY \({_HEX}\)", _await_sound),
     (rf"put OUTPUT_READY \({_HEX}\)", _await_motors),
     (r"put UI_DRAW.UPDATE \(([0-9A-F]{2}):([0-9A-F]{2})\)", _update),
-    (r"give (-?\d+) as a float", _as_float),
+    (r"write (-?\d+) as a float", _as_float),
 )
 """What is done with each number, by the words around it."""

@@ -346,7 +346,7 @@ ERRORS = [
     ("message counter 65536", 1, 17, "counter cannot be 65536: it is a whole number from 0 to 65535"),
     ("message counter\nNOP", 1, 16, "expected the value of counter, found the end of the line"),
     ("message DIRECT_REPLY\nNOP", 2, 1, "an operation cannot stand in a direct-reply, which has no operations"),
-    ("LIST_FILES(path='/')", 1, 20, "LIST_FILES needs max_bytes too: most bytes of contents that the reply may carry"),
+    ("LIST_FILES(path='/')", 1, 20, "LIST_FILES needs max_bytes too: maximum number of content bytes in the reply"),
     ("LIST_FILES(5, '/', pth='/')", 1, 20, "LIST_FILES has no field pth: did you mean path?"),
     ("message SYSTEM_REPLY\nDELETE_FILE(status=SUCESS)", 2, 20, "unknown status SUCESS: did you mean SUCCESS?"),
     ("NOP\nbytes 0", 2, 7, "expected bytes in hex, two digits each, found 0"),

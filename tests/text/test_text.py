@@ -44,9 +44,9 @@ def test_the_tree_of_a_command() -> None:
     assert shown(TONE, Seen("sent", "09:12:31.011558")) == [
         "09:12:31.011558 sent DIRECT_COMMAND_NO_REPLY, counter 42, 16 bytes",
         "     7  SOUND.TONE  Plays one tone and returns at once",
-        "     9    VOLUME    = 1 %  LC0: how loud",
-        "    10    FREQUENCY = 440 Hz  LC2: pitch; the driver moves others into the range",
-        "    13    DURATION  = 1000 ms  LC2: how long, read without sign (-1 is 65535)",
+        "     9    VOLUME    = 1 %  LC0: volume",
+        "    10    FREQUENCY = 440 Hz  LC2: pitch; the driver clamps it to the range",
+        "    13    DURATION  = 1000 ms  LC2: duration, read unsigned (-1 is 65535)",
     ]
 
 
@@ -122,7 +122,7 @@ def test_the_tree_shows_a_cmd_that_is_encoded_longer() -> None:
 def test_the_tree_of_a_faulty_frame() -> None:
     lines = shown(bytes.fromhex("0B 00 2A 00 80 00 00 94 01 01 82 B8 01"))
     assert lines[-2:] == [
-        "    10    FREQUENCY = 440 Hz  LC2: pitch; the driver moves others into the range",
+        "    10    FREQUENCY = 440 Hz  LC2: pitch; the driver clamps it to the range",
         "  fault at offset 13: the frame ends where the argument DURATION should start",
     ]
 
@@ -142,7 +142,7 @@ def test_the_tree_of_system_messages() -> None:
 def test_the_tree_of_daisy_messages() -> None:
     assert shown(DOWNSTREAM)[:3] == [
         "DAISY_COMMAND_REPLY, counter 1, 11 bytes: DOWNSTREAM",
-        "        Hands operations on to a brick further down",
+        "        Forwards operations to a brick further down",
         "        from layer 0 to layer 1",
     ]
     assert shown(DOWNSTREAM)[3].startswith("     8  OUTPUT_START")

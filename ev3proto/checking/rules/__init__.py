@@ -1,4 +1,4 @@
-"""What a careful sender fixes, a topic a file. Every rule takes a context and gives findings.
+"""The rules of the checker, one topic a file. Every rule takes a context and yields findings.
 
-A rule does not give what another one has found: one cause, one finding.
+Rules do not repeat each other: one cause, one finding.
 """

@@ -1,4 +1,4 @@
-"""Rules on arguments: their values, encodings, lists. One pass, since a frame has more arguments than anything else."""
+"""Rules on arguments: their values, encodings, lists. All in one pass, since most of a frame is arguments."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ from ev3proto.tables.validation import LABELS
 def value_finding(
     operation: CheckedOperation, number: int, argument: Argument, known: ParameterFacts
 ) -> Finding | None:
-    """What is wrong with a constant that is none of `known.numbers`."""
+    """Returns what is wrong with a constant outside `known.numbers`."""
     is_first = not number and not operation.facts.has_cmd
     parameter, form, value, _, _ = argument
     kind, type_ = form.kind, parameter.type
     if form.handle or form.address:
-        # Only the brick knows what is there. Its validator takes the handle or address itself for the value.
+        # Only the brick knows the value there. Its validator takes the handle or address itself as the value.
         return _refused(operation, argument, value, known) if is_first and isinstance(value, int) else None
     if parameter.direction is not Direction.IN:
         return _constant_output(operation, argument)
@@ -46,7 +46,7 @@ def value_finding(
 def _number(
     operation: CheckedOperation, argument: Argument, value: int, known: ParameterFacts, *, is_first: bool
 ) -> Finding | None:
-    """What is wrong with a whole number."""
+    """Returns what is wrong with a whole number."""
     domain, limits = known.domain, known.limits
     refused = _refused(operation, argument, value, known) if is_first else None
     if refused is not None or known.parameter.type is Type.LABEL:
@@ -61,7 +61,7 @@ def _number(
 def _illegal(
     operation: CheckedOperation, argument: Argument, value: int, known: ParameterFacts, aside: str = ""
 ) -> Finding:
-    """A number that the tables do not provide for."""
+    """Returns the finding about a number that is not in the tables."""
     assert known.domain is not None
     code = codes.NO_MEMBER if known.domain.has_names else codes.OUT_OF_RANGE
     message = f"{argument[0].name} is {value}{known.outside}{aside}"
@@ -69,7 +69,7 @@ def _illegal(
 
 
 def _refused(operation: CheckedOperation, argument: Argument, value: int, known: ParameterFacts) -> Finding | None:
-    """A first parameter that the validator does not let pass."""
+    """Returns the finding about a first argument that the validator refuses."""
     parameter = known.parameter
     if parameter.role is Role.LABEL:
         if 0 <= value < LABELS:
@@ -77,12 +77,12 @@ def _refused(operation: CheckedOperation, argument: Argument, value: int, known:
         return operation.finding_at(
             codes.BAD_LABEL,
             argument,
-            f"{argument.name} is {value}, and there are labels 0 to {LABELS - 1}",
-            f"give 1 to {LABELS - 1}; jumps cannot name label 0",
+            f"{argument.name} is {value}, but labels are 0 to {LABELS - 1}",
+            f"use 1 to {LABELS - 1}; jumps cannot name label 0",
         )
     checked = parameter.validated or parameter.type
     if checked is Type.STRING:
-        # Of a text, the validator sees its first character.
+        # The validator checks the first character of a text.
         checked = Type.DATA8
     limits = RANGES.get(checked)
     if limits is None or limits.low <= value <= limits.high:
@@ -90,14 +90,14 @@ def _refused(operation: CheckedOperation, argument: Argument, value: int, known:
     return operation.finding_at(
         codes.FIRST_OUT_OF_RANGE,
         argument,
-        f"{argument.name} is {value}, and the brick takes {limits.low} to {limits.high} as {checked}"
+        f"{argument.name} is {value}, but the brick accepts only {limits.low} to {limits.high} as {checked}"
         " in a first parameter",
         _value_help(known),
     )
 
 
 def _cut_down(operation: CheckedOperation, argument: Argument, value: int, known: ParameterFacts) -> Finding:
-    """A number that more bytes were given than the parameter has, or the one that means that there is none."""
+    """Returns the finding about a number with more bytes than the parameter, or about the value for "not a number"."""
     parameter = argument.parameter
     bits = 8 * parameter.type.size
     if value == RANGES[parameter.type].nan:
@@ -106,17 +106,17 @@ def _cut_down(operation: CheckedOperation, argument: Argument, value: int, known
     read = kept - (1 << bits) if kept >> bits - 1 else kept
     if 0 <= value < 1 << bits:
         if known.domain is not None and not known.domain.covers(read):
-            return _illegal(operation, argument, value, known, f", and the brick reads it as {read}")
+            return _illegal(operation, argument, value, known, f"; the brick reads it as {read}")
         return operation.finding_at(
             codes.NEGATIVE,
             argument,
             f"{parameter.name} is {value}, which the brick reads as {read}: it is {_article(parameter.type)}",
-            f"write {read} if these bits are meant, or else a number that fits",
+            f"write {read} if these bits are meant, otherwise a number that fits",
         )
     return operation.finding_at(
         codes.TRUNCATED,
         argument,
-        f"{parameter.name} is {value}, of which the brick keeps {read}: it is {_article(parameter.type)}",
+        f"{parameter.name} is {value}, which the brick truncates to {read}: it is {_article(parameter.type)}",
         _value_help(known),
     )
 
@@ -128,9 +128,9 @@ def _article(kind: Type) -> str:
 
 def _value_help(known: ParameterFacts) -> str:
     if known.domain is not None:
-        return f"give {known.domain.choice}"
+        return f"use {known.domain.choice}"
     limits = RANGES.get(known.parameter.type)
-    return "give a text" if limits is None else f"give {limits.low} to {limits.high}"
+    return "use a text" if limits is None else f"use {limits.low} to {limits.high}"
 
 
 def _not_a_number(operation: CheckedOperation, argument: Argument) -> Finding:
@@ -138,19 +138,19 @@ def _not_a_number(operation: CheckedOperation, argument: Argument) -> Finding:
         codes.NOT_A_NUMBER,
         argument,
         f'{argument.name} is {argument.value}, which means "not a number"',
-        "give a number, unless just that is meant",
+        "use a number, unless this is intended",
     )
 
 
 def _constant_output(operation: CheckedOperation, argument: Argument) -> Finding:
     parameter = argument.parameter
     wide = parameter.type.size
-    room = f" that has room for {parameter.type}" if wide else ""
+    room = f" large enough for {parameter.type}" if wide else ""
     return operation.finding_at(
         codes.CONSTANT_OUTPUT,
         argument,
-        f"{argument.name} is a constant, and the brick writes there",
-        f"give a variable{room}: global for the reply, or local",
+        f"{argument.name} is a constant, but the brick writes to it",
+        f"use a variable{room}: global for the reply, or local",
     )
 
 
@@ -158,8 +158,8 @@ def _number_for_text(operation: CheckedOperation, argument: Argument) -> Finding
     return operation.finding_at(
         codes.NUMBER_FOR_TEXT,
         argument,
-        f"{argument.name} is the number {argument.value}, and the brick reads a text",
-        "give a text as LCS, or a variable that holds one",
+        f"{argument.name} is the number {argument.value}, but the brick reads a text",
+        "use a text as LCS, or a variable that holds one",
     )
 
 
@@ -167,8 +167,8 @@ def _text_for_number(operation: CheckedOperation, argument: Argument) -> Finding
     return operation.finding_at(
         codes.TEXT_FOR_NUMBER,
         argument,
-        f"{argument.name} is a text, and the brick reads a {argument.parameter.type}",
-        "give a number",
+        f"{argument.name} is a text, but the brick reads a {argument.parameter.type}",
+        "use a number",
     )
 
 
@@ -176,13 +176,13 @@ def _integer_for_float(operation: CheckedOperation, argument: Argument) -> Findi
     return operation.finding_at(
         codes.INTEGER_FOR_FLOAT,
         argument,
-        f"{argument.name} is the whole number {argument.value}, whose bits the brick reads as a float",
-        f"give {argument.value} as a float: LC4 with the four bytes of an IEEE single",
+        f"{argument.name} is the whole number {argument.value}, but the brick reads its bits as a float",
+        f"write {argument.value} as a float: LC4 with the four bytes of an IEEE single",
     )
 
 
 def longer_form(operation: CheckedOperation, has_jumps: bool) -> list[Finding]:
-    """What is wrong with CMD of an operation that has one."""
+    """Returns what is wrong with the CMD of an operation, if it has one."""
     cmd = operation.parsed.cmd
     assert cmd is not None
     return [longer_finding(operation, cmd, has_jumps)] if is_longer(cmd) else []
@@ -192,38 +192,38 @@ _RANGES = {CONSTANT: CONSTANT_RANGES, LOCAL: INDEX_RANGES, GLOBAL: INDEX_RANGES}
 
 
 def _shorter(form: Encoding) -> range | None:
-    """The values that a shorter form than this one can hold; None where there is none."""
+    """Returns the values that a shorter form can hold, None if there is no shorter form."""
     if not form.width or form.handle or form.address:
         return None
-    # Wider ones hold all that narrower ones do.
+    # Wider forms hold all values of narrower ones.
     narrower = [numbers for width, numbers in _RANGES.get(form.kind, {}).items() if width < form.width]
     return narrower[-1] if narrower else None
 
 
 SHORTER = {id(form): _shorter(form) for form in ENCODINGS if form is not None}
-"""The values that a shorter form can hold, by the id of the encoding: there is one object for each."""
+"""The values that a shorter form can hold, by the id of the encoding: each encoding is a single object."""
 
 
 def is_longer(argument: Argument) -> bool:
-    """Whether its value fits a shorter form."""
+    """Returns whether its value fits a shorter form."""
     shorter = SHORTER.get(id(argument.form))
     return shorter is not None and type(argument.value) is int and argument.value in shorter
 
 
 def shortest(argument: Argument) -> bytes:
-    """The shortest bytes that say the same as one that `is_longer`."""
+    """Returns the shortest encoding of an argument that `is_longer`."""
     kind, value = argument.form.kind, argument.value
     assert isinstance(value, int)
     return encode_integer(value) if kind == CONSTANT else encode_variable(Variable(kind, value))
 
 
 def longer_finding(operation: CheckedOperation, argument: Argument, has_jumps: bool) -> Finding:
-    """What is said of an argument that `is_longer`.
+    """Returns the finding about an argument that `is_longer`.
 
     Args:
-        operation: The operation that it is in.
+        operation: Its operation.
         argument: The argument.
-        has_jumps: Whether the command has jumps, which may be over it.
+        has_jumps: Whether the command has jumps, which may span it.
     """
     kind, value = argument.form.kind, argument.value
     shorter = shortest(argument)
@@ -231,17 +231,17 @@ def longer_finding(operation: CheckedOperation, argument: Argument, has_jumps: b
         shorter = _shorter_way_back(argument, value)
     aside = ""
     if has_jumps and argument.parameter.role is not Role.JUMP:
-        aside = f", and count {counted(argument.length - len(shorter), 'byte')} less in jumps over it"
+        aside = f", and shorten jumps over it by {counted(argument.length - len(shorter), 'byte')}"
     return operation.finding_at(
         codes.LONGER_FORM,
         argument,
-        f"{argument.name} is {argument.encoding}, and its value fits {counted(len(shorter), 'byte')}",
+        f"{argument.name} is {argument.encoding}, but its value fits {counted(len(shorter), 'byte')}",
         f"write it as {shorter.hex(' ').upper()}{aside}",
     )
 
 
 def _shorter_way_back(argument: Argument, value: int) -> bytes:
-    """A jump to the same place in fewer bytes: it is counted from its end, which is less far from there then."""
+    """Returns a jump to the same place in fewer bytes: its end, from which it is counted, moves."""
     for length in range(1, argument.length):
         data = encode_integer(value + argument.length - length)
         if len(data) == length:
@@ -250,7 +250,7 @@ def _shorter_way_back(argument: Argument, value: int) -> bytes:
 
 
 def check_lists(operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
-    """The texts and arrays that stand in the operations themselves."""
+    """Checks the texts and arrays inside the operations."""
     for operation in operations:
         if operation.facts.has_lists:
             yield from _long_texts(operation)
@@ -269,7 +269,7 @@ def _long_texts(operation: CheckedOperation) -> Iterator[Finding]:
             yield operation.finding_at(
                 codes.NAME_TOO_LONG,
                 argument,
-                f"{argument.name} has {counted(size - 1, 'character')}, and the firmware takes {most - 1} at most",
+                f"{argument.name} has {counted(size - 1, 'character')}; the firmware accepts at most {most - 1}",
                 f"shorten it by {size - most}",
             )
 
@@ -282,21 +282,26 @@ def _array(operation: CheckedOperation, array: InlineArray) -> Iterator[Finding]
             yield operation.finding_at(
                 codes.ARRAY_TOO_SHORT,
                 argument,
-                f"{says}, and it is a single number",
-                "give the bytes as a text, or a variable that holds them",
+                f"{says}, but it is a single number",
+                "write the bytes as a text, or a variable that holds them",
             )
     elif stated > present:
         yield operation.finding_at(
             codes.ARRAY_TOO_SHORT,
             argument,
-            f"{says}, and it has {present} with its zero",
-            ", or ".join((*_count(operation, array, present // array.one), f"give all {counted(stated, 'byte')}")),
+            f"{says}, but it has {present}, including its zero",
+            ", or ".join(
+                (
+                    *_count(operation, array, present // array.one),
+                    f"add the missing bytes, up to {counted(stated, 'byte')}",
+                )
+            ),
         )
     elif stated < present - 1:
         yield operation.finding_at(
             codes.REST_UNUSED,
             argument,
-            f"{says}, and it has {present - 1}",
+            f"{says}, but it has {present - 1}",
             ", or ".join(
                 (
                     *_count(operation, array, -(-(present - 1) // array.one)),
@@ -307,20 +312,20 @@ def _array(operation: CheckedOperation, array: InlineArray) -> Iterator[Finding]
 
 
 def _count(operation: CheckedOperation, array: InlineArray, count: int) -> Iterator[str]:
-    """The advice to give another number of values, where the array has so many and the parameter can say so."""
+    """Yields the advice to change the number of values, if the array has that many and the parameter can hold it."""
     parameter = next(it for it in operation.facts.declaration.parameters if it.name == array.length)
     limits = RANGES.get(parameter.type)
     if 0 < count * array.one <= array.present and (limits is None or count <= limits.high):
-        yield f"give {count} as {array.length}"
+        yield f"set {array.length} to {count}"
 
 
 _VARIABLES = (LOCAL, GLOBAL)
 _SHORT_FORMS = len(SHORT)
-"""Identification bytes below this one are whole arguments."""
+"""Identification bytes below this one are complete arguments."""
 
 
 def check_arguments(context: CheckContext, found: list[Finding]) -> tuple[list[Use], list[Use]]:
-    """Adds what is wrong with values and encodings; returns the variables in local and in global memory."""
+    """Adds findings about values and encodings; returns the variables in local and in global memory."""
     local: list[Use] = []
     shared: list[Use] = []
     frame, has_jumps = context.frame, context.has_jumps
@@ -331,7 +336,7 @@ def check_arguments(context: CheckContext, found: list[Finding]) -> tuple[list[U
         parameters = facts.parameters
         fixed = len(parameters)
         if len(operation.arguments) > fixed:
-            # The elements of a list are all alike.
+            # All elements of a list are of one kind.
             element = operation.arguments[fixed].parameter
             listed, listed_memory = parameter_facts(element), element_facts(element)
         for number, argument in enumerate(operation.arguments):
@@ -351,7 +356,7 @@ def check_arguments(context: CheckContext, found: list[Finding]) -> tuple[list[U
                 (shared if kind == GLOBAL else local).append(used)
             else:
                 legal = parameters[number] if number < fixed else listed
-                # A range looks at all of its numbers, one by one, for what is no whole number.
+                # A range compares all of its numbers, one by one, with a value that is not a whole number.
                 if type(value) is not int or value not in legal.numbers:
                     wrong = value_finding(operation, number, argument, legal)
                     if wrong is not None:

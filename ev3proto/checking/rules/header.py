@@ -1,4 +1,4 @@
-"""The frame itself: its length, its type, the memory that its header asks for, and what system commands say."""
+"""The frame itself: its length, its type, the memory that its header requests, and system commands."""
 
 from __future__ import annotations
 
@@ -20,22 +20,22 @@ from ev3proto.tables.system import SYSTEM_BY_NUMBER, Field, Kind
 from ev3proto.tables.system import SystemCommand as Entry
 
 MOST_IN_REPLY = MAX_FRAME - HEADER_SIZE
-"""Bytes of global memory that a reply has room for."""
+"""Bytes of global memory that fit into a reply."""
 
 TYPE_OFFSET = HEADER_SIZE - 1
-"""Where the message type stands."""
+"""Offset of the message type."""
 
 
 def check_envelope(context: CheckContext) -> Iterator[Finding]:
-    """Length and type."""
+    """Checks length and type."""
     frame = context.frame
     size = len(frame)
     if size < HEADER_SIZE:
         yield codes.TOO_SHORT.finding(
             0,
             size,
-            f"a frame has at least {HEADER_SIZE} bytes (length, counter, type), here are {size}",
-            "give the whole frame, from its length field on",
+            f"a frame has at least {HEADER_SIZE} bytes (length, counter, type), this one has {size}",
+            "start at the length field and include the whole frame",
         )
         return
     yield from _length(frame, size, context)
@@ -43,8 +43,8 @@ def check_envelope(context: CheckContext) -> Iterator[Finding]:
         yield codes.UNKNOWN_TYPE.finding(
             TYPE_OFFSET,
             1,
-            f"0x{frame[TYPE_OFFSET]:02X} is not a message type",
-            f"give 0x{MessageType.DIRECT_COMMAND_REPLY:02X} for a direct command with a reply,"
+            f"unknown message type 0x{frame[TYPE_OFFSET]:02X}",
+            f"use 0x{MessageType.DIRECT_COMMAND_REPLY:02X} for a direct command with a reply,"
             f" 0x{MessageType.DIRECT_COMMAND_NO_REPLY:02X} for one without,"
             f" 0x{MessageType.SYSTEM_COMMAND_REPLY:02X} or 0x{MessageType.SYSTEM_COMMAND_NO_REPLY:02X} for a system"
             " command",
@@ -53,7 +53,7 @@ def check_envelope(context: CheckContext) -> Iterator[Finding]:
         yield codes.NO_COMMAND.finding(
             TYPE_OFFSET,
             1,
-            f"{context.message.type.name} is what a brick sends, not what is sent to it",
+            f"{context.message.type.name} is a message from the brick, not to it",
             "check the command that it answers",
         )
 
@@ -77,28 +77,28 @@ def _length(frame: bytes, size: int, context: CheckContext) -> Iterator[Finding]
             0,
             LENGTH_FIELD,
             _says(stated, follow),
-            f"give {follow} as the length, or the bytes that are missing: {stated - follow}"
+            f"set the length to {follow}, or add the {counted(stated - follow, 'missing byte')}"
             if _reads_to_its_end(with_length(frame[LENGTH_FIELD:]), context)
-            else f"give the {counted(stated - follow, 'byte')} that {'is' if stated - follow == 1 else 'are'} missing",
+            else f"add the {counted(stated - follow, 'missing byte')}",
         )
     elif stated < follow:
         yield _left_over(frame, stated, follow, context)
 
 
 def _slip(frame: bytes, stated: int, follow: int, context: CheckContext) -> str | None:
-    """Returns what to do about a length whose bytes are swapped, or which counts itself; None for any other length."""
+    """Returns the help for a length whose bytes are swapped, or which counts itself; None for any other length."""
     if stated == follow or not _reads_to_its_end(with_length(frame[LENGTH_FIELD:]), context):
         return None
     if int.from_bytes(frame[:LENGTH_FIELD], "big") == follow:
-        return f"did you swap these two bytes? The low one is first: {frame[1::-1].hex(' ').upper()} is {follow}"
+        return f"did you swap these two bytes? The low byte comes first: {frame[1::-1].hex(' ').upper()} is {follow}"
     if stated == follow + LENGTH_FIELD:
-        return f"give {follow}: the length does not count its own two bytes"
+        return f"set it to {follow}: the length does not count its own two bytes"
     return None
 
 
 def _says(stated: int, follow: int) -> str:
     verb = "follows" if stated == 1 else "follow"
-    return f"the length field says that {counted(stated, 'byte')} {verb} it, and there are {follow}"
+    return f"the length field says that {counted(stated, 'byte')} {verb} it, but there are {follow}"
 
 
 def _left_over(frame: bytes, stated: int, follow: int, context: CheckContext) -> Finding:
@@ -107,8 +107,8 @@ def _left_over(frame: bytes, stated: int, follow: int, context: CheckContext) ->
         return codes.PADDING.finding(
             end,
             len(frame) - end,
-            f"the frame ends here, and {counted(len(frame) - end, 'zero')} fill it up to a USB report",
-            "omit them everywhere but on USB",
+            f"the frame ends here; {counted(len(frame) - end, 'zero')} pad it to a USB report",
+            "omit them, except on USB",
         )
     return codes.LEFT_OVER.finding(
         0,
@@ -119,25 +119,25 @@ def _left_over(frame: bytes, stated: int, follow: int, context: CheckContext) ->
 
 
 def _ways_out(frame: bytes, stated: int, follow: int, context: CheckContext) -> Iterator[str]:
-    """What can be done about bytes after the end of a frame: what makes a frame of it, or what else is possible."""
+    """Yields the ways to fix bytes after the end of a frame."""
     is_start = stated + LENGTH_FIELD >= HEADER_SIZE
     fits = len(frame) <= context.most
     if fits and (not is_start or _reads_to_its_end(with_length(frame[LENGTH_FIELD:]), context)):
-        yield f"give {follow} as the length" + "," * is_start
+        yield f"set the length to {follow}" + "," * is_start
     elif not is_start:
-        yield f"give the length of one frame, which has {MAX_FRAME} bytes at most"
+        yield f"set the length to that of one frame, which has at most {MAX_FRAME} bytes"
     if is_start:
         yield f"omit the last {counted(follow - stated, 'byte')}"
 
 
 def _reads_to_its_end(frame: bytes, context: CheckContext) -> bool:
-    """Whether a frame could be meant so: it has a command's type, and no byte too few or too many."""
+    """Returns whether these bytes are a plausible frame: a command's type, no byte missing, none left over."""
     message = frame_schema(context.dialect).read_frame(frame, strict=False)
     return message.type is not None and message.type.is_command and message.fault is None
 
 
 def check_command_header(context: CheckContext, command: DirectCommand) -> Iterator[Finding]:
-    """What the header of a direct command asks for."""
+    """Checks what the header of a direct command requests."""
     reason = context.verdict.reason
     if reason is Reason.EMPTY or context.end < COMMAND_HEADER_SIZE:
         if not context.is_length_wrong:
@@ -146,10 +146,10 @@ def check_command_header(context: CheckContext, command: DirectCommand) -> Itera
                 0,
                 "the command has no operation"
                 if context.end == COMMAND_HEADER_SIZE
-                else "the command ends before the two bytes that ask for memory",
-                f"give at least one operation; {codes.opcode('NOP')} does nothing"
+                else "the command ends before the two bytes that request memory",
+                f"add at least one operation; {codes.opcode('NOP')} does nothing"
                 if context.end == COMMAND_HEADER_SIZE
-                else "give two bytes that ask for memory, 0 for none, and then at least one operation;"
+                else "add two bytes that request memory, 0 for none, and then at least one operation;"
                 f" {codes.opcode('NOP')} does nothing",
             )
         return
@@ -158,15 +158,15 @@ def check_command_header(context: CheckContext, command: DirectCommand) -> Itera
         yield codes.REFUSED_MEMORY.finding(
             HEADER_SIZE,
             MEMORY_SIZE,
-            f"the header asks for {asked} bytes of global memory, and the firmware grants {GRANTED_GLOBALS} at most",
-            f"ask for no more than {MOST_IN_REPLY} bytes, which is what a reply carries",
+            f"the header requests {asked} bytes of global memory, but the firmware grants at most {GRANTED_GLOBALS}",
+            f"request at most {MOST_IN_REPLY} bytes, which fit into a reply",
         )
     elif asked > MOST_IN_REPLY:
         yield codes.LONG_REPLY.finding(
             HEADER_SIZE,
             MEMORY_SIZE,
-            f"the header asks for {asked} bytes of global memory, and a reply carries {MOST_IN_REPLY}",
-            f"ask for no more than {MOST_IN_REPLY} bytes",
+            f"the header requests {asked} bytes of global memory, but a reply carries {MOST_IN_REPLY}",
+            f"request at most {MOST_IN_REPLY} bytes",
         )
 
 
@@ -174,13 +174,13 @@ _USB = "usb"
 _PATH = "path"
 _NAME = "name"
 _NAME_OFFSET = HEADER_SIZE + 2
-"""Of a mailbox's name, after the command and the length of the name."""
+"""Offset of a mailbox's name, after the command and the length of the name."""
 _OPENED = "begin"
-"""Transfers begin with a path of a file, which the firmware takes apart."""
+"""Transfers begin with the path of a file, which the firmware splits."""
 
 
 def check_system(context: CheckContext, command: SystemCommand) -> Iterator[Finding]:
-    """A system command."""
+    """Checks a system command."""
     entry = SYSTEM_BY_NUMBER.get(command.number) if context.end > HEADER_SIZE else None
     if entry is None:
         if not (context.is_length_wrong and context.end <= HEADER_SIZE):
@@ -190,7 +190,7 @@ def check_system(context: CheckContext, command: SystemCommand) -> Iterator[Find
         yield codes.WRONG_CARRIER.finding(
             HEADER_SIZE,
             1,
-            f"{entry.name} reaches a brick by USB only, not by {context.carrier}",
+            f"{entry.name} reaches the brick only by USB, not by {context.carrier}",
             "send it by USB",
             entry.name,
         )
@@ -205,7 +205,7 @@ def check_system(context: CheckContext, command: SystemCommand) -> Iterator[Find
 def _unknown(context: CheckContext) -> Finding:
     if context.end <= HEADER_SIZE:
         return codes.UNKNOWN_SYSTEM.finding(
-            context.end, 0, "the frame ends where the system command should stand", "give the number of one"
+            context.end, 0, "the frame ends before the number of the system command", "add the number"
         )
     number = context.frame[HEADER_SIZE]
     known = [
@@ -216,13 +216,13 @@ def _unknown(context: CheckContext) -> Finding:
     return codes.UNKNOWN_SYSTEM.finding(
         HEADER_SIZE,
         1,
-        f"0x{number:02X} is not a system command",
-        f"give {' or '.join(_runs(known))}",
+        f"unknown system command 0x{number:02X}",
+        f"use {' or '.join(_runs(known))}",
     )
 
 
 def _runs(numbers: list[int]) -> Iterator[str]:
-    """`0x92 to 0x9F`, `0xA1`: numbers in a row as one."""
+    """Yields consecutive numbers as ranges: `0x92 to 0x9F`, `0xA1`."""
     rest = sorted(numbers)
     while rest:
         last = first = rest.pop(0)
@@ -236,17 +236,17 @@ def _answer(command: SystemCommand, entry: Entry) -> Iterator[Finding]:
         yield codes.NEVER_ANSWERED.finding(
             TYPE_OFFSET,
             1,
-            f"the type asks for a reply, and the brick never replies to {entry.name}",
-            f"give the type 0x{MessageType.SYSTEM_COMMAND_NO_REPLY:02X}, and do not wait",
+            f"the type asks for a reply, but the brick never replies to {entry.name}",
+            f"use type 0x{MessageType.SYSTEM_COMMAND_NO_REPLY:02X}, and do not wait",
             entry.name,
         )
     elif not command.wants_reply and _is_question(entry):
-        content = "the handle for what follows" if entry.transfer == _OPENED else "what is asked for"
+        content = "the handle for the next commands" if entry.transfer == _OPENED else "the requested contents"
         yield codes.ANSWER_NEEDED.finding(
             TYPE_OFFSET,
             1,
-            f"the type says that no reply is wanted, and the reply to {entry.name} brings {content}",
-            f"give the type 0x{MessageType.SYSTEM_COMMAND_REPLY:02X}",
+            f"the type does not ask for a reply, but the reply to {entry.name} has {content}",
+            f"use type 0x{MessageType.SYSTEM_COMMAND_REPLY:02X}",
             entry.name,
         )
 
@@ -264,13 +264,13 @@ def _wrong_fields(context: CheckContext, entry: Entry) -> Finding:
         start,
         context.end - start,
         f"{entry.name}: {fault.reason}",
-        f"give what belongs after the command: {expected}",
+        f"fields of the command: {expected}",
         entry.name,
     )
 
 
 def _fields(command: SystemCommand, entry: Entry) -> Iterator[Finding]:
-    """Fields that can be read, and are too long."""
+    """Checks the lengths of the fields that can be read."""
     at = HEADER_SIZE + 1
     for field in entry.request:
         value = command.fields.get(field.name)
@@ -281,7 +281,7 @@ def _fields(command: SystemCommand, entry: Entry) -> Iterator[Finding]:
             yield codes.FIELD_TOO_LONG.finding(
                 at,
                 size,
-                f"{field.name} has {counted(size, 'byte')}, and the firmware has room for {field.most}",
+                f"{field.name} has {counted(size, 'byte')}, but the firmware has room for only {field.most}",
                 f"shorten it by {size - field.most}",
                 entry.name,
                 field.name,
@@ -294,7 +294,7 @@ def _fields(command: SystemCommand, entry: Entry) -> Iterator[Finding]:
 
 
 def _size(field: Field, value: int | str | bytes) -> int:
-    """Bytes of a field in the frame."""
+    """Returns the bytes of a field in the frame."""
     if isinstance(value, int):
         return int(NUMBERS[field.kind].sizeof())
     if isinstance(value, str):
@@ -303,7 +303,7 @@ def _size(field: Field, value: int | str | bytes) -> int:
 
 
 def _path(at: int, path: str, entry: Entry) -> Iterator[Finding]:
-    """What the firmware has no room for, or what opens nothing."""
+    """Checks a path: too long for the firmware, or empty."""
     if not path and not _lists(entry):
         yield codes.REFUSED_PATH.finding(
             at, 1, f"the path of {entry.name} is empty", "name a file or folder", entry.name, _PATH
@@ -312,7 +312,7 @@ def _path(at: int, path: str, entry: Entry) -> Iterator[Finding]:
     folder, slash, rest = path.rpartition("/")
     name, dot, extension = rest.partition(".")
     if entry.transfer != _OPENED or _lists(entry):
-        # The firmware takes the paths of files apart that it opens, and no others.
+        # The firmware splits only the paths of files that it opens.
         parts: tuple[tuple[str, str, int, int], ...] = (("path", path, paths.WHOLE, 0),)
     else:
         start = len(folder + slash)
@@ -326,7 +326,7 @@ def _path(at: int, path: str, entry: Entry) -> Iterator[Finding]:
     for (what, part, room, start), excess in zip(parts, excesses, strict=True):
         if excess <= 0:
             continue
-        # A path that is too long may have a folder that is, too: shortening that helps both.
+        # If the folder is also too long, shortening it fixes both.
         folder_excess = excesses[1] if what == "path" and len(parts) > 1 else 0
         shorten = (
             f"shorten its folder by {max(excess, folder_excess)}" if folder_excess > 0 else f"shorten it by {excess}"
@@ -334,7 +334,7 @@ def _path(at: int, path: str, entry: Entry) -> Iterator[Finding]:
         yield codes.REFUSED_PATH.finding(
             at + start,
             len(part),
-            f"the {what} has {counted(len(part), 'character')}, and the firmware takes {room - 1} at most",
+            f"the {what} has {counted(len(part), 'character')}; the firmware accepts at most {room - 1}",
             shorten,
             entry.name,
             _PATH,
@@ -343,13 +343,13 @@ def _path(at: int, path: str, entry: Entry) -> Iterator[Finding]:
 
 
 def _mailbox(at: int, payload: bytes, name: str, entry: Entry, field: str) -> Iterator[Finding]:
-    """A message that starts at an offset, to a mailbox of that name."""
+    """Checks a message at an offset, to a mailbox of that name."""
     if len(name) > mailboxes.MOST_NAME:
         yield codes.MAILBOX_TOO_SMALL.finding(
             _NAME_OFFSET,
             len(name),
-            f"the name has {len(name)} characters, and that of a mailbox has {mailboxes.MOST_NAME} at most",
-            f"give a name of at most {mailboxes.MOST_NAME} characters",
+            f"the name has {len(name)} characters; that of a mailbox has at most {mailboxes.MOST_NAME}",
+            f"use a name of at most {mailboxes.MOST_NAME} characters",
             entry.name,
             _NAME,
         )
@@ -357,7 +357,7 @@ def _mailbox(at: int, payload: bytes, name: str, entry: Entry, field: str) -> It
         yield codes.MAILBOX_TOO_SMALL.finding(
             at,
             len(payload),
-            f"the message has {len(payload)} bytes, and a mailbox has room for {mailboxes.MOST_CONTENT}",
+            f"the message has {len(payload)} bytes, but a mailbox has room for only {mailboxes.MOST_CONTENT}",
             f"send at most {mailboxes.MOST_CONTENT} bytes",
             entry.name,
             field,
@@ -366,7 +366,7 @@ def _mailbox(at: int, payload: bytes, name: str, entry: Entry, field: str) -> It
         yield codes.TEXT_WITHOUT_ZERO.finding(
             at,
             len(payload),
-            "the message looks like a text, and has no zero at its end",
+            "the message looks like a text without a zero at its end",
             "add a zero, and count it in the length of the message",
             entry.name,
             field,
@@ -374,7 +374,7 @@ def _mailbox(at: int, payload: bytes, name: str, entry: Entry, field: str) -> It
 
 
 def _lists(entry: Entry) -> bool:
-    """Whether it is about what a folder holds."""
+    """Returns whether it lists a folder."""
     return any(field.kind is Kind.LISTING for field in entry.reply)
 
 
@@ -382,19 +382,19 @@ _DAISY = f"0x{min(daisy.DaisyCommand):02X} to 0x{max(daisy.DaisyCommand):02X}"
 
 
 def check_daisy(context: CheckContext, command: DaisyCommand) -> Iterator[Finding]:
-    """A message from brick to brick."""
+    """Checks a message between bricks."""
     fault = context.fault
     if fault is not None and not (context.is_length_wrong and fault.truncated):
         start = min(fault.offset, context.end)
         yield codes.UNKNOWN_DAISY.finding(
-            start, min(1, context.end - start), fault.reason, f"give a sub-command, {_DAISY}, and two layers"
+            start, min(1, context.end - start), fault.reason, f"use a sub-command, {_DAISY}, and two layers"
         )
     most = REPORT_SIZES[0]
     if context.end > most:
         yield codes.LONG_DAISY.finding(
             most,
             context.end - most,
-            f"the frame has {context.end} bytes, and a report between bricks carries {most}",
-            "send less at once",
+            f"the frame has {context.end} bytes, but a report between bricks carries {most}",
+            "send less data per frame",
             command.command,
         )

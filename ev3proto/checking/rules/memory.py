@@ -1,4 +1,4 @@
-"""Variables: beyond the memory that the header asks for, misaligned, overlapping, or without anybody to read them."""
+"""Rules on variables: beyond the requested memory, misaligned, overlapping, or never read."""
 
 from __future__ import annotations
 
@@ -17,30 +17,30 @@ from ev3proto.tables.encoding import GLOBAL, LOCAL
 from ev3proto.tables.frame import MAX_FRAME, MAX_LOCALS, MessageType
 
 _MOST_TEXTS = 4096
-"""Variables whose texts are kept."""
+"""Number of variables with cached texts."""
 
 _LARGEST = 4
-"""Bytes of the largest value, to whose multiples people round sizes up."""
+"""Bytes of the largest value; requested sizes are often rounded up to its multiples."""
 
 
 Use = tuple[int, int, int | None, MemoryFacts | Footprint, CheckedOperation, int]
-"""A variable: its first byte, where it ends for sure, where at most (None where that is not known), what else is known
-of it, its operation, the number of the argument."""
+"""A variable: its first byte, its certain end, its largest possible end (None if unknown), what else is known
+of it, its operation, the index of the argument."""
 
 
 def check_memory(
     context: CheckContext, command: DirectCommand, local: list[Use], shared: list[Use]
 ) -> Iterator[Finding]:
-    """All variables of a command: those in local memory, and those in global memory."""
+    """Checks all variables of a command, in local and in global memory."""
     if local:
         yield from _places(local, command.local_size)
     if shared:
         yield from _places(shared, command.global_size)
     if not context.is_whole:
-        # Of what is not read nobody knows which memory it uses.
+        # The memory use of unreadable operations is unknown.
         return
     if not context.has_jumps:
-        # With jumps nobody knows what comes first.
+        # With jumps the order is unknown.
         if len(local) > 1 and _have_results_in_common(local):
             yield from _overlaps(local, is_kept=False)
         if len(shared) > 1 and _have_results_in_common(shared):
@@ -52,13 +52,13 @@ _Identity = tuple[str, int, int, int, int, int | None]
 
 
 def _identity(use: Use) -> _Identity:
-    """What is the same of two variables of which the same is to be said."""
+    """Returns the key by which two variables have the same finding."""
     start, end, most, _, operation, number = use
     return operation.name, number, id(operation.arguments[number][1]), start, end, most
 
 
 def _again(finding: Finding, offset: int) -> Finding:
-    """What was said of a variable, said of it in another place."""
+    """Returns the finding about a variable, moved to another offset."""
     return Finding(
         finding.severity,
         finding.code,
@@ -72,8 +72,8 @@ def _again(finding: Finding, offset: int) -> Finding:
 
 
 def _places(used: list[Use], asked: int) -> Iterator[Finding]:
-    """Variables that are misaligned, or beyond the bytes of memory that are asked for."""
-    # One variable may be wrong in a thousand places: what is said of it is made once.
+    """Yields findings about variables that are misaligned or beyond the requested memory."""
+    # One variable may be wrong in a thousand places: its finding is made once.
     said: dict[_Identity, list[Finding]] = {}
     for use in used:
         start, end, _, known, operation, number = use
@@ -101,31 +101,31 @@ def _wrongly_placed(use: Use, asked: int) -> Iterator[Finding]:
         yield operation.finding_at(code, argument, *_beyond_texts(argument.name, is_global, start, end, asked))
 
 
-# Senders use the same variables again and again: what is said of one is kept.
+# Cached, since commands use the same variables repeatedly.
 @lru_cache(_MOST_TEXTS)
 def _misaligned_texts(
     name: str, is_global: bool, start: int, size: int, multiples: tuple[int, int], asked: int
 ) -> tuple[str, str]:
-    """What is wrong with a misaligned variable, and what to do.
+    """Returns message and help for a misaligned variable.
 
     Args:
         name: The parameter's name.
         is_global: Whether the variable is in global memory.
         start: Its index.
-        size: Bytes that it takes.
-        multiples: What the validator and the processor want its index to be a multiple of.
-        asked: Bytes of that memory that the command asks for.
+        size: Its size in bytes.
+        multiples: The multiples required by the validator and by the processor.
+        asked: Bytes of that memory that the command requests.
     """
     for_validator, for_cpu = multiples
     is_validated = start % for_validator != 0
     multiple = for_validator if is_validated else for_cpu
-    aside = "" if is_validated else ", though the firmware does not look at it here"
+    aside = "" if is_validated else ", though the firmware does not check it here"
     message = f"{name} is {_variable(is_global, start)}, and must start at a multiple of {multiple}{aside}"
     return message, _aligned(is_global, start, size, max(multiples), asked)
 
 
 def _aligned(is_global: bool, start: int, size: int, multiple: int, asked: int) -> str:
-    """Where a misaligned variable could start: upwards, if its memory has room there, or else below."""
+    """Returns where a misaligned variable could start: above if the memory has room, else below."""
     scope, most = _memory(is_global)
     asked = min(asked, most)
     start += -start % multiple
@@ -138,7 +138,7 @@ def _aligned(is_global: bool, start: int, size: int, multiple: int, asked: int) 
     if end > most:
         return f"use a multiple of {multiple}"
     if end > asked:
-        return f"{better}, and ask for {counted(end, 'byte')} of {scope} memory"
+        return f"{better}, and request {counted(end, 'byte')} of {scope} memory"
     return f"{better}, or another multiple of {multiple}"
 
 
@@ -147,34 +147,34 @@ def _variable(is_global: bool, index: int) -> Variable:
 
 
 def _memory(is_global: bool) -> tuple[str, int]:
-    """The name of a memory, and how many bytes of it there are at most."""
+    """Returns the name of a memory and its maximum size in bytes."""
     return ("global", MOST_IN_REPLY) if is_global else ("local", MAX_LOCALS)
 
 
 @lru_cache(_MOST_TEXTS)
 def _beyond_texts(name: str, is_global: bool, start: int, end: int, asked: int) -> tuple[str, str]:
-    """What is wrong with a variable beyond its memory, and what to do."""
+    """Returns message and help for a variable beyond its memory."""
     scope, most = _memory(is_global)
     bytes_taken = f"byte {start}" if start == end - 1 else f"bytes {start} to {end - 1}"
     has = f"{counted(asked, 'byte')} of" if asked else "no"
-    message = f"{name} takes {bytes_taken} of {scope} memory, and the header asks for {has} {scope} memory"
+    message = f"{name} takes {bytes_taken} of {scope} memory, but the header requests {has} {scope} memory"
     if end > most:
-        return message, f"use a lower index; there are {counted(most, 'byte')} of {scope} memory at most"
-    return message, f"ask for {counted(end, 'byte')} of {scope} memory, or use a lower index"
+        return message, f"use a lower index; {scope} memory has at most {counted(most, 'byte')}"
+    return message, f"request {counted(end, 'byte')} of {scope} memory, or use a lower index"
 
 
 def _overlaps(used: list[Use], *, is_kept: bool) -> Iterator[Finding]:
-    """Results that destroy one another, in one memory.
+    """Yields findings about results that overwrite each other in one memory.
 
     Args:
-        used: What the operations use of that memory.
-        is_kept: Whether a reply brings what is in that memory in the end.
+        used: The variables in that memory.
+        is_kept: Whether a reply carries the final contents of that memory.
     """
-    # What stands in each byte, written and searched in slices: with arrays there may be a thousand bytes each time.
+    # The user of each byte, in slices: arrays may take a thousand bytes each.
     results: list[tuple[_Identity, Use] | None] = [None] * MAX_FRAME
     said: dict[tuple[_Identity, _Identity], Finding | None] = {}
     for together in _by_operation(used):
-        # Arguments that may take all bytes from their start on are a thousand at worst: the first one is enough.
+        # Up to a thousand arguments may take all bytes from their start on: the first one is enough.
         open_from = MAX_FRAME
         for start, _, most, known, _, _ in together:
             if not known.is_read:
@@ -204,7 +204,7 @@ def _overlaps(used: list[Use], *, is_kept: bool) -> Iterator[Finding]:
 
 
 def _by_operation(used: list[Use]) -> Iterator[list[Use]]:
-    """The variables of each operation."""
+    """Yields the variables of each operation."""
     together: list[Use] = []
     for use in used:
         if together and together[0][4] is not use[4]:
@@ -215,7 +215,7 @@ def _by_operation(used: list[Use]) -> Iterator[list[Use]]:
 
 
 def _have_results_in_common(used: list[Use]) -> bool:
-    """Whether there are two results at least that have a byte in common. Most commands have none."""
+    """Returns whether any two results share a byte, which is rare."""
     taken = sorted([(start, end) for start, end, _, known, _, _ in used if known.is_written])
     last = 0
     for start, end in taken:
@@ -226,7 +226,7 @@ def _have_results_in_common(used: list[Use]) -> bool:
 
 
 def _destroyed(before: Use, use: Use, is_kept: bool) -> Finding | None:
-    """A result where another one was that nobody has read."""
+    """Returns the finding about a result that overwrites an unread one."""
     first, first_end, first_most, first_known, *_ = before
     start, end, most, known, operation, number = use
     argument = operation.arguments[number]
@@ -237,18 +237,18 @@ def _destroyed(before: Use, use: Use, is_kept: bool) -> Finding | None:
         return operation.finding_at(
             codes.OVERWRITTEN,
             argument,
-            f"{argument.name} is stored in {_of(use)}, where {_full_name(before)} was: the reply brings only the last",
-            "store them in different places",
+            f"{argument.name} is stored in {_of(use)}, like {_full_name(before)} before: the reply has only the last",
+            "store them in different variables",
         )
     if (first_known.is_array or known.is_array) and (_is_within(before, use) or _is_within(use, before)):
-        # An array is often filled element by element.
+        # Arrays are often filled element by element.
         return None
     return operation.finding_at(
         codes.OVERLAP,
         argument,
         f"{argument.name} takes bytes {start} to {end - 1}, and {_full_name(before)} takes {first} to {first_end - 1}:"
         " the later one destroys the other",
-        "store them in places that have no byte in common",
+        "store them in variables that do not overlap",
     )
 
 
@@ -263,14 +263,14 @@ def _full_name(use: Use) -> str:
 
 
 def _of(use: Use) -> Variable:
-    """The variable itself."""
+    """Returns the variable."""
     start, _, _, _, operation, number = use
     form = operation.arguments[number].form
     return Variable(form.kind, start, form.handle, form.address)
 
 
 def _asked_for(command: DirectCommand, local: list[Use], shared: list[Use]) -> Iterator[Finding]:
-    """Memory in the header that nobody uses, and results that nobody gets."""
+    """Yields findings about unused memory, and about results without a reply."""
     if command.local_size:
         yield from _unused("local", command.local_size, local)
     if command.wants_reply:
@@ -282,22 +282,22 @@ def _asked_for(command: DirectCommand, local: list[Use], shared: list[Use]) -> I
         yield codes.NO_REPLY.finding(
             TYPE_OFFSET,
             1,
-            f"{operation.name} stores {operation.arguments[number].name} in {_of(unread)}, which only a reply brings,"
-            " and the type says that none is wanted",
-            f"give the type 0x{MessageType.DIRECT_COMMAND_REPLY:02X}, or store it in local memory",
+            f"{operation.name} stores {operation.arguments[number].name} in {_of(unread)}, which only a reply carries,"
+            " but the type does not ask for one",
+            f"use type 0x{MessageType.DIRECT_COMMAND_REPLY:02X}, or store it in local memory",
         )
     elif command.global_size and not shared:
         yield codes.UNWANTED_GLOBALS.finding(
             HEADER_SIZE,
             MEMORY_SIZE,
-            f"the header asks for {counted(command.global_size, 'byte')} of global memory, which no operation uses and"
-            " no reply brings",
-            f"ask for none, or give the type 0x{MessageType.DIRECT_COMMAND_REPLY:02X}",
+            f"the header requests {counted(command.global_size, 'byte')} of global memory, which no operation uses and"
+            " no reply carries",
+            f"request none, or use type 0x{MessageType.DIRECT_COMMAND_REPLY:02X}",
         )
 
 
 def _unread(used: list[Use]) -> Use | None:
-    """The first result that no operation reads."""
+    """Returns the first result that no operation reads."""
     read: Taken | None = None
     for use in used:
         start, end, _, known, _, _ = use
@@ -315,7 +315,7 @@ def _unused(scope: str, asked: int, used: list[Use]) -> Iterator[Finding]:
     needed = 0
     for _, _, end, _, _, _ in used:
         if end is None:
-            # Nobody knows how many bytes it takes.
+            # Its size is unknown.
             return
         if end > needed:
             needed = end
@@ -327,6 +327,6 @@ def _unused(scope: str, asked: int, used: list[Use]) -> Iterator[Finding]:
 
 @lru_cache(_MOST_TEXTS)
 def _unused_texts(scope: str, asked: int, needed: int) -> tuple[str, str]:
-    """What is wrong with memory of which only some is needed, and what to do."""
-    share = f"{needed} of them are" if needed else "none of them is"
-    return f"the header asks for {counted(asked, 'byte')} of {scope} memory, and {share} used", f"ask for {needed}"
+    """Returns message and help for partly used memory."""
+    share = f"only {needed} are" if needed else "none are"
+    return f"the header requests {counted(asked, 'byte')} of {scope} memory, but {share} used", f"request {needed}"

@@ -1,4 +1,4 @@
-"""Rules on operations: those that the brick refuses, those that are never reached, and what they do to each other."""
+"""Rules on operations: refused ones, unreachable ones, and those that undo each other."""
 
 from __future__ import annotations
 
@@ -23,11 +23,11 @@ _OF_PROGRAMS = frozenset((Effect.OF_PROGRAMS,))
 _ENDS = frozenset((Effect.ENDS,))
 
 _OWN_OBJECT = 1
-"""The number of the only object that a direct command has."""
+"""The number of a direct command's only object."""
 
 
 def check_flow(context: CheckContext) -> Iterator[Finding]:
-    """The operations of a command as a way."""
+    """Checks the control flow of a command."""
     operations = context.operations
     if operations and operations[-1].facts.ends_code:
         yield _object_end(operations[-1], context.end)
@@ -45,7 +45,7 @@ def check_flow(context: CheckContext) -> Iterator[Finding]:
 
 def _object_end(operation: CheckedOperation, end: int) -> Finding:
     if operation.end == end:
-        return operation.finding(codes.NEEDLESS_END, "the firmware puts an OBJECT_END here by itself", "omit it")
+        return operation.finding(codes.NEEDLESS_END, "the firmware adds an OBJECT_END here itself", "omit it")
     return codes.AFTER_END.finding(
         operation.end,
         end - operation.end,
@@ -61,13 +61,13 @@ def _of_programs(operation: CheckedOperation) -> Iterator[Finding]:
         return
     yield operation.finding(
         codes.FOREIGN_OBJECT,
-        f"{operation.name} is about objects of a compiled program, and a direct command has only itself",
+        f"{operation.name} acts on objects of a compiled program, but a direct command has only itself",
         "omit it",
     )
 
 
 class _Way:
-    """The operations as a way: which can run, and where each of them leads."""
+    """The control flow: which operations can run, and where each of them leads."""
 
     def __init__(self, context: CheckContext) -> None:
         self._subject = context
@@ -79,7 +79,7 @@ class _Way:
         self._reached = reached(parsed, self._flow)
 
     def wrong_jumps(self) -> Iterator[Finding]:
-        """Jumps that do not lead to an operation, nor to the end."""
+        """Yields findings about jumps that lead neither to an operation nor to the end."""
         for operation in self._operations:
             jump = jump_of(operation.parsed)
             if jump is not None:
@@ -93,24 +93,24 @@ class _Way:
                 yield operation.finding_at(
                     codes.JUMP_UNKNOWN,
                     jump,
-                    f"{jump.name} is no number in the code, so it is not known where {operation.name} leads",
-                    "jump by a constant, or by a condition for each place",
+                    f"{jump.name} is not a constant, so the target of {operation.name} is unknown",
+                    "jump by a constant, or by one condition per target",
                 )
             else:
                 yield operation.finding_at(
                     codes.NO_SUCH_LABEL,
                     jump,
                     f"{jump.name} names label {jump.value}, which no LABEL sets",
-                    f"put LABEL {jump.value} where the jump is to lead",
+                    f"put LABEL {jump.value} at the target of the jump",
                 )
         elif not COMMAND_HEADER_SIZE <= target <= end:
             yield operation.finding_at(
                 codes.JUMP_OUT,
                 jump,
-                f"{jump.name} is {jump.value}, which leads to offset {target}, and the operations are at"
+                f"{jump.name} is {jump.value}, which leads to offset {target}, but the operations are at"
                 f" {COMMAND_HEADER_SIZE} to {end - 1}",
-                f"give {_counted(operation, jump, COMMAND_HEADER_SIZE)} to lead to the first operation, or"
-                f" {_counted(operation, jump, end)} to lead to the end, counted from the end of the jump"
+                f"use {_counted(operation, jump, COMMAND_HEADER_SIZE)} to jump to the first operation, or"
+                f" {_counted(operation, jump, end)} to jump to the end, counted from the end of the jump"
                 f"{_form(jump)}",
             )
         elif target != end and target not in self._starts and self._is_known(target):
@@ -119,16 +119,16 @@ class _Way:
                 codes.JUMP_INTO,
                 jump,
                 f"{jump.name} is {jump.value}, which leads to offset {target}, into the middle of {inside.name}",
-                f"give {_counted(operation, jump, inside.start)} to run {inside.name}, or"
+                f"use {_counted(operation, jump, inside.start)} to run {inside.name}, or"
                 f" {_counted(operation, jump, inside.end)} to skip it{_form(jump)}",
             )
 
     def _is_known(self, target: int) -> bool:
-        """Whether an operation could be read there."""
+        """Returns whether an operation was read there."""
         return bool(self._operations) and target < self._operations[-1].end
 
     def dead_ends(self) -> Iterator[Finding]:
-        """Operations that no way leads to, or that no way leads out of; nothing if it is unknown what can run."""
+        """Yields findings about unreachable operations and endless loops; nothing if a jump's target is unknown."""
         flow, end = self._flow, self._subject.end
         if not flow.is_known or not self._operations:
             return
@@ -147,14 +147,14 @@ class _Way:
             if operation.start in flow.operations and operation.start not in leaving:
                 yield operation.finding(
                     codes.ENDLESS,
-                    f"from {operation.name} at offset {operation.start} on, every way leads back: the command never"
+                    f"from {operation.name} at offset {operation.start} on, every path leads back: the command never"
                     " ends",
-                    "let the loop end by a condition, or repeat it from outside",
+                    "end the loop by a condition, or repeat the command from outside",
                 )
                 return
 
     def _unreached(self) -> Iterator[Finding]:
-        """One finding for the operations in a row that no way leads to."""
+        """Yields one finding for each row of unreachable operations."""
         number = 0
         while number < len(self._operations):
             if self._operations[number].start in self._reached:
@@ -165,22 +165,23 @@ class _Way:
                 last = self._operations[number]
                 number += 1
             if first.facts.ends_code:
-                # It is where the command ends in any case.
+                # The command ends here in any case.
                 continue
             yield codes.UNREACHABLE.finding(
                 first.start,
                 last.end - first.start,
-                f"no way leads to {first.name}" + (f" and what follows up to {last.name}" if last is not first else ""),
-                "omit it, or let a jump lead there",
+                f"{first.name} never runs"
+                + (f", nor do the operations up to {last.name}" if last is not first else ""),
+                "omit it, or jump to it",
                 first.name,
             )
 
 
 def _counted(operation: CheckedOperation, jump: Argument, target: int) -> int:
-    """What a jump has to say to lead to an offset in the frame.
+    """Returns the distance for a jump to an offset in the frame.
 
-    It is counted from the end of the jump, which lies further on where the number takes more bytes than the one that
-    stands there now.
+    It is counted from the end of the jump, which moves if the new number takes more bytes than the
+    current one.
     """
     kept = jump.length if jump.form.kind == CONSTANT else 0
     for width, numbers in CONSTANT_RANGES.items():
@@ -192,7 +193,7 @@ def _counted(operation: CheckedOperation, jump: Argument, target: int) -> int:
 
 
 def _form(jump: Argument) -> str:
-    """What has to be said of a jump that is written as a label and is none."""
+    """Returns the help for a jump distance that is written as a label."""
     return ", and write it as a constant" if jump.form.kind == JUMP else ""
 
 
@@ -207,7 +208,7 @@ _PORTS = 4
 
 
 def check_effects(context: CheckContext) -> Iterator[Finding]:
-    """The operations of a command in their order."""
+    """Checks operations that undo each other."""
     operations = context.operations
     present = context.effects
     if present.isdisjoint(_LOOKED_AT):
@@ -223,7 +224,7 @@ def check_effects(context: CheckContext) -> Iterator[Finding]:
 
 
 def _waits(operation: CheckedOperation) -> bool:
-    """Whether what was begun gets some time here. A loop may be one that waits."""
+    """Returns whether the operation gives time to what was started. A loop may be a wait."""
     return operation.has(Effect.WAITS) or operation.facts.is_jump
 
 
@@ -234,7 +235,7 @@ def _sounds(operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
         if playing is not None and (starts or ends):
             yield playing.finding(
                 codes.SOUND_INTERRUPTED,
-                f"{operation.name} at offset {operation.start} cuts this sound off as soon as it starts",
+                f"{operation.name} at offset {operation.start} interrupts this sound as soon as it starts",
                 f"put {_AWAITS_SOUND.name} (0x{_AWAITS_SOUND.opcode.number:02X}) after it, which waits until the sound"
                 " has ended",
             )
@@ -245,7 +246,7 @@ def _sounds(operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
 
 
 def _pictures(operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
-    """Pictures that are shown, and at once replaced by another one."""
+    """Yields findings about pictures that are replaced as soon as they are shown."""
     shown: CheckedOperation | None = None
     wiping: CheckedOperation | None = None
     is_drawn = False
@@ -266,7 +267,7 @@ def _pictures(operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
 
 
 def _not_shown(operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
-    """What is drawn after the last UPDATE; one finding for all of it."""
+    """Yields one finding for everything drawn after the last UPDATE."""
     hidden: CheckedOperation | None = None
     for operation in operations:
         if operation.has(Effect.SHOWS) or operation.has(Effect.DIALOG):
@@ -278,8 +279,8 @@ def _not_shown(operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
         code = f"{_SHOWS.opcode.number:02X}:{_SHOWS.command.number:02X}"
         yield hidden.finding(
             codes.NOT_SHOWN,
-            f"{hidden.name} draws on the canvas, and nothing shows it",
-            f"put {_SHOWS.name} ({code}) after the last drawing, unless a later command does that",
+            f"{hidden.name} draws on the canvas, but the canvas is not shown",
+            f"put {_SHOWS.name} ({code}) after the last drawing, unless a later command shows it",
         )
 
 
@@ -307,7 +308,7 @@ def _moves(operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
 
 
 def _ports(operation: CheckedOperation) -> list[tuple[int, int]]:
-    """Layer and bit of the motors that an operation is about; none where that is not known."""
+    """Returns layer and bit of the motors of an operation; empty if unknown."""
     known = {argument.parameter.role: whole_number(argument) for argument in operation.arguments}
     layer, mask = known.get(Role.LAYER), known.get(Role.MOTORS)
     if layer is None or mask is None:
@@ -316,7 +317,7 @@ def _ports(operation: CheckedOperation) -> list[tuple[int, int]]:
 
 
 def check_refusals(context: CheckContext) -> Iterator[Finding]:
-    """What stops the reader of the operations, or the validator where the reader goes on."""
+    """Yields findings about operations that stop the parser, or the validator where the parser continues."""
     if not context.effects.isdisjoint(_NEVER_RUNS):
         yield from _never_run(context)
     if context.dialect == "official":
@@ -326,7 +327,7 @@ def check_refusals(context: CheckContext) -> Iterator[Finding]:
         yield _spins(context)
         if fault is not None and _faulty_start(context) == context.verdict.rejected_at:
             return
-    # That the frame ends too early, or that its length is wrong, has been said already.
+    # A frame that ends early, or has a wrong length, is reported elsewhere.
     if fault is not None and context.end > COMMAND_HEADER_SIZE and not (context.is_length_wrong and fault.truncated):
         yield _fault(context, fault)
 
@@ -345,7 +346,7 @@ def _never_run(context: CheckContext) -> Iterator[Finding]:
 
 
 def _faulty_start(context: CheckContext) -> int:
-    """Where the operation starts that cannot be read."""
+    """Returns the offset of the operation that cannot be read."""
     start: int = COMMAND_HEADER_SIZE
     for last in context.operations[-1:]:
         start = last.end if last.parsed.is_complete else last.start
@@ -359,7 +360,7 @@ def _newer(context: CheckContext) -> Iterator[Finding]:
             continue
         cmd = operation.parsed.cmd
         assert cmd is not None
-        known = f"firmware of 2013 does not know {operation.name} and reads its arguments as operations"
+        known = f"the 2013 firmware does not know {operation.name} and reads its arguments as operations"
         if rejected_at is not None and rejected_at >= operation.start:
             yield operation.finding_at(
                 codes.NEWER,
@@ -367,7 +368,7 @@ def _newer(context: CheckContext) -> Iterator[Finding]:
                 f"{known}: it refuses the command at offset {rejected_at}",
                 "send it to bricks with newer firmware only",
             )
-            # What the validator stops at further on has the same reason.
+            # Later refusals have the same cause.
             rejected_at = None
         else:
             yield operation.finding_at(codes.NEWER_ACCEPTED, cmd, known, "send it to bricks with newer firmware only")
@@ -379,17 +380,17 @@ def _spins(context: CheckContext) -> Finding:
     assert at is not None
     operation = next((operation for operation in context.operations if operation.start == verdict.rejected_at), None)
     argument = next((it for it in operation.arguments if it.offset == at), None) if operation else None
-    help_ = "give the number of the values that follow, 0 or more"
+    help_ = "use the number of values that follow, 0 or more"
     if operation is not None and argument is not None:
-        counted = argument.value if argument.kind == CONSTANT else "no number"
-        message = f"{argument.name} is {counted}: the brick reads millions of values before it looks at anything else"
+        counted = argument.value if argument.kind == CONSTANT else "not a number"
+        message = f"{argument.name} is {counted}: the brick reads millions of values before it does anything else"
         return operation.finding_at(codes.SPINS, argument, message, help_)
-    message = "the brick takes this for a count of values, and reads millions of them before it looks at anything else"
+    message = "the brick takes this for a count of values, and reads millions of them before it does anything else"
     return codes.SPINS.finding(at, max(context.end - at, 0), message, help_)
 
 
 def _fault(context: CheckContext, fault: Fault) -> Finding:
-    """What the reader stops at. What the validator makes of the bytes after it follows from that."""
+    """Returns the finding about what stops the parser. What the validator makes of later bytes follows from it."""
     start = _faulty_start(context)
     if context.operations and context.operations[-1].start == start:
         return _faulty_argument(context, context.operations[-1], fault)
@@ -403,30 +404,30 @@ def _unknown_opcode(context: CheckContext, start: int) -> Finding:
     number = context.frame[start]
     others = [opcode for opcode in OPCODES if opcode.number == number]
     if others and others[0].dialects == UNRELEASED:
-        message = f"0x{number:02X} is {others[0].name}, which is documented, and which no firmware implements"
+        message = f"0x{number:02X} is {others[0].name}, which is documented but not implemented by any firmware"
         return codes.UNKNOWN_OPCODE.finding(start, 1, message, others[0].note)
     if others:
         message = (
-            f"0x{number:02X} is {others[0].name} for the dialects {' and '.join(others[0].dialects)}, and not an opcode"
+            f"0x{number:02X} is {others[0].name} in the dialects {' and '.join(others[0].dialects)}, but not an opcode"
             f" of {context.dialect} firmware"
         )
     else:
-        message = f"0x{number:02X} is not an opcode of the {context.dialect} firmware"
+        message = f"unknown opcode 0x{number:02X} for the {context.dialect} firmware"
     return codes.UNKNOWN_OPCODE.finding(start, 1, message, _out_of_step(start))
 
 
 def _out_of_step(start: int) -> str:
     if start == COMMAND_HEADER_SIZE:
-        return "give an opcode; the operations start after the two bytes that ask for memory"
-    return "give an opcode, or look at the operation before it: one of its arguments may be too short or too long"
+        return "use an opcode; the operations start after the two bytes that request memory"
+    return "use an opcode, or look at the operation before it: one of its arguments may be too short or too long"
 
 
 def _faulty_cmd(context: CheckContext, start: int, name: str, fault: Fault) -> Finding:
-    """An opcode is there, and no CMD that says what follows."""
+    """Returns the finding about an opcode without a valid CMD."""
     at = start + 1
     if fault.truncated:
         return codes.CUT_OFF.finding(
-            start, context.end - start, f"{name}: {fault.reason}", "give the bytes that are missing", name, "CMD"
+            start, context.end - start, f"{name}: {fault.reason}", "add the missing bytes", name, "CMD"
         )
     first = context.frame[at]
     encoding = ENCODINGS[first]
@@ -446,8 +447,8 @@ def _faulty_cmd(context: CheckContext, start: int, name: str, fault: Fault) -> F
         return codes.VARIABLE_CMD.finding(
             at,
             cmd.length,
-            f"CMD of {name} is {encoding.name}, and must be a number in the frame itself",
-            f"give one of {known}{more}",
+            f"CMD of {name} is {encoding.name}, but must be a constant",
+            f"use one of {known}{more}",
             name,
             "CMD",
         )
@@ -455,7 +456,7 @@ def _faulty_cmd(context: CheckContext, start: int, name: str, fault: Fault) -> F
         at,
         cmd.length,
         f"{name} has no CMD {cmd.value}{_consequence(context, start)}",
-        f"give one of {known}{more}",
+        f"use one of {known}{more}",
         name,
         "CMD",
     )
@@ -465,12 +466,12 @@ _MOST_NAMES = 6
 
 
 def _consequence(context: CheckContext, start: int) -> str:
-    """What the brick does where it does not stop at the fault itself."""
+    """Returns what the brick does if it does not stop at the fault itself."""
     rejected_at = context.verdict.rejected_at
     if rejected_at is None:
-        return "; the brick does not notice, and runs what follows as operations"
+        return "; the brick does not notice, and runs the next bytes as operations"
     if rejected_at > start:
-        return f"; the brick takes what follows for operations, and refuses the command at offset {rejected_at}"
+        return f"; the brick reads the next bytes as operations, and refuses the command at offset {rejected_at}"
     return ""
 
 
@@ -478,19 +479,19 @@ def _undefined_form(at: int, first: int, name: str, parameter: str) -> Finding:
     return codes.UNDEFINED_FORM.finding(
         at,
         1,
-        f"0x{first:02X} is not an identification byte: {parameter} of {name} has no encoding that the firmware defines",
-        "give the argument as LC0, LC1, LC2, LC4, LCS or a variable",
+        f"undefined identification byte 0x{first:02X} for {parameter} of {name}",
+        "encode the argument as LC0, LC1, LC2, LC4, LCS or a variable",
         name,
         parameter,
     )
 
 
 def _faulty_argument(context: CheckContext, operation: CheckedOperation, fault: Fault) -> Finding:
-    """The operation is known, and one of its arguments cannot be read."""
+    """Returns the finding about an argument that cannot be read."""
     at = fault.offset
     count = next((argument for argument in operation.arguments if argument.offset == at), None)
     if count is not None:
-        # An argument that can be read is no reason to stop, unless it tells how many follow.
+        # A readable argument stops the parser only if it is a count.
         return _faulty_count(context, operation, count, fault)
     parameters = operation.facts.declaration.parameters
     parameter = parameters[min(len(operation.arguments), len(parameters) - 1)]
@@ -500,7 +501,7 @@ def _faulty_argument(context: CheckContext, operation: CheckedOperation, fault: 
             last,
             context.end - last,
             f"{operation.name}: {fault.reason}",
-            f"give the bytes that are missing, or the right length of what comes before {parameter.name}",
+            f"add the missing bytes, or correct the length of what is before {parameter.name}",
             operation.name,
             parameter.name,
         )
@@ -515,13 +516,15 @@ def _faulty_count(context: CheckContext, operation: CheckedOperation, count: Arg
         return operation.finding_at(
             codes.CUT_OFF,
             count,
-            f"{count.name} says that {counted(int(count.value), 'value')} follow, and {counted(room, 'byte')} do",
-            "give as many values as it says, or the number that there are",
+            f"{count.name} says that {counted(int(count.value), 'value')} follow, but only {counted(room, 'byte')} do",
+            "add the missing values, or correct the count",
         )
-    state = f"{count.name} is {count.value}" if is_number else f"{count.name} is {count.encoding}, which is no number"
+    state = (
+        f"{count.name} is {count.value}" if is_number else f"{count.name} is {count.encoding}, which is not a number"
+    )
     return operation.finding_at(
         codes.BAD_COUNT,
         count,
         f"{state}{_consequence(context, operation.start)}",
-        "give the number of the values that follow as a constant",
+        "use the number of values that follow, as a constant",
     )

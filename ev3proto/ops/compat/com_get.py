@@ -53,10 +53,10 @@ _OPERATIONS = drafts("compat")
 
 
 def list_state(hardware: AnyHWTYPE, state: Output = None, *, unchecked: bool = False) -> Draft:
-    """Reads a number that changes when a device enters or leaves a list.
+    """Reads a counter that changes when a device enters or leaves a list.
 
     Args:
-        hardware: Which way to communicate; a member of HWTYPE; DATA8.
+        hardware: Carrier to use; a member of HWTYPE; DATA8.
         state: Number to compare with the one of the last call; DATA16; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """

@@ -47,7 +47,7 @@ _OPERATIONS = drafts("compat")
 
 
 def get_bumped(button: AnyBUTTONTYPE, state: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells whether a button was pressed and released since last asked, and forgets it.
+    """Reports whether a button was pressed and released since the last query, and clears it.
 
     Args:
         button: Which button; a member of BUTTONTYPE; DATA8.

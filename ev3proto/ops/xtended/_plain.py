@@ -36,7 +36,7 @@ _OPERATIONS = drafts("xtended")
 
 
 def mailbox_size(no: Number, size: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells how many bytes the content of a mailbox has.
+    """Returns the size of a mailbox's content.
 
     Args:
         no: Number of the mailbox on this brick; 0 to 29; DATA8.
@@ -72,7 +72,7 @@ def input_iic_read(
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
         no: Sensor port, counted from 0; 0 to 3; 0: port 1; 1: port 2; 2: port 3; 3: port 4; DATA8.
-        rdlng: How many bytes to read; 0 to 32 bytes; DATA8.
+        rdlng: Number of bytes to read; 0 to 32 bytes; DATA8.
         rddata: Bytes read; as many values as RDLNG says; DATA8; an output, in global memory when omitted.
         result: OK or FAIL; a member of RESULT; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
@@ -81,7 +81,7 @@ def input_iic_read(
 
 
 def input_iic_status(layer: Number, no: Number, result: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells the state of the I2C bus of a port.
+    """Reports the state of the I2C bus of a port.
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
@@ -102,14 +102,14 @@ def input_iic_write(
     *,
     unchecked: bool = False,
 ) -> Draft:
-    """Sends bytes to an I2C sensor once and does not wait for its answer.
+    """Sends bytes to an I2C sensor once, without waiting for its answer.
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
         no: Sensor port, counted from 0; 0 to 3; 0: port 1; 1: port 2; 2: port 3; 3: port 4; DATA8.
-        wrlng: How many bytes to write; 0 to 32 bytes; DATA8.
+        wrlng: Number of bytes to write; 0 to 32 bytes; DATA8.
         wrdata: Bytes to write: I2C address, register, data; as many values as WRLNG says; DATA8.
-        rdlng: How many bytes the sensor will answer; 0 to 32 bytes; DATA8.
+        rdlng: Number of bytes in the sensor's answer; 0 to 32 bytes; DATA8.
         result: State of the bus after the request; a member of RESULT; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -167,11 +167,11 @@ def dynload_entry_0(
     """Calls entry point 0 of the additional virtual machine that is loaded.
 
     Args:
-        cmd: Function to call, as that machine numbers them; DATA8.
-        length_in: How much data is handed over; DATA8.
-        length_out: How many elements came back; DATA16; an output, in global memory when omitted.
-        value: What came back; the type depends on CMD; as many values as LENGTH_OUT says; array-typed; an output, in
-            global memory when omitted.
+        cmd: Function to call, in that machine's numbering; DATA8.
+        length_in: Amount of data passed; DATA8.
+        length_out: Number of elements returned; DATA16; an output, in global memory when omitted.
+        value: The returned elements; their type depends on CMD; as many values as LENGTH_OUT says; array-typed; an
+            output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["DYNLOAD_ENTRY_0"].draft((cmd, length_in, length_out, value), unchecked)
@@ -188,11 +188,11 @@ def dynload_entry_1(
     """Calls entry point 1 of the additional virtual machine that is loaded.
 
     Args:
-        cmd: Function to call, as that machine numbers them; DATA8.
-        length_in: How much data is handed over; DATA8.
-        length_out: How many elements came back; DATA16; an output, in global memory when omitted.
-        value: What came back; the type depends on CMD; as many values as LENGTH_OUT says; array-typed; an output, in
-            global memory when omitted.
+        cmd: Function to call, in that machine's numbering; DATA8.
+        length_in: Amount of data passed; DATA8.
+        length_out: Number of elements returned; DATA16; an output, in global memory when omitted.
+        value: The returned elements; their type depends on CMD; as many values as LENGTH_OUT says; array-typed; an
+            output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["DYNLOAD_ENTRY_1"].draft((cmd, length_in, length_out, value), unchecked)
@@ -209,11 +209,11 @@ def dynload_entry_2(
     """Calls entry point 2 of the additional virtual machine that is loaded.
 
     Args:
-        cmd: Function to call, as that machine numbers them; DATA8.
-        length_in: How much data is handed over; DATA8.
-        length_out: How many elements came back; DATA16; an output, in global memory when omitted.
-        value: What came back; the type depends on CMD; as many values as LENGTH_OUT says; array-typed; an output, in
-            global memory when omitted.
+        cmd: Function to call, in that machine's numbering; DATA8.
+        length_in: Amount of data passed; DATA8.
+        length_out: Number of elements returned; DATA16; an output, in global memory when omitted.
+        value: The returned elements; their type depends on CMD; as many values as LENGTH_OUT says; array-typed; an
+            output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["DYNLOAD_ENTRY_2"].draft((cmd, length_in, length_out, value), unchecked)
@@ -230,11 +230,11 @@ def dynload_entry_3(
     """Calls entry point 3 of the additional virtual machine that is loaded.
 
     Args:
-        cmd: Function to call, as that machine numbers them; DATA8.
-        length_in: How much data is handed over; DATA8.
-        length_out: How many elements came back; DATA16; an output, in global memory when omitted.
-        value: What came back; the type depends on CMD; as many values as LENGTH_OUT says; array-typed; an output, in
-            global memory when omitted.
+        cmd: Function to call, in that machine's numbering; DATA8.
+        length_in: Amount of data passed; DATA8.
+        length_out: Number of elements returned; DATA16; an output, in global memory when omitted.
+        value: The returned elements; their type depends on CMD; as many values as LENGTH_OUT says; array-typed; an
+            output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["DYNLOAD_ENTRY_3"].draft((cmd, length_in, length_out, value), unchecked)
@@ -251,11 +251,11 @@ def dynload_entry_4(
     """Calls entry point 4 of the additional virtual machine that is loaded.
 
     Args:
-        cmd: Function to call, as that machine numbers them; DATA8.
-        length_in: How much data is handed over; DATA8.
-        length_out: How many elements came back; DATA16; an output, in global memory when omitted.
-        value: What came back; the type depends on CMD; as many values as LENGTH_OUT says; array-typed; an output, in
-            global memory when omitted.
+        cmd: Function to call, in that machine's numbering; DATA8.
+        length_in: Amount of data passed; DATA8.
+        length_out: Number of elements returned; DATA16; an output, in global memory when omitted.
+        value: The returned elements; their type depends on CMD; as many values as LENGTH_OUT says; array-typed; an
+            output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["DYNLOAD_ENTRY_4"].draft((cmd, length_in, length_out, value), unchecked)
@@ -272,11 +272,11 @@ def dynload_entry_5(
     """Calls entry point 5 of the additional virtual machine that is loaded.
 
     Args:
-        cmd: Function to call, as that machine numbers them; DATA8.
-        length_in: How much data is handed over; DATA8.
-        length_out: How many elements came back; DATA16; an output, in global memory when omitted.
-        value: What came back; the type depends on CMD; as many values as LENGTH_OUT says; array-typed; an output, in
-            global memory when omitted.
+        cmd: Function to call, in that machine's numbering; DATA8.
+        length_in: Amount of data passed; DATA8.
+        length_out: Number of elements returned; DATA16; an output, in global memory when omitted.
+        value: The returned elements; their type depends on CMD; as many values as LENGTH_OUT says; array-typed; an
+            output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["DYNLOAD_ENTRY_5"].draft((cmd, length_in, length_out, value), unchecked)
@@ -293,11 +293,11 @@ def dynload_entry_6(
     """Calls entry point 6 of the additional virtual machine that is loaded.
 
     Args:
-        cmd: Function to call, as that machine numbers them; DATA8.
-        length_in: How much data is handed over; DATA8.
-        length_out: How many elements came back; DATA16; an output, in global memory when omitted.
-        value: What came back; the type depends on CMD; as many values as LENGTH_OUT says; array-typed; an output, in
-            global memory when omitted.
+        cmd: Function to call, in that machine's numbering; DATA8.
+        length_in: Amount of data passed; DATA8.
+        length_out: Number of elements returned; DATA16; an output, in global memory when omitted.
+        value: The returned elements; their type depends on CMD; as many values as LENGTH_OUT says; array-typed; an
+            output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["DYNLOAD_ENTRY_6"].draft((cmd, length_in, length_out, value), unchecked)
@@ -314,11 +314,11 @@ def dynload_entry_7(
     """Calls entry point 7 of the additional virtual machine that is loaded.
 
     Args:
-        cmd: Function to call, as that machine numbers them; DATA8.
-        length_in: How much data is handed over; DATA8.
-        length_out: How many elements came back; DATA16; an output, in global memory when omitted.
-        value: What came back; the type depends on CMD; as many values as LENGTH_OUT says; array-typed; an output, in
-            global memory when omitted.
+        cmd: Function to call, in that machine's numbering; DATA8.
+        length_in: Amount of data passed; DATA8.
+        length_out: Number of elements returned; DATA16; an output, in global memory when omitted.
+        value: The returned elements; their type depends on CMD; as many values as LENGTH_OUT says; array-typed; an
+            output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["DYNLOAD_ENTRY_7"].draft((cmd, length_in, length_out, value), unchecked)
@@ -335,11 +335,11 @@ def dynload_entry_8(
     """Calls entry point 8 of the additional virtual machine that is loaded.
 
     Args:
-        cmd: Function to call, as that machine numbers them; DATA8.
-        length_in: How much data is handed over; DATA8.
-        length_out: How many elements came back; DATA16; an output, in global memory when omitted.
-        value: What came back; the type depends on CMD; as many values as LENGTH_OUT says; array-typed; an output, in
-            global memory when omitted.
+        cmd: Function to call, in that machine's numbering; DATA8.
+        length_in: Amount of data passed; DATA8.
+        length_out: Number of elements returned; DATA16; an output, in global memory when omitted.
+        value: The returned elements; their type depends on CMD; as many values as LENGTH_OUT says; array-typed; an
+            output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["DYNLOAD_ENTRY_8"].draft((cmd, length_in, length_out, value), unchecked)
@@ -356,11 +356,11 @@ def dynload_entry_9(
     """Calls entry point 9 of the additional virtual machine that is loaded.
 
     Args:
-        cmd: Function to call, as that machine numbers them; DATA8.
-        length_in: How much data is handed over; DATA8.
-        length_out: How many elements came back; DATA16; an output, in global memory when omitted.
-        value: What came back; the type depends on CMD; as many values as LENGTH_OUT says; array-typed; an output, in
-            global memory when omitted.
+        cmd: Function to call, in that machine's numbering; DATA8.
+        length_in: Amount of data passed; DATA8.
+        length_out: Number of elements returned; DATA16; an output, in global memory when omitted.
+        value: The returned elements; their type depends on CMD; as many values as LENGTH_OUT says; array-typed; an
+            output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["DYNLOAD_ENTRY_9"].draft((cmd, length_in, length_out, value), unchecked)

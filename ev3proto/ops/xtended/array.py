@@ -1,4 +1,4 @@
-"""ARRAY: makes, fills, copies and resizes arrays.
+"""ARRAY: creates, fills, copies and resizes arrays.
 
 Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate.
 """
@@ -48,7 +48,7 @@ _OPERATIONS = drafts("xtended")
 
 
 def destroy(handle: Number, *, unchecked: bool = False) -> Draft:
-    """Deletes an array and gives its handle back (LEGO's name for it is DELETE).
+    """Deletes an array and frees its handle (LEGO's name for it is DELETE).
 
     Args:
         handle: The array; handle.
@@ -58,12 +58,11 @@ def destroy(handle: Number, *, unchecked: bool = False) -> Draft:
 
 
 def set_size(handle: Number, elements: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells how many elements an array has (LEGO's name for it is SIZE).
+    """Counts the elements of an array (LEGO's name for it is SIZE).
 
     Args:
         handle: The array; handle.
-        elements: How many elements it has, 0 where there is no such array; DATA32; an output, in global memory when
-            omitted.
+        elements: Number of elements, 0 if there is no such array; DATA32; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["ARRAY.SET_SIZE"].draft((handle, elements), unchecked)

@@ -88,13 +88,16 @@ def counted(count: int, noun: str) -> str:
 
 
 def near_misses(name: str, known: Iterable[str]) -> str:
-    """`: did you mean SOUND.TONE?` for a name that nearly is a known one (or its part after the dot); or nothing."""
+    """`: did you mean SOUND.TONE?` for a name that nearly is a known one, or its part after the dot; or nothing.
+
+    The case of letters does not count.
+    """
     import difflib  # it takes a millisecond, which only a misspelt name should cost
 
     targets: dict[str, str] = {}
     for full in known:
-        targets.setdefault(full.rpartition(".")[2], full)
-        targets[full] = full
+        targets.setdefault(full.rpartition(".")[2].upper(), full)
+        targets[full.upper()] = full
     close = difflib.get_close_matches(name.upper(), targets, 3, 0.6)
-    near = [full for full in dict.fromkeys(targets[found] for found in close) if full != name]
+    near = [full for full in dict.fromkeys(targets[found] for found in close) if full.upper() != name.upper()]
     return f": did you mean {' or '.join(near)}?" if near else ""

@@ -19,12 +19,12 @@ from ev3proto import GV, LV
 from ev3proto.capture import Carrier, Direction, Event, Record, Route, read
 from ev3proto.capture.dialogues import RequestReply
 from ev3proto.capture.filter import Choosing, FilterError, compile_filter
-from ev3proto.capture.filter.comparisons import Durations
-from ev3proto.capture.filter.fields import operation_names, parameter_names
-from ev3proto.capture.filter.grammar import MAX_DEPTH, MAX_LENGTH, Relation, Word
+from ev3proto.capture.filter.fields import operation_names, places_of
+from ev3proto.capture.filter.language import MAX_DEPTH, MAX_LENGTH
 from ev3proto.capture.filter.manual import Entry, entries
 from ev3proto.capture.filter.names import NAMES
 from ev3proto.capture.filter.pattern import PatternError, compile_pattern
+from ev3proto.capture.filter.values import Held, Relation, Word
 from ev3proto.capture.record import Answered
 from ev3proto.capture.text_log import read_log
 from ev3proto.dialogue import Transfer
@@ -308,55 +308,65 @@ def test_names_that_both_the_frame_and_a_parameter_have(lower: str, upper: str, 
 @pytest.mark.parametrize(
     ("text", "column", "reason"),
     [
-        ("op==SOUND.TOEN", 5, "SOUND.TOEN is no operation: did you mean SOUND.TONE"),
-        ("op==TONE", 5, "TONE is no operation: it is a command, command==TONE"),
-        ("op==SOUND.*", 5, "like takes patterns"),
-        ("op>SOUND", 4, "has no order"),
-        ("command==SOUND.TONE", 10, "it is an operation, op==SOUND.TONE"),
-        ("FREQENCY>400", 1, "nothing is called FREQENCY: did you mean FREQUENCY"),
-        ("size>1 && wants_replay", 11, "nothing is called wants_replay: did you mean wants_reply?"),
-        ("SOUND.TONE", 1, "an operation, which is asked for so: op==SOUND.TONE"),
-        ("TONE", 1, "a command, which is asked for so: command==TONE"),
+        ("op==SOUND.TOEN", 5, "unknown operation SOUND.TOEN: did you mean SOUND.TONE"),
+        ("op==TONE", 5, "unknown operation TONE; it is a command: command==TONE"),
+        ("op==SOUND.*", 5, "unknown operation SOUND.*; use like for patterns"),
+        ("op>SOUND", 4, "op cannot be compared by >; use == or !="),
+        ("peer>5", 6, "peer cannot be compared by >; use == or !="),
+        ("command==SOUND.TONE", 10, "it is an operation: op==SOUND.TONE"),
+        ("command==5", 10, "unknown command 5"),
+        ("FREQENCY>400", 1, "unknown field 'FREQENCY': did you mean FREQUENCY"),
+        ("size>1 && wants_replay", 11, "unknown field 'wants_replay': did you mean wants_reply?"),
+        ("SOUND.TONE", 1, "unknown field 'SOUND.TONE'; it is an operation: op==SOUND.TONE"),
+        ("TONE", 1, "unknown field 'TONE'; it is a command: command==TONE"),
         ("SOUND.TONE.PATTERN==1", 1, "SOUND.TONE has no parameter PATTERN"),
-        ("PATTERN==LED_RDE", 10, "LED_RDE is no name that PATTERN has: did you mean LED_RED"),
-        ("FREQUENCY==LED_RED", 12, "FREQUENCY is a number, LED_RED is none"),
-        ("FREQUENCY=='440'", 12, "FREQUENCY is a number"),
-        ("FREQUENCY contains 4", 20, "FREQUENCY is a number"),
-        ("latency>10kg", 9, "latency is a time in seconds, 10kg is none: write 4ms or 0.004"),
-        ("latency>10 ms", 12, "a unit stands right after its number: 4ms"),
-        ("FREQUENCY>10ms", 11, "FREQUENCY is measured in Hz, which 10ms is not: write FREQUENCY > 5Hz"),
-        ("ev3.msg_num==4", 1, "ev3.msg_num is a name of Wireshark: here it is counter"),
+        ("PATTERN==LED_RDE", 10, "PATTERN has no value LED_RDE: did you mean LED_RED"),
+        ("FREQUENCY==LED_RED", 12, "FREQUENCY is a number; it cannot be compared by == with LED_RED"),
+        ("FREQUENCY=='440'", 12, 'FREQUENCY is a number; it cannot be compared by == with "440"'),
+        ("FREQUENCY contains 4", 20, "FREQUENCY is a number; it cannot be compared by contains with 4"),
+        (
+            "CONTINUE_DOWNLOAD.data==zz",
+            25,
+            "CONTINUE_DOWNLOAD.data is bytes such as 4c:45:47:4f; it cannot be compared by == with zz",
+        ),
+        ("latency>10kg", 9, "latency is measured in s, not in kg"),
+        ("latency>soon", 9, "latency is a time in seconds, such as 4ms; it cannot be compared by > with soon"),
+        ("latency>10 ms", 12, "expected no space between a number and its unit: 4ms"),
+        ("FREQUENCY>10ms", 11, "FREQUENCY is measured in Hz, not in ms"),
+        ("ev3.msg_num==4", 1, "ev3.msg_num is a name of Wireshark; here it is counter"),
         ("ev3.counter==4", 1, "here it is counter"),
         ("ev3.sound.tone.frequency==4", 1, "here it is SOUND.TONE.FREQUENCY"),
         ("frame.number==4", 1, "here it is packet"),
-        ("SUOND.TONE.FREQUENCY>4", 1, "did you mean SOUND.TONE.FREQUENCY?"),
-        ("zzzzzzz", 1, "nothing is called zzzzzzz: --help-filter lists the names that there are"),
-        ("path==hello", 7, 'texts stand in quotes: path == "hello"'),
-        ("status==SUCESS", 9, "SUCESS is no system status: did you mean SUCCESS?"),
+        ("SUOND.TONE.FREQUENCY>4", 1, "did you mean SOUND.TONE.FREQUENCY"),
+        ("zzzzzzz", 1, "unknown field 'zzzzzzz'; see --help-filter"),
+        ("path==hello", 7, 'texts need quotes: path == "hello"'),
+        ("status==SUCESS", 9, "unknown system status SUCESS: did you mean SUCCESS?"),
         ("type==TYPE_TOUCH", 7, "it is a value of the parameter TYPE, in upper case"),
-        ("kind==direct", 7, "direct is no kind of message: there are direct-command, "),
-        ("direction==in", 12, "in is no direction: there are sent, received"),
-        ("error>1", 7, "error is true or false: write error or not error"),
-        ("op=SOUND.TONE", 3, "= stands where a comparison such as ==, in, && or || should; equal is =="),
+        ("kind==direct", 7, "unknown kind of message direct: did you mean direct-reply"),
+        ("direction==in", 12, "unknown direction in: known are sent, received"),
+        ("error>1", 7, "error cannot be compared by >"),
+        ("error contains 'a'", 16, "error cannot be compared by contains"),
+        ("error==yes", 8, "unknown truth value yes: known are true, false"),
+        ("op=SOUND.TONE", 3, "expected a comparison; did you mean ==?"),
         ("path matches 'x('", 16, "this is no regular expression: missing ), unterminated subpattern"),
         ('path matches "[a"', 15, "this is no regular expression: unterminated character set"),
-        ("path ~ 'x'", 6, "matches takes a regular expression"),
-        ("error & fault", 7, "& stands where a comparison such as ==, in, && or || should; and is &&"),
-        ("error fault", 7, "fault stands where"),
-        ("(error", 7, "the filter ends where ) should stand"),
-        ("error)", 6, ") stands where the end should"),
-        ("op in {SOUND, 0x94", 19, "the filter ends where , or } should stand"),
-        ("op in {}", 8, "} stands where a value should"),
-        ("packet in {1..}", 12, "1.. is no range"),
-        ("packet in {5, a..b}", 15, "packet is a number, a is none"),
-        ("op==", 5, "the filter ends where a value should stand"),
-        ("path contains 'abc", 15, "the text that starts here has no ' at its end"),
-        (r"path == 'a\qb'", 11, r"\q is no escape"),
-        ("", 1, "the filter is empty"),
-        (" ", 1, "the filter is empty"),
-        ("error || ", 10, "the filter ends where a name or ( should stand"),
-        ("\0", 1, "stands where a name or ( should"),
-        ("é", 1, "stands where a name or ( should"),
+        ("path ~ 'x'", 6, "expected a comparison; did you mean matches?"),
+        ("error & fault", 7, "expected a comparison; did you mean &&?"),
+        ("error fault", 7, "expected a comparison, &&, || or the end"),
+        ("(error", 7, "the filter ends early: expected )"),
+        ("error)", 6, "expected the end"),
+        ("op in {SOUND, 0x94", 19, "the filter ends early: expected , or }"),
+        ("op in {}", 8, "expected a value"),
+        ("packet in {1..}", 12, "a range needs a number on each side of the dots, not 1.."),
+        ("packet in {5, a..b}", 15, "packet is a number; it cannot be compared by >= with a"),
+        ("op==", 5, "the filter ends early: expected a value"),
+        ("path contains 'abc", 15, "missing ' at the end of this text"),
+        (r"path == 'a\qb'", 11, r"unknown escape \q: known are"),
+        ("", 1, "empty filter; write a condition such as op==SOUND.TONE"),
+        (" ", 1, "empty filter"),
+        ("error || ", 10, "the filter ends early: expected a name"),
+        ("\0", 1, "expected a name"),
+        ("é", 1, "expected a name"),
     ],
 )
 def test_what_is_no_filter(text: str, column: int, reason: str) -> None:
@@ -370,12 +380,12 @@ def test_what_is_no_filter(text: str, column: int, reason: str) -> None:
 def test_long_and_deep_filters() -> None:
     longest = "error".ljust(MAX_LENGTH)
     assert not holds(longest, COMMAND)
-    with pytest.raises(FilterError, match="at most 4096"):
+    with pytest.raises(FilterError, match="at most 4096 are allowed"):
         compile_filter(longest + " ")
     # 24 times not and and, around an error that is not there.
     assert not holds("!(op && " * 24 + "error" + ")" * 24, COMMAND)
     for deep in ("!" * 4000 + "op", "!(op && " * (MAX_DEPTH + 1) + "error" + ")" * (MAX_DEPTH + 1)):
-        with pytest.raises(FilterError, match="in each other more than 50 deep"):
+        with pytest.raises(FilterError, match="conditions are nested more than 50 deep"):
             compile_filter(deep)
     # Parentheses around parentheses say nothing, and many conditions side by side are not deep.
     assert holds("(" * 2000 + "op" + ")" * 2000, COMMAND)
@@ -495,7 +505,9 @@ def test_times_of_parameters_in_any_unit() -> None:
 
 def test_a_time_in_units_is_the_same_number_as_in_seconds() -> None:
     for number in (4.1, 0.07, 2.3, 1.1, 16.7):
-        assert Durations().test("latency", Relation.EQ, Word(f"{number}ms", 1))(float(f"{number}e-3"))
+        assert NAMES["latency"].kind.test("latency", Relation.EQ, Word(f"{number}ms", 1))(
+            Held(float(f"{number}e-3"), None, "s")
+        )
 
 
 def answered(command: Record, after: float, *, failed: bool = False) -> Record:
@@ -609,7 +621,7 @@ def test_every_example_of_the_manual_finds_something(entry: Entry) -> None:
     assert found is (entry.example not in MATCHES_NOTHING)
 
 
-@given(st.sampled_from([*NAMES, *parameter_names(), *operation_names()]), st.integers(0, 30), st.sampled_from("AXe_."))
+@given(st.sampled_from([*NAMES, *places_of(), *operation_names()]), st.integers(0, 30), st.sampled_from("AXe_."))
 def test_no_suggestion_is_the_word_that_was_wrong(name: str, at: int, letter: str) -> None:
     word = f"{name[:at]}{letter}{name[at:]}"
     reason = ""

@@ -52,7 +52,7 @@ def test_nothing_but_frames_that_match_is_let_through() -> None:
     for text in ("size > 0", "!error", "carrier == wifi", "time >= 0", "op || not op"):
         found = kinds("--filter", text, WIFI)
         assert found
-        assert {*found} <= {*NAMES["kind"].kind._known}, text  # type: ignore[attr-defined]
+        assert {*found} <= {*NAMES["kind"].kind.names}, text
     assert {*kinds("--filter", "kind == system-reply", WIFI)} == {"system-reply"}
 
 

@@ -17,7 +17,7 @@ from support.site import built_site
 from support.wireshark import Tshark
 
 import ev3proto
-from ev3proto.capture.filter.fields import parameter_names
+from ev3proto.capture.filter.fields import places_of
 from ev3proto.capture.filter.names import NAMES
 from ev3proto.checking.checking import check
 from ev3proto.generate.pages.examples import example_of, explained, system_example
@@ -153,7 +153,7 @@ def test_every_name_of_filters_is_on_their_page() -> None:
     every_frame = text.partition("## Of every frame\n")[2].partition("\n## ")[0]
     assert re.findall(r"^\| `(\w+)` \|", every_frame, re.MULTILINE) == [*NAMES]
     listed = re.findall(r"^\| `(\w+)` \|", text.partition("## All parameters and fields\n")[2], re.MULTILINE)
-    assert listed == parameter_names()
+    assert listed == list(places_of())
 
 
 def test_no_page_says_where_something_is_in_memory() -> None:

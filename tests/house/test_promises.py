@@ -16,7 +16,7 @@ from ev3proto.capture import conversation, files, packets, record, series, stati
 from ev3proto.capture.carriers.bluetooth import adapters
 from ev3proto.capture.carriers.usb import reports
 from ev3proto.capture.carriers.wifi import connections, fragments, tcp
-from ev3proto.capture.filter import grammar
+from ev3proto.capture.filter import language
 from ev3proto.capture.finding import MOST_TRIALS
 from ev3proto.capture.formats import pcapng
 from ev3proto.capture.timeline import collecting
@@ -79,7 +79,7 @@ LIMITS = {
     "Places in one piece of a stream where a frame is tried": (
         f"{MOST_TRIALS}, as many as in the dissector; then the piece is given up, and reported"
     ),
-    "A filter": f"{grammar.MAX_LENGTH:,} characters, {grammar.MAX_DEPTH} levels deep",
+    "A filter": f"{language.MAX_LENGTH:,} characters, {language.MAX_DEPTH} levels deep",
 }
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from ev3proto.bounded import DEFAULT_MEMORY
-from ev3proto.capture.filter.compiling import Filter
+from ev3proto.capture.filter.language import Filter
 from ev3proto.capture.record import Event, Record
 
 _RECORD_SIZE = 900

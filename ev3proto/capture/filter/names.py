@@ -1,123 +1,91 @@
-"""The names that a filter knows, and what each of them has to say about a record.
+"""The names that a filter knows, and what each of them means in a record.
 
 Lower case   what a frame is and how it came: `op`, `peer`, `latency`, ...; `NAMES` has them all.
-Any case     the parameters and fields of the tables: `FREQUENCY`, `path`, ... Those that have the name of the former
-             (`TYPE`, `SIZE`, `TIME`, ...) are meant where they are written in upper case, as the firmware has them.
+Any case     the parameters and fields of the tables: `FREQUENCY`, `path`, ... Where one has a name of the former
+             (`TYPE`, `SIZE`, `TIME`, ...), upper case means the parameter.
 With a dot   a parameter of one operation, family or system command (`SOUND.TONE.VOLUME`, `BEGIN_DOWNLOAD.size`),
              or, after `arg.`, of any.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
-from typing import Any
+from collections.abc import Callable, Iterable, Iterator
+from typing import Any, NamedTuple
 
 from ev3proto.capture.dialogues import is_error
-from ev3proto.capture.filter.comparisons import Choice, Durations, Flags, Held, Numbers, Texts, ValueType
-from ev3proto.capture.filter.fields import (
-    PATH,
-    command_names,
-    find_fields,
-    is_parameter,
-    operation_names,
-    operations_of_opcode,
-)
-from ev3proto.capture.filter.grammar import Word
-from ev3proto.capture.filter.unknown_names import unknown
+from ev3proto.capture.filter.fields import PATH, command_names, find_field, is_parameter, operation_names, places_of
+from ev3proto.capture.filter.values import Held, Kind, Word
 from ev3proto.capture.record import NANOSECONDS, Direction, Record
+from ev3proto.errors import near_misses
 from ev3proto.messages import DaisyCommand, Message, Operation, SystemCommand, SystemReply
 from ev3proto.tables.carriers import Carrier
 from ev3proto.tables.frame import MessageType
 from ev3proto.tables.system import SystemStatus
 
-Read = Callable[[Any], Iterable[Any]]
-"""The values that a record has for a name, or the records of a dialogue."""
-
 TIME = "time"
-"""The one name that is about more than the record alone."""
+"""The one name that depends on more than the record: on when the capture began."""
 
 LATE_MS = 100
 """Milliseconds after which a reply is late. Bricks answer within 10 by USB and WiFi, within 60 by Bluetooth."""
 
 
-@dataclass(frozen=True, slots=True)
-class Name:
-    """What a name means.
-
-    text   as it was written
-    kind   what its values can be compared with
-    read   the values that a record has for it
-    there  whether a record has it, which is what the name alone means
-    """
-
-    text: str
-    kind: ValueType
-    read: Read
-    there: Callable[[Any], bool]
-
-
-@dataclass(frozen=True, slots=True)
-class Known:
+class Known(NamedTuple):
     """What can be asked about every frame.
 
     kind         what its values can be compared with
-    read         the values that a record has for it; None for `time`, which depends on the frame that came first
+    read         the values that a record has for it; for `time`, when it was captured
     text         what it is, for people
     example      a filter that uses it
     looks_ahead  of a command, it is only known when its reply was seen, or can no longer come
     """
 
-    kind: ValueType
-    read: Read | None
+    kind: Kind
+    read: Callable[[Record], Iterable[Any]]
     text: str
     example: str
     looks_ahead: bool = False
 
 
-class Clock:
-    """When the capture begins, as far as a filter knows: with the first record that it is asked about."""
+class Name(NamedTuple):
+    """What a name means in a filter.
 
-    def __init__(self) -> None:
-        self.start_ns: int | None = None
+    kind         what its values can be compared with
+    read         the values that a record has, in a capture that began at these nanoseconds; unknown ones are None
+    looks_ahead  as in `Known`
+    """
 
-    def elapsed(self, record: Record) -> float:
-        """Seconds from the first record to this one."""
-        return (record.time_ns - (record.time_ns if self.start_ns is None else self.start_ns)) / NANOSECONDS
+    kind: Kind
+    read: Callable[[Record, int], Iterable[Held]]
+    looks_ahead: bool = False
 
 
-def find_name(word: Word, clock: Clock) -> Name:
-    """What a name means. FilterError names the nearest ones for a name that there is not."""
+def find_name(word: Word) -> Name:
+    """Returns what a name means.
+
+    Raises:
+        FilterError: It is unknown. The error names the nearest ones.
+    """
     lower = word.text.lower()
     known = None if word.text.isupper() and is_parameter(lower) else NAMES.get(lower)
     if known is not None:
-        read = known.read
-        if read is None:
-            return Name(word.text, known.kind, lambda record: (clock.elapsed(record),), lambda _: True)
-        return Name(
-            word.text, known.kind, read, (lambda record: any(read(record))) if known.kind is _FLAG else _has(read)
-        )
-    places = find_fields(lower)
-    if not places:
-        raise word.trouble(unknown(word.text, NAMES))
-    # The path is said once, when a transfer begins; it is asked for to find all of the transfer.
-    read_held = places.read_with_path if lower == PATH else places.read
-    return Name(word.text, places.kind, lambda record: _known(read_held(record)), _has(read_held))
+        kind, read = known.kind, known.read
+        unit = next(iter(kind.units), None)
+        if lower == TIME:
+            return Name(kind, lambda record, start_ns: [Held((record.time_ns - start_ns) / NANOSECONDS, None, unit)])
+        return Name(kind, lambda record, _: [Held(value, None, unit) for value in read(record)], known.looks_ahead)
+    field = find_field(word.text)
+    if field is None:
+        raise word.error(_unknown(word.text))
+    if lower != PATH:
+        return Name(field.kind, lambda record, _: field.read(record))
 
+    def read_with_path(record: Record, _: int) -> Iterator[Held]:
+        # The path is in the first message of a transfer only, and is asked for to find all of the transfer.
+        yield from field.read(record)
+        if record.transfer is not None:
+            yield Held(record.transfer.path)
 
-def looks_ahead(word: Word) -> bool:
-    """Whether the name means something that a command's record does not know before its reply was seen."""
-    known = NAMES.get(word.text.lower())
-    return known is not None and known.looks_ahead
-
-
-def _has(read: Read) -> Callable[[Record], bool]:
-    return lambda record: any(True for _ in read(record))
-
-
-def _known(found: Iterable[Held]) -> list[Held]:
-    """Those with a value: what a variable holds is not known."""
-    return [held for held in found if held.value is not None]
+    return Name(field.kind, read_with_path)
 
 
 # What a frame is and how it came
@@ -130,11 +98,13 @@ def operations_of(record: Record) -> tuple[Operation, ...]:
     return found
 
 
-def _operation_names(record: Record) -> list[str]:
-    return [operation.full_name for operation in operations_of(record)]
+def _operations(record: Record) -> Iterator[str | int]:
+    """Each by its full name, its family's and its number."""
+    for operation in operations_of(record):
+        yield from (operation.full_name, operation.name, operation.opcode)
 
 
-def _command_names(record: Record) -> list[str]:
+def _commands(record: Record) -> list[str]:
     message = record.message
     if record.request is not None and not isinstance(message, SystemReply):
         message = record.request.message
@@ -144,20 +114,15 @@ def _command_names(record: Record) -> list[str]:
     return named
 
 
-def _status(record: Record) -> tuple[int, ...]:
-    message = record.message
-    return (message.status_code,) if isinstance(message, SystemReply) else ()
+def _status(record: Record) -> tuple[str | int, ...]:
+    code = record.message.status_code if isinstance(record.message, SystemReply) else None
+    return () if code is None else (code, SystemStatus(code).name) if code in _STATUSES else (code,)
 
 
-def _type(record: Record) -> tuple[int, ...]:
-    return () if record.message.type is None else (record.message.type.value,)
+_STATUSES = {status.value for status in SystemStatus}
 
 
-def _counter(record: Record) -> tuple[int, ...]:
-    return () if record.message.type is None else (record.message.counter,)
-
-
-def _address(record: Record, address: str) -> tuple[str, ...]:
+def _addresses(record: Record, address: str) -> tuple[str, ...]:
     """An address, and on WiFi the same without its port."""
     if record.carrier is not Carrier.WIFI:
         return (address,)
@@ -169,26 +134,12 @@ def _optional(value: Any) -> tuple[Any, ...]:
     return () if value is None else (value,)
 
 
-def _is_a_command(word: str) -> str:
-    return f": it is a command, command=={word.upper()}" if word.upper() in command_names() else ""
-
-
-def _is_an_operation(word: str) -> str:
-    return f": it is an operation, op=={word.upper()}" if word.upper() in operation_names() else ""
-
-
-def _is_a_member(word: str, name: str) -> str:
-    """For a name that is a parameter's, too, and a value that is the parameter's."""
-    known = any(word.upper() in enum.members for enum in find_fields(name).kind.enums)
-    return f": it is a value of the parameter {name.upper()}, in upper case" if known else ""
-
-
 def _failed(record: Record) -> bool:
     return is_error(record.message) or (record.answered is not None and record.answered.failed)
 
 
 def _unanswered(record: Record) -> bool:
-    # A bootloader's reply may have its command's type, and it is none all the same.
+    # A bootloader's reply may have its command's type, and does not wait for a reply itself.
     return record.message.wants_reply and record.answered is None and record.request is None
 
 
@@ -201,135 +152,194 @@ def _late(record: Record) -> bool:
     return end - begin > LATE_MS * NANOSECONDS // 1000
 
 
+def _is_command(word: str) -> str:
+    return f"; it is a command: command=={word.upper()}" if word.upper() in command_names() else ""
+
+
+def _is_operation(word: str) -> str:
+    return f"; it is an operation: op=={word.upper()}" if word.upper() in operation_names() else ""
+
+
+def _is_member_of(name: str) -> Callable[[str], str]:
+    """For a name that a parameter has, too, and a value that is the parameter's."""
+
+    def hint(word: str) -> str:
+        field = find_field(name)
+        known = field is not None and any(word.upper() in enum.members for enum in field.kind.enums)
+        return f"; it is a value of the parameter {name}, in upper case" if known else ""
+
+    return hint
+
+
+def _one_of(
+    what: str, names: Iterable[str], hint: Callable[[str], str] = lambda _: "", *, number: bool = False
+) -> Kind:
+    return Kind(what, text=True, is_bare=True, names=tuple(names), hint=hint, number=number)
+
+
 _KINDS = dict.fromkeys([*(member.kind for member in MessageType), Message().kind])
 
-_FLAG = Flags()
+_FLAG = Kind("truth value", text=True, is_bare=True, names=("true", "false"), number=True, is_flag=True)
 
-NAMES: Mapping[str, Known] = {
+
+def _flag(is_true: Callable[[Record], bool], text: str, example: str, looks_ahead: bool = False) -> Known:
+    return Known(_FLAG, lambda record: ("true", 1) if is_true(record) else ("false", 0), text, example, looks_ahead)
+
+
+_NUMBER = Kind("a number", number=True)
+_DURATION = Kind("a time in seconds, such as 4ms", number=True, units=("s",), is_exact=True)
+_BARE_TEXT = Kind("a text", text=True, is_bare=True)
+
+NAMES = {
     "op": Known(
-        Choice("an operation", operation_names(), operations_of_opcode, _is_a_command),
-        _operation_names,
+        _one_of("operation", operation_names(), _is_command, number=True),
+        _operations,
         "operation by its full name, its family's, or the opcode's number; of a reply: that of its command",
         "op == SOUND.TONE",
     ),
     "command": Known(
-        Choice("a command", command_names(), None, _is_an_operation),
-        _command_names,
+        _one_of("command", command_names(), _is_operation),
+        _commands,
         "name of the CMD, or of the system or daisy command; of a reply: that of its command",
         "command == LIST_FILES",
     ),
     "type": Known(
-        Choice(
-            "a message type",
-            {member.name: (member.value,) for member in MessageType},
-            lambda number: (number,),
-            lambda word: _is_a_member(word, "type"),
-        ),
-        _type,
+        _one_of("message type", MessageType.__members__, _is_member_of("TYPE"), number=True),
+        lambda record: () if record.message.type is None else (record.message.type.name, record.message.type.value),
         "message type by name or number",
         "type == DIRECT_COMMAND_NO_REPLY",
     ),
     "kind": Known(
-        Choice("a kind of message", {kind: (kind,) for kind in _KINDS}),
+        _one_of("kind of message", _KINDS),
         lambda record: (record.message.kind,),
         f"one of {', '.join(_KINDS)}",
         "kind like system-*",
     ),
     "status": Known(
-        Choice(
-            "a system status",
-            {member.name: (member.value,) for member in SystemStatus},
-            lambda number: (number,),
-            lambda word: _is_a_member(word, "status"),
-        ),
+        _one_of("system status", SystemStatus.__members__, _is_member_of("STATUS"), number=True),
         _status,
         "status of a system reply by name or number",
         "status == END_OF_FILE",
     ),
-    "error": Known(
-        _FLAG,
-        lambda record: (is_error(record.message) or record.message.fault is not None,),
+    "error": _flag(
+        lambda record: is_error(record.message) or record.message.fault is not None,
         "a reply that says that its command failed, or a frame with a fault",
         "error",
     ),
-    "failed": Known(
-        _FLAG,
-        lambda record: (_failed(record),),
-        "a command that failed, as its reply says, and that reply",
-        "failed && op",
-        looks_ahead=True,
-    ),
-    "late": Known(
-        _FLAG,
-        lambda record: (_late(record),),
-        f"a reply that came more than {LATE_MS} ms after its command, and that command",
-        "late",
-        looks_ahead=True,
-    ),
-    "unanswered": Known(
-        _FLAG,
-        lambda record: (_unanswered(record),),
-        "a command that wants a reply and got none before the capture ended",
-        "unanswered",
-        looks_ahead=True,
+    "failed": _flag(_failed, "a command that failed, as its reply says, and that reply", "failed && op", True),
+    "late": _flag(_late, f"a reply that came more than {LATE_MS} ms after its command, and that command", "late", True),
+    "unanswered": _flag(
+        _unanswered, "a command that wants a reply and got none before the capture ended", "unanswered", True
     ),
     "fault": Known(
-        Texts(),
+        Kind("a text", text=True),
         lambda record: () if record.message.fault is None else (record.message.fault.reason,),
         "what is wrong with the frame, as a sentence",
         'fault contains "opcode"',
     ),
-    "orphan": Known(_FLAG, lambda record: (record.exchange.is_orphan,), "a reply whose command was not seen", "orphan"),
-    "wants_reply": Known(
-        _FLAG, lambda record: (record.message.wants_reply,), "a command that the brick is to answer", "wants_reply"
+    "orphan": _flag(lambda record: record.exchange.is_orphan, "a reply whose command was not seen", "orphan"),
+    "wants_reply": _flag(
+        lambda record: record.message.wants_reply, "a command that the brick is to answer", "wants_reply"
     ),
-    "counter": Known(Numbers(), _counter, "message counter", "counter == 1"),
-    "size": Known(Numbers(), lambda record: (len(record.frame),), "bytes of the frame", "size > 100"),
+    "counter": Known(
+        _NUMBER,
+        lambda record: () if record.message.type is None else (record.message.counter,),
+        "message counter",
+        "counter == 1",
+    ),
+    "size": Known(_NUMBER, lambda record: (len(record.frame),), "bytes of the frame", "size > 100"),
     "packet": Known(
-        Numbers(),
+        _NUMBER,
         lambda record: record.numbers,
         "number of each packet that carried it, from 1 on; of a text: its line",
         "packet in {10..20}",
     ),
     "latency": Known(
-        Durations(), lambda record: _optional(record.latency), "time from a command to its reply", "latency > 4ms"
+        _DURATION, lambda record: _optional(record.latency), "time from a command to its reply", "latency > 4ms"
     ),
-    TIME: Known(Durations(), None, "time since the capture began, as it is shown before each frame", "time < 1.5s"),
+    TIME: Known(
+        _DURATION,
+        lambda record: (record.time,),
+        "time since the capture began, as it is shown before each frame",
+        "time < 1.5s",
+    ),
     "peer": Known(
-        Texts(bare=True),
-        lambda record: _address(record, record.peer),
+        _BARE_TEXT,
+        lambda record: _addresses(record, record.peer),
         "address of the brick; on WiFi with its port or without",
         "peer == 192.0.2.10",
     ),
     "source": Known(
-        Texts(bare=True),
-        lambda record: _address(record, record.source),
+        _BARE_TEXT,
+        lambda record: _addresses(record, record.source),
         "address of the sender, in the same way",
         'source like "192.0.2.*"',
     ),
     "target": Known(
-        Texts(bare=True),
-        lambda record: _address(record, record.target),
+        _BARE_TEXT,
+        lambda record: _addresses(record, record.target),
         "address of the receiver, in the same way",
         "target == 192.0.2.10:5555",
     ),
     "carrier": Known(
-        Choice("a carrier", {carrier: (carrier,) for carrier in Carrier}),
-        lambda record: (record.carrier,),
+        _one_of("carrier", Carrier),
+        lambda record: (str(record.carrier),),
         f"one of {', '.join(Carrier)}",
         "carrier == bluetooth",
     ),
     "direction": Known(
-        Choice("a direction", {direction: (direction,) for direction in Direction}),
+        _one_of("direction", Direction),
         lambda record: _optional(record.direction),
         f"one of {', '.join(Direction)}, where the capture says so",
         "direction == received",
     ),
     "interface": Known(
-        Texts(bare=True),
+        _BARE_TEXT,
         lambda record: _optional(record.interface),
         "interface on which it was captured",
         "interface",
     ),
 }
 """What can be asked about every frame."""
+
+_OF_WIRESHARK = {
+    "op": "_ws.col.info ev3.answers ev3.cmd ev3.op ev3.opcode",
+    "fault": "_ws.expert _ws.malformed ev3.expert.fault ev3.expert.unknown_opcode",
+    "peer": "btatt.handle bluetooth.addr ip.addr ipv6.addr tcp.port usb.addr usb.bus_id usb.device_address",
+    "target": "bluetooth.dst ip.dst ipv6.dst",
+    "source": "bluetooth.src ip.src ipv6.src",
+    "type": "ev3.cmd_type ev3.type",
+    "counter": "ev3.counter ev3.msg_num",
+    "command": "ev3.daisy.command ev3.sys_cmd",
+    "failed": "ev3.expert.error_reply",
+    "orphan": "ev3.expert.orphan",
+    "unanswered": "ev3.expert.unanswered",
+    "latency": "ev3.latency ev3.request_in ev3.response_in ev3.response_time frame.time_delta",
+    "size": "ev3.msg_len ev3.length frame.len",
+    "status": "ev3.reply_status ev3.status",
+    "path": "ev3.transfer.path",
+    "interface": "frame.interface_name",
+    "packet": "frame.number",
+    "time": "frame.time frame.time_relative",
+}
+"""The fields of Wireshark to which a name here comes nearest."""
+
+
+def _unknown(text: str) -> str:
+    """A sentence about an unknown name, with the one that was probably meant."""
+    upper, lower = text.upper(), text.lower()
+    for name, fields in _OF_WIRESHARK.items():
+        if lower in fields.split():
+            return f"{text} is a name of Wireshark; here it is {name}"
+    own = upper.removeprefix("EV3.")
+    if own != upper and find_field(own) is not None:
+        return f"{text} is a name of Wireshark; here it is {own if '.' in own else own.lower()}"
+    owner, _, name = upper.rpartition(".")
+    if owner in operation_names() and is_parameter(name):
+        return f"{owner} has no parameter {name}"
+    hint = _is_operation(text) or _is_command(text)
+    if not hint:
+        places = places_of()
+        dotted = [f"{owner}.{name}" for name, owners in places.items() for owner in owners] if owner else ()
+        hint = near_misses(text, [*places, *NAMES, *dotted]) or "; see --help-filter"
+    return f"unknown field {text!r}{hint}"

@@ -134,20 +134,23 @@ do
             -- A frame that comes byte by byte is not looked at with each of them.
             stream.look_at = floor(#text * 1.25) + 1
             if not is_length(text, 0) then return false end
-            return judge_split(text, 0, stream.accepts, joint) == PART
+            return claiming.judge_split(text, 0, stream.accepts, joint) == PART
         end
-        local place, is_open = find_step(text, 0, stream.accepts, true, 0)
-        return is_open and place == 0
+        local place, following = claiming.find_step(text, 0, stream.accepts, 0, 0)
+        return place == 0 and not following
     end
 
     -- The first time that a packet is seen: joins it with what waits for it. Returns all of that, and whether some of
     -- it may be whole.
     local function join(stream, piece, number)
         local left = stream.left
-        if left ~= "" and is_part(left .. piece) and find_frame(piece, 0) == 0 then
-            -- Where whole frames begin with the packet, what waits is none.
-            clear(stream)
-            left = ""
+        if left ~= "" and is_part(left .. piece) then
+            local place, following = claiming.find_step(piece, 0, stream.accepts, 1)
+            if place == 0 and following then
+                -- Where whole frames begin with the packet, what waits is none.
+                clear(stream)
+                left = ""
+            end
         end
         local text = left .. piece
         if left == "" then return text, true end

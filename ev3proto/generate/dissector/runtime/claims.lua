@@ -1,12 +1,10 @@
 -- Claims ------------------------------------------------------------------------------------------------------------
 --
--- Ours and not ours: the ports and channels that bricks use belong to others as well. The rule stands in ev3proto's
--- tables; here it is applied. Decisions are made the first time a packet is seen, and kept.
+-- Ours and not ours: the ports and channels that bricks use belong to others as well. The rule is in ev3proto's tables;
+-- here it is applied, and frames are found in streams. Decisions are made the first time a packet is seen, and kept.
 
 -- What the beginning of some data tells: OURS, PART where more is needed to tell, nil for what is not ours.
 local OURS, PART = "ours", "part"
-
-local is_flawless, is_sensible, may_become_flawless, find_frame, find_step, judge_split
 
 do
     -- Places in one piece of a stream where a whole frame is tried, before the piece is given up.
@@ -24,21 +22,6 @@ do
         return high and at + frame_size(low, high)
     end
 
-    -- Whether the operations of a command can be read: all of them, or with `is_part` those that are there.
-    local function can_be_read(text, stop, is_part)
-        local at = COMMAND_HEADER_SIZE
-        while at < stop do
-            local operation, after, _, reason, kind = read_operation(text, at)
-            -- Of a list that goes on in the next packet the dissector says that it is too long.
-            if reason then
-                local is_list = kind == "fault" and operation ~= nil and operation.list ~= nil
-                return is_part and (kind == "cut_off" or is_list)
-            end
-            at = after
-        end
-        return true
-    end
-
     -- Calls a function with each firmware's instructions, the preferred one's first, until it says anything.
     local function by_any(says, ...)
         local said, preferred = says(...), instructions
@@ -51,38 +34,28 @@ do
         return said
     end
 
-    -- Whether a frame is without any fault.
-    function is_flawless(message)
-        local type, text, stop = message.type, message.text, message.stop
-        if not type or stop < message.size or message.fault then return false end
-        if type.carries == "direct" then
-            if not type.is_command then return true end
-            return stop >= COMMAND_HEADER_SIZE and can_be_read(text, stop)
-        elseif type.carries == "daisy" then
-            local at = HEADER_SIZE
-            if type.is_command then
-                if not DAISY.names[byte(text, at + 1)] then return false end
-                at = at + 1
+    -- Whether a frame is without a fault and says something: not a command of nothing, nor to a layer beyond the last.
+    local function is_sensible(message)
+        local type, text, at = message.type, message.text, COMMAND_HEADER_SIZE
+        if not type or message.stop < message.size or message.fault then return false end
+        if type.carries == "daisy" then
+            local number, from, to = byte(text, HEADER_SIZE + 1, HEADER_SIZE + 3)
+            if not type.is_command then
+                from, to = number, from
+            elseif not DAISY.names[number] then
+                return false
             end
-            local from, to = byte(text, at + 1, at + 2)
             return to ~= nil and from <= DAISY.most_layers and to <= DAISY.most_layers
         end
-        return true
-    end
-
-    -- Whether a frame without a fault says something: not a command of nothing, nor to a layer that is not there.
-    function is_sensible(message)
-        if not is_flawless(message) then return false end
-        local type, text, at = message.type, message.text, COMMAND_HEADER_SIZE
         if type.carries ~= "direct" or not type.is_command then return true end
-        if message.stop <= at then return false end
         while at < message.stop do
-            if byte(text, at + 1) == CLAIMS.never_sent then return false end
-            local _, after = read_operation(text, at)
+            local operation, after, _, reason = read_operation(text, at)
+            if reason or not operation or byte(text, at + 1) == CLAIMS.never_sent then return false end
             at = after
         end
-        return true
+        return message.stop > COMMAND_HEADER_SIZE
     end
+    claiming.is_sensible = is_sensible
 
     -- Whether an argument is of a kind and range that its parameter takes; `sizes` is the memory asked for, by scope.
     local function is_in_place(parameter, encoding, value, sizes)
@@ -184,19 +157,25 @@ do
         return not is_over
     end
 
-    -- Whether a frame of which only this is there may become one without a fault.
-    function may_become_flawless(text, at, accepts)
-        local part = sub(text, at + 1)
-        if not may_start(part, 0) then return false end
-        local type = MESSAGE_TYPES[byte(part, HEADER_SIZE)]
+    -- Whether the frame at an offset, of which the text has only the beginning, may become one without a fault.
+    local function may_become(text, at, accepts)
+        if not may_start(text, at) then return false end
+        local code, number = byte(text, at + HEADER_SIZE, at + HEADER_SIZE + 1)
+        local type = MESSAGE_TYPES[code]
         if not type then return true end
-        if accepts and not accepts(type) then return false end
-        if type.carries == "system" and #part > HEADER_SIZE then
-            return SYSTEM_COMMANDS[byte(part, HEADER_SIZE + 1)] ~= nil
+        if not accepts(type) then return false end
+        if type.carries == "system" then return not number or SYSTEM_COMMANDS[number] ~= nil end
+        if type.carries ~= "direct" or not type.is_command then return true end
+        at = at + COMMAND_HEADER_SIZE
+        while at < #text do
+            local operation, after, _, reason, kind = read_operation(text, at)
+            -- Of a list that goes on in the next packet the dissector says that it is too long.
+            if reason then return kind == "cut_off" or kind == "fault" and operation ~= nil and operation.list ~= nil end
+            at = after
         end
-        if type.carries ~= "direct" or not type.is_command or #part <= COMMAND_HEADER_SIZE then return true end
-        return can_be_read(part, #part, true)
+        return true
     end
+    claiming.may_become = may_become
 
     -- The bytes 1 to 4 of a header, as a pattern: no type is a letter that means anything in one.
     local codes = {}
@@ -204,20 +183,6 @@ do
         codes[#codes + 1] = string.char(code)
     end
     local STARTS = "[\0-" .. string.char(floor(MAX_LENGTH / 0x100)) .. "]..[" .. concat(codes) .. "]"
-
-    -- How many frames stand one after the other from an offset on, until one is not whole; nil where the chain breaks.
-    local function count_chain(text, at)
-        local count = 0
-        while at < #text do
-            at = after_polls(text, at)
-            if at == #text then return count end
-            if not may_start(text, at) then return nil end
-            local size = frame_size(byte(text, at + 1, at + 2))
-            if not size or at + size > #text then return count end
-            at, count = at + size, count + 1
-        end
-        return count
-    end
 
     -- The system commands that any bytes may follow.
     local has_data = {}
@@ -248,7 +213,7 @@ do
             local is_chance = is_split and type.carries == "system" and has_data[byte(text, place + HEADER_SIZE + 1)]
             if is_length(text, place) and accepts(type) and type.carries ~= "daisy" and not is_chance then
                 if stop > #text and not is_cut then
-                    if not (open and open < place) and may_become_flawless(text, place, accepts) then open = place end
+                    if not (open and open < place) and may_become(text, place, accepts) then open = place end
                 elseif place == 0 or place == joint or stop >= #text or may_start(text, stop) then
                     if is_plausible(read_message(sub(text, place + 1, stop)), is_cut) then return place, true end
                 end
@@ -256,27 +221,6 @@ do
             hit = find(text, STARTS, hit + 1)
         end
         return open, false
-    end
-
-    -- The first offset, from `at` on, where all of a frame stands without a fault, and where frames follow each other
-    -- up to the end, at least two; nil where there is none.
-    function find_frame(text, at)
-        local hit = find(text, STARTS, at + 2)
-        for _ = 1, MOST_TRIALS do
-            if not hit then return nil end
-            local low, high = byte(text, hit - 1, hit)
-            local stop = hit - 2 + frame_size(low, high)
-            if is_length(text, hit - 2) and stop <= #text and (count_chain(text, hit - 2) or 0) >= 2
-                and is_sensible(read_message(sub(text, hit - 1, stop))) then
-                return hit - 2
-            end
-            hit = find(text, STARTS, hit + 1)
-        end
-        return nil
-    end
-
-    local function accepts_any()
-        return true
     end
 
     -- How many frames begin here, one after the other, of those whose headers are here; nil where none can. Few are
@@ -293,69 +237,58 @@ do
     end
 
     -- Where a stream goes on that is out of step, from an offset on: the place of a frame that is whole there and
-    -- without a fault, and followed by what may be the next one. If frames may go on in the next packet, this is also
-    -- the place of the first that may be one as far as it goes, and the second result is true. Where a packet starts,
-    -- at `first` and at `second`, a frame may have faults, or nothing that can follow it. nil: no frame is here.
-    function find_step(text, at, accepts, may_go_on, first, second)
-        accepts = accepts or accepts_any
+    -- without a fault, and how many frames begin after it, at least `least`; else the place of the first that is not
+    -- whole, and may become one. Where a packet starts, at `first` and at `second`, a frame may have faults, or nothing
+    -- that can follow it. nil: no frame is here.
+    function claiming.find_step(text, at, accepts, least, first, second)
         local open, single, begun
         local trials, hit = 0, find(text, STARTS, at + 2)
         while hit and trials < MOST_TRIALS do
-            local place, low, high, _, _, code = hit - 2, byte(text, hit - 1, hit + 3)
-            local stop = place + frame_size(low, high)
-            if is_length(text, place) and accepts(MESSAGE_TYPES[code]) then
+            local place = hit - 2
+            local stop, is_begin = stop_of(text, place), place == first or place == second
+            if is_length(text, place) and accepts(MESSAGE_TYPES[byte(text, place + HEADER_SIZE)]) then
                 trials = trials + 1
+                local following = stop <= #text and follow(text, stop)
                 if stop > #text then
-                    if may_go_on and not open and may_become_flawless(text, place, accepts) then open = place end
-                else
-                    local following = follow(text, stop)
-                    local is_begin = place == first or place == second
-                    if following or is_begin then
-                        local message = read_message(sub(text, place + 1, stop))
-                        local stands = is_sensible(message)
-                        if stands and following and following > 0 then return place end
-                        if stands and following then
-                            single = single or place
-                        elseif is_begin and (stands or following) then
-                            begun = begun or place
-                        end
+                    if not open and may_become(text, place, accepts) then open = place end
+                elseif (following or is_begin) and (following or 0) >= least then
+                    local stands = is_sensible(read_message(sub(text, place + 1, stop)))
+                    if stands and following and following > 0 then return place, following end
+                    if stands and following then
+                        single = single or place
+                    elseif is_begin and (stands or following) then
+                        begun = begun or place
                     end
                 end
             end
             hit = find(text, STARTS, hit + 1)
         end
-        single = single or begun
-        if single then return single end
-        return open, open ~= nil
+        if single or begun then return single or begun, 0 end
+        return open
     end
 
     -- What a frame is that seems to come in several packets, if a gap may be between them: OURS, PART where more is
     -- needed to tell, nil where it is none. `joint` is where the newest packet starts.
-    function judge_split(text, at, accepts, joint, is_last)
+    function claiming.judge_split(text, at, accepts, joint, is_last)
         local stop = stop_of(text, at)
         if stop > #text then
-            if may_become_flawless(text, at, accepts) or not find_step(text, at + 1, accepts) then return PART end
-            return nil
+            local least = may_become(text, at, accepts) and 2 or 0
+            local _, following = claiming.find_step(text, at + 1, accepts, least)
+            return not following and PART or nil
         end
         local message = read_message(sub(text, at + 1, stop))
         local type, following = message.type, follow(text, stop)
-        local stands = type and (not accepts or accepts(type)) and is_sensible(message)
+        local stands = type and accepts(type) and is_sensible(message)
         -- Few bytes are operations by chance.
         local tells_itself = stands and type.is_command and type.carries == "direct"
-        if stands and following and following > 0 or tells_itself then return OURS end
-        if not following then
-            -- The next frame may be of an unknown type: then the one after it must start.
-            local next_low, next_high = byte(text, stop + 1, stop + 2)
-            local next_stop = next_high and stop + frame_size(next_low, next_high)
-            if not next_stop or not is_length(text, stop) then return nil end
-            if next_stop < #text and not may_start(text, next_stop) then return nil end
-            following = next_stop < #text and 1 or 0
-        end
-        local place, is_open = find_step(text, stands and joint or at + 1, accepts, true, joint)
-        if not place or place >= stop then place = nil end
-        if place and not is_open and following < 2 then return nil end
-        if is_last or stands and following > 0 then return OURS end
-        if not stands and following == 0 or place and following < 2 then return PART end
+        if tells_itself or stands and following and following > 0 then return OURS end
+        if not following then return nil end
+        -- After a gap between two packets, frames begin with the newer one, or later.
+        local inside, following_inside = claiming.find_step(text, stands and joint or at + 1, accepts, 0, joint)
+        local is_inside = inside and inside < stop
+        if is_inside and following_inside then return nil end
+        local is_unclear = following == 0 or following == 1 and not stands
+        if not is_last and (not stands and following == 0 or is_inside and is_unclear) then return PART end
         return OURS
     end
 end

@@ -116,7 +116,8 @@ do
     -- Where a stream that is out of step goes on: at a frame, a text, or the end; and whether more is needed to tell.
     -- With `least` the last bytes may begin a header, if they are so many; without it nothing more comes.
     local function next_step(text, at, accepts, least, first, second)
-        local place, is_open = find_step(text, at, accepts, least, first, second)
+        local place, following = claiming.find_step(text, at, accepts, 0, first, second)
+        local is_open = least and place ~= nil and not following
         if not place and least then
             place = math.max(at, #text - HEADER_SIZE + 1)
             while place < #text and not may_start(text, place) do
@@ -124,19 +125,12 @@ do
             end
             is_open = place <= #text - least
         end
-        if not place or is_open == false then place = #text end
+        if not following and not is_open then place = #text end
         for _, start in ipairs({ UNLOCK.request, UNLOCK.answer }) do
             local hit = find(text, start, at + 1, true)
             if hit and hit - 1 < place then place, is_open = hit - 1, false end
         end
         return place, is_open
-    end
-
-    -- Whether frames follow each other from the middle of what seems to be one: more than one, as data may look like
-    -- a frame by chance.
-    local function has_frame_inside(text, at, stop)
-        local place = find_frame(text, at + 1)
-        return place ~= nil and place < stop
     end
 
     -- Whether a frame may start at an offset, though perhaps of an unknown type: then the next one must.
@@ -153,17 +147,17 @@ do
     -- the start of a packet, it has faults and another frame inside. A gap in the capture may be before it.
     local function is_misleading(text, at, size, accepts)
         local stop, captured = at + size, #text
-        local type = MESSAGE_TYPES[byte(text, at + HEADER_SIZE)]
+        local is_whole = stop <= captured
         local is_chained = stop >= captured or may_follow(text, stop) or UNLOCK.starts[byte(text, stop + 1)]
-        if not type or accepts and not accepts(type) then
-            return not is_chained or at == 0 and (stop > captured or has_frame_inside(text, at, stop))
-        end
         if is_chained and at > 0 then return false end
-        if stop > captured and not may_become_flawless(text, at, accepts) then
-            return find_step(text, at + 1, accepts) ~= nil
-        end
-        if stop <= captured and is_flawless(read_message(sub(text, at + 1, stop))) then return false end
-        return not is_chained or captured > HEADER_SIZE and has_frame_inside(text, at, stop)
+        local type = MESSAGE_TYPES[byte(text, at + HEADER_SIZE)]
+        local is_known = type and accepts(type)
+        if is_known and is_whole and claiming.is_sensible(read_message(sub(text, at + 1, stop))) then return false end
+        if not is_chained or not is_known and not is_whole then return true end
+        -- Data may look like one frame by chance.
+        local least = (is_whole or claiming.may_become(text, at, accepts)) and 1 or 0
+        local place, following = claiming.find_step(text, at + 1, accepts, least)
+        return following ~= nil and place < stop
     end
 
     local function dissect_polls(tvb, at, after, tree, is_shown)
@@ -207,7 +201,7 @@ do
                 local is_frame = step ~= "lost" and (not size or is_length(text, at))
                 if is_frame and code then
                     if at < joint and stream.may_gap then
-                        local verdict = judge_split(text, at, accepts, joint, is_last)
+                        local verdict = claiming.judge_split(text, at, accepts, joint, is_last)
                         if verdict == PART and at + size <= captured then return at, nil, lost, step end
                         is_frame = verdict ~= nil
                     elseif step == "likely" and at + size ~= captured then

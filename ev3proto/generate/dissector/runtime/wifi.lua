@@ -125,6 +125,10 @@ do
         return not type.is_command or type.carries == "daisy"
     end
 
+    local function is_any()
+        return true
+    end
+
     local dissect_claimed
     do
         -- Which types go the way of a packet, where the port or the data said which end is the brick.
@@ -132,7 +136,7 @@ do
             conversation = conversation or connection_of(pinfo)
             if conversation.is_by_name then return is_to_named(conversation, pinfo) and is_command or is_reply end
             if ports[pinfo.dst_port] then return is_command end
-            return ports[pinfo.src_port] and is_reply or nil
+            return ports[pinfo.src_port] and is_reply or is_any
         end
 
         local step_of
@@ -140,7 +144,7 @@ do
             -- Whether data may begin with a frame that goes the right way, or with a text.
             local function may_go(text, accepts)
                 local type = MESSAGE_TYPES[byte(text, HEADER_SIZE)]
-                if type and accepts and not accepts(type) then return false end
+                if type and not accepts(type) then return false end
                 return may_start(text, 0) or UNLOCK.starts[byte(text, 1)] ~= nil
             end
 

@@ -1,7 +1,7 @@
 """Captured traffic: files of packets read into frames with time, carrier and direction. `read` is where to start."""
 
 from ev3proto.capture.byte_account import Account
-from ev3proto.capture.reading import Capture, from_pyshark, read
+from ev3proto.capture.reading import Capture, read
 from ev3proto.capture.record import Announcement, CaptureError, Direction, Event, Record, Route, Skipped, TextKind
 from ev3proto.tables.carriers import Carrier
 
@@ -17,6 +17,5 @@ __all__ = [
     "Route",
     "Skipped",
     "TextKind",
-    "from_pyshark",
     "read",
 ]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Collection, Generator, Iterable, Iterator
 from types import TracebackType
-from typing import Any, BinaryIO, Self
+from typing import BinaryIO, Self
 
 from ev3proto.bounded import DEFAULT_MEMORY, Budget
 from ev3proto.capture.byte_account import Account
@@ -14,7 +14,6 @@ from ev3proto.capture.carriers.streams import Context
 from ev3proto.capture.formats import CaptureFile
 from ev3proto.capture.packets import Packet
 from ev3proto.capture.record import CaptureError, Event, Record
-from ev3proto.capture.wireshark.pyshark_packets import pyshark_events
 from ev3proto.schema.frame import frame_schema
 from ev3proto.tables import check_dialect
 from ev3proto.tables.carriers import Carrier
@@ -117,33 +116,6 @@ def read(
         file.close()
         raise
     return Capture(_events_in(packets, account, dialect=dialect, ports=ports, memory=memory), account, file)
-
-
-def from_pyshark(packets: Iterable[Any], *, dialect: str = "official", ports: Collection[int] = (TCP_PORT,)) -> Capture:
-    """The records in a capture of pyshark, whatever it reads or wherever it captures.
-
-        packets = pyshark.FileCapture("robot.pcapng", override_prefs={"ev3.bytes": "TRUE"})
-        for record in ev3proto.capture.from_pyshark(packets):
-            print(record.message)
-
-    It takes ten times as long as `ev3proto.pyshark.read`, because pyshark gives all that tshark knows of a packet.
-
-    Args:
-        packets: A capture of pyshark, or its packets. pyshark's mode must be XML, which is its default. Its tshark must
-            have the dissector (`ev3proto dissector install`) and the preference `ev3.bytes` TRUE.
-        dialect: The firmware whose instruction set to read by.
-        ports: TCP ports on which bricks listen.
-
-    Returns:
-        The capture. It raises whatever pyshark does.
-
-    Raises:
-        ValueError: The dialect is not known.
-
-    """
-    check_dialect(dialect)
-    account = Account()
-    return Capture(pyshark_events(packets, account, dialect=dialect, ports=ports), account)
 
 
 def _opened(source: str | os.PathLike[str] | BinaryIO) -> CaptureFile:

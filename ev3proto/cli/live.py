@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 import click
 
-from ev3proto.capture import Announcement, Event, Skipped, TextKind
+from ev3proto.capture import Announcement, CaptureError, Event, Skipped, TextKind, read
 from ev3proto.capture.dialogues import RequestReply, dialogues
 from ev3proto.cli.captures import MOST_COMPLAINTS
 from ev3proto.cli.ending import stopped_by_signals
@@ -15,8 +15,7 @@ from ev3proto.cli.output import complain
 from ev3proto.cli.reading import MIB, CaptureOptions, reading_options
 from ev3proto.cli.recorded import show_announcement, show_dialogue
 from ev3proto.cli.show import Show
-from ev3proto.pyshark.live import Live
-from ev3proto.pyshark.program import EngineError
+from ev3proto.pyshark.tshark import Run, Tshark
 
 PATIENCE_NS = 2_000_000_000
 """After so long without a reply a command is shown without one, as soon as anything else happens."""
@@ -48,21 +47,28 @@ def live(interfaces: tuple[str, ...], reading: CaptureOptions, as_json: bool) ->
       ev3proto live -i usbmon1 --filter 'op like "SOUND.*" || error'
       ev3proto live -i lo --port 5556 --json
     """  # noqa: D301 - the mark by which click leaves lines as they are
-    names = ", ".join(dict.fromkeys(interfaces))
+    names = tuple(dict.fromkeys(interfaces))
+    words = [word for name in names for word in ("-i", name)]
     try:
-        capture = Live(
-            tuple(dict.fromkeys(interfaces)),
-            dialect=reading.dialect,
-            ports=reading.ports,
-            tshark=reading.tshark,
-            memory=reading.memory * MIB,
-            on_start=lambda: complain(f"Capturing on {names}. Ctrl-C ends it."),
-        )
-        with stopped_by_signals(capture.stop):
-            _Watching(reading, as_json=as_json).show(capture.events())
-    except EngineError as error:
+        with Run(Tshark(reading.tshark), *words, "-w", "-") as run, stopped_by_signals(run.stop):
+            _watch(run, reading, f"Capturing on {', '.join(names)}. Ctrl-C ends it.", as_json=as_json)
+    except CaptureError as error:
         complain(str(error))
         sys.exit(1)
+
+
+def _watch(run: Run, reading: CaptureOptions, started: str, *, as_json: bool) -> None:
+    """Shows what tshark captures until it ends. Raises CaptureError where it was not asked to."""
+    try:
+        # The file begins once packets are captured.
+        capture = read(run.output, dialect=reading.dialect, ports=reading.ports, memory=reading.memory * MIB)
+        complain(started)
+        _Watching(reading, as_json=as_json).show(capture.events())
+    except CaptureError:
+        run.check()
+        if not run.is_stopped:
+            raise
+    run.check()
 
 
 for _option in live.params:

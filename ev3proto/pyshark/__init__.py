@@ -8,24 +8,28 @@
         for record in ev3proto.pyshark.messages(packet):
             print(packet.number, record.message, record.values)
 
-The same goes for `LiveCapture`. This needs `pip install 'ev3proto[wireshark]'` and tshark.
+The same goes for `LiveCapture`. This needs `pip install 'ev3proto[wireshark]'` and tshark; `read` needs tshark only.
 """
 
 from __future__ import annotations
 
 import json
-from collections.abc import Collection
+import os
+import shutil
+from collections.abc import Collection, Iterator
 from contextlib import ExitStack
-from typing import Any
+from pathlib import Path
+from typing import Any, BinaryIO
 
-from ev3proto.capture.byte_account import Account
-from ev3proto.capture.record import Record
-from ev3proto.capture.wireshark.events import Events, fields
-from ev3proto.capture.wireshark.pyshark_packets import frame_of, row_of
-from ev3proto.pyshark.program import Program
-from ev3proto.pyshark.reading import read
+from ev3proto.bounded import DEFAULT_MEMORY
+from ev3proto.capture import Account, Capture, Event, Record
+from ev3proto.capture.formats import CaptureFile
+from ev3proto.pyshark.events import FIELDS, Events, Row
+from ev3proto.pyshark.packets import frame_of, row_of
+from ev3proto.pyshark.tshark import Run, Tshark
 from ev3proto.tables import check_dialect
 from ev3proto.tables.discovery import TCP_PORT
+from ev3proto.temporary import temporary_folder
 
 __all__ = ["Messages", "messages", "parameters", "read"]
 
@@ -56,8 +60,8 @@ def parameters(
         ev3proto.capture.CaptureError: There is no tshark that can be used.
         ValueError: The dialect is not known.
     """
-    program = Program(tshark)
-    words = _KEPT.enter_context(program.words(check_dialect(dialect), ports))
+    program = Tshark(tshark)
+    words = _KEPT.enter_context(program.parameters(check_dialect(dialect), ports))
     if use_ek:
         import pyshark.ek_field_mapping  # an extra; without `use_ek` only the caller needs it
 
@@ -83,25 +87,23 @@ class Messages:
     Args of a call: a packet of pyshark. It returns the records of the frames that end in that packet.
     """
 
-    def __init__(self, *, dialect: str = "official", ports: Collection[int] = (TCP_PORT,)) -> None:
+    def __init__(self, *, dialect: str = "official") -> None:
         """Starts before the first packet.
 
         Args:
             dialect: The firmware whose instruction set to read by.
-            ports: TCP ports on which bricks listen.
 
         Raises:
             ValueError: The dialect is not known.
         """
-        self._events = Events(Account(), check_dialect(dialect), ports)
-        self._names = fields()
+        self._events = Events(Account(), check_dialect(dialect))
         self.last_packet = 0
 
     def __call__(self, packet: Any) -> list[Record]:
         """The records of the frames that end in a packet, each with the record of the command that it answers."""
-        row = row_of(packet, self._names)
+        row = row_of(packet)
         self.last_packet = row.packet
-        return [event for event in self._events.events(row) if isinstance(event, Record)]
+        return [event for event in self._events.of(row) if isinstance(event, Record)]
 
 
 _default = Messages()
@@ -117,12 +119,75 @@ def messages(packet: Any) -> list[Record]:
         packet: A packet of pyshark, in its XML or EK mode, captured with `parameters()`.
 
     Returns:
-        A record for each frame: its `message`, for a reply its `values` and `request`, the record of the command.
+        A record for each frame: its `message`, for a reply its `values` and `request`, the record of the command. Its
+        `numbers` and `time` are those of the packet in which the frame ends.
 
     Raises:
-        TypeError: It is no packet of pyshark.
+        TypeError: It is not a packet of pyshark.
     """
     global _default
     if int(frame_of(packet).number) <= _default.last_packet:
         _default = Messages()
     return _default(packet)
+
+
+def read(
+    source: str | os.PathLike[str] | BinaryIO | CaptureFile,
+    *,
+    dialect: str = "official",
+    ports: Collection[int] = (TCP_PORT,),
+    tshark: str | None = None,
+    memory: int = DEFAULT_MEMORY,
+) -> Capture:
+    """A capture file's records, like `ev3proto.capture.read`, for every format and link type that Wireshark knows.
+
+    tshark is asked for a few fields of each packet. That takes a tenth of the time of pyshark, which asks for all.
+
+    Args:
+        source: A path, a stream at its start, or a CaptureFile. A stream is copied into a temporary file for tshark.
+        dialect: The firmware whose instruction set to read by.
+        ports: TCP ports on which bricks listen.
+        tshark: Path of the tshark, where it is not on the path.
+        memory: Bytes that commands without a reply may take together.
+
+    Returns:
+        The capture. A record has the number and time of the packet in which its frame ends. What Wireshark does not
+        take for a frame is counted in `account` as `other`. While it is read it raises CaptureError, after everything
+        readable, with what tshark says.
+
+    Raises:
+        OSError: The file cannot be opened.
+        CaptureError: There is no tshark that can be used.
+        ValueError: The dialect is not known.
+    """
+    account = Account()
+    events = Events(account, check_dialect(dialect), memory)
+    with ExitStack() as stack:
+        path = _file(source, stack)
+        program = Tshark(tshark)
+        words = stack.enter_context(program.parameters(dialect, ports))
+        for field in FIELDS:
+            words += ["-e", field]
+        return Capture(_events(program, [*words, "-T", "ek", "-r", str(path)], events, stack.pop_all()), account)
+
+
+def _events(program: Tshark, words: list[str], events: Events, stack: ExitStack) -> Iterator[Event]:
+    with stack, Run(program, *words) as run:
+        for line in run.output:
+            if line.startswith(b'{"timestamp"'):  # lines for an index are between them
+                yield from events.of(Row(json.loads(line.decode("utf-8", "replace"))["layers"]))
+        run.check()
+
+
+def _file(source: str | os.PathLike[str] | BinaryIO | CaptureFile, stack: ExitStack) -> Path:
+    """A file that tshark can read: the one that was named, or a copy of a stream, which goes away again."""
+    if isinstance(source, CaptureFile):
+        stack.callback(source.close)
+        source = source.contents
+    if isinstance(source, str | os.PathLike):
+        with Path(source).open("rb"):
+            return Path(source).absolute()
+    copy = stack.enter_context(temporary_folder()) / "capture"
+    with copy.open("wb") as stream:
+        shutil.copyfileobj(source, stream)
+    return copy

@@ -137,15 +137,11 @@ def capturing(tshark: Tshark) -> str | None:
     """A tshark that may capture. Where there is none, None, after a look at the complaint: nothing is left to test."""
     program = str(tshark.program)
     asked = subprocess.run([program, "-i", LOOPBACK, "-L"], capture_output=True, text=True, timeout=60, check=False)
-    if asked.returncode != 0:
-        reason = f"{program} may not capture on {LOOPBACK}: on Debian and Ubuntu run sudo dpkg-reconfigure"
-    elif tshark.version >= (4, 4) and os.geteuid() == 0:
-        reason = f"{program} does not load the dissector: as root, Wireshark 4.4 and later load no Lua"
-    else:
+    if asked.returncode == 0:
         return program
     status, complaint = refused("-i", LOOPBACK, "--tshark", program)
     assert status == 1
-    assert complaint.startswith(reason)
+    assert complaint.startswith(f"{program} may not capture: on Debian and Ubuntu run sudo dpkg-reconfigure")
     return None
 
 
@@ -191,21 +187,6 @@ def test_dialogues_while_they_happen(capturing: str | None, ending: signal.Signa
         live.wait_for("unlock: serial 06165300000a$")
         live.wait_for("accepted$")
         assert len(live.lines) == 6
-
-
-def test_tshark_ends_when_it_is_killed(capturing: str | None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    if capturing is None:
-        return
-    monkeypatch.setenv("TMPDIR", str(tmp_path))  # nobody can remove what a killed process had there
-    with listening("-i", LOOPBACK, "--tshark", capturing) as live:
-        live.wait_for("Ctrl-C")
-        assert len(group(live.process.pid)) >= 3
-        live.process.kill()
-        assert live.process.wait(WITHIN) == -signal.SIGKILL
-        end = time.monotonic() + WITHIN
-        while group(live.process.pid) and time.monotonic() < end:
-            time.sleep(0.02)
-        assert group(live.process.pid) == []
 
 
 def test_ctrl_c_in_a_terminal_reaches_all_of_them(capturing: str | None) -> None:
@@ -265,16 +246,14 @@ def test_a_reader_that_goes_away(capturing: str | None) -> None:
 
 
 ENDLESS = """#!{python}
-import json, signal, sys
-if sys.argv[1:] == ["-v"]:
-    print("TShark (Wireshark) 4.0.17")
-elif "-T" in sys.argv:
-    signal.signal(signal.SIGTERM, signal.SIG_IGN)
-    print("Capture started.", file=sys.stderr, flush=True)
-    data = b"Serial-Number: 06\\r\\nPort: 5555\\r\\nName: EV3\\r\\nProtocol: EV3\\r\\n".hex()
-    layers = {{"frame_number": ["1"], "frame_protocols": ["eth:ip:udp:ev3"], "ev3_bytes": [data]}}
-    while True:
-        print(json.dumps({{"timestamp": "1", "layers": layers}}), flush=True)
+import signal, sys
+signal.signal(signal.SIGTERM, signal.SIG_IGN)
+data = open({capture!r}, "rb").read()
+blocks = data[:{head}], data[{head}:]
+sys.stdout.buffer.write(blocks[0])
+while True:
+    sys.stdout.buffer.write(blocks[1])
+    sys.stdout.flush()
 """
 """A tshark that has captured more than it will ever have handed over, and does that first when it is to stop."""
 
@@ -282,7 +261,7 @@ elif "-T" in sys.argv:
 @pytest.mark.parametrize("is_read", [True, False], ids=["read", "not read"])
 def test_it_ends_soon_whatever_was_captured(is_read: bool, tmp_path: Path) -> None:
     program = tmp_path / "tshark"
-    program.write_text(ENDLESS.format(python=sys.executable))
+    program.write_text(ENDLESS.format(python=sys.executable, capture=str(ROOT / "captures" / "wifi.pcapng"), head=48))
     program.chmod(0o755)
     hasty = "from ev3proto.cli import ending, main; ending.PATIENCE = 0.3; main.main()"
     call = [sys.executable, "-c", hasty, "live", "-i", LOOPBACK, "--tshark", str(program), "--json"]
@@ -312,12 +291,10 @@ def test_it_ends_soon_whatever_was_captured(is_read: bool, tmp_path: Path) -> No
 
 
 def test_an_interface_that_is_not_there(tshark: Tshark) -> None:
-    program = str(tshark.program)
-    status, complaint = refused("-i", "nothing0", "--tshark", program)
+    status, complaint = refused("-i", "nothing0", "--tshark", str(tshark.program))
     assert status == 1
-    assert complaint.startswith("there is no interface nothing0: there are ")
-    assert f" {LOOPBACK}," in complaint
-    assert refused("-i", "usbmon99", "--tshark", program)[1].endswith("; USB is captured after sudo modprobe usbmon\n")
+    assert "nothing0" in complaint
+    assert complaint.endswith("; tshark -D lists the interfaces, sudo modprobe usbmon adds USB\n")
 
 
 def test_no_tshark() -> None:
@@ -328,16 +305,14 @@ def test_no_tshark() -> None:
 
 
 @pytest.mark.parametrize("said", ["You don't have permission to capture on that device", "dumpcap: Permission denied"])
-def test_nobody_allowed_it(tmp_path: Path, said: str) -> None:
+def test_without_the_right_to_capture(tmp_path: Path, said: str) -> None:
     program = tmp_path / "tshark"
-    version = "case $1 in -v) echo 'TShark (Wireshark) 4.2.5.'; exit;; esac"
-    program.write_text(f'#!/bin/sh\n{version}\necho "tshark: {said}" >&2; exit 2\n')
+    program.write_text(f'#!/bin/sh\necho "tshark: {said}" >&2; exit 2\n')
     program.chmod(0o755)
     assert refused("-i", LOOPBACK, "--tshark", str(program)) == (
         1,
-        f"{program} may not capture on {LOOPBACK}: on Debian and Ubuntu run sudo dpkg-reconfigure"
-        " wireshark-common, choose Yes, join the group with sudo usermod -aG wireshark $USER, and log in again;"
-        " elsewhere run this as a user who may\n",
+        f"{program} may not capture: on Debian and Ubuntu run sudo dpkg-reconfigure wireshark-common, choose Yes, join"
+        " the group with sudo usermod -aG wireshark $USER, and log in again; elsewhere run this as a user who may\n",
     )
 
 

@@ -25,12 +25,9 @@ import ev3proto
 READS = """#!{python}
 import os, sys
 words = sys.argv[1:]
-if "-L" in words:
-    print("EN10MB")
-    sys.exit()
 if "-i" in words:
     at = words.index("-i")
-    words[at : at + 4] = ["-r", "{capture}"]
+    words[at : at + 2] = ["-r", "{capture}"]
 os.execv("{tshark}", ["tshark", *words])
 """
 """A tshark that reads a file in place of what it should capture."""

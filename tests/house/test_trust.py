@@ -315,20 +315,3 @@ def test_tshark_shares_the_limit(tshark: Tshark, monkeypatch: pytest.MonkeyPatch
     capture = read_by_tshark(path, tshark=str(tshark.path), memory=1 << 20)
     assert sum(1 for event in capture if isinstance(event, Record)) > 2900
     assert 1400 < capture.account.forgotten < 1900
-
-
-def test_half_frames_share_it_with_tshark_too(tshark: Tshark, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(tempfile, "tempdir", str(tshark.folder))
-    path = tshark.folder / "halves.pcap"
-    found = Capture(RAW_IP)
-    tone = bytes.fromhex("0e002a0080000094010182b80182e803")
-    for number in range(100):
-        one = Connection(found, 50_000 + number)
-        one.send(tone)
-        one.send(tone[:9])
-    path.write_bytes(found.data())
-    capture = read_by_tshark(path, tshark=str(tshark.path), memory=5000)
-    events = list(capture.events())
-    assert sum(isinstance(event, Record) for event in events) == 100
-    assert capture.account.forgotten == 80  # 250 bytes each
-    assert (capture.account.skipped, capture.account.balance) == (900, 0)

@@ -34,7 +34,6 @@ def test_what_is_written_is_read_as_the_same_carrier(carrier: Carrier) -> None:
 def test_every_carrier_has_its_parts(carrier: Carrier) -> None:
     """Both engines, the writer, and the dissector."""
     assert callable(import_module(f"ev3proto.capture.carriers.{carrier}").Reader)
-    assert callable(import_module(f"ev3proto.capture.carriers.{carrier}.rows").Rows)
     assert callable(import_module(f"ev3proto.generate.captures.{carrier}").Writer)
     assert carrier.value in RUNTIME
 

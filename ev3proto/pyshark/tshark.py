@@ -1,0 +1,210 @@
+"""The tshark on this computer: found, run, and what it complains of in a sentence."""
+
+from __future__ import annotations
+
+import re
+import shutil
+import subprocess
+from collections.abc import Collection, Iterator
+from contextlib import contextmanager, suppress
+from tempfile import TemporaryFile
+from types import TracebackType
+from typing import BinaryIO, Self
+
+from ev3proto.capture import CaptureError
+from ev3proto.generate.dissector.build import FILE_NAME, build
+from ev3proto.generate.dissector.install import USUAL_PLACES
+from ev3proto.temporary import temporary_folder
+
+OLDEST = (4, 0)
+"""The oldest Wireshark that the dissector runs in."""
+
+TIMEOUT = 60
+"""Seconds that a question may take."""
+
+GRACE_PERIOD = 10
+"""Seconds that tshark gets to end by itself, once it was asked to."""
+
+_PREFERENCES = (
+    "ev3.bytes:TRUE",
+    "tcp.desegment_tcp_streams:TRUE",
+    "tcp.reassemble_out_of_order:TRUE",
+    "tcp.check_checksum:FALSE",  # which network cards fill in after the packet was captured
+    "ip.defragment:TRUE",
+)
+"""What must be so, whatever the user's preferences are."""
+
+_COMPLAINT = re.compile(r"^(?:\S*[/\\])?tshark(?:\.exe)?: *(\S.*)$", re.MULTILINE)
+_UNKNOWN = re.compile(r"unknown preference|not a valid (protocol|field)|aren't valid", re.IGNORECASE)
+_ANY_FILE = re.compile(r'[Tt]he file "[^"\n]*"')
+_NO_DEVICE = re.compile(r"no device named|no interface|no such device", re.IGNORECASE)
+_NO_RIGHTS = re.compile(r"not permitted|permission to capture|sufficient permissions|dumpcap.*permission denied", re.I)
+
+RIGHTS = (
+    "on Debian and Ubuntu run sudo dpkg-reconfigure wireshark-common, choose Yes, join the group with"
+    " sudo usermod -aG wireshark $USER, and log in again; elsewhere run this as a user who may"
+)
+"""How to get the right to capture."""
+
+
+class EngineError(CaptureError):
+    """Why tshark cannot be used, and what to do, in a sentence."""
+
+
+class Tshark:
+    """A tshark on this computer.
+
+    path  where it is
+    """
+
+    def __init__(self, name: str | None = None) -> None:
+        """Looks for it.
+
+        Args:
+            name: Its path; None for the one on the path of programs, or where it usually is.
+
+        Raises:
+            EngineError: There is none.
+        """
+        found = next(filter(None, map(shutil.which, [name] if name else ["tshark", *USUAL_PLACES])), None)
+        if found is None:
+            missing = f"there is no program {name}" if name else "there is no tshark on the path"
+            raise EngineError(f"{missing}: install tshark, which is part of Wireshark, or name it with --tshark")
+        self.path = found
+
+    @contextmanager
+    def parameters(self, dialect: str, ports: Collection[int]) -> Iterator[list[str]]:
+        """The arguments with which it reads frames; the files that they name exist as long as the `with`.
+
+        The dissector that its user has installed is used, because a second one by the same name is refused.
+
+        Raises:
+            EngineError: The dissector does not run in this tshark.
+        """
+        found = re.search(r"^TShark .*?(\d+)\.(\d+)", self.ask("-v"))
+        if found is None:
+            raise EngineError(f"{self.path} is not a tshark: it does not say which Wireshark it belongs to")
+        if (int(found[1]), int(found[2])) < OLDEST:
+            raise EngineError(
+                f"{self.path} is version {found[1]}.{found[2]}: the dissector runs in Wireshark"
+                f" {'.'.join(map(str, OLDEST))} and later"
+            )
+        words = []
+        for preference in (*_PREFERENCES, f"ev3.firmware:{dialect}", f"ev3.tcp_ports:{_ranges(ports)}"):
+            words += ["-o", preference]
+        if re.search(r"\tev3(\t|$)", self.ask("-G", "protocols"), re.MULTILINE):
+            yield words
+            return
+        with temporary_folder() as folder:
+            folder.chmod(0o755)  # another user may run tshark, such as a program that drops the rights of root
+            script = folder / FILE_NAME
+            script.write_text(build(), encoding="utf-8")
+            script.chmod(0o644)
+            yield ["-X", f"lua_script:{script}", *words]
+
+    def ask(self, *words: str) -> str:
+        """What it prints when it is run with those arguments.
+
+        Raises:
+            EngineError: It fails.
+        """
+        try:
+            done = subprocess.run(
+                [self.path, *words], stdin=subprocess.DEVNULL, capture_output=True, timeout=TIMEOUT, check=False
+            )
+        except OSError as error:
+            raise EngineError(f"{self.path} cannot be run: {error.strerror or error}") from error
+        except subprocess.TimeoutExpired as error:
+            raise EngineError(f"{self.path} {' '.join(words)} took longer than {TIMEOUT} seconds") from error
+        if done.returncode != 0:
+            complaint = _said_last(done.stderr.decode("utf-8", "replace"), done.returncode)
+            raise EngineError(f"{self.path} {' '.join(words)} failed: {complaint}")
+        return done.stdout.decode("utf-8", "replace")
+
+
+class Run:
+    """A run of tshark, which ends with the `with`.
+
+    output      what it prints
+    is_stopped  it was asked to stop
+    """
+
+    def __init__(self, tshark: Tshark, *words: str) -> None:
+        """Starts tshark.
+
+        Args:
+            tshark: The program.
+            words: Its arguments.
+
+        Raises:
+            EngineError: It cannot be run.
+        """
+        self._path = tshark.path
+        self._said = TemporaryFile()  # noqa: SIM115 - closed at the end of the `with`
+        self.is_stopped = False
+        try:
+            self._process = subprocess.Popen(
+                [self._path, "-n", *words], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=self._said
+            )
+        except OSError as error:
+            raise EngineError(f"{self._path} cannot be run: {error.strerror or error}") from error
+        assert self._process.stdout is not None
+        self.output: BinaryIO = self._process.stdout  # type: ignore[assignment]
+
+    def stop(self) -> None:
+        """Asks tshark to stop: the output ends after what was captured before. Signal handlers may call it."""
+        self.is_stopped = True
+        with suppress(ProcessLookupError):
+            self._process.terminate()  # it asks the program that captures for it to end, too
+
+    def check(self) -> None:
+        """Raises EngineError if tshark failed. Call it when the output has ended."""
+        status = self._process.wait(GRACE_PERIOD)
+        if not status or self.is_stopped:
+            return
+        self._said.seek(0)
+        said = self._said.read().decode("utf-8", "replace")
+        if _UNKNOWN.search(said):
+            raise EngineError(
+                f"{self._path} does not load the dissector: the one that is installed is older than this ev3proto"
+                " (install it again with: ev3proto dissector install), this Wireshark was built without Lua, or it is"
+                " version 4.4 or later and runs as root"
+            )
+        if _NO_RIGHTS.search(said):
+            raise EngineError(f"{self._path} may not capture: {RIGHTS}")
+        if status < 0:
+            raise EngineError(f"tshark ended by signal {-status} before it had read everything")
+        hint = "; tshark -D lists the interfaces, sudo modprobe usbmon adds USB" if _NO_DEVICE.search(said) else ""
+        raise EngineError(f"tshark says: {_said_last(said, status)}{hint}")
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, where: TracebackType | None
+    ) -> None:
+        self.stop()
+        self.output.close()  # what it has not handed over yet is not waited for
+        try:
+            self._process.wait(GRACE_PERIOD)
+        except subprocess.TimeoutExpired:
+            self._process.kill()
+            self._process.wait()
+        self._said.close()
+
+
+def _said_last(said: str, status: int) -> str:
+    """The last complaint in what it printed on standard error, among warnings and remarks."""
+    complaints = _COMPLAINT.findall(said)
+    return _ANY_FILE.sub("the file", complaints[-1]).strip().rstrip(".") if complaints else f"exit status {status}"
+
+
+def _ranges(ports: Collection[int]) -> str:
+    """Ports as Wireshark's preferences have them, `5555,6000-6003`: a command line has no room for thousands."""
+    spans: list[tuple[int, int]] = []
+    for port in sorted(set(ports)):
+        if spans and spans[-1][1] == port - 1:
+            spans[-1] = spans[-1][0], port
+        else:
+            spans.append((port, port))
+    return ",".join(str(first) if first == last else f"{first}-{last}" for first, last in spans)

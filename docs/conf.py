@@ -13,7 +13,14 @@ html_title = f"ev3proto {VERSION}"
 extensions = ["myst_parser", "playground.build", "search_index"]
 myst_heading_anchors = 3
 exclude_patterns: list[str] = []
+templates_path = ["_templates"]
 html_theme = "furo"
+# Furo's own, with a link to the playground.
+html_sidebars = {
+    "**": [
+        f"sidebar/{part}.html" for part in ("brand", "search", "playground", "scroll-start", "navigation", "scroll-end")
+    ]
+}
 html_show_copyright = False
 html_show_sphinx = False
 html_copy_source = False

@@ -65,6 +65,10 @@ class Instructions(Domain):
                         yield _entry(f"{operation} {member}", "value", page, operation)
                 yield _entry(f"{declared.name}.{member}", "value", "reference/enumerations", declared.name, SECOND)
 
+    def resolve_any_xref(self, *_: Any, **__: Any) -> list[Any]:
+        """Returns no place: the pages link to headings."""
+        return []
+
     def merge_domaindata(self, docnames: Any, otherdata: Any) -> None:
         """Does nothing: the tables are the same in every process."""
 

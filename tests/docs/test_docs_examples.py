@@ -12,8 +12,11 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from support.announcing import Announcing, free_udp_port
 from support.cli import run_ev3proto_text
 from support.wireshark import Tshark
+
+from ev3proto.brick import Brick
 
 ROOT = Path(__file__).parents[2]
 PAGES = sorted([ROOT / "README.md", *(ROOT / "docs").glob("*.md"), *(ROOT / "docs" / "howto").glob("*.md")])
@@ -43,14 +46,14 @@ class Session:
 
     def __init__(self, folder: Path) -> None:
         self._folder = folder
-        self._port = PORT
+        self.port = PORT
         self._bricks: list[subprocess.Popen[str]] = []
         path = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
         self._environment = {**os.environ, "PATH": path}
 
     def run(self, command: str) -> str:
         """What a command prints on standard output."""
-        command = re.sub(r"127\.0\.0\.1(?!:)", f"127.0.0.1:{self._port}", command.replace("bin/ev3proto", "ev3proto"))
+        command = re.sub(r"127\.0\.0\.1(?!:)", f"127.0.0.1:{self.port}", command.replace("bin/ev3proto", "ev3proto"))
         if command.startswith("ev3proto brick"):
             return self._brick(command)
         if command.startswith("ev3proto ") and not re.search(r"[|;<>&$*]", re.sub(r"'[^']*'|\"[^\"]*\"", "", command)):
@@ -66,7 +69,7 @@ class Session:
                 check=False,
                 timeout=120,
             )
-        return done.stdout.replace(f"127.0.0.1:{self._port}", f"127.0.0.1:{PORT}")
+        return done.stdout.replace(f"127.0.0.1:{self.port}", f"127.0.0.1:{PORT}")
 
     def _brick(self, command: str) -> str:
         words = [*command.split(), "--port", "0", "--no-beacon", "--root", str(self._folder / "root")]
@@ -74,8 +77,8 @@ class Session:
         self._bricks.append(brick)
         assert brick.stdout is not None
         line = brick.stdout.readline()
-        self._port = int(line.rpartition(":")[2])
-        return line.replace(str(self._port), str(PORT))
+        self.port = int(line.rpartition(":")[2])
+        return line.replace(str(self.port), str(PORT))
 
     def end(self) -> None:
         """Switches the bricks off."""
@@ -160,6 +163,68 @@ def test_the_javascript_program_reads_the_frame(tmp_path: Path) -> None:
         )
         assert (done.returncode, done.stderr) == (0, ""), "run tests/run once"
     assert done.stdout == shown
+
+
+def test_the_transfer_on_the_page_of_the_protocol_is_what_a_brick_says(tmp_path: Path) -> None:
+    page = (ROOT / "docs" / "protocol.md").read_text(encoding="utf-8")
+    lines = page.partition("Three bytes go to the brick like this:")[2].partition("A listing is text")[0]
+    begin, begun, continued, ended = [
+        bytes.fromhex(line.replace(":", "").replace("|", "")) for line in re.findall(r"^0x\|(\S+)", lines, re.MULTILINE)
+    ]
+    brick = Brick(root=tmp_path)
+    assert brick.receive(begin) == [begun]
+    assert brick.receive(continued) == [ended]
+
+
+@pytest.fixture
+def node_client(tmp_path: Path) -> Path:
+    """A folder with the client that docs/howto/client.md shows."""
+    page = ROOT / "docs" / "howto" / "client.md"
+    for name, program in zip(("client.js", "robot.js"), blocks(page, "javascript"), strict=True):
+        (tmp_path / name).write_text(program)
+    assert (tmp_path / "client.js").read_text().count("\n") <= 100
+    return tmp_path
+
+
+def node(folder: Path, *words: str) -> str:
+    done = subprocess.run(["node", *words], cwd=folder, capture_output=True, text=True, check=False, timeout=60)
+    assert (done.returncode, done.stderr) == (0, "")
+    return done.stdout
+
+
+def test_the_client_in_javascript_works_with_the_virtual_brick(node_client: Path, session: Session) -> None:
+    brick = session.run("ev3proto brick --no-beacon --quiet")
+    (shown,) = blocks(ROOT / "docs" / "howto" / "client.md", "text")
+    address = f"127.0.0.1:{session.port}"
+    assert brick == f"listening on 127.0.0.1:{PORT}\n"
+    assert node(node_client, "robot.js", address) == shown
+    assert node(node_client, "robot.js", address) == shown, "the brick serves the next client"
+
+
+def test_the_client_in_javascript_gives_each_command_its_reply(node_client: Path, session: Session) -> None:
+    session.run("ev3proto brick --no-beacon --quiet --delay 0.05")
+    program = f"""
+        const {{ Brick, LC, LCS, GV }} = require("./client");
+        (async () => {{
+          const brick = await Brick.connect({{ host: "127.0.0.1", port: {session.port} }});
+          const op = (opcode, ...parts) => Buffer.concat([Buffer.from([opcode]), ...parts]);
+          const move = (n) => op(0x3a, LC(n), GV(40));
+          const asked = [7, 300, -70000].map((n) => brick.direct([move(n)], {{ globals: 44 }}));
+          asked.push(brick.direct([op(0x82, LC(8), LCS("text"))]));
+          for (const memory of await Promise.all(asked)) console.log(memory.length && memory.readInt32LE(40));
+          console.log(await brick.direct([move(1)], {{ reply: false }}));
+          brick.close();
+        }})();
+    """
+    assert node(node_client, "-e", program) == "7\n300\n-70000\n0\nnull\n"
+
+
+def test_the_client_in_javascript_finds_a_brick_by_its_beacon(node_client: Path) -> None:
+    port = free_udp_port()
+    program = f"require('./client').find({port}).then((brick) => console.log(JSON.stringify(brick)))"
+    with Announcing("0016533f0c1e", 5556, to=port):
+        found = json.loads(node(node_client, "-e", program))
+    assert found == {"host": "127.0.0.1", "port": 5556, "serial": "0016533f0c1e", "name": "robot"}
 
 
 CLIENT = """\

@@ -214,7 +214,7 @@ def test_an_entry_in_full() -> None:
     text = (DOCS / "reference" / "sound.md").read_text(encoding="utf-8")
     entry = text.partition("### SOUND.TONE\n")[2].partition("\n### ")[0]
     assert "- Opcode `0x94`, CMD 1: it starts with `94 01`." in entry
-    assert "| `FREQUENCY` | in | DATA16 | Pitch; the driver moves others into the range (250 to 10000 Hz). |" in entry
+    assert "| `FREQUENCY` | in | DATA16 | Pitch; the driver clamps it to the range (250 to 10000 Hz). |" in entry
     assert "ev3proto.command(ops.sound.tone(volume=50, frequency=440, duration=1000), counter=1)" in entry
     assert "82 B8 01  FREQUENCY = 440 Hz  LC2" in entry
     assert "`ev3.sound.tone.frequency`" in entry

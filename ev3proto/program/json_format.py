@@ -8,7 +8,7 @@ from ev3proto.messages import Operation
 from ev3proto.program.image import Program
 from ev3proto.program.listing import called_by
 from ev3proto.program.objects import CodeObject
-from ev3proto.text.assembly.writing import goal_of
+from ev3proto.text.assembly.disassembly import goal_of
 from ev3proto.text.json_format.from_messages import operation_record
 
 

@@ -7,11 +7,9 @@ What the usual rules make is written as people write it. What they would make ot
 
 from __future__ import annotations
 
-import json
 import math
 import struct
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from decimal import Decimal
 
 from ev3proto.messages import Argument, Operation
 from ev3proto.program.image import Program
@@ -20,23 +18,36 @@ from ev3proto.program.parameters import ProgramParameter, code_of
 from ev3proto.program.variables import MOST_DECLARED, DeclaredVariable, declared
 from ev3proto.schema.argument import encode_as
 from ev3proto.tables.declaration import Type
-from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL, STRING_CODING, TEXT
+from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL, TEXT
 from ev3proto.tables.program import RELEASE_VERSION, VERSIONS, ObjectKind
-from ev3proto.tables.source import BYTES, ESCAPES, PARAMETER_WORDS
-from ev3proto.text.assembly.macro_notation import in_macro
+from ev3proto.tables.source import BYTES, PARAMETER_WORDS
+from ev3proto.text.assembly.disassembly import (
+    NO_LABELS,
+    TEXT_ESCAPES,
+    Labels,
+    OperationWriter,
+    end_of,
+    float_literal,
+    goal_of,
+    hex_lines,
+    in_macro,
+    labels_of,
+    text_literal,
+)
 from ev3proto.text.assembly.names import OBJECT_PARAMETER, firmware_names
 from ev3proto.text.assembly.notations import BASIC, OF_BASIC, OF_EV3_G, OF_LEGO, Rules
 from ev3proto.text.assembly.settings import GAP, MARK, OPEN, OWN
-from ev3proto.text.assembly.values import integer, single_bits, variable
-from ev3proto.text.assembly.writing import NO_LABELS, Labels, OperationWriter, end_of, goal_of, labels_of
-from ev3proto.text.phrases import short_float, spaced_hex
+from ev3proto.text.assembly.values import integer, variable
+from ev3proto.text.phrases import spaced_hex
 
 _OBJECT_END, _RETURN, _CALL = "OBJECT_END", "RETURN", "CALL"
 _NAMES = {ObjectKind.THREAD: "thread", ObjectKind.SUBCALL: "sub", ObjectKind.BLOCK: "block"}
 _EV3_G_VERSIONS = (0x00, 0x39)
-_BYTES_A_LINE = 32
 _LOCAL_NAME, _GLOBAL_NAME, _PARAMETER_NAME, _LABEL_NAME = "l", "g", "p", "to"
 _NAN_NAME = "DATAF_NAN"
+_BASIC_ESCAPES = {
+    letter: escape for letter, escape in TEXT_ESCAPES.items() if (escape, letter) in (BASIC.escapes or ())
+}
 _PARAMETER_BY_KIND = {
     # The words of handles make the same code as those of 16 bits.
     value: word
@@ -292,7 +303,7 @@ class Writer(OperationWriter):
         if argument.is_variable:
             return self._variable(argument)
         if argument.kind == TEXT:
-            return _text(argument, _BASIC_ESCAPED if self.rules is OF_BASIC else _ESCAPED)
+            return self._text(argument)
         if argument.form.handle or argument.form.address:
             return _bytes(raw)
         if isinstance(value, float):
@@ -311,12 +322,18 @@ class Writer(OperationWriter):
             return self.names[value - 1]
         return str(value)
 
+    def _text(self, argument: Argument) -> str:
+        text = str(argument.value)
+        shown = text_literal(text, _BASIC_ESCAPES if self.rules is OF_BASIC else TEXT_ESCAPES)
+        return shown if argument.raw == encode_as("LCS_OLD", text) else in_macro(argument, shown)
+
     def _float(self, raw: bytes) -> str:
         """A float in LC4, the only encoding in which one is seen as a float."""
         bits = int.from_bytes(raw[1:], "little", signed=True)
-        if not math.isfinite(_single(bits)):
+        (value,) = struct.unpack("<f", raw[1:])
+        if not math.isfinite(value):
             return _NAN_NAME if firmware_names()[_NAN_NAME] == bits else f"!0x{bits & 0xFFFFFFFF:08X}"
-        text = float_text(bits)
+        text = float_literal(value)
         return text if self.rules.long_floats or integer(bits, self.rules) == raw else f"LCF({text})"
 
     def _variable(self, argument: Argument) -> str:
@@ -333,49 +350,12 @@ def _declaration(variable: DeclaredVariable, name: str) -> str:
     return f"{variable.word} {name}" if variable.count is None else f"{variable.word} {name} {variable.count}"
 
 
-# Single arguments
-
-
-_PLAIN = frozenset(range(0x20, 0x7F)) - {ord("'"), ord("\\")}
-_ESCAPED = {ord(character): escape for escape, character in ESCAPES}
-_BASIC_ESCAPED = {byte: escape for byte, escape in _ESCAPED.items() if (escape, chr(byte)) in (BASIC.escapes or ())}
-
-
-def _text(argument: Argument, escapes: Mapping[int, str]) -> str:
-    """A text in single quotes where every dialect reads it alike, or else in double quotes, which only ours knows."""
-    raw = argument.raw
-    data = raw[1:-1]
-    is_a_letter = len(data) == 2 and data[:1] == b"_"  # '_x' is a number in LEGO's dialect
-    if not is_a_letter and all(byte in _PLAIN or byte in escapes for byte in data):
-        body = "".join(escapes.get(byte, chr(byte)) for byte in data)
-        text = f"'{body}'"
-    else:
-        text = json.dumps(data.decode(STRING_CODING))
-    if raw == encode_as("LCS_OLD", "")[:1] + data + b"\0":
-        return text
-    return in_macro(argument, text)
-
-
-def float_text(bits: int) -> str:
-    """A finite single as a literal that means the same bits: `1.5F`, `-0.0F`, never with a signed exponent."""
-    value = _single(bits)
-    text = short_float(value)
-    if "e" in text:
-        text = format(Decimal(text), "f")
-        text = text if "." in text else f"{text}.0"
-    if value == 0.0:
-        text = "0.0" if bits == 0 else "-0.0"
-    assert single_bits(float(text)) == bits, text
-    return f"{text}F"
-
-
 def _bytes(data: bytes) -> str:
     return f"{BYTES}({spaced_hex(data)})"
 
 
 def _raw(data: bytes) -> Iterator[str]:
-    for start in range(0, len(data), _BYTES_A_LINE):
-        yield f"  {_bytes(data[start : start + _BYTES_A_LINE])}"
+    return (f"  {BYTES}({line})" for line in hex_lines(data))
 
 
 # Facts about objects and operations
@@ -418,11 +398,6 @@ def _wider(known: Type | None, kind: Type) -> Type:
     if known is None or kind is Type.STRING:
         return kind
     return kind if known is not Type.STRING and kind.size > known.size else known
-
-
-def _single(bits: int) -> float:
-    """The number that the bits of a single mean."""
-    return float(struct.unpack("<f", struct.pack("<i", bits))[0])
 
 
 _RULES = {

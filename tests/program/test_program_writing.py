@@ -95,7 +95,7 @@ def test_its_own_names_hide_none_of_the_firmwares() -> None:
         ("3E 83 17 B7 D1 38 60", "MOVEF_32(0.0001F, g0)"),
         ("7D 05 84 78 00 60", "STRINGS(DUPLICATE, LCS('x'), g0)"),
         ("7D 81 05 80 78 00 60", "STRINGS(LC1(DUPLICATE), 'x', g0)"),
-        ("7D 05 80 E4 5C 00 60", r'STRINGS(DUPLICATE, "\u00e4\\", g0)'),
+        ("7D 05 80 E4 5C 00 60", r'STRINGS(DUPLICATE, "ä\\", g0)'),
         ("40 82 02 00 40 00", "JR(LC0(to1))"),
         ("40 A0 00", "JR(LAB1(to1))"),
         ("40 81 64", "JR(100)"),

@@ -47,9 +47,8 @@ begins a message that is nothing but bytes.
 from __future__ import annotations
 
 from ev3proto.messages import Message
-from ev3proto.text.assembly.disassembly import assembly
+from ev3proto.text.assembly.disassembly import assembly, operation_line
 from ev3proto.text.assembly.errors import AssemblyError
-from ev3proto.text.assembly.macro_notation import operation_line
 
 __all__ = ["AssemblyError", "assemble", "assembly", "operation_line"]
 

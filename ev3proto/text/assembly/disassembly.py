@@ -1,11 +1,25 @@
-"""Messages as assembly, in either notation. Nothing of a frame is lost."""
+"""Messages and operations as assembly, in either notation. Nothing of a frame is lost.
+
+The notation of the firmware's macros names every encoding: `opSOUND, LC0(TONE), LC0(1), LC2(440), LC2(1000)`. LEGO's,
+the one of its sources, cannot: `SOUND(TONE,1,440,1000)` has each value as an assembler encodes it. Any other encoding
+is written as a macro there, too, `LC2(1)`, and so are variables without a name. Programs are written by
+the same writer, `ev3proto.program.writing`, which has names for more.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+import json
+import math
+import struct
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from decimal import Decimal
+from functools import cache
+from typing import NamedTuple
 
 from ev3proto.dialogue import Exchange
+from ev3proto.errors import BuildError
 from ev3proto.messages import (
+    Argument,
     DaisyCommand,
     DaisyReply,
     DirectCommand,
@@ -16,21 +30,23 @@ from ev3proto.messages import (
     SystemCommand,
     SystemReply,
 )
+from ev3proto.schema.argument import LABEL_BYTE, ArgumentSchema
+from ev3proto.tables.constants import CONSTANTS
+from ev3proto.tables.declaration import Enumeration, Type
+from ev3proto.tables.encoding import BITS, CONSTANT, JUMP
+from ev3proto.tables.enumerations import NUMBERS
 from ev3proto.tables.frame import MAX_LENGTH
-from ev3proto.tables.source import BYTES
+from ev3proto.tables.source import BYTES, ESCAPES
 from ev3proto.tables.system import SYSTEM_BY_NUMBER
-from ev3proto.text.assembly.macro_notation import operation_line
-from ev3proto.text.assembly.words import CUT, FRAME, MESSAGE, STATUS, command_name
-from ev3proto.text.assembly.writing import lego_lines
-from ev3proto.text.phrases import LEGO, MACROS, quoted, spaced_hex
+from ev3proto.text.assembly.notations import CUT, FRAME, MESSAGE, OF_FRAMES, STATUS, Rules, command_name
+from ev3proto.text.assembly.values import integer, measure
+from ev3proto.text.phrases import LEGO, MACROS, quoted, short_float, spaced_hex
 
 _BYTES_A_LINE = 32
+_LABEL = "Label"
+_NOT_A_FLOAT = "DATAF_NAN"
 
-
-Notation = Callable[[Sequence[Operation]], Iterator[str]]
-"""The operations of a message as lines."""
-
-_WRITERS: dict[str, Notation] = {MACROS: lambda operations: map(operation_line, operations), LEGO: lego_lines}
+# Messages
 
 
 def assembly(exchange: Exchange, heading: str, notation: str = MACROS) -> Iterator[str]:
@@ -59,7 +75,7 @@ def assembly(exchange: Exchange, heading: str, notation: str = MACROS) -> Iterat
         yield from _bytes(message.build())
     else:
         yield _header(message)
-        yield from _body(message, _WRITERS[notation])
+        yield from _body(message, {MACROS: macro_lines, LEGO: lego_lines}[notation])
         yield from _bytes(message.rest)
     if message.fault is not None:
         yield f"// fault at {message.fault}"
@@ -80,7 +96,7 @@ def _header(message: Message) -> str:
     return " ".join(words)
 
 
-def _body(message: Message, notation: Notation) -> Iterator[str]:
+def _body(message: Message, notation: Callable[[Sequence[Operation]], Iterator[str]]) -> Iterator[str]:
     match message:
         case DirectCommand():
             yield from notation(message.operations)
@@ -114,15 +130,275 @@ def _field(value: FieldValue) -> str:
         return quoted(value)
     if isinstance(value, int):
         return str(value)
-    lines = [spaced_hex(line) for line in _cut(value)]
-    return f"{BYTES}({lines[0] if lines else ''})" if len(lines) < 2 else "\n".join((f"{BYTES}(", *lines)) + ")"
+    lines = list(hex_lines(value))
+    return f"{BYTES}({''.join(lines)})" if len(lines) < 2 else "\n".join((f"{BYTES}(", *lines)) + ")"
 
 
 def _bytes(data: bytes) -> Iterator[str]:
-    for line in _cut(data):
-        yield f"{BYTES} {spaced_hex(line)}"
+    return (f"{BYTES} {line}" for line in hex_lines(data))
 
 
-def _cut(data: bytes) -> Iterator[bytes]:
-    for start in range(0, len(data), _BYTES_A_LINE):
-        yield data[start : start + _BYTES_A_LINE]
+def hex_lines(data: bytes) -> Iterator[str]:
+    """Bytes in hex, 32 a line."""
+    return (spaced_hex(data[start : start + _BYTES_A_LINE]) for start in range(0, len(data), _BYTES_A_LINE))
+
+
+# Operations in macros
+
+
+def macro_lines(operations: Sequence[Operation]) -> Iterator[str]:
+    """Writes the operations of one message, a line each."""
+    return map(operation_line, operations)
+
+
+def operation_line(operation: Operation) -> str:
+    """Writes one operation with the macro of every encoding. One that is cut short ends in `...`.
+
+    Raises:
+        TypeError: It is not an Operation.
+    """
+    if not isinstance(operation, Operation):
+        raise TypeError(f"a line is made of an Operation, not of {type(operation).__name__}")
+    pieces = [f"op{operation.name}"]
+    if operation.cmd is not None:
+        pieces.append(in_macro(operation.cmd, operation.command or ""))
+    pieces += map(_macro, operation.arguments)
+    if not operation.is_complete:
+        pieces.append(CUT)
+    return ", ".join(pieces)
+
+
+def in_macro(argument: Argument, value: str, macro: str | None = None) -> str:
+    """Writes an argument as the macro of its encoding: `LC2(440)`, `HND(LV1(4))`.
+
+    Args:
+        argument: The argument.
+        value: The text in the macro.
+        macro: The macro's name, where it is not that of the encoding.
+
+    Returns:
+        The macro. For a jump that no macro makes, bytes as they are.
+    """
+    if argument.kind == JUMP and argument.raw[0] != LABEL_BYTE:
+        # The firmware looks at three bits of it only, so that several bytes mean a label.
+        return f"{BYTES}({spaced_hex(argument.raw)})"
+    text = f"{macro or argument.encoding}({value})"
+    if argument.form.handle:
+        text = f"HND({text})"
+    return f"ADR({text})" if argument.form.address else text
+
+
+def _macro(argument: Argument) -> str:
+    """An argument in the macro of its encoding. Of a float every bit counts."""
+    value = argument.value
+    if isinstance(value, str):
+        return in_macro(argument, quoted(value))
+    if isinstance(value, float):
+        text = short_float(value)
+        if struct.pack("<f", float(text)) == argument.raw[1:]:
+            return in_macro(argument, text, "LCF")
+        return in_macro(argument, f"0x{int.from_bytes(argument.raw[1:], 'little'):08X}")
+    return in_macro(argument, _name(argument, value) or str(value))
+
+
+def _name(argument: Argument, value: int) -> str | None:
+    """The firmware's name of a constant in the enumeration of its parameter."""
+    enum = argument.parameter.enum
+    return None if enum is None or argument.kind != CONSTANT else _symbols(enum).get(value)
+
+
+@cache
+def _symbols(enum: Enumeration) -> dict[int, str]:
+    """The first name of each number."""
+    return {number: name for name, number in reversed(list(enum.members.items()))}
+
+
+# Operations in LEGO's notation
+
+
+class Labels(NamedTuple):
+    """The labels of a code.
+
+    names  by the offset that is jumped to
+    forms  by the offset of a jump: its encoding, where the assembler would choose another
+    """
+
+    names: Mapping[int | None, str] = {}
+    forms: Mapping[int, str] = {}
+
+
+NO_LABELS = Labels()
+
+
+def goal_of(step: Operation) -> int | None:
+    """The offset that a jump leads to, None for all other operations."""
+    parameters = step.declaration.parameters
+    if not parameters or parameters[-1].type is not Type.LABEL or step.name == "LABEL" or not step.is_complete:
+        return None
+    argument = step.arguments[-1]
+    if argument.kind not in (CONSTANT, JUMP) or argument.form.handle or argument.form.address:
+        return None
+    if argument.kind == JUMP and argument.raw[0] != LABEL_BYTE:
+        return None
+    return end_of(step) + int(argument.value)
+
+
+def end_of(step: Operation) -> int:
+    """The offset after an operation."""
+    return step.offset + step.length
+
+
+def labels_of(steps: Sequence[Operation], places: Iterable[int], rules: Rules, prefix: str) -> Labels:
+    """Gives labels their names, and says of which jumps the encoding has to be written.
+
+    Args:
+        steps: Operations that follow each other.
+        places: Offsets that a label can be at.
+        rules: Those of the assembler that is to read them.
+        prefix: What the names of labels start with.
+    """
+    known = set(places)
+    jumps = {step.offset: step for step in steps if goal_of(step) in known}
+    goals = sorted({goal for goal in map(goal_of, jumps.values()) if goal is not None})
+    encodings = {offset: step.arguments[-1].encoding for offset, step in jumps.items()}
+    forms = {offset: form for offset, form in encodings.items() if form == "LAB1"}
+    while True:
+        sizes: list[int] = []
+        parts: dict[int | None, int] = {}
+        numbers: dict[int, int] = {}
+        for step in steps:
+            parts[step.offset] = len(sizes)
+            size = len(step.arguments[-1].raw) if step.offset in jumps else 0
+            sizes += [step.length - size, size]
+            numbers[step.offset] = len(sizes) - 1
+        if steps:
+            parts.setdefault(end_of(steps[-1]), len(sizes))
+        wanted = list(sizes)
+        free = {numbers[offset]: parts[goal_of(step)] for offset, step in jumps.items() if offset not in forms}
+        measure(sizes, free, rules)
+        wrong = [offset for offset in jumps if sizes[numbers[offset]] != wanted[numbers[offset]]]
+        if not wrong:
+            return Labels({offset: f"{prefix}{number}" for number, offset in enumerate(goals, 1)}, forms)
+        forms |= {offset: encodings[offset] for offset in wrong}
+
+
+def lego_lines(operations: Sequence[Operation]) -> Iterator[str]:
+    """Writes the operations of one message, with a label at every place that they jump to.
+
+    Args:
+        operations: As they follow each other in a frame.
+
+    Yields:
+        A line for each operation and each label.
+    """
+    labels, end = NO_LABELS, 0
+    if operations and all(operation.is_complete for operation in operations):
+        end = end_of(operations[-1])
+        labels = labels_of(operations, [*(one.offset for one in operations), end], OF_FRAMES, _LABEL)
+    writer = OperationWriter()
+    for operation in operations:
+        if operation.offset in labels.names:
+            yield f"{labels.names[operation.offset]}:"
+        yield writer.line(operation, labels)
+    if end in labels.names:
+        yield f"{labels.names[end]}:"
+
+
+class OperationWriter:
+    """Writes operations as statements.
+
+    rules      those of the assembler that is to read them
+    separator  what is written between two values
+    """
+
+    separator = ","
+
+    def __init__(self, rules: Rules = OF_FRAMES) -> None:
+        self.rules = rules
+
+    def line(self, operation: Operation, labels: Labels = NO_LABELS) -> str:
+        """One operation. One that is cut short ends in `...`. Jumps to no label are written as numbers."""
+        values: list[str] = []
+        cmd = operation.cmd
+        if cmd is not None:
+            values.append(self.number(cmd, operation.command or ""))
+        values += self.arguments(operation, labels)
+        if not operation.is_complete:
+            values.append(CUT)
+        return f"{operation.name}({self.separator.join(values)})"
+
+    def arguments(self, operation: Operation, labels: Labels) -> Iterable[str]:
+        """The arguments of an operation."""
+        label = labels.names.get(goal_of(operation))
+        if label is None:
+            return map(self.argument, operation.arguments)
+        form = labels.forms.get(operation.offset)
+        jump = label if form is None else f"{form}({label})"
+        return [*map(self.argument, operation.arguments[:-1]), jump]
+
+    def number(self, argument: Argument, text: str) -> str:
+        """A whole number as its text, in the macro of its encoding where that is not the usual one."""
+        usual = integer(int(argument.value), self.rules) if argument.kind == CONSTANT else None
+        return text if usual == argument.raw else in_macro(argument, text)
+
+    def argument(self, argument: Argument) -> str:
+        """One argument: as a plain value if that is encoded to the same bytes."""
+        if argument.is_variable or argument.kind == JUMP:
+            return _macro(argument)
+        text, value = _text(argument)
+        if _encoded(argument, value) == argument.raw:
+            return text
+        return in_macro(argument, text) if isinstance(value, str) else _macro(argument)
+
+
+# Values
+
+
+def _text(argument: Argument) -> tuple[str, int | float | str]:
+    """A constant as it is written, and the value that is read from that."""
+    value, parameter = argument.value, argument.parameter
+    if isinstance(value, str):
+        return text_literal(value), value
+    if isinstance(value, float):
+        if value != value:
+            return _NOT_A_FLOAT, value
+        text = str(value) if math.isinf(value) else float_literal(value)
+        return text, value
+    if parameter.unsigned and value < 0:
+        value += BITS[parameter.type][-1] + 1
+    known = (name for name, number in parameter.names.items() if number == value)
+    common = next((name for name in known if name in NUMBERS or name in CONSTANTS), None)
+    return _name(argument, value) or common or str(value), value
+
+
+def _encoded(argument: Argument, value: int | float | str) -> bytes:
+    """The bytes that a plain value gets as this argument; none where it cannot be there."""
+    if argument.form.handle or argument.form.address:
+        return b""
+    try:
+        return ArgumentSchema(argument.parameter).write(value)
+    except BuildError:
+        return b""
+
+
+TEXT_ESCAPES = {character: escape for escape, character in ESCAPES}
+_PLAIN = frozenset(map(chr, range(0x20, 0x7F))) - set("'\\")
+
+
+def text_literal(text: str, escapes: Mapping[str, str] = TEXT_ESCAPES) -> str:
+    """A text in LEGO's quotes with its escapes; with other signs in double quotes, with the escapes of C.
+
+    In single quotes, `'_x'` is a number in the sources of LEGO's programs.
+    """
+    if all(letter in _PLAIN or letter in escapes for letter in text) and not (len(text) == 2 and text[0] == "_"):
+        return f"'{''.join(escapes.get(letter, letter) for letter in text)}'"
+    return json.dumps(text, ensure_ascii=not text.isprintable())
+
+
+def float_literal(value: float) -> str:
+    """A finite single as a literal that means the same bits: `1.5F`, `-0.0F`, never with a signed exponent."""
+    text = short_float(value) if value else str(value)
+    if "e" in text:
+        text = format(Decimal(text), "f")
+        text = text if "." in text else f"{text}.0"
+    return f"{text}F"

@@ -15,6 +15,36 @@ from enum import Enum
 from typing import NamedTuple
 
 from ev3proto.tables.source import BACKSLASH, ESCAPES, LEGO_ESCAPES, OBJECT_WORDS
+from ev3proto.tables.system import SystemCommand
+
+MESSAGE = "message"
+"""Begins a message whose header it tells."""
+
+FRAME = "frame"
+"""Begins a message that is nothing but bytes."""
+
+FORMS = (
+    *("LC0", "LC1", "LC2", "LC4", "LCX", "LCF", "LCS", "LCS_OLD", "LAB1"),
+    *("LV0", "LV1", "LV2", "LV4", "LVX", "LV", "GV0", "GV1", "GV2", "GV4", "GVX", "GV"),
+)
+"""The macros that fix how a value is encoded."""
+
+SHORTEST = ("LCX", "LVX", "LV", "GVX", "GV")
+"""Those of them that leave it to us."""
+
+MARKS = ("HND", "ADR")
+"""The macros that set a bit of what they enclose."""
+
+CUT = "..."
+"""Ends an operation or a system command that is cut short."""
+
+STATUS = "status"
+"""The name by which a system reply's status is given."""
+
+
+def command_name(entry: SystemCommand) -> str:
+    """The name of a system command. BEGIN_DOWNLOAD is the firmware's and the bootloader's."""
+    return f"BOOTLOADER.{entry.name}" if entry.bootloader else entry.name
 
 
 class Jumps(Enum):

@@ -16,10 +16,10 @@ from ev3proto.tables.encoding import CONSTANT
 from ev3proto.tables.system import SYSTEM
 from ev3proto.text.assembly.errors import SourceError
 from ev3proto.text.assembly.names import NOT_NUMBERS, suggestion
+from ev3proto.text.assembly.notations import SHORTEST
 from ev3proto.text.assembly.parsing import is_operation_word
 from ev3proto.text.assembly.syntax import Call, Form, Name, Number, Raw, Value, WrittenArgument
 from ev3proto.text.assembly.values import Encoder, Piece
-from ev3proto.text.assembly.words import SHORTEST
 
 _MOST_NAMED = 8
 """CMDs that an error names."""

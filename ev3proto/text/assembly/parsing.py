@@ -27,7 +27,18 @@ from ev3proto.tables.source import (
 from ev3proto.text.assembly.errors import SourceError, cited
 from ev3proto.text.assembly.lexing import BAD, END, NAME, NUMBER, TEXT, WORD, Token, text_of, tokens
 from ev3proto.text.assembly.names import suggestion
-from ev3proto.text.assembly.notations import BASIC, Arithmetic, Notation, Octal, Point
+from ev3proto.text.assembly.notations import (
+    BASIC,
+    CUT,
+    FORMS,
+    FRAME,
+    MARKS,
+    MESSAGE,
+    Arithmetic,
+    Notation,
+    Octal,
+    Point,
+)
 from ev3proto.text.assembly.syntax import (
     Alias,
     Call,
@@ -55,7 +66,6 @@ from ev3proto.text.assembly.syntax import (
     Value,
     WrittenArgument,
 )
-from ev3proto.text.assembly.words import CUT, FORMS, FRAME, MARKS, MESSAGE
 
 MAX_DEPTH = 50
 """Nesting of values."""

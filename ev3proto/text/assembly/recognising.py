@@ -7,7 +7,7 @@ import re
 from ev3proto.tables import OPCODES
 from ev3proto.tables.source import BYTES, OBJECT_WORDS, OLD_WORDS, PARAMETER_WORDS, VARIABLE_WORDS
 from ev3proto.tables.system import SYSTEM
-from ev3proto.text.assembly.words import FRAME, MESSAGE
+from ev3proto.text.assembly.notations import FRAME, MESSAGE
 
 OBJECT = re.compile(rf"^[ \t]*({'|'.join(OBJECT_WORDS)})[ \t]+[A-Za-z_]", re.MULTILINE)
 """How an object of a program's source begins. A direct command may be written as one vmthread."""

@@ -9,9 +9,9 @@ from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.system import SYSTEM, Field, Kind, SystemCommand, SystemStatus
 from ev3proto.text.assembly.errors import SourceError
 from ev3proto.text.assembly.names import suggestion
+from ev3proto.text.assembly.notations import STATUS, command_name
 from ev3proto.text.assembly.syntax import Call, Name, Raw, WrittenArgument
 from ev3proto.text.assembly.values import Encoder
-from ev3proto.text.assembly.words import STATUS, command_name
 
 _LOGIC = {"true": True, "false": False}
 

@@ -29,7 +29,7 @@ from ev3proto.tables.encoding import GLOBAL, LOCAL, RANGES
 from ev3proto.tables.source import VARIABLE_WORDS
 from ev3proto.text.assembly.errors import SourceError, cited
 from ev3proto.text.assembly.names import NOT_NUMBERS, Callee, Encoded, Goal, Meaning, Names, Place, suggestion
-from ev3proto.text.assembly.notations import Arithmetic, Jumps, Rules
+from ev3proto.text.assembly.notations import MARKS, SHORTEST, Arithmetic, Jumps, Rules
 from ev3proto.text.assembly.syntax import (
     Define,
     Distance,
@@ -47,7 +47,6 @@ from ev3proto.text.assembly.syntax import (
     Unchecked,
     Value,
 )
-from ev3proto.text.assembly.words import MARKS, SHORTEST
 
 _LARGEST = 1 << 64
 """No number on the way to a value may be larger."""

@@ -26,7 +26,7 @@ from ev3proto import (
     system_command,
     system_reply,
 )
-from ev3proto.capture.conversation import Conversation
+from ev3proto.capture.conversation import MOST_PENDING, Conversation
 from ev3proto.capture.record import Announcement, Direction, Event, Record, Route, Skipped, TextKind
 from ev3proto.capture.timeline import (
     Form,
@@ -46,7 +46,6 @@ from ev3proto.capture.timeline.collecting import (
     MOST_FILES,
     MOST_LANES,
     MOST_TROUBLES,
-    MOST_WAITING,
     clean,
 )
 from ev3proto.capture.timeline.marks import MOST_BINS, OTHERS, Bins
@@ -382,10 +381,10 @@ def test_files_are_limited() -> None:
 
 def test_commands_that_wait_are_limited() -> None:
     brick = Brick()
-    events: Iterator[Event] = (brick.tells(number, ask(number % 65536, VOLTAGE)) for number in range(MOST_WAITING + 9))
+    events: Iterator[Event] = (brick.tells(number, ask(number % 65536, VOLTAGE)) for number in range(MOST_PENDING + 9))
     timeline = collect(events, most_marks=10)
     assert timeline is not None
-    assert timeline.outcomes == {MarkState.UNANSWERED: MOST_WAITING + 9}
+    assert timeline.outcomes == {MarkState.UNANSWERED: MOST_PENDING + 9}
 
 
 # Layout

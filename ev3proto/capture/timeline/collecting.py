@@ -11,9 +11,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from ev3proto.bounded import Bounded
-from ev3proto.capture.conversation import MOST_PENDING
-from ev3proto.capture.dialogues import is_error
+from ev3proto.capture.dialogues import RequestReply, dialogues, is_error
 from ev3proto.capture.moving import begins
 from ev3proto.capture.record import NANOSECONDS, Announcement, Event, Record, Route, Skipped, utc
 from ev3proto.capture.timeline.marks import OTHERS, TROUBLES, Bins, Lane, LaneKind, Mark, MarkState, Tally, Timeline
@@ -33,9 +31,6 @@ MOST_FILES = 500
 
 MOST_BRICKS = 8
 """Bricks that have lanes of their own; the rest share theirs."""
-
-MOST_WAITING = MOST_PENDING * MOST_BRICKS
-"""Commands that wait for their reply; the oldest beyond that counts as never answered."""
 
 MOST_LANES = 300
 """Lanes of all bricks together; what comes beyond that goes into the lane OTHERS of its kind."""
@@ -78,9 +73,9 @@ def collect(
         The timeline; None where there is nothing to draw.
     """
     collector = _Collector(chosen, window or Window(), most_marks)
-    for event in events:
-        collector.feed(event)
-    return collector.finish()
+    for pair in dialogues(map(collector.seen, events)):
+        collector.dialogue(pair)
+    return collector.timeline()
 
 
 @dataclass(slots=True)
@@ -106,20 +101,18 @@ class _Collector:
         self._most_marks = most_marks
         self._marks: list[Mark] = []
         self._bins: Bins | None = None
-        self._waiting: Bounded[Record, Record] = Bounded(MOST_WAITING)
         self._moves: dict[int, _Move] = {}
         self._lanes: set[Lane] = set()
         self._bricks: dict[str, Tally] = {}
         self._begin, self._end = math.inf, -math.inf
         self._unshown = 0
 
-    def feed(self, event: Event) -> None:
+    def seen(self, event: Event) -> Event:
+        """Takes what is not a record. Returns the event."""
         if self._origin is None:
             self._is_timed = event.route.is_timed
             self._origin = event.time_ns if self._is_timed else 0
         match event:
-            case Record():
-                self._record(event)
             case Announcement() if self._chosen is None:
                 said = event.said.value
                 facts = ", ".join(f"{name} {value}" for name, value in event.facts.items())
@@ -131,10 +124,16 @@ class _Collector:
                 if event.missing:
                     details["not captured"] = f"{event.missing} bytes"
                 self._point(event, LaneKind.TROUBLE, "skipped bytes", MarkState.SKIPPED, heading, details)
+        return event
 
-    def finish(self) -> Timeline | None:
-        while self._waiting:
-            self._give_up(self._waiting.pop_oldest())
+    def dialogue(self, pair: RequestReply) -> None:
+        """Takes a command with its reply; where one of the two is chosen, it is drawn with the other."""
+        counted = [record for record in pair if record is not None and self._is_counted(record)]
+        if any(record.message.type is not None for record in counted):
+            self._exchange(pair.command, pair.reply)
+
+    def timeline(self) -> Timeline | None:
+        """What was collected; None where it is nothing."""
         files = [
             self._file(move)
             for move in self._moves.values()
@@ -163,30 +162,6 @@ class _Collector:
         return self._first <= seconds <= self._last
 
     # Records
-
-    def _record(self, record: Record) -> None:
-        message = record.message
-        if message.wants_reply:
-            # Whether a command is chosen may only show with its reply.
-            oldest = self._waiting.add(record, record)
-            if oldest is not None:
-                self._give_up(oldest)
-            return
-        is_chosen = self._is_counted(record)
-        if message.type is None:
-            return
-        if message.type.is_command:
-            if is_chosen:
-                self._exchange(record, None)
-            return
-        waited = None if record.request is None else self._waiting.pop(record.request, None)
-        if (waited is not None and self._is_counted(waited)) or is_chosen:
-            self._exchange(record.request, record)
-
-    def _give_up(self, command: Record) -> None:
-        """A command was never answered."""
-        if self._is_counted(command):
-            self._exchange(command, None)
 
     def _is_counted(self, record: Record) -> bool:
         """Whether a record is chosen; if so it counts, for its brick, for its file, as a faulty frame."""

@@ -75,7 +75,7 @@ def test_async_waits_when_it_is_asked_to(my_ev3: EV3) -> None:
 
 def test_system_commands_in_bytes(my_ev3: EV3) -> None:
     assert my_ev3.send_system_cmd(ev3proto.CREATE_DIR + b"/home/root/lms2012/prjs/a\0") == b"\0"
-    with pytest.raises(ev3proto.SysCmdError, match="CREATE_DIR with NO_PERMISSION: it cannot be made: it exists,"):
+    with pytest.raises(ev3proto.SysCmdError, match="CREATE_DIR with NO_PERMISSION: it cannot be created: it exists,"):
         my_ev3.send_system_cmd(ev3proto.CREATE_DIR + b"/home/root/lms2012/prjs/a\0")
     assert my_ev3.send_system_cmd(ev3proto.CREATE_DIR + b"/home/root/lms2012/prjs/b\0", reply=False) == b"\x2c\0"
 
@@ -231,7 +231,7 @@ def test_files_there_and_back(my_ev3: EV3, tmp_path: Path) -> None:
     assert (tmp_path / "x.bin").read_bytes() == data
     my_ev3.delete("../prjs/a/x.bin")
     my_ev3.delete("../prjs/a")
-    with pytest.raises(ev3proto.SysCmdError, match="LIST_FILES with UNKNOWN_ERROR: there is no such fold"):
+    with pytest.raises(ev3proto.SysCmdError, match="LIST_FILES with UNKNOWN_ERROR: no such fold"):
         my_ev3.list_dir("../prjs/a")
 
 

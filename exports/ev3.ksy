@@ -7,12 +7,12 @@ meta:
   bit-endian: be
   encoding: ISO-8859-1
 doc: |
-  Frames between a computer and a brick: all of a stream, from its first frame on. On USB each report starts with one
-  frame, and the rest of it is padding. On WiFi two texts come first, which are no frames.
+  All frames of a stream between a computer and a brick, from its first frame on. On USB each report starts with one
+  frame, and the rest of it is padding. On WiFi two texts precede the frames.
 
   Operations are those of the official firmware. An argument's type does not say whether its encoding is the shortest.
-  What a description cannot say: what the bytes of a direct reply mean, which only the command tells; which CMD a family
-  does not have (then what follows is read as the next operation); names of sets of bits.
+  Not covered: the meaning of a direct reply's bytes, which only the command tells; CMDs that a family does not have
+  (what follows is then read as the next operation); names of sets of bits.
 
   Made by ev3proto 0.1.0 from its tables (ev3proto export kaitai): change those, not this.
 seq:
@@ -275,7 +275,7 @@ types:
       - {id: hardware_version, type: u4, if: not _io.eof, doc: version of the hardware}
       - {id: firmware_version, type: u4, if: not _io.eof, doc: version of the updater}
   counted_text:
-    doc: "A text whose length stands before it. Some senders count its zero in, some do not; it is there."
+    doc: "A text preceded by its length. Some senders count its zero, some do not; the zero is always there."
     params:
       - {id: length, type: u1}
     seq:

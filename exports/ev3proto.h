@@ -61,7 +61,7 @@
 #define LC2(value) 0x82, EV3_BYTE(value, 0), EV3_BYTE(value, 8)
 #define LC4(value) 0x83, EV3_BYTE(value, 0), EV3_BYTE(value, 8), EV3_BYTE(value, 16), EV3_BYTE(value, 24)
 
-/* A float. In C this stands in arrays inside of functions, which are not static; elsewhere LC4 takes its bits */
+/* A float. In C, use this in arrays inside functions that are not static; elsewhere give LC4 its bits */
 #define LCF(value) \
     0x83, ev3_float_byte(value, 0), ev3_float_byte(value, 8), ev3_float_byte(value, 16), ev3_float_byte(value, 24)
 
@@ -4672,11 +4672,11 @@ enum {
 /*
  * A frame on its way. What does not fit is omitted, and ev3_end then says 0.
  *
- *   bytes  the frame, to be sent as it is; on USB all of the array is sent
+  * A frame being filled. What does not fit is omitted, and ev3_end then returns 0.
  *   size   bytes that it has so far
  *   full   not 0 once something did not fit or could not be encoded
- */
-typedef struct {
+  *   size   number of bytes so far
+ *   full   nonzero once something did not fit or could not be encoded
     uint8_t bytes[EV3_MAX_FRAME];
     size_t size;
     int full;
@@ -4802,7 +4802,7 @@ static inline void ev3_global(ev3_frame *frame, uint32_t index)
         ev3_raw(frame, gv4, sizeof gv4);
 }
 
-/* Starts an operation that has no CMD */
+/* Starts an operation without a CMD */
 static inline void ev3_opcode(ev3_frame *frame, int opcode)
 {
     ev3_number(frame, (uint32_t)opcode, 1);

@@ -1,1 +1,1 @@
-"""Other tools' forms: the dissector, headers and descriptions drawn from the tables, and captures made of frames."""
+"""The protocol in other tools' forms: dissector, headers, descriptions, and captures made from frames."""

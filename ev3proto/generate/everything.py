@@ -1,4 +1,4 @@
-"""All that is generated and checked in: which files there are, what is in them, and writing them."""
+"""Everything that is generated and checked in: the files, their contents, and writing them."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ from ev3proto.generate.pages.markdown import MARK as PAGE_MARK
 from ev3proto.generate.tables_json import build as tables_json
 
 COMMAND = "python -m ev3proto.generate"
-"""What brings all of it up to date."""
+"""The command that regenerates everything."""
 
 
 def build(more: Mapping[str, str]) -> dict[str, str]:
-    """Makes all files; the same text every time.
+    """Generates all files; the same text every time.
 
     Args:
-        more: More files by their path: the page of the command line, which is above all that is here.
+        more: More files by path: the page of the command line, which belongs to a higher floor.
 
     Returns:
         Each file by its path in the project's folder.
@@ -41,7 +41,7 @@ def build(more: Mapping[str, str]) -> dict[str, str]:
 
 
 def outdated(root: Path, more: Mapping[str, str]) -> Iterator[str]:
-    """The paths of files that are not as the tables have them: to be written, or to be deleted.
+    """Lists the paths of files that differ from what the tables say: to be written, or to be deleted.
 
     Args:
         root: The project's folder.
@@ -60,12 +60,12 @@ def _changed(root: Path, files: dict[str, str]) -> Iterator[str]:
 
 
 def write_modules(root: Path) -> list[str]:
-    """Brings the generated modules up to date, before they are imported. Returns the path of each that changed."""
+    """Regenerates the package's own modules, before they are imported. Returns the path of each that changed."""
     return list(_write(root, modules.build()))
 
 
 def write(root: Path, more: Mapping[str, str]) -> Iterator[str]:
-    """Brings the files up to date; yields the path of each that changed.
+    """Regenerates all files; yields the path of each that changed.
 
     Args:
         root: The project's folder.
@@ -87,7 +87,7 @@ def _write(root: Path, files: dict[str, str]) -> Iterator[str]:
 
 
 def _left_over(root: Path, files: dict[str, str]) -> Iterator[str]:
-    """Generated modules and pages that belong to no table any more."""
+    """Returns generated modules and pages that no table backs any more."""
     kinds = [*((folder, "*.py", MARK) for folder in modules.FOLDERS), (pages.FOLDER, "*.md", PAGE_MARK)]
     for folder, pattern, mark in kinds:
         for file in sorted((root / folder).rglob(pattern)):

@@ -231,7 +231,7 @@ def test_a_tshark_that_is_not_there(tmp_path: Path) -> None:
     )
     done = run("--tshark", "no-such-program")
     assert (done.returncode, done.stdout) == (1, "")
-    assert done.stderr == f"there is no program no-such-program: {advice}"
+    assert done.stderr == f"no-such-program: no such program: {advice}"
     assert tree(tmp_path) == []
 
 

@@ -1,10 +1,10 @@
-"""Captures out of frames: pcapng files with a conversation of a computer and a brick on any carrier.
+"""Captures from frames: pcapng files with a conversation between a computer and a brick over any carrier.
 
     with open("tones.pcapng", "wb") as stream:
         write_pcapng(messages, stream, carrier="bluetooth")
 
-`carrier_writer` says which frames can be carried and which way they go; `wifi`, `usb` and `bluetooth` put around them
-what stands around frames on the carrier; `writing` gives each packet its time and writes the file.
+`carrier_writer` says which frames can be carried and in which direction; `wifi`, `usb` and `bluetooth` wrap frames in
+the packets of their carrier; `packets` gives each packet its time and writes the file.
 """
 
 from ev3proto.generate.captures.carrier_writer import TimedFrame

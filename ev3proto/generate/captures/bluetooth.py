@@ -1,4 +1,4 @@
-"""Bluetooth as a computer sees it: a connection, a serial port (RFCOMM) with credits, frames cut to fit it."""
+"""Bluetooth as a computer sees it: a connection, a serial port (RFCOMM) with credits, and frames cut to fit."""
 
 from __future__ import annotations
 
@@ -33,38 +33,38 @@ from ev3proto.capture.carriers.bluetooth.adapters import (
 from ev3proto.tables.carriers import RFCOMM_CHANNEL
 
 ADDRESS = bytes.fromhex("06165300000a")
-"""The brick's: one that no maker has."""
+"""The brick's address, from a range assigned to no vendor."""
 
 CONNECTION = 0x00B
 OURS, THEIRS = 0x0041, 0x0051
-"""Channels of L2CAP in which the host and the brick get what the other one sends."""
+"""L2CAP channels in which the host and the brick receive."""
 
 L2CAP_MTU = 1021
 FRAME_SIZE = 1008
 CREDITS = 7
-"""What both ends agree on: bytes in a packet, in a frame of RFCOMM, frames that either may send without new credits."""
+"""Agreed limits: bytes in a packet, bytes in an RFCOMM frame, frames that either end may send without new credits."""
 
 ENOUGH = 4
-"""With so few credits left an end gets more."""
+"""Number of remaining credits at which an end gets more."""
 
 CREATE_CONNECTION, DISCONNECT = 0x0405, 0x0406
 COMMAND_STATUS, COMPLETED_PACKETS = 0x0F, 0x13
 CONFIGURE, CONFIGURED, DISCONNECTED_CHANNEL = 4, 5, 7
-"""Commands and events of HCI, signals of L2CAP, beside those that reading needs."""
+"""HCI commands and events and L2CAP signals that only writing needs."""
 
 POLL = 0x10
-"""The bit of RFCOMM's control field by which an answer is asked for; in frames with data, that credits follow."""
+"""The poll/final bit of RFCOMM's control field; in frames with data it says that credits follow."""
 
 NEGOTIATION, MODEM_STATUS = 0x20, 0x38
-"""Kinds of messages of RFCOMM's multiplexer."""
+"""Message types of RFCOMM's multiplexer."""
 
 ASKS, AGREES = 0xF0, 0xE0
-"""How the ends say in a negotiation that credits control the flow."""
+"""How the ends negotiate that credits control the flow."""
 
 DLCI = RFCOMM_CHANNEL << 1
 
 _REASON = 0x13
-"""The other end ended it."""
+"""Reason for disconnecting: ended by the remote user."""
 
 NEGOTIATED = Struct(
     "dlci" / Int8ul,
@@ -75,18 +75,18 @@ NEGOTIATED = Struct(
     "retransmissions" / Int8ul,
     "credits" / Int8ul,
 )
-"""What a port is to be like."""
+"""The requested settings of a port."""
 
 
 class Writer:
-    """A computer and a brick, seen between the computer and its adapter."""
+    """A computer and a brick, captured between the computer and its Bluetooth adapter."""
 
     def __init__(self) -> None:
         self._credits = {True: CREDITS, False: CREDITS}
         self._unconfirmed = 0
 
     def opening(self) -> list[bytes]:
-        """Connection, channel, serial port."""
+        """Opens the connection, the channel and the serial port."""
         modem = modem_status(DLCI)
         return [
             *self._connect(),
@@ -107,12 +107,12 @@ class Writer:
             *self._confirmed(),
         ]
 
-    def between(self, is_from_host: bool) -> list[bytes]:  # noqa: ARG002 - the same whoever is next
-        """The adapter says what it has sent."""
+    def between(self, is_from_host: bool) -> list[bytes]:  # noqa: ARG002 - same for both directions
+        """Makes the adapter report what it has sent."""
         return self._confirmed()
 
     def frame(self, frame: bytes, is_from_host: bool) -> list[bytes]:
-        """Frames of RFCOMM as full as can be; where the sender has no credit left, the other end gives some first."""
+        """Packs a frame into full RFCOMM frames; when the sender is out of credits, the other end grants some."""
         packets: list[bytes] = []
         while frame:
             if not self._credits[is_from_host]:
@@ -123,7 +123,7 @@ class Writer:
         return packets
 
     def closing(self) -> list[bytes]:
-        """The port, the channel and the connection are closed."""
+        """Closes the port, the channel and the connection."""
         ends = CONNECTION_REQUEST.build({"service": THEIRS, "source": OURS})
         handle = struct.pack("<H", CONNECTION)
         return [
@@ -138,8 +138,8 @@ class Writer:
             _event(DISCONNECTED, b"\0" + handle + bytes((0x16,))),
         ]
 
-    def stamped(self, packet: bytes, time_ns: int) -> bytes:  # noqa: ARG002 - there is no time in it
-        """The packet itself."""
+    def stamped(self, packet: bytes, time_ns: int) -> bytes:  # noqa: ARG002 - these packets hold no time
+        """Returns the packet unchanged."""
         return packet
 
     # The connection
@@ -160,7 +160,7 @@ class Writer:
         return [event]
 
     def _packet(self, is_from_host: bool, channel: int, data: bytes) -> bytes:
-        """A packet of L2CAP."""
+        """Builds an L2CAP packet."""
         data = L2CAP.build({"length": len(data), "channel": channel}) + data
         boundary = 0 if is_from_host else 2
         head = ACL.build({"handle": CONNECTION | boundary << HANDLE_BITS, "length": len(data)})
@@ -172,7 +172,7 @@ class Writer:
         return self._packet(is_from_host, SIGNALS, head + data)
 
     def _configure(self, is_from_host: bool, identifier: int, target: int, source: int) -> list[bytes]:
-        """An end says how long the packets that it takes may be; the other one agrees."""
+        """Announces the largest packet that an end accepts; the other end agrees."""
         mtu = struct.pack("<BBH", 1, 2, L2CAP_MTU)
         return [
             self._signal(is_from_host, CONFIGURE, identifier, struct.pack("<HH", target, 0) + mtu),
@@ -186,7 +186,7 @@ class Writer:
         return self._packet(is_from_host, channel, rfcomm_frame(address, control, data, credits))
 
     def _turn(self, dlci: int, control: int) -> list[bytes]:
-        """The host opens or closes a port, the brick agrees."""
+        """Opens or closes a port from the host; the brick agrees."""
         address = dlci << 2 | 3
         return [self._rfcomm(True, address, control | POLL), self._rfcomm(False, address, DONE | POLL)]
 
@@ -203,7 +203,7 @@ class Writer:
         return self._rfcomm(is_from_host, address, UIH, piece)
 
     def _lacking(self, is_from_host: bool) -> int:
-        """How many credits an end gives with its next frame: none while the other one has enough."""
+        """Returns the credits that an end grants with its next frame: none while the other end has enough."""
         left = self._credits[not is_from_host]
         return CREDITS - left if left <= ENOUGH else 0
 
@@ -224,13 +224,13 @@ def _event(code: int, parameters: bytes) -> bytes:
 
 
 def rfcomm_frame(address: int, control: int, data: bytes = b"", credits: bytes = b"") -> bytes:
-    """A frame of RFCOMM. Its length and the check at its end are worked out.
+    """Builds an RFCOMM frame, with its length and its checksum.
 
     Args:
         address: The port's number, and whose command it is.
         control: The frame's type, with POLL.
         data: What it carries.
-        credits: One byte where it gives the other end credits; these count as no data.
+        credits: One byte if the frame grants credits; it does not count as data.
 
     Returns:
         The bytes of the frame.
@@ -244,16 +244,16 @@ def rfcomm_frame(address: int, control: int, data: bytes = b"", credits: bytes =
 
 
 def multiplexed(kind: int, is_command: bool, body: bytes) -> bytes:
-    """A message of the multiplexer: NEGOTIATION or MODEM_STATUS, as a command or the response to one."""
+    """Builds a message of the multiplexer: NEGOTIATION or MODEM_STATUS, as a command or as the response to one."""
     return bytes((kind << 2 | is_command << 1 | 1, len(body) << 1 | 1)) + body
 
 
 def negotiated(flow: int, frame_size: int = FRAME_SIZE, dlci: int = DLCI) -> bytes:
-    """What a port is to be like; `flow` is ASKS or AGREES."""
+    """Builds the parameters of a port; `flow` is ASKS or AGREES."""
     port = {"dlci": dlci, "flow": flow, "priority": 7, "timer": 0, "retransmissions": 0}
     return bytes(NEGOTIATED.build(port | {"frame_size": frame_size, "credits": CREDITS}))
 
 
 def modem_status(dlci: int) -> bytes:
-    """The lines of a serial port: all ready."""
+    """Builds the status of a serial port's lines: all ready."""
     return bytes((dlci << 2 | 3, 0x8D))

@@ -1,4 +1,4 @@
-"""What goes over a carrier: frames, each with its direction, and what the carrier puts around them."""
+"""What a carrier transports: frames, each with its direction, and the packets around them."""
 
 from __future__ import annotations
 
@@ -12,33 +12,33 @@ _REPLIES = {member.value for member in MessageType if not member.is_command}
 
 
 class TimedFrame(NamedTuple):
-    """A frame and when it was captured, in nanoseconds since 1970-01-01 UTC."""
+    """A frame and the time when it was captured, in nanoseconds since 1970-01-01 UTC."""
 
     frame: bytes
     time_ns: int
 
 
 class CarrierWriter(Protocol):
-    """What one carrier puts around the frames of a conversation. The packets of each call follow one another."""
+    """The packets that one carrier puts around the frames of a conversation, in the order of the calls."""
 
     def opening(self) -> list[bytes]:
-        """Everything before the first frame."""
+        """Returns the packets before the first frame."""
 
     def between(self, is_from_host: bool) -> list[bytes]:
-        """What goes by after a frame and before the next one, whose direction is given."""
+        """Returns the packets after a frame and before the next one, whose direction is given."""
 
     def frame(self, frame: bytes, is_from_host: bool) -> list[bytes]:
-        """The packets with a frame in them, the last of which makes it whole."""
+        """Returns the packets that carry a frame; the last one completes it."""
 
     def closing(self) -> list[bytes]:
-        """Everything after the last frame."""
+        """Returns the packets after the last frame."""
 
     def stamped(self, packet: bytes, time_ns: int) -> bytes:
-        """A packet with its time, for carriers whose packets have that in them."""
+        """Returns a packet with its time, for carriers whose packets include it."""
 
 
 def goes_to_brick(frame: bytes) -> bool:
-    """Whether a frame goes to the brick, by its message type: everything but replies does."""
+    """Tells whether a frame goes to the brick, by its message type: everything except replies does."""
     return frame[HEADER_SIZE - 1] not in _REPLIES
 
 

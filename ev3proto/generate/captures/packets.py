@@ -31,11 +31,11 @@ from ev3proto.version import VERSION
 MILLISECOND = NANOSECONDS // 1000
 
 BEGIN_NS = 1_767_261_600 * NANOSECONDS
-"""When a conversation begins unless its frames have times: 2026-01-01 10:00 UTC. The same frames make the same file."""
+"""Default start of a conversation: 2026-01-01 10:00 UTC, so that the same frames make the same file."""
 
 _PACKET, _SIZE = struct.Struct("<IIIIIII"), struct.Struct("<I")
-"""What stands before a packet (type and size of the block, interface, time in two halves, bytes captured and sent), and
-the size of the block again, after it."""
+"""Header of a packet block (type and size of the block, interface, time in two halves, bytes captured and sent), and
+the size of the block again, which ends it."""
 
 _ALIGNED = 4
 _NANOSECONDS_DIGITS = 9
@@ -43,15 +43,15 @@ _MOST_CAPTURED = 1 << 18
 
 
 class PacketFile:
-    """A pcapng file of one section: interfaces as they are needed, then packets with times in nanoseconds."""
+    """A pcapng file with one section: interfaces as they are needed, then packets with times in nanoseconds."""
 
     def __init__(self, stream: BinaryIO) -> None:
-        """Takes a stream for bytes; nothing is written before the first interface."""
+        """Takes a binary stream; nothing is written before the first interface."""
         self._stream = stream
         self._interfaces: dict[Carrier, int] = {}
 
     def interface(self, carrier: Carrier) -> int:
-        """The number of the interface for a carrier, which is written when it is first asked for."""
+        """Returns the number of a carrier's interface, which is written on first use."""
         if carrier not in self._interfaces:
             if not self._interfaces:
                 self._stream.write(bytes(_section()))
@@ -76,9 +76,9 @@ class PacketFile:
 
 
 class CaptureWriter:
-    """Writes a capture of a computer and a brick that exchange frames, one frame after the other.
+    """Writes a capture of a computer and a brick that exchange frames one after the other.
 
-    Nothing is written before the first frame, or before `close` where there is none.
+    Nothing is written before the first frame, or before `close` if there are no frames.
 
     count  how many frames were added
     """
@@ -123,7 +123,7 @@ class CaptureWriter:
         self.count += 1
 
     def close(self) -> None:
-        """Writes what goes by after the last frame. The stream stays open."""
+        """Writes the packets after the last frame. The stream stays open."""
         if self._last_ns is None:
             self._last_ns = self._begin_ns
             self._open(self._begin_ns)
@@ -137,7 +137,7 @@ class CaptureWriter:
         self._spread(opening, max(time_ns - span_ns, 0), min(span_ns, time_ns))
 
     def _spread(self, packets: list[bytes], begin_ns: int, span_ns: int) -> None:
-        """Writes packets at even distances inside a span of time."""
+        """Writes packets at equal distances within a span of time."""
         for number, packet in enumerate(packets, 1):
             self._write(packet, begin_ns + span_ns * number // (len(packets) + 1))
 
@@ -192,7 +192,7 @@ def _known(carrier: str) -> Carrier:
 
 
 def carrier_writer(carrier: Carrier) -> CarrierWriter:
-    """A new writer of a carrier, from the module with its name."""
+    """Creates the writer of a carrier, from the module with its name."""
     made: CarrierWriter = import_module(f"{__package__}.{carrier}").Writer()
     return made
 

@@ -1,4 +1,4 @@
-"""A capture that grows while programs talk: a pcapng file with what was on the wire, and nothing else."""
+"""A capture that grows while programs communicate: a pcapng file of exactly what was on the wire."""
 
 from __future__ import annotations
 
@@ -12,36 +12,36 @@ from ev3proto.generate.captures.packets import PacketFile, carrier_writer
 from ev3proto.tables.carriers import Carrier
 
 _SEGMENT = 1460
-"""Bytes of a TCP segment; longer frames are cut."""
+"""Bytes of a TCP segment; longer frames are split."""
 
 
 class Recording:
-    """Connections of clients with a brick.
+    """A recording of connections between clients and a brick.
 
     packets  how many were written
     """
 
     def __init__(self, stream: BinaryIO) -> None:
-        """Begins the file; `flush` sends its beginning. OSError where it cannot be written."""
+        """Begins the file; `flush` writes its beginning. Raises OSError if it cannot be written."""
         self.packets = 0
         self._stream = stream
         self._file = PacketFile(stream)
-        # A file without an interface is not one that every program reads.
+        # Some programs reject a file without an interface.
         self._file.interface(Carrier.WIFI)
         self._writers: dict[Hashable, tuple[CarrierWriter, int]] = {}
 
     def flush(self) -> None:
-        """Sends what was written to who reads the file meanwhile. Raises OSError."""
+        """Passes on what was written, for programs that read the file while it grows. Raises OSError."""
         self._stream.flush()
 
     def opened(self, key: Hashable, carrier: Carrier, host: wifi.Address, brick: wifi.Address) -> None:
-        """A connection begins; on WiFi with the handshake of TCP.
+        """Records the start of a connection; on WiFi with TCP's handshake.
 
         Args:
             key: Names the connection in further calls.
             carrier: What carries it.
-            host: IP address and port of the client, where WiFi carries it.
-            brick: Those of the brick.
+            host: IP address and port of the client, if WiFi carries it.
+            brick: Address and port of the brick.
 
         Raises:
             OSError: The file cannot be written.
@@ -57,7 +57,7 @@ class Recording:
             self._write(key, writer.opening())
 
     def data(self, key: Hashable, data: bytes, is_from_host: bool) -> None:
-        """Bytes go by: a frame, the unlock text or its answer, whatever a client sends. Raises OSError."""
+        """Records bytes: a frame, the unlock text or its answer, whatever a client sends. Raises OSError."""
         if key not in self._writers:
             return
         writer, _ = self._writers[key]
@@ -67,7 +67,7 @@ class Recording:
         self._write(key, packets)
 
     def closed(self, key: Hashable) -> None:
-        """A connection ends. Raises OSError."""
+        """Records the end of a connection. Raises OSError."""
         if key in self._writers:
             self._write(key, self._writers[key][0].closing())
             del self._writers[key]
@@ -83,5 +83,5 @@ class Recording:
         for packet in packets:
             self._file.write(writer.stamped(packet, now), now, interface)
             self.packets += 1
-        # What is recorded can be read while it grows, and is there if this process is killed.
+        # Flushed at once, so that the file can be read while it grows and survives a kill of this process.
         self.flush()

@@ -1,4 +1,4 @@
-"""USB as Linux records it: a brick is plugged in and asked what it is, then reports go back and forth."""
+"""USB as Linux captures it: a brick is plugged in and describes itself, then reports go back and forth."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from ev3proto.tables.carriers import USB_ENDPOINT_IN, USB_ENDPOINT_OUT, USB_PROD
 from ev3proto.tables.frame import MAX_FRAME
 
 DEVICE_DESCRIPTOR, CONFIGURATION, STRING, INTERFACE, ENDPOINT, HID, HID_REPORT = 1, 2, 3, 4, 5, 0x21, 0x22
-"""Kinds of descriptors."""
+"""Types of descriptors."""
 
 ENGLISH = 0x0409
-"""The language of the texts."""
+"""The language of the string descriptors."""
 
 LANGUAGES = bytes((4, STRING)) + ENGLISH.to_bytes(2, "little")
-"""The descriptor that names it."""
+"""The string descriptor with the product's name."""
 
 
 def _descriptor(kind: int, **fields: Construct) -> Struct:
@@ -63,23 +63,23 @@ OF_HID = _descriptor(HID, version=Int16ul, country=Int8ul, descriptors=Int8ul, k
 OF_ENDPOINT = _descriptor(ENDPOINT, address=Int8ul, attributes=Int8ul, size=Int16ul, interval=Int8ul)
 
 CONFIGURATION_SIZE: int = OF_CONFIGURATION.sizeof()
-"""Bytes of a configuration's descriptor without those inside it, for which a host asks first."""
+"""Bytes of a configuration descriptor without those inside it; a host asks for these first."""
 
 _COUNT = MAX_FRAME.to_bytes(2, "little")
 REPORT = (
-    bytes.fromhex("06 00 FF 09 01 A1 01 15 00 26 FF 00 75 08")  # of the vendor's own: bytes 0 to 255,
+    bytes.fromhex("06 00 FF 09 01 A1 01 15 00 26 FF 00 75 08")  # vendor-defined: bytes 0 to 255,
     + b"\x96"
     + _COUNT
-    + bytes.fromhex("09 01 81 02")  # so many of them to the host,
+    + bytes.fromhex("09 01 81 02")  # this number of them to the host,
     + b"\x96"
     + _COUNT
-    + bytes.fromhex("09 01 91 02 C0")  # and as many from it
+    + bytes.fromhex("09 01 91 02 C0")  # and the same number from it
 )
-"""What the brick says of its reports."""
+"""The report descriptor of the brick."""
 
 
 def device(product: int = USB_PRODUCT) -> bytes:
-    """The descriptor of a brick; `product` is another one while its firmware is updated."""
+    """Builds the device descriptor of a brick; `product` differs while its firmware is updated."""
     fields = {
         "usb": 0x0200,
         "device_class": 0,
@@ -98,7 +98,7 @@ def device(product: int = USB_PRODUCT) -> bytes:
 
 
 def configuration() -> bytes:
-    """The descriptor of its only configuration, with those inside it: a HID interface with an endpoint each way."""
+    """Builds the descriptor of the only configuration: a HID interface with an endpoint in each direction."""
     interface = {"number": 0, "alternative": 0, "endpoints": 2, "interface_class": 3}
     hid = {"version": 0x0110, "country": 0, "descriptors": 1, "kind_of_it": HID_REPORT, "size": len(REPORT)}
     endpoint = {"attributes": 3, "size": MAX_FRAME, "interval": 4}
@@ -114,7 +114,7 @@ def configuration() -> bytes:
 
 
 def string(text: str) -> bytes:
-    """The descriptor of a text."""
+    """Builds a string descriptor."""
     data = text.encode("utf-16-le")
     return bytes((2 + len(data), STRING)) + data
 
@@ -122,10 +122,10 @@ def string(text: str) -> bytes:
 BUS, DEVICE = 1, 7
 
 GET_DESCRIPTOR, SET_CONFIGURATION, SET_IDLE = 6, 9, 10
-"""Requests on endpoint 0."""
+"""Control requests on endpoint 0."""
 
 NAMES = ("LEGO Group", "EV3", "06165300000a")
-"""Maker, product, serial number."""
+"""Manufacturer, product, serial number."""
 
 SUBMITTED, DONE = ord("S"), ord("C")
 _IN_PROGRESS, SHUT_DOWN = -115, -108
@@ -133,22 +133,22 @@ _HAS_SETUP, _HAS_NO_SETUP = 0, ord("-")
 _INTERVAL = 8
 
 _SECONDS_AT = 16
-"""Where the time stands in what `USBMON` says: seconds in 8 bytes, microseconds in 4."""
+"""Offsets of the time in the header that `USBMON` packs: seconds in 8 bytes, microseconds in 4."""
 
 MORE = Struct("interval" / Int32ul, "start_frame" / Int32ul, "flags" / Int32ul, "descriptors" / Int32ul)
-"""What newer kernels add to the header."""
+"""The part of the header that newer kernels add."""
 
 SETUP = Struct("kind" / Int8ul, "request" / Int8ul, "value" / Int16ul, "index" / Int16ul, "length" / Int16ul)
 
 
 class Writer:
-    """A computer that runs Linux, and a brick at its port."""
+    """A computer that runs Linux, and a brick at one of its ports."""
 
     def __init__(self) -> None:
         self._last_from_host: bool | None = None
 
     def opening(self) -> list[bytes]:
-        """Descriptors are asked for, the configuration is set; the host then waits for a report."""
+        """Asks for the descriptors and sets the configuration; the host then waits for a report."""
         whole = configuration()
         return [
             *_asked(DEVICE_DESCRIPTOR, 0, device()),
@@ -166,14 +166,14 @@ class Writer:
             _request(SUBMITTED, USB_ENDPOINT_IN),
         ]
 
-    def between(self, is_from_host: bool) -> list[bytes]:  # noqa: ARG002 - the same whoever is next
-        """What was submitted is done, or the host waits for the next report."""
+    def between(self, is_from_host: bool) -> list[bytes]:  # noqa: ARG002 - same for both directions
+        """Completes what was submitted, or submits a read of the next report."""
         if self._last_from_host:
             return [_request(DONE, USB_ENDPOINT_OUT)]
         return [_request(SUBMITTED, USB_ENDPOINT_IN)]
 
     def frame(self, frame: bytes, is_from_host: bool) -> list[bytes]:
-        """One report, whatever the size of the frame: the rest is zero."""
+        """Carries one report, whatever the size of the frame: the rest is zero."""
         self._last_from_host = is_from_host
         report = frame.ljust(MAX_FRAME, b"\0")
         if is_from_host:
@@ -181,17 +181,17 @@ class Writer:
         return [_request(DONE, USB_ENDPOINT_IN, report)]
 
     def closing(self) -> list[bytes]:
-        """The brick is unplugged while the host waits for a report."""
+        """Unplugs the brick while the host waits for a report."""
         last = [] if self._last_from_host is None else self.between(True)
         return [*last, _request(DONE, USB_ENDPOINT_IN, status=SHUT_DOWN)]
 
     def stamped(self, packet: bytes, time_ns: int) -> bytes:
-        """The packet with its time."""
+        """Returns the packet with its time."""
         return stamped(packet, time_ns)
 
 
 def stamped(packet: bytes, time_ns: int) -> bytes:
-    """A packet of usbmon with the time, in nanoseconds since 1970, that Linux writes into each."""
+    """Returns a usbmon packet with its time, in nanoseconds since 1970, written as Linux does."""
     seconds, rest = divmod(time_ns, NANOSECONDS)
     stamp = seconds.to_bytes(8, "little") + (rest // 1000).to_bytes(4, "little")
     return packet[:_SECONDS_AT] + stamp + packet[_SECONDS_AT + len(stamp) :]
@@ -210,19 +210,19 @@ def record(
     flags: int = 0,
     is_padded: bool = True,
 ) -> bytes:
-    """A packet of usbmon, at time 0.
+    """Builds a usbmon packet, at time 0.
 
     Args:
         event: SUBMITTED or DONE.
         endpoint: The endpoint, with the bit for the direction; endpoint 0 takes control transfers.
-        data: The bytes that went over.
+        data: The bytes transferred.
         device: The number of the device on its bus.
         bus: The bus.
-        status: How a request ended: 0, or less for an error of Linux. What was submitted is in progress.
+        status: How a request ended: 0, or a negative error number of Linux. A submitted request is in progress.
         setup: The request of a control transfer.
-        size: How many bytes were asked for, or went over.
+        size: Number of bytes requested or transferred.
         flags: Linux's flags of the request.
-        is_padded: The header has 64 bytes, as it is read from memory, not 48.
+        is_padded: The header has 64 bytes, as read from memory, instead of 48.
 
     Returns:
         Header and data.
@@ -253,12 +253,12 @@ def record(
 
 
 def _request(event: int, endpoint: int, data: bytes = b"", *, status: int = 0) -> bytes:
-    """A packet of a report: submitted or done."""
+    """Builds the packet of a report: submitted or completed."""
     return record(event, endpoint, data, status=status, size=0 if status else len(data) or MAX_FRAME)
 
 
 def _asked(kind: int, number: int, answer: bytes, index: int = 0, *, of_interface: bool = False) -> list[bytes]:
-    """The host asks for a descriptor and gets it."""
+    """Asks for a descriptor from the host, with the device's answer."""
     request = {"kind": 0x81 if of_interface else 0x80, "request": GET_DESCRIPTOR, "index": index}
     setup = SETUP.build(request | {"value": kind << 8 | number, "length": len(answer)})
     return [
@@ -268,6 +268,6 @@ def _asked(kind: int, number: int, answer: bytes, index: int = 0, *, of_interfac
 
 
 def _set(request: int, kind: int, value: int) -> list[bytes]:
-    """The host sets something."""
+    """Sets a value on the device."""
     setup = SETUP.build({"kind": kind, "request": request, "value": value, "index": 0, "length": 0})
     return [record(SUBMITTED, 0, setup=setup), record(DONE, 0)]

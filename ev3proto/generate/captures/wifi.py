@@ -1,7 +1,7 @@
-"""WiFi: the beacon and its answer, then a TCP connection whose ends number and acknowledge what they send.
+"""WiFi: the beacon and its answer, then a TCP connection with sequence numbers and acknowledgements.
 
-dpkt builds the packets around the connection. Those inside it differ in a few numbers only, so that one pattern with
-checksums of its own makes them: exporting is ten times as fast that way.
+dpkt builds the packets around the connection. Those inside it differ in a few numbers only, so one template with its
+own checksums makes them: exporting is ten times as fast that way.
 """
 
 from __future__ import annotations
@@ -20,24 +20,24 @@ from ev3proto.schema.discovery import Beacon, Unlock
 from ev3proto.tables.discovery import ACCEPT, BEACON_PORT, TCP_PORT
 
 SERIAL = "06165300000a"
-"""Serial number of the brick: an address that no maker has."""
+"""Serial number of the brick: a MAC address from a range assigned to no vendor."""
 
 BEACON_SOURCE = 3016
-"""Port from which the brick sends its beacon."""
+"""Port that the brick sends its beacon from."""
 
 EVERYBODY_MAC, EVERYBODY = b"\xff" * 6, bytes((192, 0, 2, 255))
 
 _OPTIONS = struct.pack(">BBHBBBBBBBB", 2, 4, 1460, 1, 1, 4, 2, 1, 3, 3, 7)
-"""What both ends say first: segments of at most 1460 bytes, selective acknowledgements, windows in units of 128."""
+"""TCP options of both ends: segments of at most 1460 bytes, selective acknowledgements, windows in units of 128."""
 
 _FIRST_WINDOW, _WINDOW = 64240, 502
 
 
 Address = tuple[str, int]
-"""An IP address, of version 4 or 6, and a TCP port."""
+"""An IP address, version 4 or 6, and a TCP port."""
 
 _IPV4 = 4
-"""Bytes of an address of IPv4."""
+"""Bytes of an IPv4 address."""
 
 
 @dataclass(slots=True)
@@ -65,21 +65,21 @@ _ONES = 0xFFFF
 
 
 class Writer:
-    """A computer and a brick in a network."""
+    """A computer and a brick on a network."""
 
     def __init__(self, host: Address = ("192.0.2.1", 49152), brick: Address = ("192.0.2.10", TCP_PORT)) -> None:
-        """Begins before the first packet.
+        """Sets up both ends; no packet is made yet.
 
         Args:
             host: IP address and TCP port of the computer, another port for each connection in a capture.
-            brick: Those of the brick.
+            brick: The same of the brick.
         """
         self._host = _End(bytes.fromhex("020000000001"), _packed(host), host[1], 0x10000000, 0x1000)
         self._brick = _End(bytes.fromhex("02000000000a"), _packed(brick), brick[1], 0x20000000, 1)
         self._last: _End | None = None
 
     def opening(self) -> list[bytes]:
-        """Beacon, answer, handshake, unlock text and what the brick says to it."""
+        """Returns beacon, answer, handshake, unlock text and the brick's answer to it."""
         host, brick = self._host, self._brick
         beacon = UDP(sport=BEACON_SOURCE, dport=BEACON_PORT, data=Beacon(SERIAL).build())
         answer = UDP(sport=BEACON_PORT, dport=BEACON_SOURCE, data=b"\0")
@@ -94,7 +94,7 @@ class Writer:
         ]
 
     def handshake(self) -> list[bytes]:
-        """What TCP says before the first byte."""
+        """Returns TCP's handshake."""
         host, brick = self._host, self._brick
         return [
             self._segment(host, flags=TH_SYN, options=_OPTIONS),
@@ -103,17 +103,17 @@ class Writer:
         ]
 
     def between(self, is_from_host: bool) -> list[bytes]:
-        """An acknowledgement, where the other end says nothing that could have one in it."""
+        """Returns an acknowledgement, if the other end sends nothing that could include one."""
         sender, other = self._ends(is_from_host)
         return [self._segment(other)] if self._last is sender else []
 
     def frame(self, frame: bytes, is_from_host: bool) -> list[bytes]:
-        """One segment, which holds any frame."""
+        """Returns one segment, which holds any frame."""
         self._last, _ = self._ends(is_from_host)
         return [self._segment(self._last, frame)]
 
     def closing(self) -> list[bytes]:
-        """The last acknowledgement; both ends say that they are done."""
+        """Returns the last acknowledgement and the closing of both ends."""
         host, brick = self._host, self._brick
         return [
             *([self._segment(brick if self._last is host else host)] if self._last else []),
@@ -122,12 +122,12 @@ class Writer:
             self._segment(host),
         ]
 
-    def stamped(self, packet: bytes, time_ns: int) -> bytes:  # noqa: ARG002 - there is no time in it
-        """The packet itself."""
+    def stamped(self, packet: bytes, time_ns: int) -> bytes:  # noqa: ARG002 - these packets hold no time
+        """Returns the packet unchanged."""
         return packet
 
     def _ends(self, is_from_host: bool) -> tuple[_End, _End]:
-        """Who sends and who receives."""
+        """Returns sender and receiver."""
         return (self._host, self._brick) if is_from_host else (self._brick, self._host)
 
     def _segment(self, sender: _End, data: bytes = b"", *, flags: int = TH_ACK, options: bytes = b"") -> bytes:
@@ -150,10 +150,10 @@ class Writer:
 
 
 def _inside(sender: _End, receiver: _End, data: bytes) -> bytes:
-    """A segment of a connection that is neither opened nor closed by it."""
+    """Builds a segment of an open connection."""
     size = _TCP_SIZE + len(data)
     flags = _PLAIN_TCP | TH_ACK | (TH_PUSH if data else 0)
-    # The checksums are those of 16-bit words in ones' complement, so what is left of their number divided by 0xFFFF.
+    # Checksums add 16-bit words in ones' complement, which is the remainder of their number divided by 0xFFFF.
     ends = int.from_bytes(sender.address + receiver.address, "big") + IP_PROTO_TCP
     words = ends + (_PLAIN_IP << 8) + _IP_SIZE + size + sender.packets + _DO_NOT_FRAGMENT + (_TIME_TO_LIVE << 8)
     covered = ends + size + sender.port + receiver.port + sender.number + receiver.number + flags + _WINDOW
@@ -202,5 +202,5 @@ def _packet(sender: _End, mac: bytes, address: bytes, protocol: int, payload: TC
 
 
 def _packed(end: Address) -> bytes:
-    """The bytes of an end's IP address, 4 or 16. ValueError where it is not one."""
+    """Returns the bytes of an IP address, 4 or 16. Raises ValueError if the address is invalid."""
     return ip_address(end[0]).packed

@@ -1,4 +1,4 @@
-"""Puts the C header together: a head, the frame, encodings, the tables, the functions."""
+"""Assembles the C header: head, frame, encodings, tables, functions."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ _FORMS = ("LC0", "LC1", "LC2", "LC4", "LCS", "LCS_OLD", "LAB1", *_VARIABLES)
 
 
 def build() -> str:
-    """The text of ev3proto.h."""
+    """Returns the text of ev3proto.h."""
     sections = (parts.HEAD, parts.FRAMES, parts.ENCODINGS, tables.data(), parts.FUNCTIONS, parts.TAIL)
     return Template("\n".join(sections)).substitute(_facts())
 
 
 def _facts() -> dict[str, str]:
-    """What the parts written by hand take from the tables."""
+    """Returns the numbers from the tables that the hand-written parts refer to."""
     facts = {
         "VERSION": VERSION,
         "TCP_PORT": str(TCP_PORT),

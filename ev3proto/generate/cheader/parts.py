@@ -1,4 +1,4 @@
-"""The parts of the C header that are written by hand. `$NAME` is a number from the tables, which `build` puts in."""
+"""The hand-written parts of the C header. `$NAME` is a number from the tables, which `build` inserts."""
 
 HEAD = """\
 /*
@@ -68,7 +68,7 @@ ENCODINGS = """\
 #define LC2(value) $LC2, EV3_BYTE(value, 0), EV3_BYTE(value, 8)
 #define LC4(value) $LC4, EV3_BYTE(value, 0), EV3_BYTE(value, 8), EV3_BYTE(value, 16), EV3_BYTE(value, 24)
 
-/* A float. In C this stands in arrays inside of functions, which are not static; elsewhere LC4 takes its bits */
+/* A float. In C, use this in arrays inside functions that are not static; elsewhere give LC4 its bits */
 #define LCF(value) \\
     $LC4, ev3_float_byte(value, 0), ev3_float_byte(value, 8), ev3_float_byte(value, 16), ev3_float_byte(value, 24)
 
@@ -100,11 +100,11 @@ FUNCTIONS = """\
 /*
  * A frame on its way. What does not fit is omitted, and ev3_end then says 0.
  *
- *   bytes  the frame, to be sent as it is; on USB all of the array is sent
+  * A frame being filled. What does not fit is omitted, and ev3_end then returns 0.
  *   size   bytes that it has so far
  *   full   not 0 once something did not fit or could not be encoded
- */
-typedef struct {
+  *   size   number of bytes so far
+ *   full   nonzero once something did not fit or could not be encoded
     uint8_t bytes[EV3_MAX_FRAME];
     size_t size;
     int full;
@@ -230,7 +230,7 @@ static inline void ev3_global(ev3_frame *frame, uint32_t index)
         ev3_raw(frame, gv4, sizeof gv4);
 }
 
-/* Starts an operation that has no CMD */
+/* Starts an operation without a CMD */
 static inline void ev3_opcode(ev3_frame *frame, int opcode)
 {
     ev3_number(frame, (uint32_t)opcode, 1);

@@ -1,4 +1,4 @@
-"""The tables as C: enumerations area by area, what each operation takes in a comment above its name."""
+"""The tables as C: enumerations area by area, with what each operation takes in a comment above its name."""
 
 from __future__ import annotations
 
@@ -19,15 +19,15 @@ LARGEST = 2**31 - 1
 """Largest number that an enumerator of C99 can have."""
 
 BOOTLOADER = "BOOTLOADER_"
-"""What stands before the bootloader's commands: their own names are those of the firmware's once more."""
+"""Prefix of the bootloader's commands, which share names with the firmware's."""
 
 STATUS = "SYSTEM_"
-"""What stands before statuses: SUCCESS is a name that programs use themselves."""
+"""Prefix of statuses: programs use the name SUCCESS themselves."""
 
 DAISY = "DAISY_"
 
 _ASCII = str.maketrans({"°": "deg "})
-"""Not every compiler takes other letters, even in comments."""
+"""Replaces characters that not every compiler accepts, even in comments."""
 
 _AREA_TITLES = {
     "vm": "Virtual machine and programs",
@@ -46,12 +46,12 @@ _AREA_TITLES = {
 
 
 def data() -> str:
-    """All of it, section by section."""
+    """Returns the whole part, section by section."""
     return "\n".join("\n".join(lines) for lines in _sections()).translate(_ASCII) + "\n"
 
 
 def heading(title: str, *text: str) -> Iterator[str]:
-    """The comment above a section."""
+    """Returns the comment above a section."""
     yield f"/* {title} {'-' * (WIDTH - 7 - len(title))} */"
     yield ""
     if text:
@@ -70,7 +70,7 @@ def _sections() -> Iterator[Iterable[str]]:
 
 
 def _comment(lines: Iterable[str], margin: str) -> Iterator[str]:
-    """A comment in one line where it is one, else with a line of its own for each."""
+    """Returns a comment: on one line if it is one line, else with each line on its own."""
     rows = [row for line in lines for row in _wrapped(line, WIDTH - len(margin) - 6)]
     if len(rows) == 1:
         yield f"{margin}/* {rows[0]} */"
@@ -86,7 +86,7 @@ def _wrapped(line: str, width: int) -> list[str]:
 
 
 def _enum(entries: Iterable[tuple[str, int, Iterable[str]]], digits: int) -> Iterator[str]:
-    """An enumeration: name, number, what to say above it; numbers in hexadecimal with so many digits, 0: decimal."""
+    """Returns an enumeration of (name, number, comment); numbers have this many hexadecimal digits, 0: decimal."""
     rows: list[str] = []
     for name, number, lines in entries:
         said = list(lines)

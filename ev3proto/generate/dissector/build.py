@@ -1,4 +1,4 @@
-"""Puts the dissector together: a head, the data, the runtime."""
+"""Assembles the dissector: head, data, runtime."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ RUNTIME = (
     *CARRIERS,
     "registration",
 )
-"""The parts written by hand, in the order in which they stand in the file: each uses only what stands before it.
+"""The hand-written parts, in the order of the file: each uses only what comes before it.
 
 Each carrier has one, with its name.
 """

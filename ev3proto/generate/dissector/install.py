@@ -1,6 +1,6 @@
-"""Puts the dissector, its profile and the launcher of `ev3proto extcap` where a Wireshark looks for them.
+"""Installs the dissector, its profile and the launcher of `ev3proto extcap` in Wireshark's personal folders.
 
-That Wireshark is asked whether it loads the dissector.
+Wireshark is then asked whether it loads the dissector.
 """
 
 from __future__ import annotations
@@ -37,15 +37,15 @@ _NO_LUA_AS_ROOT = (4, 4)
 
 
 class InstallError(Exception):
-    """Why it cannot be installed, and what to do, in a sentence."""
+    """Why the dissector cannot be installed, and what to do, in a sentence."""
 
 
 class NoTsharkError(InstallError):
-    """There is no tshark to ask."""
+    """No tshark was found to ask."""
 
 
 class InstallResult(Enum):
-    """What became of a file."""
+    """The outcome for one file."""
 
     NEW = "written"
     REPLACED = "written in place of an older one"
@@ -58,7 +58,7 @@ class InstallResult(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Folders:
-    """Where a Wireshark looks: for Lua plugins, for configuration profiles, and for programs that capture (extcap).
+    """Wireshark's folders: for Lua plugins, configuration profiles, and capture programs (extcap).
 
     `extcap` is None where only a folder for Lua plugins is known.
     """
@@ -69,12 +69,12 @@ class Folders:
 
     @classmethod
     def below(cls, folder: Path) -> Folders:
-        """All in one folder that somebody named."""
+        """Returns folders that are all one folder, which the user named."""
         return cls(folder, folder / "profiles")
 
     @classmethod
     def documented(cls) -> Folders:
-        """Where Wireshark's manual says that they are, for when there is no tshark to ask."""
+        """Returns the folders that Wireshark's manual names, for systems without a tshark to ask."""
         named = os.environ.get("WIRESHARK_CONFIG_DIR")
         if PLATFORM == "win32":
             roaming = Path(os.environ.get("APPDATA") or Path.home() / "AppData" / "Roaming") / "Wireshark"
@@ -90,24 +90,24 @@ class Folders:
 
 
 def install_dissector(folder: Path, *, force: bool) -> Iterator[tuple[Path, InstallResult]]:
-    """Writes ev3.lua and ev3_statistics.lua into a folder, and tells what became of each."""
+    """Writes ev3.lua and ev3_statistics.lua into a folder; yields the outcome for each."""
     for name, text in files().items():
         yield folder / name, _write(folder / name, text, is_ours=lambda text: _OURS in text, force=force)
 
 
 def install_profile(profiles: Path, *, force: bool) -> Iterator[tuple[Path, InstallResult]]:
-    """Writes the profile's files, and tells what became of each."""
+    """Writes the profile's files; yields the outcome for each."""
     for name, text in profile.files().items():
         path = profiles / profile.NAME / name
         yield path, _write(path, text, is_ours=profile.is_unchanged, force=force)
 
 
 def install_launcher(folder: Path, *, force: bool) -> tuple[Path, InstallResult]:
-    """Writes the program that Wireshark starts for the interface "EV3 proxy", and tells what became of it."""
+    """Writes the program that Wireshark starts for the interface "EV3 proxy"; yields the outcome."""
     path = _launcher_in(folder)
     outcome = _write(path, _launcher(), is_ours=lambda text: _OURS in text, force=force)
     if outcome is not InstallResult.KEPT:
-        with contextlib.suppress(OSError):  # a file system may know no such bits
+        with contextlib.suppress(OSError):  # a file system may lack permission bits
             path.chmod(path.stat().st_mode | 0o111)
     return path, outcome
 
@@ -117,7 +117,7 @@ def _launcher_in(folder: Path) -> Path:
 
 
 def _launcher() -> str:
-    """Starts this Python's ev3proto. Nothing is imported from the folder where Wireshark was started (-P)."""
+    """Returns a script that starts this Python's ev3proto, without imports from Wireshark's current folder (-P)."""
     if PLATFORM == "win32":
         python = sys.executable.replace("%", "%%")
         return f'@echo off\r\nrem {_OURS}{VERSION}.\r\n"{python}" -P -m ev3proto extcap %*\r\n'
@@ -129,7 +129,7 @@ def uninstall(folders: Folders, *, force: bool) -> Iterator[tuple[Path, InstallR
 
     Args:
         folders: Where they are.
-        force: Also remove files that are another's, or that were changed.
+        force: Also remove files of other programs and files that were changed.
 
     Yields:
         Each file, and what became of it.
@@ -147,7 +147,7 @@ def uninstall(folders: Folders, *, force: bool) -> Iterator[tuple[Path, InstallR
     place = folders.profiles / profile.NAME
     for name in profile.files():
         yield place / name, _remove(place / name, is_ours=profile.is_unchanged, force=force)
-    with contextlib.suppress(OSError):  # what else is in it is the user's
+    with contextlib.suppress(OSError):  # other files in it are the user's
         place.rmdir()
 
 
@@ -165,7 +165,7 @@ def _remove(path: Path, is_ours: Callable[[str], bool], *, force: bool) -> Insta
 
 
 def _write(path: Path, text: str, is_ours: Callable[[str], bool], *, force: bool) -> InstallResult:
-    """Writes a file whole or not at all. One that is another's stays, unless `force` says otherwise."""
+    """Writes a file completely or not at all. A file that is not ours stays, unless `force` is given."""
     data = text.encode()
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -190,7 +190,7 @@ def _outcome(path: Path, data: bytes, is_ours: Callable[[str], bool], *, force: 
 
 
 def _replace(path: Path, data: bytes) -> None:
-    """Puts a new file in the place of the old one: where that is a link, what it points to stays as it is."""
+    """Replaces a file by a new one; a link's target stays unchanged."""
     new = path.with_name(f".{path.name}.{os.getpid()}")
     try:
         with new.open("xb") as stream:
@@ -201,19 +201,19 @@ def _replace(path: Path, data: bytes) -> None:
 
 
 class Tshark:
-    """A tshark, to ask what its Wireshark knows. Raises InstallError where it cannot be run."""
+    """A tshark that tells what its Wireshark knows. Raises InstallError if it cannot be run."""
 
     def __init__(self, name: str | None = None) -> None:
         self.path = _find(name)
 
     def folders(self) -> Folders:
-        """Where it looks for what a person adds."""
+        """Returns the personal folders."""
         said = self._ask("folders").stdout
         plugins, configuration = (self._folder(said, f"Personal {name}") for name in ("Lua Plugins", "configuration"))
         return Folders(plugins, configuration / "profiles", self._extcap(said, configuration))
 
     def _extcap(self, said: str, configuration: Path) -> Path:
-        """The folder for programs that capture: named by later releases only."""
+        """Returns the folder for capture programs, which only later releases name."""
         found = re.search(r"^Personal Extcap path:[ \t]+(\S.*?)\s*$", said, re.MULTILINE | re.IGNORECASE)
         if found:
             return Path(found[1])
@@ -231,7 +231,7 @@ class Tshark:
         return Path(found[1])
 
     def trouble(self, plugin: Path) -> str | None:
-        """Why it has not loaded a plugin, in a sentence; None when it has."""
+        """Returns why it has not loaded a plugin, in a sentence; None if it has."""
         protocols = self._ask("protocols")
         plugins = self._ask("plugins").stdout.splitlines()
         loaded = [Path(line.rpartition("\t")[2].strip()) for line in plugins if "\tlua script\t" in line.lower()]
@@ -275,13 +275,13 @@ class Tshark:
 
 
 def _find(name: str | None) -> str:
-    """The path of tshark: the one named, the one on the path, or one in a usual place."""
+    """Returns the path of tshark: the one given, the one on the path, or one in a usual place."""
     candidates = [name] if name else ["tshark", *USUAL_PLACES]
     for candidate in candidates:
         found = shutil.which(candidate)
         if found:
             return found
-    missing = f"there is no program {name}" if name else "there is no tshark on the path"
+    missing = f"{name}: no such program" if name else "tshark is not on the path"
     raise NoTsharkError(
         f"{missing}: install tshark, which is part of Wireshark, or name it with --tshark, or name the folder for Lua "
         "plugins with --dir (Wireshark shows it under Help, About, Folders)"

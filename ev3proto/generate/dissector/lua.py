@@ -1,4 +1,4 @@
-"""Lua values as a person would write them: one line where it fits, one entry a line where it does not."""
+"""Lua values as a person would write them: on one line if they fit, else one entry a line."""
 
 from __future__ import annotations
 
@@ -11,25 +11,25 @@ INDENT = "    "
 
 
 class Name(str):
-    """Something that stands in Lua as it is: a name, or a number in a form of its own (`0x94`)."""
+    """A Lua expression, emitted verbatim: a name, or a number in a special form (`0x94`)."""
 
     __slots__ = ()
 
 
 @dataclass(frozen=True, slots=True)
 class Table:
-    """A table with values by position and values by key, in this order. Keys are names or numbers."""
+    """A table with positional values and keyed values, in this order. Keys are names or numbers."""
 
     items: Sequence[object] = ()
     named: Mapping[Any, object] = field(default_factory=dict)
 
     @property
     def brackets(self) -> tuple[str, str]:
-        """What stands around the entries."""
+        """Returns the brackets around the entries."""
         return "{", "}"
 
     def entries(self) -> Iterator[tuple[str, object]]:
-        """What stands before each value (`unit = `, `[0] = `, nothing), and the value."""
+        """Returns the prefix of each value (`unit = `, `[0] = `, nothing), and the value."""
         for item in self.items:
             yield "", item
         for key, value in self.named.items():
@@ -37,23 +37,23 @@ class Table:
 
 
 class Source(Table):
-    """What stands between the braces of a table, as a text that Lua reads when it needs it: `[[ 1, unit = "mm" ]]`."""
+    """The entries of a table as a text that Lua parses on demand: `[[ 1, unit = "mm" ]]`."""
 
     __slots__ = ()
 
     @property
     def brackets(self) -> tuple[str, str]:
-        """Those of a text that is taken as it is. None of the texts in the tables has the second one."""
+        """Quotes of a long string. None of the texts in the tables contains the second one."""
         return "[[", "]]"
 
 
 def hexadecimal(number: int) -> Name:
-    """A byte the way that documents print it."""
+    """Writes a byte as documents print it."""
     return Name(f"0x{number:02X}")
 
 
 def literal(value: object, depth: int = 0, used: int = 0) -> str:
-    """A value as Lua.
+    """Writes a value as Lua.
 
     Args:
         value: A whole number, a text, a truth value, a `Name` or a `Table`.
@@ -74,7 +74,7 @@ def _scalar(value: object) -> str:
         return str(value)
     if isinstance(value, str):
         return _quoted(value)
-    raise TypeError(f"{value!r} has no form in Lua")
+    raise TypeError(f"{value!r} cannot be written in Lua")
 
 
 _ESCAPES = {'"': '\\"', "\\": "\\\\", "\n": "\\n", "\r": "\\r", "\0": "\\0"}

@@ -1,7 +1,7 @@
-"""What the fields of system messages are called in Wireshark's filters.
+"""The names of system messages' fields in Wireshark's filters.
 
-Most are called as in the tables. Some have had other names since the first dissectors for the EV3, and people have
-filters, columns and colouring rules with them: those names stay.
+Most are the names in the tables. Some have had other names since the first dissectors for the EV3, and people have
+filters, columns and colouring rules with those: they are kept.
 """
 
 from __future__ import annotations
@@ -15,21 +15,21 @@ FAMILIAR = {
     "name": "mailbox",
     "name_length": "mailbox_length",
 }
-"""Names of fields that differ from those in the tables."""
+"""Filter names that differ from the tables."""
 
 HEXADECIMAL = ("address", "checksum", "hardware_version", "firmware_version")
-"""Numbers that people write in hexadecimal."""
+"""Numbers usually written in hexadecimal."""
 
 
 def filter_name(command: SystemCommand, field: Field) -> str:
-    """What follows `ev3.` in the name of a system message's field."""
+    """Returns what follows `ev3.` in the filter name of a system message's field."""
     if field.name == "path":
-        # A path is a file's where the command or its reply says how long the file is.
+        # A path belongs to a file if the command or its reply gives the file's length.
         fields = (*command.request, *command.reply)
         return "file_name" if any(other.name == "size" for other in fields) else "path_name"
     return FAMILIAR.get(field.name, field.name)
 
 
 def label(field: Field) -> str:
-    """What stands before the value: `Max bytes`."""
+    """Returns the label of a field in the packet tree: `Max bytes`."""
     return field.name.replace("_", " ").capitalize()

@@ -1,7 +1,7 @@
 """A configuration profile for Wireshark: columns and colours for a dialogue with a brick.
 
-A profile is a folder with files of Wireshark's own forms. Wireshark writes a file anew, without our first line, when
-somebody changes what stands in it; so the checksum in that line tells whether a file is still as we wrote it.
+A profile is a folder with files in Wireshark's own formats. When a user changes a setting, Wireshark rewrites the
+file without our first line; the checksum in that line tells whether a file is still as ev3proto wrote it.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ _MARK = "# Made by ev3proto dissector install --profile; checksum of what follow
 
 
 class Column(NamedTuple):
-    """A column of the packet list: its title, and Wireshark's format for what stands in it."""
+    """A column of the packet list: its title, and Wireshark's format of its contents."""
 
     title: str
     format: str
@@ -41,7 +41,7 @@ _DIRECT_COMMANDS = ", ".join(f"{member:d}" for member in MessageType if member.k
 
 
 class Rule(NamedTuple):
-    """A colouring rule: packets that match the filter have these colours, written as in HTML."""
+    """A colouring rule: packets that match the filter get these colours, written as in HTML."""
 
     name: str
     filter: str
@@ -81,7 +81,7 @@ RULES = (
 """The first rule that matches gives the colours."""
 
 
-# Not all of _ws.expert: in a capture begun after the Bluetooth connection Wireshark complains of each packet.
+# Not all of _ws.expert: in a capture begun after the Bluetooth connection, Wireshark complains about each packet.
 _TROUBLE = " || ".join(rule.filter for rule in RULES if "ev3.expert." in rule.filter)
 
 BUTTONS = (
@@ -92,11 +92,11 @@ BUTTONS = (
     ("Files", "ev3.transfer.path", "files and listings that were moved"),
     ("Motors", f"ev3.op in {{{', '.join(str(opcode.number) for opcode in AREAS['output'])}}}", "who works on motors"),
 )
-"""Buttons beside the line for filters: label, filter, what it shows."""
+"""Buttons in the filter toolbar: label, filter, comment."""
 
 
 def files() -> dict[str, str]:
-    """The files of the profile: name and text."""
+    """Returns the files of the profile: name and text."""
     return {
         "preferences": _signed(_preferences()),
         "colorfilters": _signed(_colours()),
@@ -105,7 +105,7 @@ def files() -> dict[str, str]:
 
 
 def is_unchanged(text: str) -> bool:
-    """Whether a file of the profile is as some version of ev3proto wrote it."""
+    """Tells whether a file of the profile is unchanged since some version of ev3proto wrote it."""
     head, _, body = text.partition("\n")
     return head.startswith(_MARK) and head.removeprefix(_MARK).strip() == _checksum(body)
 
@@ -137,5 +137,5 @@ def _buttons() -> str:
 
 
 def _numbers(colour: str) -> str:
-    """Red, green and blue in 16 bits each."""
+    """Returns red, green and blue in 16 bits each."""
     return ",".join(str(byte * 0x101) for byte in bytes.fromhex(colour))

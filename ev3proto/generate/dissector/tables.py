@@ -1,4 +1,4 @@
-"""The tables as Lua: messages, encodings, enumerations, operations, system commands, and what goes before frames."""
+"""The tables as Lua: messages, encodings, enumerations, operations, system commands, and the texts before frames."""
 
 from __future__ import annotations
 
@@ -31,11 +31,11 @@ ENCODING_KINDS = {
     JUMP: Name("JUMP"),
 }
 FIELD_KINDS = {member: Name("BYTES" if member is Kind.DATA else member.name) for member in Kind}
-"""What types, directions, kinds of argument and of field are called in Lua."""
+"""The Lua names of types, directions, kinds of arguments and fields."""
 
 
 def data() -> str:
-    """All the data, section by section."""
+    """Returns all the data, section by section."""
     sections = (f"{_heading(title, text)}{''.join(lines).rstrip()}\n" for title, text, lines in _sections())
     return "\n".join(sections)
 
@@ -89,7 +89,7 @@ def _words() -> Iterator[str]:
 
 
 def _names(names: list[str]) -> str:
-    """Words that stand for themselves."""
+    """Emits words as Lua variables with their own name as value."""
     quoted = ", ".join(f'"{name}"' for name in names)
     return f"local {', '.join(names)} =\n    {quoted}\n"
 
@@ -137,7 +137,7 @@ def _encodings() -> Iterator[str]:
 
 
 def _run_of(byte: int) -> tuple[Encoding | None, int | None]:
-    """Bytes next to each other that say the same, or whose values follow each other, are one row."""
+    """Joins adjacent bytes with the same meaning, or with consecutive values, to one row."""
     value = SHORT_VALUES[byte]
     return ENCODINGS[byte], None if value is None else value - byte
 
@@ -199,7 +199,7 @@ def _dialects(entry: Opcode | Command) -> dict[Any, object]:
 
 
 ROLE_LABELS = {Role.LAYER: "Daisy chain", Role.PORT: "Port", Role.MOTOR: "Port", Role.MOTORS: "Ports"}
-"""What stands before the firmware's names where they say little: `Port NO`."""
+"""Prefixes of firmware names that say little by themselves: `Port NO`."""
 SHORT_NAMES = ("LAYER", "NO", "NOS")
 
 
@@ -277,7 +277,7 @@ def _system_field(command: SystemCommand, field: Field) -> Table:
 
 
 def _daisy() -> Iterator[str]:
-    # The data of a sensor stand in a daisy reply part by part; the last one has what is left.
+    # A daisy reply carries a sensor's data part by part; the last part takes the remaining bytes.
     rows = []
     for part in SENSOR_REPORT.subcons:
         size = _size_of(part)
@@ -296,7 +296,7 @@ def _daisy() -> Iterator[str]:
 
 
 def _size_of(part: object) -> int | None:
-    """Bytes of a part of a Struct, None where it takes what is left."""
+    """Returns the size in bytes of a part of a Struct; None if it takes the remaining bytes."""
     try:
         return int(part.sizeof())  # type: ignore[attr-defined]
     except SizeofError:
@@ -337,7 +337,7 @@ def _claims() -> Iterator[str]:
 
 
 def _unlock() -> Iterator[str]:
-    # Lua's patterns have no optional groups: the version is there, or not.
+    # Lua's patterns lack optional groups: one pattern with the version, one without it.
     patterns = [
         f"^{_plain(discovery.UNLOCK_REQUEST)}([%w_:]*) ?{version}(\r?\n)"
         f"{_plain(discovery.UNLOCK_PROTOCOL)} ?{discovery.PROTOCOL}()"
@@ -358,5 +358,5 @@ def _unlock() -> Iterator[str]:
 
 
 def _plain(text: str) -> str:
-    """A text as a Lua pattern that matches just that."""
+    """Returns a Lua pattern that matches exactly this text."""
     return re.sub(r"([^\w\s/:=])", r"%\1", text)

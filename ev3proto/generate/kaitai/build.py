@@ -1,4 +1,4 @@
-"""Puts the description together: what it is, a stream of frames, the types, the names of numbers."""
+"""Assembles the description: the file's head, a stream of frames, the types, the names of numbers."""
 
 from __future__ import annotations
 
@@ -16,26 +16,26 @@ from ev3proto.version import VERSION
 Mapping = dict[str | int, Value]
 
 COUNT = "_count"
-"""What is put after the name of a list, for the argument that tells how many there are."""
+"""Suffix of a list's name, for the argument with the number of its elements."""
 
 NAME = "_name"
-"""What is put after the name of an argument, for the name of its value."""
+"""Suffix of an argument's name, for its value."""
 
 
 def opcodes(dialect: str) -> list[Opcode]:
-    """The opcodes of a dialect."""
+    """Returns the opcodes of a dialect."""
     return [opcode for opcode in OPCODES if dialect in opcode.dialects]
 
 
 def opcode_enum(dialect: str) -> Mapping:
-    """The names of the opcodes."""
+    """Returns the enumeration of opcodes."""
     return {
         Hexadecimal(opcode.number): {"id": identifier(opcode.name), "doc": opcode.text} for opcode in opcodes(dialect)
     }
 
 
 def operation_types(dialect: str) -> Iterator[tuple[str, Value]]:
-    """The type of an operation, those of families, those of operations that have parameters."""
+    """Returns the types of operations: the switch, families, operations with parameters."""
     cases: Mapping = {}
     for opcode in opcodes(dialect):
         if opcode.is_family:
@@ -60,7 +60,7 @@ def operation_types(dialect: str) -> Iterator[tuple[str, Value]]:
 
 
 def used_enumerations(dialect: str) -> list[Enumeration]:
-    """The enumerations that parameters refer to; sets of bits are none that a description could have."""
+    """Returns the enumerations that parameters refer to; a description cannot have sets of bits."""
     found: dict[str, Enumeration] = {}
     for declaration in operations(dialect).values():
         for parameter in declaration.parameters:
@@ -122,7 +122,7 @@ def _list(name: str, is_float: str, counter: str, doc: str = "") -> Mapping:
 
 
 def _is_float(parameter: Parameter) -> str:
-    """Whether the elements of a list are floats, as an expression where another argument tells it."""
+    """Returns whether a list's elements are floats, as an expression if another argument tells it."""
     if not isinstance(parameter.element, str):
         return str(parameter.element is Type.DATAF).lower()
     teller = identifier(parameter.element)
@@ -133,23 +133,23 @@ def _is_float(parameter: Parameter) -> str:
 FILE_NAME = "ev3.ksy"
 
 DOC = """\
-Frames between a computer and a brick: all of a stream, from its first frame on. On USB each report starts with one
-frame, and the rest of it is padding. On WiFi two texts come first, which are no frames.
+All frames of a stream between a computer and a brick, from its first frame on. On USB each report starts with one
+frame, and the rest of it is padding. On WiFi two texts precede the frames.
 
 Operations are those of the {dialect} firmware. An argument's type does not say whether its encoding is the shortest.
-What a description cannot say: what the bytes of a direct reply mean, which only the command tells; which CMD a family
-does not have (then what follows is read as the next operation); names of sets of bits.
+Not covered: the meaning of a direct reply's bytes, which only the command tells; CMDs that a family does not have
+(what follows is then read as the next operation); names of sets of bits.
 
 Made by ev3proto {version} from its tables (ev3proto export kaitai): change those, not this."""
 
 
 def build(dialect: str = DIALECTS[0]) -> str:
-    """The text of ev3.ksy. ValueError for an unknown dialect."""
+    """Returns the text of ev3.ksy. Raises ValueError for an unknown dialect."""
     return written(description(dialect))
 
 
 def description(dialect: str = DIALECTS[0]) -> dict[str | int, Value]:
-    """All that the description says. ValueError for an unknown dialect."""
+    """Returns the whole description. Raises ValueError for an unknown dialect."""
     check_dialect(dialect)
     return {
         "meta": {

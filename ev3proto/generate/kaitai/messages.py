@@ -1,4 +1,4 @@
-"""Frames, the bodies of all message types, arguments and what their first byte says."""
+"""Frames, the bodies of all message types, arguments, and the meaning of their first byte."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _REST: Mapping = {"size-eos": True}
 
 
 def message_types() -> Iterator[tuple[str, Value]]:
-    """The types of everything but operations."""
+    """Returns all types except those of operations."""
     yield (
         "frame",
         {
@@ -69,7 +69,7 @@ def message_types() -> Iterator[tuple[str, Value]]:
 
 
 def enumerations() -> Iterator[tuple[str, Value]]:
-    """The names of the numbers before fields and operations."""
+    """Returns the enumerations of the numbers before fields and operations."""
     yield "message_type", {Hexadecimal(member.value): member.name.lower() for member in MessageType}
     yield (
         "system_code",
@@ -103,7 +103,7 @@ def _system() -> Iterator[tuple[str, Value]]:
     yield (
         "counted_text",
         {
-            "doc": "A text whose length stands before it. Some senders count its zero in, some do not; it is there.",
+            "doc": "A text preceded by its length. Some senders count its zero, some do not; the zero is always there.",
             "params": [{"id": "length", "type": "u1"}],
             "seq": [
                 {"id": "bytes", "size": "length"},
@@ -198,7 +198,7 @@ def _daisy() -> Iterator[tuple[str, Value]]:
 _FORMS = {1: "s1", 2: "s2", 4: "s4"}
 _INDEXES = {1: "u1", 2: "u2", 4: "u4"}
 _TEXT = 8
-"""In `form`: a string. Below are widths of constants, above those of variables."""
+"""In `form`: a string. Values below it are widths of constants, values above it those of variables."""
 
 
 def _argument() -> Mapping:

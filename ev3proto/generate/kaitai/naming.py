@@ -1,4 +1,4 @@
-"""Names in a description: small letters, and none that a language needs itself."""
+"""Names in a description: lower case, and never a reserved word of a target language."""
 
 from __future__ import annotations
 
@@ -18,35 +18,35 @@ _WORDS = """
 """
 
 RESERVED = frozenset(_WORDS.split())
-"""Words of the languages that parsers are made in."""
+"""Reserved words of the languages that parsers are generated in."""
 
 
 def identifier(name: str) -> str:
-    """A name of the tables as a description can have it."""
+    """Turns a name of the tables into one that a description may have."""
     lower = name.lower()
     return f"{lower}_" if lower in RESERVED else lower
 
 
 def parameter_name(parameter: Parameter) -> str:
-    """What the argument of a parameter is called."""
+    """Returns the name of a parameter's argument."""
     return identifier(parameter.name)
 
 
 def operation_type(declaration: Declaration) -> str:
-    """`op_sound_tone`, `op_ui_flush`."""
+    """Returns the name of an operation's type: `op_sound_tone`, `op_ui_flush`."""
     return f"op_{declaration.name.replace('.', '_').lower()}"
 
 
 def family_type(name: str) -> str:
-    """`family_sound`."""
+    """Returns the name of a family's type: `family_sound`."""
     return f"family_{name.lower()}"
 
 
 def system_name(command: SystemCommand) -> str:
-    """`list_files`, `bootloader_start_app`: the bootloader has names of the firmware's once more."""
+    """Returns `list_files`, `bootloader_start_app`: the bootloader shares names with the firmware."""
     return ("bootloader_" if command.bootloader else "") + command.name.lower()
 
 
 def field_name(field: Field) -> str:
-    """What a field of a system message is called."""
+    """Returns the name of a system message's field."""
     return identifier(field.name)

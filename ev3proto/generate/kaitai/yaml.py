@@ -1,4 +1,4 @@
-"""YAML as a person would write it: what fits one line stands on one."""
+"""YAML as a person would write it: on one line if it fits."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ _BOOLEANS = {"y", "n", "yes", "no", "on", "off", "true", "false", "null"}
 
 
 class Hexadecimal(int):
-    """A number that is written with two hexadecimal digits at least."""
+    """A number written with at least two hexadecimal digits."""
 
 
 class Block(str):
-    """A text of several lines, which stands as it is."""
+    """A text of several lines, emitted verbatim."""
 
     __slots__ = ()
 
@@ -27,7 +27,7 @@ Value = str | int | bool | list["Value"] | dict[str | int, "Value"]
 
 
 def written(value: dict[str | int, Value]) -> str:
-    """A mapping as the text of a file."""
+    """Returns a mapping as the text of a file."""
     return "".join(f"{line}\n" for line in _mapping(value, 0))
 
 
@@ -44,7 +44,7 @@ def _scalar(value: Value) -> str:
 
 
 def _flow(value: Value) -> str | None:
-    """On one line, None where something in it cannot."""
+    """Returns the value on one line; None if part of it needs several."""
     if isinstance(value, Block):
         return None
     if isinstance(value, dict):
@@ -66,7 +66,7 @@ def _mapping(value: dict[str | int, Value], depth: int) -> Iterator[str]:
 
 
 def _entry(head: str, item: Value, depth: int) -> Iterator[str]:
-    """A key with its value: after it where that fits and is no deep one, else below."""
+    """Returns a key with its value: on the same line if it fits and is not nested deeply, else below."""
     flow = _flow(item)
     is_deep = depth < 3 and isinstance(item, dict | list) and bool(item)
     if flow is not None and not is_deep and (len(head) + len(flow) < WIDTH or not isinstance(item, dict | list)):

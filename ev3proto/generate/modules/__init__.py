@@ -1,4 +1,4 @@
-"""The generated parts of the package itself: `ev3proto.ops`, `ev3proto.enums`, `ev3proto.system`.
+"""The generated modules of the package itself: `ev3proto.ops`, `ev3proto.enums`, `ev3proto.system`.
 
 They are Python files that people open, jump to and read, and that type checkers and editors follow without help.
 """
@@ -9,11 +9,11 @@ from ev3proto.generate.modules import argument_types, enumerations, operations, 
 from ev3proto.tables.declaration import DIALECTS
 
 FOLDERS = ("ev3proto/ops", "ev3proto/enums", "ev3proto/system")
-"""Where they are. A Python file there that has the generated mark and is not among them belongs to no table."""
+"""Their folders. A Python file there that has the generated mark and is not generated now is stale."""
 
 
 def build() -> dict[str, str]:
-    """Each file by its path in the project's folder; the same text every time."""
+    """Generates each file by its path in the project's folder; the same text every time."""
     files = {
         "ev3proto/enums/__init__.py": enumerations.module(),
         "ev3proto/ops/argument_types.py": argument_types.module(),

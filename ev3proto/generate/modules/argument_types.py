@@ -1,4 +1,4 @@
-"""`ev3proto.ops.argument_types`: what calls take for a parameter, as types for type checkers and editors."""
+"""`ev3proto.ops.argument_types`: what calls accept for a parameter, as types for type checkers and editors."""
 
 from __future__ import annotations
 
@@ -20,18 +20,18 @@ _ALIASES = {
     "Output": "AnyVariable | None",
     "Outputs": "Sequence[Output] | Variable | Placeholder | int | None",
 }
-"""The types that no enumeration is part of."""
+"""The types that do not involve an enumeration."""
 
 _SCALARS = {Type.DATAF: "Real", Type.STRING: "Text", Type.ARRAY_TYPED: "Real"}
 
 
 def module() -> str:
-    """The text of the module."""
+    """Returns the text of the module."""
     return joined(_lines())
 
 
 def argument_type(parameter: Parameter) -> str:
-    """What a call takes for a parameter."""
+    """Returns the type of what a call accepts for a parameter."""
     if parameter.type is Type.COUNT and parameter.elements is not Direction.IN:
         return "Outputs"
     if parameter.type in LISTS:
@@ -87,7 +87,7 @@ def _lines() -> Iterator[str]:
 
 
 def _enumerations() -> list[Enumeration]:
-    """Those that inputs of any dialect have, in the order in which they are met."""
+    """Returns the enumerations of inputs of all dialects, in order of first use."""
     found: dict[str, Enumeration] = {}
     for dialect in DIALECTS:
         for declaration in operations_of(dialect).values():

@@ -1,4 +1,4 @@
-"""`ev3proto.enums`: a class for each enumeration, its members under the firmware's and under short names."""
+"""`ev3proto.enums`: a class for each enumeration, its members under the firmware's names and under short ones."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from ev3proto.tables.enumerations import ENUMERATIONS
 
 
 class _Naming(NamedTuple):
-    """How an enumeration is called in Python.
+    """The Python names of an enumeration.
 
-    declared  what the tables say
-    word      the word that all members have in common, empty where there is none
-    short     members' names without that word, in the order of the tables; empty where there is none
+    declared  the entry in the tables
+    word      the word that all member names share; empty if they share none
+    short     member names without that word, in the order of the tables; empty if they share none
     """
 
     declared: Enumeration
@@ -24,7 +24,7 @@ class _Naming(NamedTuple):
 
 
 def module() -> str:
-    """The text of the module."""
+    """Returns the text of the module."""
     return joined(_lines())
 
 
@@ -59,7 +59,7 @@ def _lines() -> Iterator[str]:
 
 
 def _aliases(namings: Sequence[_Naming]) -> dict[str, str]:
-    """Classes by their second name. The first that has it keeps it."""
+    """Returns classes by their second name. If two claim one, the first keeps it."""
     found: dict[str, str] = {}
     names = {naming.declared.name for naming in namings}
     for naming in namings:

@@ -1,6 +1,6 @@
 """`ev3proto.ops` and its dialects: a module for each family, and a private one for all other opcodes.
 
-What a dialect shares with LEGO's own firmware is re-exported from there; its own folder holds what differs.
+What a dialect shares with LEGO's own firmware is re-exported from there; its folder holds only what differs.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ from ev3proto.tables import operations as operations_of
 from ev3proto.tables.declaration import DIALECTS, LISTS, Declaration, Direction, Opcode, Parameter, Type
 
 _PLAIN = "_plain"
-"""The module of the opcodes without a CMD; the index imports all of it."""
+"""The module of opcodes without a CMD; the package imports all of it."""
 
 _UNCHECKED = "unchecked: bool = False"
 
@@ -67,7 +67,7 @@ _TEXTS = {
 
 
 def modules(dialect: str) -> dict[str, str]:
-    """The files of one dialect by their path in the project's folder."""
+    """Returns the files of one dialect by their path in the project's folder."""
     folder = _package(dialect).replace(".", "/")
     files = {f"{folder}/__init__.py": joined(_index(dialect))}
     for opcode in _families(dialect):
@@ -83,28 +83,28 @@ def _package(dialect: str) -> str:
 
 
 def _home(declaration: Declaration) -> str:
-    """The dialect whose folder has an operation: the first that knows it."""
+    """Returns the dialect whose folder defines an operation: the first that knows it."""
     return next(dialect for dialect in DIALECTS if dialect in declaration.dialects)
 
 
 def _families(dialect: str) -> list[Opcode]:
-    """The opcodes of a dialect that have a CMD."""
+    """Returns the opcodes of a dialect that have a CMD."""
     return [opcode for opcode in OPCODES if opcode.is_family and dialect in opcode.dialects]
 
 
 def _commands(opcode: Opcode, dialect: str) -> list[Declaration]:
-    """The operations of one family."""
+    """Returns the operations of one family."""
     return [found for found in operations_of(dialect).values() if found.opcode is opcode]
 
 
 def _family_home(opcode: Opcode, dialect: str) -> str:
-    """The first dialect whose family has the same commands."""
+    """Returns the first dialect whose family has the same commands."""
     wanted = _commands(opcode, dialect)
     return next(other for other in DIALECTS if _commands(opcode, other) == wanted)
 
 
 def _plain_homes(dialect: str) -> dict[str, list[Declaration]]:
-    """The operations of a dialect without a CMD, area by area, by the dialect whose folder has them."""
+    """Returns the operations of a dialect without a CMD, area by area, by the dialect whose folder defines them."""
     plain = [found for found in operations_of(dialect).values() if found.command is None]
     found: dict[str, list[Declaration]] = {}
     for declaration in sorted(plain, key=lambda each: area_of(each.opcode)):
@@ -203,7 +203,7 @@ def _optional(declaration: Declaration) -> list[bool]:
 
 
 def _is_overloaded(declaration: Declaration) -> bool:
-    """Whether something that may be omitted stands before something that may not."""
+    """Tells whether an optional parameter precedes a required one."""
     optional = _optional(declaration)
     return True in optional and not all(optional[optional.index(True) :])
 
@@ -221,7 +221,7 @@ def _function(declaration: Declaration) -> Iterator[str]:
     parameters = by_name
     if _is_overloaded(declaration):
         split = optional.index(True)
-        # By position all have to be there; by name, what may be omitted need not.
+        # Positional calls give all of them; keyword calls may leave out optional ones.
         yield "@overload"
         yield from bracketed(f"def {name}(", [*in_order, "*", _UNCHECKED], ") -> Draft: ...")
         yield ""
@@ -251,7 +251,7 @@ def _function(declaration: Declaration) -> Iterator[str]:
 
 
 def text_of(parameter: Parameter, *, is_optional: bool) -> str:
-    """Meaning, unit, range, special values and type: `How loud; 0 to 100 %; 0: silent; DATA8.`"""
+    """Returns meaning, unit, range, special values and type: `How loud; 0 to 100 %; 0: silent; DATA8.`"""
     return sentence(*_pieces(parameter, is_optional=is_optional))
 
 
@@ -268,7 +268,7 @@ def _pieces(parameter: Parameter, *, is_optional: bool) -> Iterator[str]:
 
 
 def _type(parameter: Parameter) -> str:
-    """`DATA16`, or what a list has."""
+    """Returns the type: `DATA16`, or that of a list's elements."""
     if parameter.type in LISTS:
         element = parameter.element
         if isinstance(element, str):

@@ -1,4 +1,4 @@
-"""Python source in pieces: docstrings, signatures, imports, lists, in the form in which the formatter leaves them."""
+"""Python source in pieces: docstrings, signatures, imports, lists, laid out as the formatter would."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ WIDTH = 120
 INDENT = "    "
 
 MARK = "Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate."
-"""A line in the docstring of every generated module."""
+"""A line for the docstring of every generated module."""
 
 FIRMWARES = {
     "official": "LEGO's own firmware",
@@ -24,23 +24,23 @@ assert tuple(FIRMWARES) == DIALECTS
 
 
 def python_name(name: str) -> str:
-    """A firmware's name as Python writes it: in lower case, with a `_` after it where it is a word of Python."""
+    """Returns a firmware name in Python: in lower case, with a trailing `_` if it is a keyword."""
     lowered = name.lower()
     return f"{lowered}_" if keyword.iskeyword(lowered) else lowered
 
 
 def natural(name: str) -> list[tuple[int, str]]:
-    """The key that puts `move8_8` before `move16_8`, as the formatter sorts imports."""
+    """Returns the key that sorts `move8_8` before `move16_8`, as the formatter sorts imports."""
     return [(int(piece), "") if piece.isdigit() else (-1, piece) for piece in re.findall(r"\d+|\D+", name)]
 
 
 def indented(lines: Iterable[str]) -> Iterator[str]:
-    """The same lines one step further in."""
+    """Indents lines by one level."""
     return (f"{INDENT}{line}" if line else "" for line in lines)
 
 
 def docstring(lines: Sequence[str]) -> Iterator[str]:
-    """A docstring of these lines."""
+    """Returns a docstring of these lines."""
     first, *rest = [line.replace("\\", r"\\").replace('"""', r"\"\"\"") for line in lines]
     if rest:
         yield f'"""{first}'
@@ -51,18 +51,18 @@ def docstring(lines: Sequence[str]) -> Iterator[str]:
 
 
 def sentence(*pieces: str) -> str:
-    """Pieces of text as one sentence: `How loud; 0 to 100 %; DATA8.`"""
+    """Joins pieces of text to one sentence: `How loud; 0 to 100 %; DATA8.`"""
     text = "; ".join(pieces)
     return f"{text[:1].upper()}{text[1:]}."
 
 
 def described(text: str, arguments: Sequence[tuple[str, str]], indent: str) -> Iterator[str]:
-    """The docstring of a function: what it does, and what its parameters are.
+    """Returns the docstring of a function: its effect and its parameters.
 
     Args:
         text: One sentence without its full stop.
         arguments: Each parameter's name and a sentence.
-        indent: What stands before the lines in the file.
+        indent: The indentation of the lines in the file.
     """
     lines = [sentence(text)]
     if arguments:
@@ -80,7 +80,7 @@ def described(text: str, arguments: Sequence[tuple[str, str]], indent: str) -> I
 
 
 def bracketed(start: str, items: Sequence[str], end: str, indent: str = "") -> Iterator[str]:
-    """`start` and `end` with the items between them: in one line where there is room, else an item a line."""
+    """Returns `start` and `end` with the items between them: on one line if they fit, else one item a line."""
     line = f"{start}{', '.join(items)}{end}"
     if len(indent) + len(line) <= WIDTH:
         yield line
@@ -91,7 +91,7 @@ def bracketed(start: str, items: Sequence[str], end: str, indent: str = "") -> I
 
 
 def imported(module: str, names: Iterable[str], indent: str = "") -> Iterator[str]:
-    """`from module import name, ...`"""
+    """Returns `from module import name, ...`."""
     found = sorted(set(names), key=_import_order)
     line = f"from {module} import {', '.join(found)}"
     if len(indent) + len(line) <= WIDTH:
@@ -101,15 +101,15 @@ def imported(module: str, names: Iterable[str], indent: str = "") -> Iterator[st
 
 
 def _import_order(name: str) -> tuple[int, list[tuple[int, str]]]:
-    """Constants, then classes, then functions."""
+    """Returns the sort key of `__all__`: constants, then classes, then functions."""
     return (0 if name.isupper() and len(name) > 1 else 1 if name[0].isupper() else 2), natural(name.lower())
 
 
 def exported(names: Iterable[str]) -> Iterator[str]:
-    """`__all__`."""
+    """Returns `__all__`."""
     yield from bracketed("__all__ = [", [f'"{name}"' for name in sorted(names, key=natural)], "]")
 
 
 def joined(lines: Iterable[str]) -> str:
-    """The text of a file."""
+    """Returns the text of a file."""
     return "\n".join(lines) + "\n"

@@ -24,16 +24,16 @@ _REPLY_HEAD: int = HEADER_SIZE + 2
 """Bytes of a reply before its fields: header, command, status."""
 
 _ROOM = "max_bytes"
-"""The field that says how much a reply may carry."""
+"""The field that limits the contents of a reply."""
 
 
 def module() -> str:
-    """The text of `ev3proto.system`."""
+    """Returns the text of `ev3proto.system`."""
     return joined(_system())
 
 
 def bootloader_module() -> str:
-    """The text of `ev3proto.system.bootloader`."""
+    """Returns the text of `ev3proto.system.bootloader`."""
     return joined(_bootloader())
 
 
@@ -75,7 +75,7 @@ def _bootloader() -> Iterator[str]:
 
 
 def _function(entry: SystemCommand) -> Iterator[str]:
-    # The path, what has to be said, what may be omitted.
+    # The path, then required fields, then optional ones.
     fields = sorted(entry.request, key=lambda field: (_default(entry, field) is not None, field.name != "path"))
     always = ("*", "counter: int = 0", f"reply: bool = {entry.answered}")
     yield ""
@@ -93,14 +93,14 @@ def _function(entry: SystemCommand) -> Iterator[str]:
 
 
 def _default(entry: SystemCommand, field: Field) -> str | None:
-    """What a field is when it is omitted; None where it has to be said."""
+    """Returns a field's default; None for a required one."""
     if field.name == _ROOM:
         return str(_room(entry))
     return "None" if field.counts is not None or field.optional else None
 
 
 def _room(entry: SystemCommand) -> int:
-    """Most bytes of contents that fit a reply."""
+    """Returns the most bytes of contents that fit a reply."""
     fixed: int = sum(NUMBERS[field.kind].sizeof() for field in entry.reply if field.kind in NUMBERS)
     return MAX_FRAME - _REPLY_HEAD - fixed
 

@@ -1,7 +1,7 @@
-"""JSON Schemas of what the command line prints with --json: build() writes them as one file.
+"""JSON Schemas of the command line's --json output: build() writes them as one file.
 
-They describe one version exactly: a key that they do not have is refused. A later version may print more keys, and then
-its schemas have those. None is renamed.
+They describe exactly one version: unknown keys are refused. A later version may print more keys, and has schemas for
+them. Keys are never renamed.
 """
 
 from ev3proto.generate.output_schemas.build import FILE_NAME, build

@@ -1,4 +1,4 @@
-"""The file: a schema for each command under `$defs`."""
+"""The schema file: a schema for each command under `$defs`."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ _COMMANDS = ("decode", "check", "check_counts", "stats", "values")
 
 
 def build() -> str:
-    """The text of the file."""
+    """Returns the text of the file."""
     commands: Schema = {
         "check": _check(),
         "check_counts": _counts(),

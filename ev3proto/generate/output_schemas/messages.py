@@ -1,4 +1,4 @@
-"""What `decode --json` prints: messages, texts of WiFi, dialogues, programs."""
+"""Schemas of what `decode --json` prints: messages, WiFi texts, dialogues, programs."""
 
 from __future__ import annotations
 
@@ -38,22 +38,22 @@ _PLACE: Schema = {
     "target": maybe(TEXT),
     "peer": maybe(TEXT),
 }
-"""Where a capture has a frame."""
+"""Keys for the place of a frame in a capture."""
 
 _SEEN: Schema = {"direction": maybe(_DIRECTION), "time": TEXT, **_PLACE}
-"""Keys of messages that come from a log or a capture."""
+"""Keys of messages from a log or a capture."""
 
 _LINKED: Schema = {"answers": WHOLE, "latency": maybe(NUMBER), "note": TEXT}
-"""Keys of replies whose command was captured, and of frames that something must be said of."""
+"""Keys of replies whose command was captured, and of frames with remarks."""
 
 _ODD: Schema = {"fault": _FAULT, "cut": FLAG, "rest": HEX}
-"""Keys of frames that are not as they should be."""
+"""Keys of faulty frames."""
 
 _OUTCOME: Schema = {"enum": ["ok", "error"]}
 
 
 def definitions() -> Schema:
-    """The schemas by their names under `$defs`."""
+    """Returns the schemas by their names under `$defs`."""
     return {
         "decode": {"anyOf": [reference(name) for name in ("message", "text", "dialogue", "program")]},
         "message": {"anyOf": [reference(kind) for kind in (*_contents(), Message().kind)]},
@@ -69,7 +69,7 @@ def definitions() -> Schema:
 
 
 def _contents() -> Schema:
-    """The keys that only the messages of each kind have."""
+    """Returns the keys that only messages of each kind have."""
     fields = {field.name for entry in SYSTEM for field in (*entry.request, *entry.reply)}
     values: Schema = {"type": ["string", "integer"]}
     system: Schema = {"command": maybe(TEXT), "number": _BYTE, "fields": by_name(values, fields)}
@@ -97,7 +97,7 @@ def _contents() -> Schema:
 
 
 def _readings() -> Schema:
-    """What the message of a mailbox can mean; a number that is not finite is a text."""
+    """Returns the schema of a mailbox message's possible meanings; a number that is not finite is a text."""
     kinds: Schema = {TEXT_MESSAGE: TEXT, NUMBER_MESSAGE: {"anyOf": [NUMBER, NOT_FINITE]}, LOGIC_MESSAGE: FLAG}
     return object_of(kinds, *kinds)
 
@@ -116,7 +116,7 @@ def _message(kind: str, contents: Schema) -> Schema:
         **_ODD,
         "hex": HEX,
     }
-    # A frame that ends early lacks what would have come.
+    # A frame that ends early lacks its last keys.
     always = {"kind", "type", "length", "counter", "hex"}
     return object_of(properties, *(name for name in properties if name not in always))
 

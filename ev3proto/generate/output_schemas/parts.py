@@ -1,4 +1,4 @@
-"""What schemas are put together from."""
+"""The building blocks of schemas."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _PLAIN = {int: {"type": "integer"}, float: NUMBER, str: TEXT, bool: FLAG}
 
 
 def object_of(properties: Schema, *optional: str) -> Schema:
-    """An object with these keys and no others.
+    """Returns an object with these keys and no others.
 
     Args:
         properties: The schema of each key.
@@ -32,28 +32,28 @@ def object_of(properties: Schema, *optional: str) -> Schema:
 
 
 def by_name(values: Schema, names: Iterable[str] | None = None) -> Schema:
-    """An object whose keys are names: any, or some of these."""
+    """Returns an object whose keys are names: any, or some of these."""
     found: Schema = {"type": "object", "additionalProperties": values}
     return found if names is None else found | {"propertyNames": {"enum": sorted(set(names))}}
 
 
 def reference(name: str) -> Schema:
-    """A schema that stands under `$defs`."""
+    """Returns a reference to a schema under `$defs`."""
     return {"$ref": f"#/$defs/{name}"}
 
 
 def list_of(items: Schema) -> Schema:
-    """A list."""
+    """Returns a list."""
     return {"type": "array", "items": items}
 
 
 def maybe(schema: Schema) -> Schema:
-    """The same, or null."""
+    """Returns the same schema, or null."""
     return {"anyOf": [schema, {"type": "null"}]}
 
 
 def of_dataclass(kind: type) -> Schema:
-    """What `dataclasses.asdict` makes of an object of this class, by its annotations."""
+    """Returns the schema of what `dataclasses.asdict` makes of a class, by its annotations."""
     hints = get_type_hints(kind)
     return object_of({field.name: _of_type(hints[field.name]) for field in fields(kind)})
 
@@ -72,4 +72,4 @@ def _of_type(hint: Any) -> Schema:
         case origin if origin is UnionType:
             (inner,) = (argument for argument in arguments if argument is not NoneType)
             return maybe(_of_type(inner))
-    raise TypeError(f"there is no schema for {hint}")
+    raise TypeError(f"cannot describe {hint} by a schema")

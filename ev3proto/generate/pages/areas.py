@@ -1,4 +1,4 @@
-"""What the firmware's areas are about, in the words of a table of contents."""
+"""Titles of the firmware's areas, in the words of a table of contents."""
 
 AREA_TITLES = {
     "vm": "Programs and the virtual machine",

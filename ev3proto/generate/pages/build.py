@@ -15,11 +15,11 @@ from ev3proto.generate.pages import (
 from ev3proto.tables import AREAS
 
 FOLDER = "docs/reference"
-"""Where they are. A page there that has the generated mark and is not among them belongs to nothing any more."""
+"""Their folder. A page there that has the generated mark and is not generated now is stale."""
 
 
 def build() -> dict[str, str]:
-    """Makes all pages but that of the command line; the same text every time.
+    """Generates all pages except that of the command line; the same text every time.
 
     Returns:
         Each file by its path in the project's folder.

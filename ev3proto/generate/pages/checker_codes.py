@@ -1,4 +1,4 @@
-"""The page of the checker's codes: each with its explanation, a frame that raises it and one that does not."""
+"""The page of the checker's codes: each with its explanation, a frame that triggers it and one that does not."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from ev3proto.generate.pages.markdown import block, link, page, plain, table
 
 
 def text() -> str:
-    """The page."""
+    """Returns the page."""
     return page("What check finds", _lines())
 
 

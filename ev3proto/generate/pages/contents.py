@@ -1,4 +1,4 @@
-"""The first page of the reference: what there is, and how to read an entry."""
+"""The first page of the reference: its contents, and how to read an entry."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ OTHERS = {
     "command-line.md": "The command line",
     "python.md": "The Python API",
 }
-"""The other pages of the reference, in their order."""
+"""The other pages of the reference, in order."""
 
 
 def text() -> str:
-    """The page."""
+    """Returns the page."""
     return page("Reference", _lines())
 
 
@@ -53,7 +53,7 @@ def _lines() -> Iterator[str]:
     yield (
         "The Python call needs `import ev3proto` and `from ev3proto import ops, system`; operations of other firmwares"
         " need `from ev3proto.ops import xtended, compat`; variables such as `LV(0)` and `Global()` are attributes of"
-        " `ev3proto`. Outputs that a call omits get a place in global memory. Below the call stands its frame, byte by"
+        " `ev3proto`. Outputs that a call omits get a place in global memory. Below the call is its frame, byte by"
         " byte, in hexadecimal. The last word of a line is the encoding."
     )
     yield ""

@@ -11,7 +11,7 @@ from ev3proto.tables.enumerations import ENUMERATIONS
 
 
 def text() -> str:
-    """The page."""
+    """Returns the page."""
     return page("Enumerations", _lines())
 
 
@@ -43,7 +43,7 @@ def _lines() -> Iterator[str]:
 
 
 def _users() -> dict[str, list[str]]:
-    """Links to the operations that have a parameter of each enumeration."""
+    """Returns links to the operations with a parameter of each enumeration."""
     found: dict[str, list[str]] = {}
     for area, opcodes in AREAS.items():
         for declaration in declarations(opcodes):

@@ -1,6 +1,6 @@
-"""An example of each operation and system command: its call in Python, its frame, and what each of its bytes is.
+"""An example of each operation and system command: its call in Python, its frame, and the meaning of its bytes.
 
-The values are the same every time. They are legal, and say something where the tables say enough for that.
+The values are the same every time, legal, and realistic where the tables say enough for that.
 """
 
 from __future__ import annotations
@@ -27,21 +27,21 @@ from ev3proto.tables.system import SystemCommand as SystemEntry
 from ev3proto.text.phrases import argument_meaning, argument_value, plain
 
 _BY_UNIT = {"%": 50, "Hz": 440, "ms": 1000}
-"""Numbers that are usual for a unit."""
+"""Usual numbers for a unit."""
 
 _BY_ROLE = {Role.JUMP: 0, Role.LABEL: 1, Role.MOTORS: 1, Role.OBJECT: 1}
 
 _NUMBER = 2
-"""What a number is that nothing is known of."""
+"""The number for a parameter without a unit."""
 
 _SIZE = 8
-"""How long a text or list is that the brick writes, where an argument says it."""
+"""Length of a text or list that the brick writes, if an argument gives it."""
 
 _LIST = (1, 2)
-"""What stands in a list."""
+"""The elements of a list."""
 
 _ROOM = 16
-"""Bytes for an output of which it is not known how long it becomes."""
+"""Bytes for an output of unknown length."""
 
 _PATH = "../prjs/demo/"
 _TEXT = "demo"
@@ -62,11 +62,11 @@ class Example(NamedTuple):
 
 
 def example_of(declaration: Declaration, dialect: str) -> Example:
-    """The example of an operation. One that draws is followed by the one that shows what was drawn.
+    """Returns the example of an operation. After one that draws, the picture is shown.
 
     Args:
-        declaration: One that the dialect has.
-        dialect: Whose instruction set.
+        declaration: An operation of the dialect.
+        dialect: The instruction set.
 
     Returns:
         Its call and its frame.
@@ -76,7 +76,7 @@ def example_of(declaration: Declaration, dialect: str) -> Example:
     """
     try:
         calls = [_call(declaration, dialect, omitted=True)]
-    except BuildError:  # where it is not known how long an output becomes, it must be said
+    except BuildError:  # the length of an output must be given if it is not known
         calls = [_call(declaration, dialect, omitted=False)]
     if Effect.DRAWS in declaration.effects and Effect.SHOWS not in declaration.effects:
         calls.append(_call(with_effect(Effect.SHOWS), DIALECTS[0], omitted=True))
@@ -85,7 +85,7 @@ def example_of(declaration: Declaration, dialect: str) -> Example:
 
 
 def _call(declaration: Declaration, dialect: str, *, omitted: bool) -> tuple[str, Draft]:
-    """A call of an operation's function, and what it gives."""
+    """Returns a call of an operation's function, and its result."""
     values = {name: value for name, value in _values(declaration, omitted=omitted) if value is not None}
     path, function = _function(declaration, dialect)
     arguments = ", ".join(f"{name}={_written(value)}" for name, value in values.items())
@@ -94,7 +94,7 @@ def _call(declaration: Declaration, dialect: str, *, omitted: bool) -> tuple[str
 
 
 def _function(declaration: Declaration, dialect: str) -> tuple[str, Any]:
-    """The function of an operation: how it is called in a program, and the function itself."""
+    """Returns the function of an operation: its name in a program, and the function itself."""
     package = "ev3proto.ops" if dialect == DIALECTS[0] else f"ev3proto.ops.{dialect}"
     names = [python_name(part) for part in declaration.name.split(".")]
     found: Any = import_module(package)
@@ -104,7 +104,7 @@ def _function(declaration: Declaration, dialect: str) -> tuple[str, Any]:
 
 
 def _values(declaration: Declaration, *, omitted: bool) -> Iterator[tuple[str, Any]]:
-    """A value for each parameter; None where it is omitted."""
+    """Returns a value for each parameter; None if it is omitted."""
     has_list = any(parameter.type is Type.VALUES for parameter in declaration.parameters)
     for index, parameter in enumerate(declaration.parameters):
         counted = [each for each in declaration.parameters if each.length == parameter.name]
@@ -160,14 +160,14 @@ def _number(parameter: Parameter, index: int) -> int | float:
 
 
 def _written(value: Any) -> str:
-    """A value as Python writes it."""
+    """Returns a value as Python source."""
     if isinstance(value, Variable):
         return str(value)
     return json.dumps(value) if isinstance(value, str) else repr(value).replace("'", '"')
 
 
 def system_example(entry: SystemEntry) -> Example:
-    """The example of a system command."""
+    """Returns the example of a system command."""
     package = "system.bootloader" if entry.bootloader else "system"
     name = python_name(entry.name)
     values = {field.name: value for field in entry.request if (value := _field_value(field)) is not None}
@@ -187,12 +187,12 @@ def _field_value(field: Field) -> Any:
 
 
 def is_accepted(example: Example, dialect: str) -> bool:
-    """Whether the brick takes the frame."""
+    """Tells whether the brick accepts the frame."""
     return check(example.frame, dialect=dialect).accepted
 
 
 def explained(frame: bytes, dialect: str = "official") -> Iterator[str]:
-    """The bytes of a frame, a part a line, and what each part is."""
+    """Yields the bytes of a frame, one part a line, with the meaning of each part."""
     message = parse(frame, dialect=dialect)
     rows = list(_rows(frame, message))
     width = max(len(data.hex(" ")) for data, _ in rows)

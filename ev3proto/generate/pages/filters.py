@@ -1,4 +1,4 @@
-"""The page of filters: all that can be written in one, with the examples that `--help-filter` shows."""
+"""The page of filters: the whole filter language, with the examples of `--help-filter`."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from ev3proto.capture.filter.manual import COMPARISONS, PARAMETERS, VALUES, Entr
 from ev3proto.generate.pages.markdown import code, page, plain, table
 
 _MOST_PLACES = 4
-"""So many operations that have a parameter are named."""
+"""Number of operations named as examples of a parameter."""
 
 
 def text() -> str:
-    """The page."""
+    """Returns the page."""
     return page("Filters", _lines())
 
 
@@ -43,7 +43,7 @@ def _rows(entries: Iterable[Entry]) -> Iterator[tuple[str, str, str]]:
 
 
 def _cell(text: str) -> str:
-    """Code in a table, whose columns | would end."""
+    """Returns code for a table cell, in which | would end the column."""
     return code(text.replace("|", "\\|"))
 
 

@@ -1,4 +1,4 @@
-"""The page that a number or a name is looked up in."""
+"""The page for looking up a number or a name."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from ev3proto.tables.system import SYSTEM
 
 
 def text() -> str:
-    """The page."""
+    """Returns the page."""
     return page("Numbers and names", _lines())
 
 

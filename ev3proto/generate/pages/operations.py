@@ -1,4 +1,4 @@
-"""One page for each of the firmware's areas: all of its operations, each with all that the tables know of it."""
+"""One page for each of the firmware's areas: its operations, with everything that the tables know about each."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ from ev3proto.tables.declaration import DIALECTS, Declaration, Parameter, Type, 
 ENUMERATIONS_PAGE = "enumerations.md"
 
 _MOST_NAMES = 8
-"""So many names of an enumeration are listed beside a parameter."""
+"""Number of an enumeration's names listed with a parameter."""
 
 
 def text(area: str) -> str:
-    """The page of an area."""
+    """Returns the page of an area."""
     return page(f"{AREA_TITLES[area]} ({area})", _lines(area))
 
 
@@ -52,7 +52,7 @@ def _number(declaration: Declaration) -> str:
 
 
 def dialect_of(declaration: Declaration) -> str | None:
-    """The first firmware that has it, None where none has."""
+    """Returns the first firmware version that has it; None if there is none."""
     return next(iter(declaration.dialects), None)
 
 
@@ -99,7 +99,7 @@ def _facts(declaration: Declaration) -> Iterator[str]:
 
 
 def filter_name(declaration: Declaration, parameter: Parameter) -> str:
-    """What Wireshark calls a parameter: `ev3.sound.tone.frequency`."""
+    """Returns Wireshark's name of a parameter: `ev3.sound.tone.frequency`."""
     return f"ev3.{declaration.name}.{parameter.name}".lower()
 
 

@@ -1,4 +1,4 @@
-"""The page of the Python API: what the package offers by name, with signatures and docstrings."""
+"""The page of the Python API: all public names, with signatures and docstrings."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from typing import Any
 from ev3proto.generate.pages.markdown import block, link, page, plain, table
 
 MODULES = ("ev3proto", "ev3proto.capture", "ev3proto.program", "ev3proto.system", "ev3proto.brick", "ev3proto.testing")
-"""The modules that people import; each names what it offers in `__all__`."""
+"""The public modules; each lists its names in `__all__`."""
 
 _PLAIN = (bool, int, float, str, bytes, tuple, type(None))
 _WIDTH = 100
@@ -23,13 +23,13 @@ _SECTIONS = ("Args", "Returns", "Raises", "Yields", "Attributes")
 
 
 def text() -> str:
-    """The page."""
+    """Returns the page."""
     return page("The Python API", _lines())
 
 
 def _lines() -> Iterator[str]:
     yield (
-        "What the package offers by name. The functions of `ev3proto.ops` stand with their operations in the"
+        "The public names of the package. The functions of `ev3proto.ops` are listed with their operations in the"
         " reference of the instruction set, those of `ev3proto.enums` with the [enumerations](enumerations.md)."
     )
     yield ""
@@ -89,7 +89,7 @@ def _class(name: str, value: type) -> Iterator[str]:
 
 
 def _members(value: type) -> dict[str, Any]:
-    """What a class defines, and after it what it has from bases that no module offers."""
+    """Returns what a class defines, then what it inherits from bases that no module exports."""
     offered = {id(found) for name in MODULES for found in vars(import_module(name)).values()}
     ours = [each for each in value.__mro__ if each.__module__.startswith("ev3proto.")]
     told = [each for each in ours if each is value or id(each) not in offered]
@@ -98,7 +98,7 @@ def _members(value: type) -> dict[str, Any]:
 
 
 def _signature(head: str, function: Any) -> Iterator[str]:
-    """`def name(first: type = default) -> type`, in one line or with a parameter a line."""
+    """Returns `def name(first: type = default) -> type`, on one line or with a parameter a line."""
     signature = inspect.signature(function)
     constants = vars(import_module(function.__module__))
     own = [each for each in signature.parameters.values() if each.name not in ("self", "cls")]
@@ -120,11 +120,11 @@ _STARS: dict[Any, str] = {inspect.Parameter.VAR_POSITIONAL: "*", inspect.Paramet
 
 
 def _parameter(parameter: inspect.Parameter, constants: Mapping[str, object]) -> str:
-    """A parameter as it stands in a signature.
+    """Returns a parameter as written in a signature.
 
     Args:
         parameter: The parameter.
-        constants: The names of its module. Its default goes by one of them if it has no short text of its own.
+        constants: The names of its module. A default without a short text is shown by such a name.
     """
     text = _STARS.get(parameter.kind, "") + parameter.name
     has_type = parameter.annotation is not inspect.Parameter.empty
@@ -146,12 +146,12 @@ def _default(value: Any, constants: Mapping[str, object]) -> str:
 def _type(annotation: Any) -> str:
     if isinstance(annotation, str):
         return annotation
-    # What hypothesis makes of an annotation has references in it, and the names of its own modules.
+    # Hypothesis's representation of an annotation contains references, and names of its own modules.
     return re.sub(r"ForwardRef\('(\w+)'\)|hypothesis\.strategies\.", r"\1", inspect.formatannotation(annotation))
 
 
 def _docstring(value: object) -> Iterator[str]:
-    """A docstring as Markdown: its sections become lists, its tables and examples stay as they are."""
+    """Returns a docstring as Markdown: its sections become lists, its tables and examples stay unchanged."""
     for paragraph in re.split(r"\n\n+", inspect.getdoc(value) or ""):
         lines = paragraph.splitlines()
         title = lines[0].removesuffix(":") if lines else ""
@@ -168,7 +168,7 @@ def _docstring(value: object) -> Iterator[str]:
 
 
 def _items(lines: list[str]) -> Iterator[str]:
-    """The entries of a section, each of which may go on in lines that stand further in."""
+    """Yields the entries of a section; an entry continues in lines that are indented further."""
     entry = ""
     for line in lines:
         if line.startswith("        "):
@@ -189,6 +189,6 @@ def _item(entry: str) -> str:
 
 
 def _prose(text: str) -> str:
-    """A text of a docstring, in which only what stands between backquotes is markup."""
+    """Returns a text of a docstring, in which only what is between backquotes is markup."""
     pieces = re.split(r"(`[^`]*`)", text)
     return "".join(piece if piece.startswith("`") else plain(piece) for piece in pieces)

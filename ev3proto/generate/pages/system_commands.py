@@ -1,4 +1,4 @@
-"""The page of system commands, those of the bootloader, and the statuses of their replies."""
+"""The page of system commands, with the bootloader's, and of the statuses of their replies."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from ev3proto.tables.system import SYSTEM, UNUSED_STATUSES, Field, SystemCommand
 
 
 def text() -> str:
-    """The page."""
+    """Returns the page."""
     return page("System commands", _lines())
 
 
 def _lines() -> Iterator[str]:
     yield (
         "What a brick is sent besides byte code: a number, then fields. A reply repeats the number, then has a"
-        " [status](#statuses) and fields of its own. Numbers stand in little-endian order, texts end at a zero."
+        " [status](#statuses) and its own fields. Numbers are little-endian, texts end at a zero."
     )
     yield ""
     rows = (
@@ -49,7 +49,7 @@ def _outcome(status: SystemStatus) -> str:
 
 
 def heading(entry: SystemCommand) -> str:
-    """The heading of a command, to which links lead."""
+    """Returns the heading of a command, which links lead to."""
     return f"{entry.name} (bootloader)" if entry.bootloader else entry.name
 
 

@@ -1,4 +1,4 @@
-"""The two files: the tables, and the schema that they follow."""
+"""The two files: the tables, and their schema."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ SCHEMA_NAME = "ev3-tables.schema.json"
 
 
 def build_tables() -> str:
-    """The text of ev3-tables.json."""
+    """Returns the text of ev3-tables.json."""
     return written({"$schema": SCHEMA_NAME, **tables()})
 
 
 def build_schema() -> str:
-    """The text of ev3-tables.schema.json."""
+    """Returns the text of ev3-tables.schema.json."""
     return written(schema())

@@ -1,4 +1,4 @@
-"""The tables as plain values: numbers, texts, lists, objects. What a table leaves open is omitted."""
+"""The tables as plain values: numbers, texts, lists, objects. Unspecified properties are omitted."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ Object = dict[str, Any]
 
 
 def tables() -> Object:
-    """Everything, section by section."""
+    """Returns everything, section by section."""
     return {
         "version": VERSION,
         "dialects": list(DIALECTS),
@@ -41,7 +41,7 @@ def tables() -> Object:
 
 
 def _present(**facts: Any) -> Object:
-    """An object without what is not there: None, no text, nothing in it."""
+    """Returns an object without its empty entries: None, empty texts, empty lists."""
     return {name: value for name, value in facts.items() if value is not None and value != "" and value != {}}
 
 
@@ -80,7 +80,7 @@ def _type(member: Type) -> Object:
 
 
 def _encodings() -> list[Object]:
-    """Bytes next to each other that say the same, or whose values follow each other, are one entry."""
+    """Joins adjacent bytes with the same meaning, or with consecutive values, to one entry."""
     found = []
     for (encoding, _), run in groupby(range(len(ENCODINGS)), key=_run_of):
         if encoding is None:

@@ -1,4 +1,4 @@
-"""JSON as a person would write it: what fits one line stands on one."""
+"""JSON as a person would write it: on one line if it fits."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ INDENT = "  "
 
 
 def written(value: object) -> str:
-    """A value as the text of a file. TypeError for what JSON has not."""
+    """Returns a value as the text of a file. Raises TypeError for values that JSON lacks."""
     return f"{_literal(value, 0, 0, 0)}\n"
 
 
 def _literal(value: object, depth: int, used: int, after: int) -> str:
-    """A value that is indented so deep, with so many columns taken before its first line and after its last."""
+    """Returns a value at an indentation, with columns taken before its first line and after its last."""
     line = json.dumps(value, ensure_ascii=False)
     if not isinstance(value, dict | list) or not value or used + len(line) + after <= WIDTH:
         return line

@@ -1,4 +1,4 @@
-"""The JSON Schema (draft 2020-12) of the tables: what each entry has, and what it means."""
+"""The JSON Schema (draft 2020-12) of the tables: the properties of each entry, and their meaning."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ NAME = "^[A-Za-z][A-Za-z0-9_]*$"
 
 
 def schema() -> Schema:
-    """All of it: the document, and its definitions."""
+    """Returns the whole schema: the document, and its definitions."""
     sections = {
         "$schema": _text("where this schema is"),
         "version": _text("version of ev3proto that the tables are of"),
@@ -42,7 +42,7 @@ def schema() -> Schema:
     return {
         "$schema": DRAFT,
         "title": "The protocol of the LEGO MINDSTORMS EV3",
-        **_object(sections, "Opcodes, enumerations, system commands and what they stand in, as ev3proto knows them."),
+        **_object(sections, "Opcodes, enumerations, system commands and their frames, as ev3proto knows them."),
         "$defs": _definitions(),
     }
 
@@ -327,7 +327,7 @@ def _enumeration() -> Schema:
             "members": _map({"type": "integer"}, "numbers by name; of names with the same number the first is shown"),
             "end": _object(
                 {"name": _name("a constant"), "number": _number("its value")},
-                "the name of the number after the last, which is no value itself",
+                "the name of the number after the last, which is not a value itself",
             ),
             "flags": _flag("whether the value is a set of bits and each member one of them"),
             "dialects": _DIALECTS,
@@ -356,7 +356,7 @@ def _system_command() -> Schema:
 
 
 def _field() -> Schema:
-    kinds = "a number, a text up to its zero, a text whose length stands before it, or all the bytes that are left"
+    kinds = "a number, a text up to its zero, a text preceded by its length, or all the bytes that are left"
     return _object(
         {
             "name": _name("as ev3proto calls it"),

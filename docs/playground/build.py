@@ -31,6 +31,9 @@ PAGE = ("index.html", "playground.css", "playground.js", "worker.js")
 BRICK = ("brick.css", "brick.js", "icon.svg")
 PYODIDE = ("pyodide.mjs", "pyodide.asm.js", "pyodide.asm.wasm", "pyodide-lock.json", "python_stdlib.zip")
 VEGA = ("vega/build/vega.min.js", "vega-lite/build/vega-lite.min.js", "vega-interpreter/build/vega-interpreter.js")
+LICENCES = "spdx-license-list"
+PYTHON_LICENCE = "Python-2.0.1"
+RULE = "-" * 80
 PACKAGES = ("construct", "click", "dpkt", "lark")
 
 _TIME = (1980, 1, 1, 0, 0, 0)
@@ -87,7 +90,7 @@ def build(site: Path, npm: Path) -> None:
         (site / "vega" / Path(name).name).write_text(text, encoding="utf-8")
     (site / "lesson.json").write_text(json.dumps(list(_lesson()), indent=1), encoding="utf-8")
     _pack(site / "packages.zip")
-    (site / "licences.txt").write_text("\n".join(_licences(modules)), encoding="utf-8")
+    (site / "licences.txt").write_text("\n".join([*_licences(modules), ""]), encoding="utf-8")
 
 
 def _installed(npm: Path) -> Path:
@@ -137,12 +140,47 @@ def _lesson() -> Iterator[dict[str, str]]:
 
 
 def _licences(modules: Path) -> Iterator[str]:
-    """What the site has of others, and on which terms."""
-    for name in ("pyodide", *(Path(each).parts[0] for each in VEGA)):
-        about = json.loads((modules / name / "package.json").read_text(encoding="utf-8"))
-        yield f"{name} {about['version']}, {about['license']}"
+    """What the site has of others, with the licence of each as its package has it."""
+    yield "Works of others that are in the playground, or come with the packages it is built from, and their licences."
+    named: dict[str, list[str]] = {}
+    for title, text in (*_npm_licences(modules), *_python_licences()):
+        named.setdefault(text, []).append(title)
+    for text, titles in named.items():
+        yield from ("", RULE, *titles, RULE, "", text)
+
+
+def _npm_licences(modules: Path) -> Iterator[tuple[str, str]]:
+    """Each package of npm, and its licence. Vega's builds contain most packages that came with it."""
+    known = modules / LICENCES
+    for file in sorted(modules.rglob("package.json")):
+        about = json.loads(file.read_text(encoding="utf-8"))
+        if "version" not in about or file.parent == known or not _is_package(file):
+            continue
+        found = sorted(each for each in file.parent.iterdir() if re.match(r"(?i)licen[cs]e", each.name))
+        text = found[0].read_text(encoding="utf-8") if found else _known_licence(known, about["license"])
+        source = about["repository"]["url"] if isinstance(about["repository"], dict) else about["repository"]
+        yield f"{about['name']} {about['version']}, {about['license']}, source: {source}", text.strip()
+        if about["name"] == "pyodide":
+            python = json.loads((file.parent / "pyodide-lock.json").read_text(encoding="utf-8"))["info"]["python"]
+            title = f"Python {python}, a part of pyodide, source: https://www.python.org/downloads/source/"
+            yield title, _known_licence(known, PYTHON_LICENCE).strip()
+
+
+def _is_package(file: Path) -> bool:
+    """Whether it describes a package, not a part of one."""
+    parent = file.parent.parent
+    return parent.name == "node_modules" or (parent.name.startswith("@") and parent.parent.name == "node_modules")
+
+
+def _known_licence(known: Path, name: str) -> str:
+    """The text of a licence by its SPDX name, for packages that have none in a file."""
+    text: str = json.loads((known / "licenses" / f"{name}.json").read_text(encoding="utf-8"))["licenseText"]
+    return text
+
+
+def _python_licences() -> Iterator[tuple[str, str]]:
     for package in PACKAGES:
-        metadata = importlib.metadata.metadata(package)
-        terms = [metadata[key] for key in ("License-Expression", "License") if key in metadata]
-        yield f"{metadata['Name']} {metadata['Version']}, {(terms or ['see packages.zip'])[0].splitlines()[0]}"
-    yield ""
+        found = importlib.metadata.distribution(package)
+        texts = [each for each in found.files or () if re.match(r"(?i)licen[cs]e", each.name) and "info" in str(each)]
+        yield f"{found.name} {found.version}", "\n\n".join(each.read_text().strip() for each in texts)
+    yield f"ev3proto {VERSION}", (HERE.parents[1] / "LICENSE").read_text(encoding="utf-8").strip()

@@ -154,7 +154,7 @@ def test_lines_mark_their_bytes_and_bytes_their_lines(address: str, tmp_path: Pa
 
         tree = page.browser.find_element(By.ID, "tree")
         tree.send_keys(Keys.ARROW_DOWN)
-        assert (chosen("tree").split()[1], chosen("bytes")) == ("SOUND", "94010182B80182E803")
+        assert (chosen("tree").split()[1], chosen("bytes")) == ("SOUND.TONE", "94010182B80182E803")
         page.browser.find_elements(By.CSS_SELECTOR, "#bytes span")[11].click()
         assert (chosen("tree").split()[1], chosen("bytes")) == ("FREQUENCY", "82B801")
         page.browser.find_element(By.ID, "bytes").send_keys(Keys.ARROW_RIGHT, Keys.ARROW_RIGHT)
@@ -247,9 +247,35 @@ def test_nothing_inline_and_nothing_from_elsewhere(built: Path) -> None:
     assert len(own) == 6
     for file in own:
         assert "//" not in re.sub(r"^ *//.*$| // .*$", "", file.read_text(encoding="utf-8"), flags=re.MULTILINE), file
-    assert "pyodide 0.28.3, MPL-2.0" in (built / "playground" / "licences.txt").read_text(encoding="utf-8")
     lesson: list[Any] = json.loads((built / "playground" / "lesson.json").read_text(encoding="utf-8"))
     assert lesson[0]["title"].startswith("Setting the name of the brick")
+
+
+def test_the_licences_of_what_it_contains_are_there_in_full(built: Path) -> None:
+    text = (built / "playground" / "licences.txt").read_text(encoding="utf-8")
+    parts = text.split(f"\n{'-' * 80}\n")
+    entries = {
+        title.split()[0]: licence
+        for titles, licence in zip(parts[1::2], parts[2::2], strict=True)
+        for title in titles.splitlines()
+    }
+    assert "Mozilla Public License Version 2.0" in entries["pyodide"]
+    assert "3.2. Distribution of Executable Form" in entries["pyodide"]
+    assert "github.com/pyodide/pyodide" in text
+    assert "PYTHON SOFTWARE FOUNDATION LICENSE" in entries["Python"]
+    for name, owner in {
+        "vega": "University of Washington Interactive Data Lab",
+        "vega-lite": "University of Washington Interactive Data Lab",
+        "d3-array": "Mike Bostock",
+        "construct": "Arkadiusz Bulski",
+        "click": "Pallets",
+        "dpkt": "Dug Song",
+        "lark": "Erez Shinan",
+        "ev3proto": "MIT License",
+    }.items():
+        assert owner in entries[name], name
+    page = (built / "playground" / "index.html").read_text(encoding="utf-8")
+    assert '<a href="licences.txt">' in page
 
 
 def test_its_python_runs_here_too() -> None:

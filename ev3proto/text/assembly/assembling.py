@@ -10,13 +10,12 @@ from ev3proto.tables.encoding import GLOBAL, LOCAL
 from ev3proto.tables.frame import COUNTERS, MAX_GLOBALS, SYSTEM_COMMAND_TYPES
 from ev3proto.tables.source import VARIABLE_WORDS
 from ev3proto.text.assembly.errors import MOST_ERRORS, AssemblyError, Lines, SourceError
-from ev3proto.text.assembly.messages import MOST_MEMORY, PendingMessage, begun_by
-from ev3proto.text.assembly.names import MOST_NAMES, LocalNames, Memory, Names
+from ev3proto.text.assembly.messages import MOST_MEMORY, PendingMessage, begun_by, find_command, system_body
+from ev3proto.text.assembly.names import LocalNames, Memory, Names
 from ev3proto.text.assembly.notations import MACROS, OF_FRAMES
 from ev3proto.text.assembly.operations import Assembler
 from ev3proto.text.assembly.parsing import Parser
 from ev3proto.text.assembly.syntax import (
-    Alias,
     Call,
     Closing,
     Declaration,
@@ -28,7 +27,6 @@ from ev3proto.text.assembly.syntax import (
     RawFrame,
     Statement,
 )
-from ev3proto.text.assembly.system import find_command, system_body
 from ev3proto.text.assembly.values import Encoder
 
 MAX_TEXT = 1 << 24
@@ -140,8 +138,8 @@ class _Work:
                 pending = self._pending_operations(at, "a label")
                 self._check_new(at, name)
                 self._names.local.labels[name] = len(pending.parts)
-            case Opening(at) | Alias(at):
-                if self._thread is not None or isinstance(statement, Alias):
+            case Opening(at):
+                if self._thread is not None:
                     raise SourceError(at, "a direct command is one thread: no second can begin in it")
                 self._pending_operations(at, "a thread")
                 self._thread = statement
@@ -172,8 +170,6 @@ class _Work:
         for kind, known in (("a variable", local.places), ("a label", local.labels)):
             if name in known:
                 raise SourceError(at, f"{name} is declared already, as {kind}")
-        if len(self._names.defines) + len(local.places) + len(local.labels) >= MOST_NAMES:
-            raise SourceError(at, f"the text declares more than {MOST_NAMES} names")
 
     def _opened(self, at: int) -> PendingMessage:
         """The message that is read; a direct command begins where there is none."""

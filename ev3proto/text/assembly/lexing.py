@@ -11,9 +11,6 @@ from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.text.assembly.errors import SourceError
 from ev3proto.text.assembly.notations import Notation
 
-MAX_NAME = 200
-"""Characters of a name."""
-
 NAME, NUMBER, WORD, TEXT, MARK, BAD, END = "name", "number", "word", "text", "mark", "bad", "end"
 """What a token is. A word starts like a number and is none: hex, where bytes are written."""
 
@@ -84,12 +81,7 @@ def tokens(text: str, notation: Notation) -> Iterator[Token]:
             at = end + 2
             continue
         else:
-            written = found[0]
-            if kind == NAME and len(written) > MAX_NAME:
-                yield Token(BAD, f"a name has at most {MAX_NAME} characters", at, is_first)
-            else:
-                folded = written.upper() if notation.folds and kind == NAME else written
-                yield Token(kind, folded, at, is_first)
+            yield Token(kind, found[0].upper() if notation.folds and kind == NAME else found[0], at, is_first)
             at = found.end()
         is_first = False
     yield Token(END, "", len(text), True)

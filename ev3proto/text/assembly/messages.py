@@ -1,4 +1,4 @@
-"""The statements of one message to the bytes of its frame: header, memory, jumps, sizes."""
+"""The statements of one message to the bytes of its frame: header, memory, jumps, sizes, fields of system commands."""
 
 from __future__ import annotations
 
@@ -7,13 +7,14 @@ from dataclasses import dataclass, field
 
 from ev3proto.errors import BuildError
 from ev3proto.messages import DaisyCommand as DaisyMessage
-from ev3proto.messages import DaisyReply, DirectCommand, Flaw, Message, Operation
+from ev3proto.messages import DaisyReply, DirectCommand, FieldValue, Flaw, Message, Operation
+from ev3proto.schema.fields import NUMBERS, REPLIES, REQUESTS, Fields
 from ev3proto.schema.frame import parse
 from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.schema.instructions import instruction_set
 from ev3proto.semantics.footprint import footprints
 from ev3proto.tables.daisy import DaisyCommand
-from ev3proto.tables.encoding import GLOBAL, LOCAL
+from ev3proto.tables.encoding import GLOBAL, LOCAL, STRING_CODING
 from ev3proto.tables.frame import (
     COUNTERS,
     DIRECT_COMMAND_TYPES,
@@ -22,10 +23,11 @@ from ev3proto.tables.frame import (
     MAX_LOCALS,
     MessageType,
 )
+from ev3proto.tables.system import SYSTEM, Field, Kind, SystemCommand, SystemStatus
 from ev3proto.text.assembly.errors import SourceError
-from ev3proto.text.assembly.names import LocalNames, suggestion
-from ev3proto.text.assembly.notations import OF_FRAMES
-from ev3proto.text.assembly.syntax import Header, Name, RawFrame
+from ev3proto.text.assembly.names import LocalNames, choice, suggestion
+from ev3proto.text.assembly.notations import OF_FRAMES, STATUS, command_name
+from ev3proto.text.assembly.syntax import Call, Header, Name, Raw, RawFrame, WrittenArgument
 from ev3proto.text.assembly.values import Encoder, Piece, joined
 
 COUNTER, LENGTH, GLOBALS, LOCALS = "counter", "length", "globals", "locals"
@@ -39,10 +41,15 @@ _FACTS = {
 _ALL_FACTS = {COUNTER: COUNTERS - 1, LENGTH: 0xFFFF}
 """What a header can say, of some kinds of message and of all, and the largest number that it can be."""
 
+_TYPES = [member.name for member in MessageType]
 _MEMORIES = {GLOBAL: GLOBALS, LOCAL: LOCALS}
 
 MOST_MEMORY = {GLOBAL: MAX_FRAME - HEADER_SIZE, LOCAL: MAX_LOCALS}
 """Bytes that variables can take: those that a reply carries, those that a header can ask for."""
+
+_LOGIC = {"true": True, "false": False}
+
+_BY_NAME = {entry.name: entry for entry in reversed(SYSTEM)} | {command_name(entry): entry for entry in SYSTEM}
 
 MAX_BODY = 1 << 19
 """Bytes that can be said of one message: faulty ones may be longer than any frame, as long as a line of hex."""
@@ -171,38 +178,23 @@ def begun_by(header: Header | RawFrame, encoder: Encoder) -> PendingMessage:
     """The message that a header begins. Raises SourceError."""
     if isinstance(header, RawFrame):
         return PendingMessage(header.at, is_frame=True, is_lenient=True, has_header=True)
-    pending = PendingMessage(header.at, None if header.type is None else _type(header.type), has_header=True)
+    kind = header.type
+    type_ = None if kind is None else MessageType[choice(kind.text, kind.at, "unknown message type", _TYPES)]
+    pending = PendingMessage(header.at, type_, has_header=True)
     known = _ALL_FACTS | _FACTS.get(pending.kind, {})
     for named, value in header.facts:
         name = named.text
-        if name not in known:
-            hint = suggestion(name, known) or f": it has {', '.join(known)}"
-            raise SourceError(named.at, f"the header of a {pending.kind} has no {name}{hint}")
+        choice(name, named.at, f"the header of a {pending.kind} has no", known)
         if name in pending.facts:
             raise SourceError(named.at, f"{name} is given already")
         if name == COMMAND and isinstance(value, Name):
-            pending.facts[name] = _daisy_command(value)
+            names = [command.name for command in DaisyCommand]
+            found = choice(value.text, value.at, "unknown daisy command", names, ", or a number")
+            pending.facts[name] = int(DaisyCommand[found])
             continue
         pending.facts[name] = encoder.whole(value, name, 0, known[name])
     pending.is_lenient = LENGTH in pending.facts or pending.facts.get(COMMAND) not in (None, *DaisyCommand)
     return pending
-
-
-def _type(name: Name) -> MessageType:
-    try:
-        return MessageType[name.text]
-    except KeyError:
-        names = [member.name for member in MessageType]
-        hint = suggestion(name.text, names) or f": it is one of {', '.join(names)}"
-        raise SourceError(name.at, f"unknown message type {name.text}{hint}") from None
-
-
-def _daisy_command(name: Name) -> int:
-    names = [command.name for command in DaisyCommand]
-    if name.text not in names:
-        hint = suggestion(name.text, names) or f": it is one of {', '.join(names)}, or a number"
-        raise SourceError(name.at, f"unknown daisy command {name.text}{hint}")
-    return int(DaisyCommand[name.text])
 
 
 def _used(operations: Iterable[Operation]) -> dict[str, int]:
@@ -213,3 +205,101 @@ def _used(operations: Iterable[Operation]) -> dict[str, int]:
             scope = found.argument.kind
             used[scope] = max(used[scope], found.start + (found.room or found.size))
     return used
+
+
+# System commands and their replies
+
+
+def find_command(name: str) -> SystemCommand | None:
+    """The system command of that name; the firmware's where the bootloader has one too."""
+    return _BY_NAME.get(name)
+
+
+def system_body(call: Call, encoder: Encoder, *, is_reply: bool, may_fail: bool) -> bytes:
+    """The bytes after the message type. Raises SourceError.
+
+    Args:
+        call: The command as it was written.
+        encoder: What makes bytes of its values.
+        is_reply: Whether it is a reply.
+        may_fail: Fields may be missing: the reply says that the command failed.
+    """
+    entry = find_command(call.name)
+    if entry is None:
+        raise SourceError(call.at, f"unknown system command {call.name}{suggestion(call.name, _BY_NAME)}")
+    arguments = list(call.arguments)
+    head = bytes((entry.number,))
+    if is_reply:
+        status = _status(arguments, encoder)
+        head += bytes((status,))
+        may_fail |= status != SystemStatus.SUCCESS
+    schema = (REPLIES if is_reply else REQUESTS)[entry.number]
+    values = _values(entry.name, schema, arguments, encoder)
+    try:
+        completed = schema.completed(values)
+        for field in schema.fields:
+            if field.name not in completed and not (field.optional or may_fail) and call.is_complete:
+                raise SourceError(call.end, f"{entry.name} needs {field.name} too: {field.text}")
+        return head + schema.write_present(completed)
+    except BuildError as error:
+        raise SourceError(call.at, str(error)) from None
+
+
+def _status(arguments: list[WrittenArgument], encoder: Encoder) -> int:
+    """The status of a reply, which is taken out of its arguments."""
+    for index, argument in enumerate(arguments):
+        if argument.name is not None and argument.name.text == STATUS:
+            value = arguments.pop(index).value
+            if isinstance(value, Name):
+                names = [member.name for member in SystemStatus]
+                return SystemStatus[choice(value.text, value.at, "unknown status", names, ", or a number")]
+            return encoder.whole(value, STATUS, 0, 0xFF)
+    return SystemStatus.SUCCESS
+
+
+def _values(
+    name: str, schema: Fields, arguments: list[WrittenArgument], encoder: Encoder
+) -> dict[str, FieldValue | float]:
+    """The fields by name. Values without names are those of the fields in order, lengths omitted."""
+    in_order = iter([field for field in schema.fields if field.counts is None])
+    values: dict[str, FieldValue | float] = {}
+    for argument in arguments:
+        if argument.name is None:
+            field = next(in_order, None)
+            if field is None:
+                fields = ", ".join(schema.by_name) or "no fields"
+                raise SourceError(argument.at, f"{name} takes no further value: it has {fields}")
+        else:
+            named = argument.name
+            field = schema.by_name[choice(named.text, named.at, f"{name} has no field", schema.by_name)]
+        if field.name in values:
+            raise SourceError(argument.at, f"{field.name} is given already")
+        values[field.name] = _value(field, argument, encoder)
+    return values
+
+
+def _value(field: Field, argument: WrittenArgument, encoder: Encoder) -> FieldValue | float:
+    value = argument.value
+    if field.kind in NUMBERS:
+        return encoder.whole(value, field.name, 0, (1 << 8 * NUMBERS[field.kind].sizeof()) - 1)
+    if isinstance(value, Raw):
+        return value.data if field.kind is Kind.DATA else value.data.decode(STRING_CODING)
+    if field.is_message and isinstance(value, Name) and value.text.lower() in _LOGIC:
+        return _LOGIC[value.text.lower()]
+    found = encoder.meaning(value)
+    if field.is_message:
+        if isinstance(found, str | int | float):
+            return found
+        raise SourceError(value.at, f"{field.name} takes a text, a number, true, false or bytes(01 FF), not {found!r}")
+    if not isinstance(found, str):
+        expected = "a text or bytes(01 FF)" if field.kind is Kind.DATA else "a text"
+        raise SourceError(value.at, f"{field.name} takes {expected}, not {found!r}")
+    if field.kind is not Kind.DATA:
+        return found
+    try:
+        return found.encode(STRING_CODING)
+    except UnicodeEncodeError as error:
+        raise SourceError(
+            value.at,
+            f"{field.name} cannot be {found!r}: the brick's texts are ISO-8859-1, which has no {found[error.start]!r}",
+        ) from None

@@ -21,9 +21,6 @@ from ev3proto.text.assembly.errors import SourceError, cited
 from ev3proto.text.assembly.notations import Known, Notation
 from ev3proto.text.assembly.syntax import Define, Pattern
 
-MOST_NAMES = 10_000
-"""Names that the text of frames can declare."""
-
 MAX_DEPTH = 50
 """Defines that may be needed for the value of one."""
 
@@ -217,7 +214,7 @@ class Names:
         local = self.local
         own = [*local.places, *local.labels, *local.defines, *self.globals, *self.objects, *self.defines]
         if parameter is None or not self.notation.has_messages:
-            return list(islice((*own, *firmware_names()), _MOST_KNOWN))
+            return [*own, *firmware_names()]
         if parameter.enum is None:
             return [*parameter.names, *own, *firmware_names()]
         others = [name for name in firmware_constants() if name not in _members() and name not in _ends()]
@@ -275,12 +272,22 @@ def firmware_constant(name: str, parameter: Parameter | None) -> int | float | s
     return firmware_names().get(name)
 
 
+def choice(name: str, at: int, what: str, known: Iterable[str], more: str = "") -> str:
+    """The name, if it is one of those that are known. Raises SourceError, which says what it could be."""
+    names = list(known)
+    if name not in names:
+        choices = f"; choose from {', '.join(names)}{more}" if names else "; there are none"
+        hint = suggestion(name, names) or choices
+        raise SourceError(at, f"{what} {cited(name)}{hint}")
+    return name
+
+
 def suggestion(name: str, known: Iterable[str]) -> str:
     """`: did you mean TONE?` for a name that nearly is a known one, in any case; or nothing. Never the name itself."""
     if len(name) > _MOST_GUESSED:
         return ""
     by_upper: dict[str, str] = {}
-    for candidate in known:
+    for candidate in islice(known, _MOST_KNOWN):
         if candidate != name:
             by_upper.setdefault(candidate.upper(), candidate)
     near = (

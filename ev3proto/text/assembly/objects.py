@@ -10,10 +10,11 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from ev3proto.errors import BuildError, counted
-from ev3proto.schema.instructions import CMD
+from ev3proto.schema.instructions import CMD, OperationSchema, instruction_set
 from ev3proto.tables import OPCODES
-from ev3proto.tables.declaration import Direction, Parameter, Type
-from ev3proto.tables.encoding import GLOBAL, LOCAL
+from ev3proto.tables.constants import CONSTANTS
+from ev3proto.tables.declaration import DIALECTS, Direction, Parameter, Type
+from ev3proto.tables.encoding import BITS, GLOBAL, LOCAL, RANGES
 from ev3proto.tables.program import MAX_MEMORY, MAX_OBJECTS, MAX_PARAMETERS
 from ev3proto.tables.source import (
     BASIC_NAMES,
@@ -23,7 +24,6 @@ from ev3proto.tables.source import (
     SIZED_WORDS,
     VARIABLE_WORDS,
 )
-from ev3proto.text.assembly.checks import of_call, of_operation
 from ev3proto.text.assembly.errors import MOST_ERRORS, SourceError, cited
 from ev3proto.text.assembly.names import (
     Callee,
@@ -37,11 +37,9 @@ from ev3proto.text.assembly.names import (
     suggestion,
 )
 from ev3proto.text.assembly.notations import OF_BASIC, OF_EV3_G, Notation, Rules
-from ev3proto.text.assembly.operations import parameters_of
 from ev3proto.text.assembly.parsing import Parser
 from ev3proto.text.assembly.settings import ObjectSettings, Settings, SettingsReader
 from ev3proto.text.assembly.syntax import (
-    Alias,
     Call,
     Closing,
     Declaration,
@@ -61,6 +59,8 @@ from ev3proto.text.assembly.syntax import (
 from ev3proto.text.assembly.values import Encoder, Piece, integer, joined
 
 _OPCODES = {opcode.name: bytes((opcode.number,)) for opcode in OPCODES}
+_PARAMETERS = {opcode.name: opcode.parameters for opcode in OPCODES if not opcode.commands}
+_OF_COMMANDS = {(opcode.name, command.name): command.parameters for opcode in OPCODES for command in opcode.commands}
 _CALL, _RETURN, _OBJECT_END, _OBJECT_TRIG = "CALL", "RETURN", "OBJECT_END", "OBJECT_TRIG"
 _THREAD, _SUBCALL, _BLOCK = "vmthread", "subcall", "block"
 
@@ -116,7 +116,7 @@ class _Object:
     last        the name of the operation that was written last
     """
 
-    head: Opening | Alias
+    head: Opening
     settings: ObjectSettings
     memory: Memory
     alias_of: str | None = None
@@ -173,12 +173,10 @@ class ProgramAssembler:
                         current = None
                     case Opening() if current is None:
                         current = self._begun(statement)
-                    case Opening(at, word, name) if self._notation.folds and word == _SUBCALL:
-                        self._begun(Alias(at, word, name), current)
+                    case Opening() if statement.is_alias or (self._notation.folds and statement.word == _SUBCALL):
+                        self._begun(statement, current)
                     case Opening(at, word):
                         raise SourceError(at, f"a {word} cannot begin in another object: a }} is missing before it")
-                    case Alias():
-                        self._begun(statement, current)
                     case Define() if current is None or self._notation.last_counts:
                         if current is not None:
                             self.warnings.append((statement.at, "a define inside an object is known in the whole file"))
@@ -202,7 +200,7 @@ class ProgramAssembler:
         if not self.errors:
             self._declare_all(defines)
 
-    def _begun(self, head: Opening | Alias, current: _Object | None = None) -> _Object:
+    def _begun(self, head: Opening, current: _Object | None = None) -> _Object:
         if len(self._objects) >= MAX_OBJECTS:
             raise SourceError(head.at, f"a program has at most {MAX_OBJECTS} objects")
         memory = Memory(LOCAL, self._notation, MAX_MEMORY)
@@ -387,7 +385,7 @@ class ProgramAssembler:
         return BASIC_NAMES.get(call.name, call.name) if self._notation.folds else call.name
 
     def _parameters(self, call: Call) -> tuple[Parameter, ...]:
-        return parameters_of(call._replace(name=self._name(call)))
+        return _parameters_of(call._replace(name=self._name(call)))
 
     def _operation(self, call: Call, one: _Object) -> None:
         name = self._name(call)
@@ -412,7 +410,7 @@ class ProgramAssembler:
             meant.append(meaning)
         one.parts += pieces
         if not self._notation.folds:
-            self.warnings += of_operation(call, name, meant)
+            self.warnings += _of_operation(call, name, meant)
 
     def _call(self, call: Call) -> Iterator[Piece]:
         """The arguments of a CALL. Of a subcall by name, the number of its parameters is written too."""
@@ -441,7 +439,7 @@ class ProgramAssembler:
             yield piece
             meant.append(meaning)
         if declares and isinstance(callee, Callee) and not self._notation.folds:
-            self.warnings += of_call(call, meant, callee)
+            self.warnings += _of_call(call, meant, callee)
 
     def _argument(self, value: Value, parameter: Parameter | None) -> tuple[Piece, Meaning | None]:
         """The bytes of an argument, or the jump that it is; and what it means, None for what is not to be checked."""
@@ -489,6 +487,16 @@ class ProgramAssembler:
         return {name: numbers.pop() if len(numbers) == 1 else 1 for name, numbers in triggering.items()}
 
 
+def _parameters_of(call: Call) -> tuple[Parameter, ...]:
+    """The parameters of an operation of a program, by the names of its opcode and CMD; CMD is the first. None for
+    an operation that the tables do not have: its arguments are whatever they are.
+    """
+    if call.name in _PARAMETERS:
+        return _PARAMETERS[call.name]
+    first = call.arguments[0].value if call.arguments else None
+    return (CMD.parameter, *_OF_COMMANDS.get((call.name, first.text if isinstance(first, Name) else ""), ()))
+
+
 def _declared_by(body: Iterable[Statement]) -> tuple[tuple[Direction, Type], ...]:
     """Direction and type of the parameters that a subcall declares."""
     words = (it.word for it in body if isinstance(it, Declaration))
@@ -499,3 +507,113 @@ def _as_number(value: Name, parameters: Sequence[Parameter]) -> Value:
     """A CMD as its number, where the operation has others after it, so that no variable hides its name."""
     number = firmware_names().get(value.text)
     return Number(value.at, number) if isinstance(number, int) and parameters[0] is CMD.parameter else value
+
+
+# What assembles and is not what the operation takes: warnings, where lmsasm has errors. A `!` before a value omits them
+
+_UNTYPED = (Type.ARRAY_TYPED, Type.LABEL, Type.COUNT, Type.VALUES, Type.HANDLE)
+
+Warnings = Iterator[tuple[int, str]]
+Meant = Sequence[Meaning | None]
+"""What the arguments of an operation mean; None for one that is not to be checked."""
+
+
+def _of_operation(call: Call, name: str, values: Meant) -> Warnings:
+    """What may not be meant of an operation, CMD included.
+
+    Args:
+        call: The operation as it is written.
+        name: Its name.
+        values: What its arguments mean.
+    """
+    number = _OPCODES[name][0]
+    arguments = [argument.value for argument in call.arguments]
+    schemas = [one.opcodes[number] for one in map(instruction_set, DIALECTS)]
+    families = [one.families[number] for one in map(instruction_set, DIALECTS)]
+    if any(families):
+        if not values:
+            yield call.at, f"the CMD of {name} is missing"
+            return
+        cmd, first = values[0], arguments[0]
+        if not isinstance(cmd, int):
+            return
+        schemas = [family.commands.get(cmd) for family in families if family is not None]
+        if isinstance(first, Name) and (name, first.text) not in _OF_COMMANDS:
+            yield first.at, f"{cited(first.text)} is not a CMD of {name}, and counts as the number {cmd}"
+        if not any(schemas):
+            yield call.at, f"{name} has no CMD {cmd}"
+        arguments, values = arguments[1:], values[1:]
+    schema = next((schema for schema in schemas if schema is not None), None)
+    if schema is not None:
+        yield from _of_parameters(call, schema, arguments, values)
+
+
+def _of_call(call: Call, values: Meant, callee: Callee) -> Warnings:
+    """What may not be meant of what a CALL hands over."""
+    arguments = [argument.value for argument in call.arguments[1:]]
+    for number, ((direction, kind), argument, value) in enumerate(
+        zip(callee.parameters or (), arguments, values, strict=False), 1
+    ):
+        yield from _of_one("CALL", Parameter(f"parameter {number}", kind, "", direction), argument, value)
+
+
+def _of_parameters(call: Call, schema: OperationSchema, arguments: Sequence[Value], values: Meant) -> Warnings:
+    name, fixed = schema.declaration.name, schema.fixed
+    wanted: int | None = len(fixed)
+    if schema.list_parameter is not None:
+        count = values[len(fixed) - 1] if len(values) >= len(fixed) else None
+        wanted = len(fixed) + count if isinstance(count, int) else None
+    if wanted is not None and len(values) != wanted:
+        yield call.at, f"{name} takes {counted(wanted, 'argument')}, and here are {len(values)}"
+    for one, argument, value in zip(fixed, arguments, values, strict=False):
+        yield from _of_one(name, one.parameter, argument, value)
+
+
+def _of_one(operation: str, parameter: Parameter, argument: Value, value: Meaning | None) -> Warnings:
+    reason = (
+        _wrong_place(parameter, value)
+        if isinstance(value, Place)
+        else _wrong_constant(parameter, value)
+        if isinstance(value, int | float | str)
+        else None
+    )
+    if reason is not None:
+        shown = f": {cited(argument.text)}" if isinstance(argument, Name) else ""
+        yield argument.at, f"{parameter.name} of {operation} {reason}{shown}"
+
+
+def _wrong_constant(parameter: Parameter, value: int | float | str) -> str | None:
+    kind = parameter.type
+    if parameter.direction is Direction.OUT:
+        return "is an output, and what is written into a constant is lost"
+    if isinstance(value, float):
+        return None if kind in (Type.DATAF, Type.ARRAY_TYPED) else f"is a {kind}, and here is a float"
+    if isinstance(value, str):
+        is_text = kind in (Type.STRING, Type.ARRAY_TYPED, Type.DATA8)
+        return None if is_text else f"is a {kind}, and here is a string"
+    if kind is Type.DATAF:
+        if value in (0, CONSTANTS["DATAF_NAN"]):
+            return None
+        return "is a DATAF, and a whole number means its bits there, while floats end in F"
+    if kind is Type.STRING:
+        return "is a string, and here is a number"
+    limits = RANGES.get(kind) if kind in (Type.DATA8, Type.DATA16) else None
+    if parameter.unsigned and value in BITS[kind]:
+        return None
+    if limits is not None and not limits.low <= value <= limits.high and value != limits.nan & (limits.high * 2 + 1):
+        return f"is a {kind}, which reaches from {limits.low} to {limits.high}: it cannot be {value}"
+    return None
+
+
+def _wrong_place(parameter: Parameter, place: Place) -> str | None:
+    kind = parameter.type
+    if kind in _UNTYPED or place.type is kind:
+        return None
+    if kind is Type.STRING:
+        is_text = place.type in (Type.STRING, Type.DATA8, Type.HANDLE)
+        return None if is_text else f"is a string, and here is a {place.type}"
+    if place.type is Type.STRING:
+        return None if kind is Type.DATA8 else f"is a {kind}, and here is a string"
+    if place.type.size != kind.size or (place.type is Type.DATAF) is not (kind is Type.DATAF):
+        return f"is a {kind}, and here is a {place.type}"
+    return None

@@ -15,7 +15,7 @@ from ev3proto.tables.declaration import DIALECTS, Enumeration, Opcode, Parameter
 from ev3proto.tables.encoding import CONSTANT
 from ev3proto.tables.system import SYSTEM
 from ev3proto.text.assembly.errors import SourceError
-from ev3proto.text.assembly.names import NOT_NUMBERS, suggestion
+from ev3proto.text.assembly.names import NOT_NUMBERS, choice, suggestion
 from ev3proto.text.assembly.notations import SHORTEST
 from ev3proto.text.assembly.parsing import is_operation_word
 from ev3proto.text.assembly.syntax import Call, Form, Name, Number, Raw, Value, WrittenArgument
@@ -231,9 +231,7 @@ def _in_order(
         raise SourceError(arguments[0].at, "give the values in order, or each by its name once, not both")
     parameters = {one.parameter.name: one.parameter for one in schema.fixed}
     for name, argument in named.items():
-        if name not in parameters:
-            hint = suggestion(name, parameters) or f": it has {', '.join(parameters) or 'none'}"
-            raise SourceError(argument.at, f"{schema.declaration.name} has no parameter {name}{hint}")
+        choice(name, argument.at, f"{schema.declaration.name} has no parameter", parameters)
     for name, parameter in parameters.items():
         if name not in named:
             raise SourceError(call.end, f"{schema.declaration.name} needs {name} too ({parameter.text})")
@@ -274,17 +272,3 @@ def _commands(family: FamilySchema) -> str:
     """`BREAK, TONE, PLAY, REPEAT, SERVICE`; of many, the first."""
     names = list(_numbers(family))
     return ", ".join(names[:_MOST_NAMED]) + (", ..." if len(names) > _MOST_NAMED else "")
-
-
-_PARAMETERS = {opcode.name: opcode.parameters for opcode in OPCODES if not opcode.commands}
-_OF_COMMANDS = {(opcode.name, command.name): command.parameters for opcode in OPCODES for command in opcode.commands}
-
-
-def parameters_of(call: Call) -> tuple[Parameter, ...]:
-    """The parameters of an operation of a program, by the names of its opcode and CMD; CMD is the first. None for
-    an operation that the tables do not have: its arguments are whatever they are.
-    """
-    if call.name in _PARAMETERS:
-        return _PARAMETERS[call.name]
-    first = call.arguments[0].value if call.arguments else None
-    return (CMD.parameter, *_OF_COMMANDS.get((call.name, first.text if isinstance(first, Name) else ""), ()))

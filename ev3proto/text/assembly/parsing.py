@@ -40,7 +40,6 @@ from ev3proto.text.assembly.notations import (
     Point,
 )
 from ev3proto.text.assembly.syntax import (
-    Alias,
     Call,
     Closing,
     Declaration,
@@ -52,9 +51,7 @@ from ev3proto.text.assembly.syntax import (
     Label,
     Marked,
     Name,
-    Negative,
     Number,
-    Offset,
     Opening,
     Pattern,
     Raw,
@@ -73,9 +70,6 @@ MAX_DEPTH = 50
 MAX_PARTS = 1 << 16
 """Values of one operation, parts of one expression: more than any frame has bytes."""
 
-MAX_BYTES = 1 << 16
-"""Bytes that one statement can say: more than any length field does."""
-
 MAX_DIGITS = 64
 """Characters of a number."""
 
@@ -88,7 +82,6 @@ _TEMPLATES = ("INIT", "INLINE")
 
 _OPERATION = re.compile(r"op[A-Z_]\w*", re.ASCII)
 _HEX = re.compile(r"(?:0[xX])?(?:[0-9a-fA-F]{2})+", re.ASCII)
-_RANKS = (("|",), ("+", "-"), ("*", "/"))
 
 
 def is_operation_word(name: str) -> bool:
@@ -173,7 +166,7 @@ class Parser:
             yield self._define()
         elif word == BYTES:
             self._next()
-            yield self._raw(token) if self._peek().is_mark("(") else Raw(token.at, self._hex(token, until_mark=False))
+            yield self._raw(token) if self._peek().is_mark("(") else Raw(token.at, self._hex(until_mark=False))
         elif self._peek(1).is_mark("("):
             yield self._call()
         elif notation.has_messages:
@@ -224,7 +217,8 @@ class Parser:
             at = self._peek().at
             word = self._heads[self._next().text]
             name = self._expect_name(f"the name of the {word}", is_same_line=notation.by_line).text
-            yield Alias(at, word, name) if opening else (opening := Opening(at, word, name))
+            opening = Opening(at, word, name, is_alias=opening is not None)
+            yield opening
             if notation.by_line:
                 found = False
                 while not self._peek().is_first:
@@ -427,7 +421,7 @@ class Parser:
             number = self._number()
             if not isinstance(number.value, int):
                 raise SourceError(number.at, f"expected a number of bytes after {cited(name.text)}+")
-            return Offset(name.at, name.text, number.value)
+            return Element(name.at, name.text, number, is_byte=True)
         if self._is_glued(":") and self._peek(1).kind == NAME:
             self._next()
             return Distance(name.at, name.text, self._next().text)
@@ -467,21 +461,19 @@ class Parser:
         """A whole value: an expression where the notation has them outside of parentheses."""
         match self.notation.arithmetic:
             case Arithmetic.USUAL:
-                return self._rank(0)
+                return self._expression()
             case Arithmetic.EXACT:
-                return self._chain(("+", "-", "*", "/"), self._word)
+                return self._chain("+-*/", self._word)
             case Arithmetic.NONE:
                 return self._word()
         return self._factor()
 
-    def _rank(self, rank: int) -> Value:
-        """An expression of operators of one rank, its parts of the next."""
-        if rank:
-            return self._chain(_RANKS[rank], (lambda: self._rank(rank + 1)) if rank < 2 else self._factor)
+    def _expression(self) -> Value:
+        """Values with operators between them, as they are written."""
         with self._deeper(self._peek()):
-            return self._chain(_RANKS[0], lambda: self._rank(1))
+            return self._chain("+-*/|" if self.notation.arithmetic is Arithmetic.USUAL else "+-*/", self._factor)
 
-    def _chain(self, marks: tuple[str, ...], part: Callable[[], Value]) -> Value:
+    def _chain(self, marks: str, part: Callable[[], Value]) -> Value:
         at = self._peek().at
         values = [part()]
         operators: list[tuple[int, str]] = []
@@ -496,24 +488,18 @@ class Parser:
         token, is_usual = self._peek(), self.notation.arithmetic is Arithmetic.USUAL
         if token.is_mark("-", "+") and (is_usual or token.text == "-"):
             self._next()
-            if self._peek().kind == NUMBER and not (is_usual and self._peek().text[:1] == "0"):
+            if self._peek().kind == NUMBER:
                 return self._number(-1 if token.text == "-" else 1, token.at)
             if not is_usual:
-                if self._peek().kind == NUMBER:
-                    return self._number(-1, token.at)
                 raise SourceError(token.at, "only a number can follow a -; put an expression into parentheses")
             with self._deeper(token):
                 part = self._factor()
-            return Negative(token.at, part) if token.text == "-" else part
+            return Sum(token.at, (Number(token.at, 0), part), ((token.at, "-"),)) if token.text == "-" else part
         if token.is_mark("("):
             self._next()
-            if is_usual:
-                inner = self._rank(0)
-                if not isinstance(inner, Number | Text | Name | Negative | Sum):
-                    raise SourceError(inner.at, "expected a number or a name in parentheses")
-            else:
-                with self._deeper(token):
-                    inner = self._chain(("+", "-", "*", "/"), self._factor)
+            inner = self._expression()
+            if is_usual and not isinstance(inner, Number | Text | Name | Sum):
+                raise SourceError(inner.at, "expected a number or a name in parentheses")
             self._expect(")")
             return inner if is_usual or isinstance(inner, Sum) else Sum(token.at, (inner,), ())
         if token.is_mark("@", "&") and (is_usual or token.text == "@"):
@@ -573,7 +559,7 @@ class Parser:
 
     def _raw(self, token: Token) -> Raw:
         self._expect("(")
-        data = self._hex(token, until_mark=True)
+        data = self._hex(until_mark=True)
         self._expect(")")
         return Raw(token.at, data)
 
@@ -581,7 +567,7 @@ class Parser:
         """`LCS, 'L','E','G','O', 0`: how C has to write a text."""
         token = self._next()
         letters: list[str] = []
-        while len(letters) <= MAX_BYTES:
+        while True:
             self._expect(",")
             letter = self._peek()
             if letter.kind == NUMBER and letter.text in ("0", "0x00"):
@@ -657,7 +643,7 @@ class Parser:
             return int(text, 8)
         return int(text)
 
-    def _hex(self, token: Token, *, until_mark: bool) -> bytes:
+    def _hex(self, *, until_mark: bool) -> bytes:
         """Bytes in hex: to the end of the line, or up to the next mark."""
         data = bytearray()
         while until_mark or not self._peek().is_first:
@@ -670,8 +656,6 @@ class Parser:
             if found.kind not in (NUMBER, NAME, WORD) or not _HEX.fullmatch(found.text):
                 raise self._unexpected("bytes in hex, two digits each")
             data += bytes.fromhex(self._next().text.removeprefix("0x").removeprefix("0X"))
-            if len(data) > MAX_BYTES:
-                raise SourceError(token.at, f"these are more than {MAX_BYTES} bytes")
         return bytes(data)
 
     # Tokens

@@ -34,19 +34,12 @@ class Name(NamedTuple):
 
 
 class Element(NamedTuple):
-    """`name[3]`: one element of a variable."""
+    """`name[3]`: one element of a variable; `name+3`: the byte at that distance from its start."""
 
     at: int
     text: str
     number: Value
-
-
-class Offset(NamedTuple):
-    """`v+4`: so many bytes after the start of a variable."""
-
-    at: int
-    text: str
-    bytes: int
+    is_byte: bool = False
 
 
 class Marked(NamedTuple):
@@ -65,15 +58,8 @@ class Distance(NamedTuple):
     end: str
 
 
-class Negative(NamedTuple):
-    """A value with a minus sign in front of it."""
-
-    at: int
-    part: Value
-
-
 class Sum(NamedTuple):
-    """Values with an operator between each two; of each operator its place and sign."""
+    """Values with an operator between each two, as they were written; of each operator its place and sign."""
 
     at: int
     values: tuple[Value, ...]
@@ -102,7 +88,7 @@ class Unchecked(NamedTuple):
     value: Value
 
 
-Value = Number | Text | Name | Element | Offset | Marked | Distance | Negative | Sum | Form | Raw | Unchecked
+Value = Number | Text | Name | Element | Marked | Distance | Sum | Form | Raw | Unchecked
 
 
 class WrittenArgument(NamedTuple):
@@ -180,19 +166,15 @@ class Call(NamedTuple):
 
 
 class Opening(NamedTuple):
-    """`vmthread NAME {`: the object that the following statements belong to."""
+    """`vmthread NAME {`: the object that the following statements belong to.
+
+    is_alias  it is a second head of the object that was opened: another header for the same code
+    """
 
     at: int
     word: str
     name: str
-
-
-class Alias(NamedTuple):
-    """A second head of the object that was opened: another header for the same code."""
-
-    at: int
-    word: str
-    name: str
+    is_alias: bool = False
 
 
 class Closing(NamedTuple):
@@ -201,4 +183,4 @@ class Closing(NamedTuple):
     at: int
 
 
-Statement = Header | RawFrame | Raw | Define | Declaration | Label | Call | Opening | Alias | Closing
+Statement = Header | RawFrame | Raw | Define | Declaration | Label | Call | Opening | Closing

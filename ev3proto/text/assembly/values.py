@@ -7,12 +7,13 @@ decides, as in every assembler of programs.
 from __future__ import annotations
 
 import math
+import operator
 import struct
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from functools import lru_cache
 from itertools import accumulate
-from typing import NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 from ev3proto.errors import BuildError, counted
 from ev3proto.schema.argument import (
@@ -37,9 +38,7 @@ from ev3proto.text.assembly.syntax import (
     Form,
     Marked,
     Name,
-    Negative,
     Number,
-    Offset,
     Pattern,
     Raw,
     Sum,
@@ -68,6 +67,9 @@ _SCOPES = {"L": LOCAL, "G": GLOBAL}
 _MOST_MEMBERS = 6
 _FLOATS = {"inf": math.inf, "nan": math.nan}
 _ANYTHING = ArgumentSchema(Parameter("the value", Type.ARRAY_TYPED, "whatever an argument can be"))
+
+
+_N = TypeVar("_N", int, float, Fraction)
 
 
 class PendingJump(NamedTuple):
@@ -198,7 +200,7 @@ class Encoder:
     def defined(self, define: Define, _: object = None) -> Meaning:
         """What a define stands for: a constant, or in frames an encoded argument, too. Raises SourceError."""
         value = define.value
-        if not self._is_typed or isinstance(value, Number | Text | Name | Negative | Sum):
+        if not self._is_typed or isinstance(value, Number | Text | Name | Sum):
             return self.meaning(value)
         piece = self.argument(value, _ANYTHING)
         if not isinstance(piece, bytes):
@@ -214,11 +216,9 @@ class Encoder:
                 return self._named(text, at, parameter)
             case Sum():
                 return self._sum(value, parameter)
-            case Negative(at, part):
-                return self._bounded(-self._number(part, parameter), at)
             case Unchecked(_, inner):
                 return self.meaning(inner, parameter)
-            case Element() | Offset():
+            case Element():
                 return self._part(value)
         found = value.sign if isinstance(value, Marked) else value.name if isinstance(value, Form) else "bytes"
         raise SourceError(value.at, f"expected a number, a text or a name, found {found}")
@@ -290,11 +290,12 @@ class Encoder:
             hint = f": it has {', '.join(list(enum.members)[:_MOST_MEMBERS])}, ..."
         return f"unknown {what} {cited(name)}{hint}"
 
-    def _part(self, value: Element | Offset) -> Place:
+    def _part(self, value: Element) -> Place:
         """A part of a declared variable."""
         place = self._variable(value.text, value.at)
-        if isinstance(value, Offset):
-            return place._replace(start=place.start + value.bytes, elements=max(place.elements - value.bytes, 0))
+        if value.is_byte and isinstance(value.number, Number):
+            far = int(value.number.value)
+            return place._replace(start=place.start + far, elements=max(place.elements - far, 0))
         number = self.whole(value.number, f"an index of {value.text}", 0, place.elements - 1)
         return place._replace(start=place.start + number * place.width, elements=place.elements - number)
 
@@ -318,11 +319,6 @@ class Encoder:
         )
         raise SourceError(value.at, f"{what}: an expression is made of numbers and names of numbers")
 
-    def _bounded(self, number: int | float, at: int) -> int | float:
-        if isinstance(number, int) and abs(number) >= _LARGEST:
-            raise SourceError(at, "the numbers become larger than anything in a frame")
-        return number
-
     def _sum(self, value: Sum, parameter: Parameter | None) -> int | float:
         if self._depth >= _MOST_NESTED:
             raise SourceError(value.at, f"the expression needs more than {_MOST_NESTED} others for its value")
@@ -332,31 +328,28 @@ class Encoder:
         finally:
             self._depth -= 1
         if self._is_typed:
-            total = parts[0]
-            for (at, sign), part in zip(value.operators, parts[1:], strict=True):
-                total = self._bounded(_applied(at, sign, total, part), at)
-            return total
+            return _worked_out(parts, value.operators, _USUAL, _bounded)
         return self._both(value, parts)
 
     def _both(self, value: Sum, parts: Sequence[int | float]) -> int | float:
         """An expression of a program, which the assemblers read in two ways."""
-        from_the_left = int(parts[0])
-        for (at, sign), part in zip(value.operators, parts[1:], strict=True):
-            from_the_left = wrapped(int(_applied(at, sign, from_the_left, int(part))))
+        from_the_left = int(_worked_out([int(part) for part in parts], value.operators, _LEFT, _wrapped_at))
         is_exact = self.names.notation.arithmetic is Arithmetic.EXACT
         try:
-            exact = _exact(parts, [sign for _, sign in value.operators])
-        except ZeroDivisionError:
-            raise SourceError(value.at, "a division by zero has no value") from None
+            exact = _worked_out([Fraction(part) for part in parts], value.operators, _USUAL, _exact)
         except OverflowError:
             if is_exact:
                 raise SourceError(value.at, "the expression needs more digits than any number has") from None
             return from_the_left
-        result: int | float = exact if is_exact else from_the_left  # type: ignore[assignment]
+        if not -1 << 31 <= int(exact) < 1 << 31:
+            exact = Fraction(wrapped(int(exact)))
         if int(exact) != from_the_left:
             how = "products before sums" if is_exact else "from left to right"
-            self.warnings.append((value.at, f"{int(result)}, worked out {how}; the other dialect gets another number"))
-        return result
+            result = int(exact) if is_exact else from_the_left
+            self.warnings.append((value.at, f"{result}, worked out {how}; the other dialect gets another number"))
+        if not is_exact:
+            return from_the_left
+        return int(exact) if exact.denominator == 1 else exact  # type: ignore[return-value]
 
     # Arguments
 
@@ -518,47 +511,61 @@ def _signed(pattern: int, bits: int) -> int:
     return pattern - (1 << bits) if 1 << (bits - 1) <= pattern < 1 << bits else int(pattern)
 
 
-def _applied(at: int, sign: str, left: int | float, right: int | float) -> int | float:
-    """One operation of an expression; whole numbers are divided towards zero."""
-    if sign == "+":
-        return left + right
-    if sign == "-":
-        return left - right
-    if sign == "*":
-        return left * right
-    if sign == "|":
-        if isinstance(left, int) and isinstance(right, int):
-            return left | right
-        raise SourceError(at, "| joins the bits of whole numbers")
-    if right == 0:
-        raise SourceError(at, "a division by zero has no value")
-    if isinstance(left, int) and isinstance(right, int):
-        return abs(left) // abs(right) * (1 if (left < 0) == (right < 0) else -1)
-    return left / right
+_LEFT = ("*/+-",)
+_USUAL = ("*/", "+-", "|")
+"""Operators by how tightly they bind."""
 
 
-def _exact(parts: Iterable[int | float], signs: Sequence[str]) -> int | Fraction:
-    """Products before sums, divisions exact; what is left over is cut off where the number is encoded.
+def _worked_out(
+    parts: Sequence[_N], operators: Sequence[tuple[int, str]], ranks: Sequence[str], kept: Callable[[int, _N], _N]
+) -> _N:
+    """The value of an expression.
 
-    Raises OverflowError for a product or sum that no program needs: each could be twice as long as the one before.
+    Args:
+        parts: The values in it.
+        operators: The place and sign of each operator between them.
+        ranks: Operators by how tightly they bind.
+        kept: What becomes of each result at the place of its operator: cut to its size, or refused.
     """
-    first, *others = (Fraction(part) for part in parts)
-    sums = [first]
-    for sign, part in zip(signs, others, strict=True):
-        if sign in "*/":
-            sums[-1] = sums[-1] * part if sign == "*" else sums[-1] / part
-        else:
-            sums.append(part if sign == "+" else -part)
-        _check_digits(sums[-1])
-    total = Fraction(0)
-    for product in sums:
-        total += product
-        _check_digits(total)
-    if not -1 << 31 <= int(total) < 1 << 31:
-        return wrapped(int(total))
-    return int(total) if total.denominator == 1 else total
+    for rank in ranks:
+        done, left = [parts[0]], []
+        for (at, sign), part in zip(operators, parts[1:], strict=True):
+            if sign in rank:
+                done[-1] = kept(at, _applied(at, sign, done[-1], part))
+            else:
+                done.append(part)
+                left.append((at, sign))
+        parts, operators = done, left
+    return parts[0]
 
 
-def _check_digits(value: Fraction) -> None:
+def _applied(at: int, sign: str, left: Any, right: Any) -> Any:
+    """One operation of an expression; whole numbers are divided towards zero."""
+    are_whole = isinstance(left, int) and isinstance(right, int)
+    if sign == "|" and not are_whole:
+        raise SourceError(at, "| joins the bits of whole numbers")
+    if sign == "/" and right == 0:
+        raise SourceError(at, "a division by zero has no value")
+    if sign == "/" and are_whole:
+        return abs(left) // abs(right) * (1 if (left < 0) == (right < 0) else -1)
+    return _OPERATIONS[sign](left, right)
+
+
+_OPERATIONS = {"+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv, "|": operator.or_}
+
+
+def _bounded(at: int, number: int | float) -> int | float:
+    if isinstance(number, int) and abs(number) >= _LARGEST:
+        raise SourceError(at, "the numbers become larger than anything in a frame")
+    return number
+
+
+def _wrapped_at(_: int, number: int) -> int:
+    return wrapped(number)
+
+
+def _exact(_: int, value: Fraction) -> Fraction:
+    """Raises OverflowError for a result that no program needs: each could be twice as long as the one before."""
     if max(value.numerator.bit_length(), value.denominator.bit_length()) > _MOST_BITS:
         raise OverflowError
+    return value

@@ -7224,7 +7224,7 @@ end
 
 -- The columns of a packet. TCP hands a packet over in pieces when frames are split over several; what is said of each
 -- is collected piece by piece, and the info column has at most so many bytes of it, then how much is left out.
-local start_line, say, show, show_line
+local start_line, say, show
 do
     local MOST_INFO = 4000
     local pieces, count, shown, size, omitted = {}, 0, 0, 0, 0
@@ -7244,19 +7244,6 @@ do
         end
         count = count + 1
         pieces[count], size = said, longer
-    end
-
-    -- The same for a buffer of which one message is all that is said.
-    function show_line(pinfo, number, offset, said)
-        if number == last_number then
-            start_line(number, offset)
-            say(said)
-            return show(pinfo)
-        end
-        last_number, last_offset, omitted, count, shown, size = number, offset, 0, 1, 1, #said + 2
-        local columns = pinfo.cols
-        columns.protocol = "EV3"
-        columns.info = said
     end
 
     function show(pinfo)
@@ -7920,18 +7907,10 @@ do
         return pinfo.src_port == 0 or pinfo.dst_port == 0
     end
 
-    -- The endpoint that was seen last, by whether the host sends: its address and its device. To write an address takes
-    -- longer than to compare it.
-    local last_seen
-
     -- The device that a report comes from or goes to, whichever of its endpoints.
     local function device_key(pinfo)
-        local is_out = is_from_host(pinfo)
-        local address, known = is_out and pinfo.dst or pinfo.src, last_seen[is_out]
-        if known and known.address == address then return known.device end
-        local text = tostring(address)
-        last_seen[is_out] = { address = address, device = text:match("^(.*)%.%d+$") or text }
-        return last_seen[is_out].device
+        local address = tostring(is_from_host(pinfo) and pinfo.dst or pinfo.src)
+        return address:match("^(.*)%.%d+$") or address
     end
 
     -- A known fault of the bootloader: its reply comes with the request written over its first bytes.
@@ -7947,7 +7926,7 @@ do
     local marked
 
     local function forget_devices()
-        taken, last_seen, marked = {}, {}, nil
+        taken, marked = {}, nil
     end
     forget_devices()
 
@@ -7977,7 +7956,9 @@ do
             local rest = tvb(stop, captured - stop)
             item:add(field.padding, rest):append_text(format(" (%s)", plural(captured - stop, "byte")))
         end
-        show_line(pinfo, number, offset, said)
+        start_line(number, offset)
+        say(said)
+        show(pinfo)
         return captured
     end
 
@@ -7985,8 +7966,9 @@ do
     local function dissect_other_report(tvb, length, pinfo, tree)
         local captured = captured_len(tvb)
         brick = device_key(pinfo)
-        local said = dissect_no_frame(tvb, 0, captured, length, tree, has_tree(tree))
-        show_line(pinfo, pinfo.number, offset_of(tvb), said)
+        start_line(pinfo.number, offset_of(tvb))
+        say((dissect_no_frame(tvb, 0, captured, length, tree, has_tree(tree))))
+        show(pinfo)
         return captured
     end
 
@@ -8075,22 +8057,20 @@ do
     -- Methods that each packet needs: looking them up takes longer than what they do.
     local bytes_of, offset_of = Tvb.raw, Tvb.offset
 
-    -- The directions in which packets went last, by channel and what the capture tells of the direction: their
-    -- addresses with what is known of them. To write addresses takes longer than to compare them.
-    local last_seen
-
     local function forget_streams()
         streams, is_ours, continued, earlier, waiting = {}, {}, {}, {}, {}
-        begun, steps, starts, last_seen = {}, {}, {}, {}
+        begun, steps, starts = {}, {}, {}
     end
     forget_streams()
 
-    -- What is known of a channel, and the direction in it that a packet has, by what is written of its ends.
-    local function stream_between(from, to, channel, direction)
+    -- What is known of a packet's channel, and of its direction in that. Devices go by the addresses of their hardware:
+    -- to the others Wireshark adds a device's name as soon as it knows one. A capture begun after the connection has no
+    -- addresses, but mostly tells what was sent and what received.
+    local function channel_of(pinfo)
+        local from, to, channel = tostring(pinfo.dl_src), tostring(pinfo.dl_dst), floor(pinfo.match_uint / 2)
         local conversation = conversation_of((from < to and from .. " " .. to or to .. " " .. from) .. " " .. channel)
         conversation.sides = conversation.sides or {}
-        -- A capture begun after the connection has no addresses, but mostly tells what was sent and what received.
-        local key = from .. " > " .. to .. " " .. channel .. " " .. direction
+        local key = from .. " > " .. to .. " " .. channel .. " " .. pinfo.p2p_dir
         local stream = streams[key]
         if not stream then
             stream = { left = "", look_at = 0 }
@@ -8098,20 +8078,6 @@ do
             table.insert(conversation.sides, stream)
         end
         return conversation, stream
-    end
-
-    -- The same of a packet. Devices go by the addresses of their hardware: to the others Wireshark adds a device's name
-    -- as soon as it knows one.
-    local function channel_of(pinfo)
-        local from, to, dlci, direction = pinfo.dl_src, pinfo.dl_dst, pinfo.match_uint, pinfo.p2p_dir
-        local place = dlci * 4 + direction
-        local known = last_seen[place]
-        if not known or known.from ~= from or known.to ~= to then
-            local conversation, stream = stream_between(tostring(from), tostring(to), floor(dlci / 2), direction)
-            known = { from = from, to = to, conversation = conversation, stream = stream }
-            last_seen[place] = known
-        end
-        return known.conversation, known.stream
     end
 
     local function is_command(type)
@@ -8245,12 +8211,6 @@ do
         if list and list.complete_in then item:add(field.fragment_of, list.complete_in):set_generated() end
     end
 
-    -- Whether a text is one frame, as nearly every packet is.
-    local function is_frame(text)
-        local low, high, _, _, code = byte(text, 1, HEADER_SIZE)
-        return code and frame_size(low, high) == #text and is_length(text, 0) and MESSAGE_TYPES[code] ~= nil
-    end
-
     local function dissect_rfcomm(tvb, pinfo, tree)
         local piece, number = bytes_of(tvb), pinfo.number
         if piece == "" then return 0 end
@@ -8278,14 +8238,6 @@ do
         end
         local is_shown, whole, size, offset = has_tree(tree), tvb, #piece, offset_of(tvb)
         brick = is_shown and tostring(is_ours[number] == is_command and pinfo.dl_dst or pinfo.dl_src)
-        if may_be_whole and text == piece and not steps[number] and is_frame(text) then
-            if is_first then stream.step = "likely" end
-            local place = place_of(number, offset)
-            local said = dissect_message(tvb, 0, read_message(text), conversation, place, pinfo, tree, is_shown)
-            show_line(pinfo, number, offset, said)
-            if is_first and not claiming.count(conversation, 0, number) then clear_sides(conversation) end
-            return size
-        end
         start_line(number, offset)
         if may_be_whole then
             local before = waiting[number]
@@ -8356,21 +8308,10 @@ do
     -- from where on more was asked for, before it was ours.
     local steps, starts, asked
 
-    -- The ports on which connections are looked at, and which dissectors had them before.
-    local ports, others = {}, {}
+    -- The ports on which connections are looked at.
+    local ports = {}
 
-    local function take_port(port)
-        others[port] = tcp_ports:get_dissector(port)
-        tcp_ports:add(port, ev3)
-    end
-
-    local function give_port_back(port)
-        tcp_ports:remove(port, ev3)
-        if others[port] then tcp_ports:add(port, others[port]) end
-        others[port] = nil
-    end
-
-    -- The last connection between two ports, one entry each way. It has what is `pending` of the stream that way, the
+    -- By ports: the direction in a connection that was seen last between them. It has what is `pending` of the stream that way, the
     -- bytes that wait for the next segment; the `step` with them; how many bytes of the buffer were `done` before them;
     -- the packet `number` that came last, and at which `offset` its data began.
     local connections
@@ -8382,42 +8323,16 @@ do
         return from < to and from .. " " .. to or to .. " " .. from
     end
 
-    -- Asking a packet for its addresses takes 12 % of the time of one-line output. So Wireshark is told once that a
-    -- conversation is ours, and from then on hands its packets over for that, not for their port. By
-    -- both ports: the conversation of which this is so, false if there are several; by direction: what is known of it.
-    local owners, owned
-
-    local function both_ports(pinfo)
-        return math.min(pinfo.src_port, pinfo.dst_port) * 0x10000 + math.max(pinfo.src_port, pinfo.dst_port)
-    end
-
-    local function hand_over(conversation, pinfo)
-        local ports = both_ports(pinfo)
-        if owners[ports] ~= nil and owners[ports] ~= conversation then
-            owners[ports], owned = false, {}
-        else
-            owners[ports] = conversation
-        end
-        pinfo.conversation = ev3
-    end
-
-    local function connection_by_addresses(pinfo, ends)
-        local from, to, known = pinfo.src, pinfo.dst, connections[ends]
-        if not known or known.from ~= from or known.to ~= to then
-            known = { from = from, to = to, conversation = conversation_of(conversation_key(pinfo)) }
-            connections[ends] = known
-        end
-        return known
-    end
-
-    -- What is known of a packet's conversation, and of its direction in that.
+    -- What is known of a packet's conversation, and of its direction in that. To compare addresses takes less than to
+    -- write them.
     local function connection_of(pinfo)
-        local from, to, matched = pinfo.src_port, pinfo.dst_port, pinfo.match_uint
-        local ends, is_handed_over = from * 0x10000 + to, matched ~= from and matched ~= to
-        local known = is_handed_over and owned[ends]
-        if not known then
-            known = connection_by_addresses(pinfo, ends)
-            if is_handed_over and owners[both_ports(pinfo)] == known.conversation then owned[ends] = known end
+        local from, to, ends = pinfo.src, pinfo.dst, pinfo.src_port * 0x10000 + pinfo.dst_port
+        local known = connections[ends]
+        if not known or known.from ~= from or known.to ~= to then
+            local conversation = conversation_of(conversation_key(pinfo))
+            conversation.sides = conversation.sides or {}
+            known = conversation.sides[ends] or { from = from, to = to, conversation = conversation }
+            conversation.sides[ends], connections[ends] = known, known
         end
         return known.conversation, known
     end
@@ -8425,12 +8340,11 @@ do
     local function forget_wifi()
         bricks, answers, announced, declined, has_found = {}, {}, {}, {}, false
         steps, starts, asked = {}, {}, {}
-        connections, owners, owned = {}, {}, {}
+        connections = {}
     end
     forget_wifi()
 
-    -- Whether the preference names the ports of both ends, as a wide range may. A connection of which the ports do not
-    -- tell which end is the brick has `is_by_name`: the data, or Decode As, told it, and it is named after that end.
+    -- Whether the preference names the ports of both ends, as a wide range may: the data tell which end is the brick.
     local function has_two_named(pinfo)
         return ports[pinfo.src_port] and ports[pinfo.dst_port]
     end
@@ -8459,18 +8373,11 @@ do
         return not type.is_command or type.carries == "daisy"
     end
 
-    local function is_any()
-        return true
-    end
-
     local dissect_claimed
     do
-        -- Which types go the way of a packet, where the port or the data said which end is the brick.
+        -- Which types go the way of a packet.
         local function types_of(pinfo, conversation)
-            conversation = conversation or connection_of(pinfo)
-            if conversation.is_by_name then return is_to_named(conversation, pinfo) and is_command or is_reply end
-            if ports[pinfo.dst_port] then return is_command end
-            return ports[pinfo.src_port] and is_reply or is_any
+            return is_to_named(conversation or connection_of(pinfo), pinfo) and is_command or is_reply
         end
 
         local step_of
@@ -8556,8 +8463,9 @@ do
             if step ~= "lost" and done == 0 and code and LENGTH_FIELD + low + high * 0x100 == captured
                 and is_usual_length(low, high) and MESSAGE_TYPES[code] then
                 local place = place_of(number, offset)
-                show_line(pinfo, number, offset,
-                    (dissect_message(tvb, 0, read_message(text), conversation, place, pinfo, tree, is_shown)))
+                start_line(number, offset)
+                say((dissect_message(tvb, 0, read_message(text), conversation, place, pinfo, tree, is_shown)))
+                show(pinfo)
                 if known then claiming.count(conversation, 0, number) end
             else
                 start_line(number, offset)
@@ -8597,23 +8505,15 @@ do
     end
 
     -- A connection is named after the end of it that is the brick.
-    local function name_brick(conversation, pinfo, to_brick)
-        local address, port = pinfo.src, pinfo.src_port
-        if to_brick then
-            address, port = pinfo.dst, pinfo.dst_port
-        end
+    local function name_brick(conversation, address, port)
         conversation.name = tostring(address) .. ":" .. port
     end
 
     local dissect_first
     do
-        -- Whether a packet goes to, or comes from, a port on which a brick listens.
-        local function is_to_brick(pinfo)
-            return ports[pinfo.dst_port] or is_announced(pinfo.dst, pinfo.dst_port)
-        end
-
-        local function is_from_brick(pinfo)
-            return ports[pinfo.src_port] or is_announced(pinfo.src, pinfo.src_port)
+        -- Whether a brick listens at an end of a connection, as far as the ports tell.
+        local function may_be_brick(address, port)
+            return ports[port] or is_announced(address, port)
         end
 
         -- Whether data go to the brick, where the ports of both ends may be one's.
@@ -8625,26 +8525,24 @@ do
         end
 
         -- Whether the user, or a beacon, says that what is at a port is ours: else it must show.
-        local function is_sure(pinfo, to_brick)
-            if listened ~= tostring(CARRIERS.tcp_port) then return true end
-            if to_brick then return is_announced(pinfo.dst, pinfo.dst_port) end
-            return is_announced(pinfo.src, pinfo.src_port)
+        local function is_sure(address, port)
+            return listened ~= tostring(CARRIERS.tcp_port) or is_announced(address, port)
         end
 
         -- A buffer of a connection that is not ours so far, when it is seen for the first time: whether it is, with the
         -- offset where that begins, or whether more is needed to tell, from an offset on.
         local function claim(conversation, known, text, reported, pinfo)
-            local to_brick = is_to_brick(pinfo) == true
-            if not to_brick and not is_from_brick(pinfo) then return nil end
+            local to_brick = may_be_brick(pinfo.dst, pinfo.dst_port)
+            if not to_brick and not may_be_brick(pinfo.src, pinfo.src_port) then return nil end
             local verdict, place = judge_text(text), 0
-            if verdict == OURS or has_two_named(pinfo) then
-                local is_told = tells_brick(text, verdict ~= nil, pinfo)
-                conversation.is_by_name = has_two_named(pinfo) or is_told ~= to_brick
-                to_brick = is_told
-            end
             if verdict == PART then return PART, 0 end
+            if verdict == OURS or has_two_named(pinfo) then to_brick = tells_brick(text, verdict ~= nil, pinfo) end
+            local address, port = pinfo.src, pinfo.src_port
+            if to_brick then
+                address, port = pinfo.dst, pinfo.dst_port
+            end
             local joint = known.waits or 0
-            if verdict == OURS or is_sure(pinfo, to_brick) then
+            if verdict == OURS or is_sure(address, port) then
                 claiming.begin(conversation, true)
             elseif to_brick then
                 local is_whole
@@ -8661,7 +8559,7 @@ do
                 conversation.replies = 0
             end
             conversation.claimed_in = pinfo.number
-            name_brick(conversation, pinfo, to_brick)
+            name_brick(conversation, address, port)
             return OURS, place
         end
 
@@ -8676,15 +8574,12 @@ do
 
         function dissect_first(tvb, text, pinfo, tree, number)
             local conversation, known = connection_of(pinfo)
-            local is_known = conversation.is_sure or conversation.is_answered
-            if is_known and owners[both_ports(pinfo)] == nil then hand_over(conversation, pinfo) end
             -- What was left to others comes again, where Wireshark knows which end is the server.
             local place = place_of(number, offset_of(tvb))
             if declined[place] then return 0 end
             local port = pinfo.match_uint
             if not conversation.name and not ports[port] then
-                name_brick(conversation, pinfo, pinfo.dst_port == port)
-                conversation.is_by_name = ports[pinfo.src_port] or ports[pinfo.dst_port]
+                name_brick(conversation, pinfo.dst_port == port and pinfo.dst or pinfo.src, port)
                 claiming.begin(conversation, true)
             end
             if conversation.is_claimed then
@@ -8739,10 +8634,14 @@ do
             to_brick = true
         end
         local conversation, known = connection_of(pinfo)
-        hand_over(conversation, pinfo)
+        pinfo.conversation = ev3
         claiming.begin(conversation, true)
         conversation.is_found, conversation.claimed_in, has_found = true, pinfo.number, true
-        name_brick(conversation, pinfo, to_brick)
+        if to_brick then
+            name_brick(conversation, pinfo.dst, pinfo.dst_port)
+        else
+            name_brick(conversation, pinfo.src, pinfo.src_port)
+        end
         dissect_claimed(tvb, bytes_of(tvb), pinfo, tree, pinfo.number, conversation, known)
         return true
     end
@@ -8803,6 +8702,14 @@ do
             return sub(CARRIERS.protocol, 1, #protocol) == protocol
         end
 
+        -- The brick whose beacon a packet answers, if it does.
+        local function answered_brick(pinfo)
+            if not pinfo.visited and next(bricks) then
+                answers[pinfo.number] = bricks[tostring(pinfo.dst) .. " " .. pinfo.dst_port]
+            end
+            return answers[pinfo.number]
+        end
+
         -- A beacon that a brick broadcasts, or whatever a host answers to it.
         function dissect_udp(tvb, pinfo, tree)
             local text, number = tvb:raw(), pinfo.number
@@ -8814,15 +8721,9 @@ do
                 said, port = dissect_beacon(tvb, text, tree, tostring(pinfo.src))
                 if not pinfo.visited then remember_brick(pinfo, port) end
             else
-                if not pinfo.visited and bricks[tostring(pinfo.dst) .. " " .. pinfo.dst_port] then
-                    answers[number] = bricks[tostring(pinfo.dst) .. " " .. pinfo.dst_port]
-                end
-                if not answers[number] and not is_forced then return 0 end
-                said = "answer to a beacon"
-                brick = answers[number]
-                if has_tree(tree) then
-                    add_item(tree, tvb(), said):add(field.beacon_answer, tvb())
-                end
+                brick, said = answered_brick(pinfo), "answer to a beacon"
+                if not brick and not is_forced then return 0 end
+                if has_tree(tree) then add_item(tree, tvb(), said):add(field.beacon_answer, tvb()) end
             end
             start_line(number, tvb:offset())
             say(said)
@@ -8832,35 +8733,26 @@ do
 
         -- An answer goes to the port that the beacon came from, which is known by nothing else.
         function guess_udp(tvb, pinfo, tree)
-            if not pinfo.visited and next(bricks) and bricks[tostring(pinfo.dst) .. " " .. pinfo.dst_port] then
-                answers[pinfo.number] = bricks[tostring(pinfo.dst) .. " " .. pinfo.dst_port]
-            end
-            if not answers[pinfo.number] then return false end
+            if not answered_brick(pinfo) then return false end
             dissect_udp(tvb, pinfo, tree)
             return true
         end
     end
 
-    -- Takes the ports of a preference such as 5555,6000-6003, or gives them back to whom they belonged.
+    -- Takes the ports of the preference, such as 5555,6000-6003.
     local function take_ports()
+        tcp_ports:add(listened, ev3)
+        ports = {}
         for first, last in listened:gmatch("(%d+)%-?(%d*)") do
             for port = tonumber(first), tonumber(last ~= "" and last or first) do
-                if not ports[port] then take_port(port) end
                 ports[port] = true
             end
         end
     end
 
-    local function give_ports_back()
-        for port in pairs(ports) do
-            give_port_back(port)
-        end
-        ports = {}
-    end
-
     local function follow_ports()
         if listened == ev3.prefs.tcp_ports then return end
-        give_ports_back()
+        tcp_ports:remove(listened, ev3)
         listened = ev3.prefs.tcp_ports
         take_ports()
     end

@@ -101,8 +101,9 @@ def test_connections_with_the_same_ports_are_told_apart(ask: Ask, port: int, wor
             connection.send(voltage(counter)[:7])
         asked = [connection.send(voltage(counter)[7:]) for connection in connections]
         answers = [connection.receive(volts(counter)) for connection in reversed(connections)]
-        expected += [f"{answer}\t{question}" for answer, question in zip(answers, reversed(asked), strict=True)]
-    assert ask(capture, "ev3.request_in", "frame.number", "ev3.request_in", words=words) == expected
+        bricks = [f"192.0.2.{ends[3]}:{port}" for ends in (BRICK, other_brick, BRICK)]
+        expected += ["\t".join(map(str, each)) for each in zip(answers, reversed(asked), bricks, strict=True)]
+    assert ask(capture, "ev3.request_in", "frame.number", "ev3.request_in", "ev3.brick", words=words) == expected
 
 
 def test_port_5555(ask: Ask) -> None:

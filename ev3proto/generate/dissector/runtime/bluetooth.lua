@@ -15,22 +15,20 @@ do
     -- Methods that each packet needs: looking them up takes longer than what they do.
     local bytes_of, offset_of = Tvb.raw, Tvb.offset
 
-    -- The directions in which packets went last, by channel and what the capture tells of the direction: their
-    -- addresses with what is known of them. To write addresses takes longer than to compare them.
-    local last_seen
-
     local function forget_streams()
         streams, is_ours, continued, earlier, waiting = {}, {}, {}, {}, {}
-        begun, steps, starts, last_seen = {}, {}, {}, {}
+        begun, steps, starts = {}, {}, {}
     end
     forget_streams()
 
-    -- What is known of a channel, and the direction in it that a packet has, by what is written of its ends.
-    local function stream_between(from, to, channel, direction)
+    -- What is known of a packet's channel, and of its direction in that. Devices go by the addresses of their hardware:
+    -- to the others Wireshark adds a device's name as soon as it knows one. A capture begun after the connection has no
+    -- addresses, but mostly tells what was sent and what received.
+    local function channel_of(pinfo)
+        local from, to, channel = tostring(pinfo.dl_src), tostring(pinfo.dl_dst), floor(pinfo.match_uint / 2)
         local conversation = conversation_of((from < to and from .. " " .. to or to .. " " .. from) .. " " .. channel)
         conversation.sides = conversation.sides or {}
-        -- A capture begun after the connection has no addresses, but mostly tells what was sent and what received.
-        local key = from .. " > " .. to .. " " .. channel .. " " .. direction
+        local key = from .. " > " .. to .. " " .. channel .. " " .. pinfo.p2p_dir
         local stream = streams[key]
         if not stream then
             stream = { left = "", look_at = 0 }
@@ -38,20 +36,6 @@ do
             table.insert(conversation.sides, stream)
         end
         return conversation, stream
-    end
-
-    -- The same of a packet. Devices go by the addresses of their hardware: to the others Wireshark adds a device's name
-    -- as soon as it knows one.
-    local function channel_of(pinfo)
-        local from, to, dlci, direction = pinfo.dl_src, pinfo.dl_dst, pinfo.match_uint, pinfo.p2p_dir
-        local place = dlci * 4 + direction
-        local known = last_seen[place]
-        if not known or known.from ~= from or known.to ~= to then
-            local conversation, stream = stream_between(tostring(from), tostring(to), floor(dlci / 2), direction)
-            known = { from = from, to = to, conversation = conversation, stream = stream }
-            last_seen[place] = known
-        end
-        return known.conversation, known.stream
     end
 
     local function is_command(type)
@@ -185,12 +169,6 @@ do
         if list and list.complete_in then item:add(field.fragment_of, list.complete_in):set_generated() end
     end
 
-    -- Whether a text is one frame, as nearly every packet is.
-    local function is_frame(text)
-        local low, high, _, _, code = byte(text, 1, HEADER_SIZE)
-        return code and frame_size(low, high) == #text and is_length(text, 0) and MESSAGE_TYPES[code] ~= nil
-    end
-
     local function dissect_rfcomm(tvb, pinfo, tree)
         local piece, number = bytes_of(tvb), pinfo.number
         if piece == "" then return 0 end
@@ -218,14 +196,6 @@ do
         end
         local is_shown, whole, size, offset = has_tree(tree), tvb, #piece, offset_of(tvb)
         brick = is_shown and tostring(is_ours[number] == is_command and pinfo.dl_dst or pinfo.dl_src)
-        if may_be_whole and text == piece and not steps[number] and is_frame(text) then
-            if is_first then stream.step = "likely" end
-            local place = place_of(number, offset)
-            local said = dissect_message(tvb, 0, read_message(text), conversation, place, pinfo, tree, is_shown)
-            show_line(pinfo, number, offset, said)
-            if is_first and not claiming.count(conversation, 0, number) then clear_sides(conversation) end
-            return size
-        end
         start_line(number, offset)
         if may_be_whole then
             local before = waiting[number]

@@ -17,7 +17,7 @@ end
 
 -- The columns of a packet. TCP hands a packet over in pieces when frames are split over several; what is said of each
 -- is collected piece by piece, and the info column has at most so many bytes of it, then how much is left out.
-local start_line, say, show, show_line
+local start_line, say, show
 do
     local MOST_INFO = 4000
     local pieces, count, shown, size, omitted = {}, 0, 0, 0, 0
@@ -37,19 +37,6 @@ do
         end
         count = count + 1
         pieces[count], size = said, longer
-    end
-
-    -- The same for a buffer of which one message is all that is said.
-    function show_line(pinfo, number, offset, said)
-        if number == last_number then
-            start_line(number, offset)
-            say(said)
-            return show(pinfo)
-        end
-        last_number, last_offset, omitted, count, shown, size = number, offset, 0, 1, 1, #said + 2
-        local columns = pinfo.cols
-        columns.protocol = "EV3"
-        columns.info = said
     end
 
     function show(pinfo)

@@ -17,18 +17,10 @@ do
         return pinfo.src_port == 0 or pinfo.dst_port == 0
     end
 
-    -- The endpoint that was seen last, by whether the host sends: its address and its device. To write an address takes
-    -- longer than to compare it.
-    local last_seen
-
     -- The device that a report comes from or goes to, whichever of its endpoints.
     local function device_key(pinfo)
-        local is_out = is_from_host(pinfo)
-        local address, known = is_out and pinfo.dst or pinfo.src, last_seen[is_out]
-        if known and known.address == address then return known.device end
-        local text = tostring(address)
-        last_seen[is_out] = { address = address, device = text:match("^(.*)%.%d+$") or text }
-        return last_seen[is_out].device
+        local address = tostring(is_from_host(pinfo) and pinfo.dst or pinfo.src)
+        return address:match("^(.*)%.%d+$") or address
     end
 
     -- A known fault of the bootloader: its reply comes with the request written over its first bytes.
@@ -44,7 +36,7 @@ do
     local marked
 
     local function forget_devices()
-        taken, last_seen, marked = {}, {}, nil
+        taken, marked = {}, nil
     end
     forget_devices()
 
@@ -74,7 +66,9 @@ do
             local rest = tvb(stop, captured - stop)
             item:add(field.padding, rest):append_text(format(" (%s)", plural(captured - stop, "byte")))
         end
-        show_line(pinfo, number, offset, said)
+        start_line(number, offset)
+        say(said)
+        show(pinfo)
         return captured
     end
 
@@ -82,8 +76,9 @@ do
     local function dissect_other_report(tvb, length, pinfo, tree)
         local captured = captured_len(tvb)
         brick = device_key(pinfo)
-        local said = dissect_no_frame(tvb, 0, captured, length, tree, has_tree(tree))
-        show_line(pinfo, pinfo.number, offset_of(tvb), said)
+        start_line(pinfo.number, offset_of(tvb))
+        say((dissect_no_frame(tvb, 0, captured, length, tree, has_tree(tree))))
+        show(pinfo)
         return captured
     end
 

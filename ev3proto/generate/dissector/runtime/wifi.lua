@@ -22,21 +22,10 @@ do
     -- from where on more was asked for, before it was ours.
     local steps, starts, asked
 
-    -- The ports on which connections are looked at, and which dissectors had them before.
-    local ports, others = {}, {}
+    -- The ports on which connections are looked at.
+    local ports = {}
 
-    local function take_port(port)
-        others[port] = tcp_ports:get_dissector(port)
-        tcp_ports:add(port, ev3)
-    end
-
-    local function give_port_back(port)
-        tcp_ports:remove(port, ev3)
-        if others[port] then tcp_ports:add(port, others[port]) end
-        others[port] = nil
-    end
-
-    -- The last connection between two ports, one entry each way. It has what is `pending` of the stream that way, the
+    -- By ports: the direction in a connection that was seen last between them. It has what is `pending` of the stream that way, the
     -- bytes that wait for the next segment; the `step` with them; how many bytes of the buffer were `done` before them;
     -- the packet `number` that came last, and at which `offset` its data began.
     local connections
@@ -48,42 +37,16 @@ do
         return from < to and from .. " " .. to or to .. " " .. from
     end
 
-    -- Asking a packet for its addresses takes 12 % of the time of one-line output. So Wireshark is told once that a
-    -- conversation is ours, and from then on hands its packets over for that, not for their port. By
-    -- both ports: the conversation of which this is so, false if there are several; by direction: what is known of it.
-    local owners, owned
-
-    local function both_ports(pinfo)
-        return math.min(pinfo.src_port, pinfo.dst_port) * 0x10000 + math.max(pinfo.src_port, pinfo.dst_port)
-    end
-
-    local function hand_over(conversation, pinfo)
-        local ports = both_ports(pinfo)
-        if owners[ports] ~= nil and owners[ports] ~= conversation then
-            owners[ports], owned = false, {}
-        else
-            owners[ports] = conversation
-        end
-        pinfo.conversation = ev3
-    end
-
-    local function connection_by_addresses(pinfo, ends)
-        local from, to, known = pinfo.src, pinfo.dst, connections[ends]
-        if not known or known.from ~= from or known.to ~= to then
-            known = { from = from, to = to, conversation = conversation_of(conversation_key(pinfo)) }
-            connections[ends] = known
-        end
-        return known
-    end
-
-    -- What is known of a packet's conversation, and of its direction in that.
+    -- What is known of a packet's conversation, and of its direction in that. To compare addresses takes less than to
+    -- write them.
     local function connection_of(pinfo)
-        local from, to, matched = pinfo.src_port, pinfo.dst_port, pinfo.match_uint
-        local ends, is_handed_over = from * 0x10000 + to, matched ~= from and matched ~= to
-        local known = is_handed_over and owned[ends]
-        if not known then
-            known = connection_by_addresses(pinfo, ends)
-            if is_handed_over and owners[both_ports(pinfo)] == known.conversation then owned[ends] = known end
+        local from, to, ends = pinfo.src, pinfo.dst, pinfo.src_port * 0x10000 + pinfo.dst_port
+        local known = connections[ends]
+        if not known or known.from ~= from or known.to ~= to then
+            local conversation = conversation_of(conversation_key(pinfo))
+            conversation.sides = conversation.sides or {}
+            known = conversation.sides[ends] or { from = from, to = to, conversation = conversation }
+            conversation.sides[ends], connections[ends] = known, known
         end
         return known.conversation, known
     end
@@ -91,12 +54,11 @@ do
     local function forget_wifi()
         bricks, answers, announced, declined, has_found = {}, {}, {}, {}, false
         steps, starts, asked = {}, {}, {}
-        connections, owners, owned = {}, {}, {}
+        connections = {}
     end
     forget_wifi()
 
-    -- Whether the preference names the ports of both ends, as a wide range may. A connection of which the ports do not
-    -- tell which end is the brick has `is_by_name`: the data, or Decode As, told it, and it is named after that end.
+    -- Whether the preference names the ports of both ends, as a wide range may: the data tell which end is the brick.
     local function has_two_named(pinfo)
         return ports[pinfo.src_port] and ports[pinfo.dst_port]
     end
@@ -125,18 +87,11 @@ do
         return not type.is_command or type.carries == "daisy"
     end
 
-    local function is_any()
-        return true
-    end
-
     local dissect_claimed
     do
-        -- Which types go the way of a packet, where the port or the data said which end is the brick.
+        -- Which types go the way of a packet.
         local function types_of(pinfo, conversation)
-            conversation = conversation or connection_of(pinfo)
-            if conversation.is_by_name then return is_to_named(conversation, pinfo) and is_command or is_reply end
-            if ports[pinfo.dst_port] then return is_command end
-            return ports[pinfo.src_port] and is_reply or is_any
+            return is_to_named(conversation or connection_of(pinfo), pinfo) and is_command or is_reply
         end
 
         local step_of
@@ -222,8 +177,9 @@ do
             if step ~= "lost" and done == 0 and code and LENGTH_FIELD + low + high * 0x100 == captured
                 and is_usual_length(low, high) and MESSAGE_TYPES[code] then
                 local place = place_of(number, offset)
-                show_line(pinfo, number, offset,
-                    (dissect_message(tvb, 0, read_message(text), conversation, place, pinfo, tree, is_shown)))
+                start_line(number, offset)
+                say((dissect_message(tvb, 0, read_message(text), conversation, place, pinfo, tree, is_shown)))
+                show(pinfo)
                 if known then claiming.count(conversation, 0, number) end
             else
                 start_line(number, offset)
@@ -263,23 +219,15 @@ do
     end
 
     -- A connection is named after the end of it that is the brick.
-    local function name_brick(conversation, pinfo, to_brick)
-        local address, port = pinfo.src, pinfo.src_port
-        if to_brick then
-            address, port = pinfo.dst, pinfo.dst_port
-        end
+    local function name_brick(conversation, address, port)
         conversation.name = tostring(address) .. ":" .. port
     end
 
     local dissect_first
     do
-        -- Whether a packet goes to, or comes from, a port on which a brick listens.
-        local function is_to_brick(pinfo)
-            return ports[pinfo.dst_port] or is_announced(pinfo.dst, pinfo.dst_port)
-        end
-
-        local function is_from_brick(pinfo)
-            return ports[pinfo.src_port] or is_announced(pinfo.src, pinfo.src_port)
+        -- Whether a brick listens at an end of a connection, as far as the ports tell.
+        local function may_be_brick(address, port)
+            return ports[port] or is_announced(address, port)
         end
 
         -- Whether data go to the brick, where the ports of both ends may be one's.
@@ -291,26 +239,24 @@ do
         end
 
         -- Whether the user, or a beacon, says that what is at a port is ours: else it must show.
-        local function is_sure(pinfo, to_brick)
-            if listened ~= tostring(CARRIERS.tcp_port) then return true end
-            if to_brick then return is_announced(pinfo.dst, pinfo.dst_port) end
-            return is_announced(pinfo.src, pinfo.src_port)
+        local function is_sure(address, port)
+            return listened ~= tostring(CARRIERS.tcp_port) or is_announced(address, port)
         end
 
         -- A buffer of a connection that is not ours so far, when it is seen for the first time: whether it is, with the
         -- offset where that begins, or whether more is needed to tell, from an offset on.
         local function claim(conversation, known, text, reported, pinfo)
-            local to_brick = is_to_brick(pinfo) == true
-            if not to_brick and not is_from_brick(pinfo) then return nil end
+            local to_brick = may_be_brick(pinfo.dst, pinfo.dst_port)
+            if not to_brick and not may_be_brick(pinfo.src, pinfo.src_port) then return nil end
             local verdict, place = judge_text(text), 0
-            if verdict == OURS or has_two_named(pinfo) then
-                local is_told = tells_brick(text, verdict ~= nil, pinfo)
-                conversation.is_by_name = has_two_named(pinfo) or is_told ~= to_brick
-                to_brick = is_told
-            end
             if verdict == PART then return PART, 0 end
+            if verdict == OURS or has_two_named(pinfo) then to_brick = tells_brick(text, verdict ~= nil, pinfo) end
+            local address, port = pinfo.src, pinfo.src_port
+            if to_brick then
+                address, port = pinfo.dst, pinfo.dst_port
+            end
             local joint = known.waits or 0
-            if verdict == OURS or is_sure(pinfo, to_brick) then
+            if verdict == OURS or is_sure(address, port) then
                 claiming.begin(conversation, true)
             elseif to_brick then
                 local is_whole
@@ -327,7 +273,7 @@ do
                 conversation.replies = 0
             end
             conversation.claimed_in = pinfo.number
-            name_brick(conversation, pinfo, to_brick)
+            name_brick(conversation, address, port)
             return OURS, place
         end
 
@@ -342,15 +288,12 @@ do
 
         function dissect_first(tvb, text, pinfo, tree, number)
             local conversation, known = connection_of(pinfo)
-            local is_known = conversation.is_sure or conversation.is_answered
-            if is_known and owners[both_ports(pinfo)] == nil then hand_over(conversation, pinfo) end
             -- What was left to others comes again, where Wireshark knows which end is the server.
             local place = place_of(number, offset_of(tvb))
             if declined[place] then return 0 end
             local port = pinfo.match_uint
             if not conversation.name and not ports[port] then
-                name_brick(conversation, pinfo, pinfo.dst_port == port)
-                conversation.is_by_name = ports[pinfo.src_port] or ports[pinfo.dst_port]
+                name_brick(conversation, pinfo.dst_port == port and pinfo.dst or pinfo.src, port)
                 claiming.begin(conversation, true)
             end
             if conversation.is_claimed then
@@ -405,10 +348,14 @@ do
             to_brick = true
         end
         local conversation, known = connection_of(pinfo)
-        hand_over(conversation, pinfo)
+        pinfo.conversation = ev3
         claiming.begin(conversation, true)
         conversation.is_found, conversation.claimed_in, has_found = true, pinfo.number, true
-        name_brick(conversation, pinfo, to_brick)
+        if to_brick then
+            name_brick(conversation, pinfo.dst, pinfo.dst_port)
+        else
+            name_brick(conversation, pinfo.src, pinfo.src_port)
+        end
         dissect_claimed(tvb, bytes_of(tvb), pinfo, tree, pinfo.number, conversation, known)
         return true
     end
@@ -469,6 +416,14 @@ do
             return sub(CARRIERS.protocol, 1, #protocol) == protocol
         end
 
+        -- The brick whose beacon a packet answers, if it does.
+        local function answered_brick(pinfo)
+            if not pinfo.visited and next(bricks) then
+                answers[pinfo.number] = bricks[tostring(pinfo.dst) .. " " .. pinfo.dst_port]
+            end
+            return answers[pinfo.number]
+        end
+
         -- A beacon that a brick broadcasts, or whatever a host answers to it.
         function dissect_udp(tvb, pinfo, tree)
             local text, number = tvb:raw(), pinfo.number
@@ -480,15 +435,9 @@ do
                 said, port = dissect_beacon(tvb, text, tree, tostring(pinfo.src))
                 if not pinfo.visited then remember_brick(pinfo, port) end
             else
-                if not pinfo.visited and bricks[tostring(pinfo.dst) .. " " .. pinfo.dst_port] then
-                    answers[number] = bricks[tostring(pinfo.dst) .. " " .. pinfo.dst_port]
-                end
-                if not answers[number] and not is_forced then return 0 end
-                said = "answer to a beacon"
-                brick = answers[number]
-                if has_tree(tree) then
-                    add_item(tree, tvb(), said):add(field.beacon_answer, tvb())
-                end
+                brick, said = answered_brick(pinfo), "answer to a beacon"
+                if not brick and not is_forced then return 0 end
+                if has_tree(tree) then add_item(tree, tvb(), said):add(field.beacon_answer, tvb()) end
             end
             start_line(number, tvb:offset())
             say(said)
@@ -498,35 +447,26 @@ do
 
         -- An answer goes to the port that the beacon came from, which is known by nothing else.
         function guess_udp(tvb, pinfo, tree)
-            if not pinfo.visited and next(bricks) and bricks[tostring(pinfo.dst) .. " " .. pinfo.dst_port] then
-                answers[pinfo.number] = bricks[tostring(pinfo.dst) .. " " .. pinfo.dst_port]
-            end
-            if not answers[pinfo.number] then return false end
+            if not answered_brick(pinfo) then return false end
             dissect_udp(tvb, pinfo, tree)
             return true
         end
     end
 
-    -- Takes the ports of a preference such as 5555,6000-6003, or gives them back to whom they belonged.
+    -- Takes the ports of the preference, such as 5555,6000-6003.
     local function take_ports()
+        tcp_ports:add(listened, ev3)
+        ports = {}
         for first, last in listened:gmatch("(%d+)%-?(%d*)") do
             for port = tonumber(first), tonumber(last ~= "" and last or first) do
-                if not ports[port] then take_port(port) end
                 ports[port] = true
             end
         end
     end
 
-    local function give_ports_back()
-        for port in pairs(ports) do
-            give_port_back(port)
-        end
-        ports = {}
-    end
-
     local function follow_ports()
         if listened == ev3.prefs.tcp_ports then return end
-        give_ports_back()
+        tcp_ports:remove(listened, ev3)
         listened = ev3.prefs.tcp_ports
         take_ports()
     end

@@ -4670,13 +4670,13 @@ enum {
 /* Filling a frame ------------------------------------------------------------------------------------------------ */
 
 /*
- * A frame on its way. What does not fit is omitted, and ev3_end then says 0.
+ * A frame being filled. What does not fit is omitted, and ev3_end then returns 0.
  *
-  * A frame being filled. What does not fit is omitted, and ev3_end then returns 0.
- *   size   bytes that it has so far
- *   full   not 0 once something did not fit or could not be encoded
-  *   size   number of bytes so far
+ *   bytes  the frame, to be sent as it is; on USB all of the array is sent
+ *   size   number of bytes so far
  *   full   nonzero once something did not fit or could not be encoded
+ */
+typedef struct {
     uint8_t bytes[EV3_MAX_FRAME];
     size_t size;
     int full;

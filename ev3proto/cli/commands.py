@@ -9,6 +9,7 @@ import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, suppress
 from importlib import import_module
+from io import TextIOWrapper
 from pathlib import Path
 from traceback import walk_tb
 from typing import Any, NoReturn, TextIO
@@ -121,7 +122,9 @@ class Commands(click.Group):
     def make_context(self, *args: Any, **extra: Any) -> click.Context:
         """Reads the arguments."""
         with _printing_help():
-            return super().make_context(*args, **extra)
+            context = super().make_context(*args, **extra)
+        context.call_on_close(flush)
+        return context
 
     def invoke(self, context: click.Context) -> Any:
         """Runs the subcommand."""
@@ -136,6 +139,9 @@ class Commands(click.Group):
         A signal gives 128 and its number. Where nobody reads the output any more, that is no fault: 0.
         """
         extra["standalone_mode"] = False
+        if isinstance(sys.stdout, TextIOWrapper):
+            # What the terminal's character set does not have is written as an escape, too.
+            sys.stdout.reconfigure(errors="backslashreplace")
         try:
             status = super().main(args, prog_name, **extra)
         except click.ClickException as error:

@@ -58,13 +58,18 @@ def copy(target: Target, source: str, destination: str) -> None:
 
 @contextmanager
 def _bar() -> Iterator[Callable[[int, int], None]]:
-    """What shows how many bytes of how many were moved, where a terminal watches."""
+    """A function that draws how many bytes of how many were moved, where a terminal watches."""
     if sys.stderr is None or not sys.stderr.isatty():
         yield nothing_moved
         return
-    from rich.console import Console  # takes 30 ms, which only terminals have a use for
-    from rich.progress import BarColumn, DownloadColumn, Progress
 
-    with Progress(BarColumn(), DownloadColumn(), console=Console(stderr=True), transient=True) as progress:
-        task = progress.add_task("", total=None)
-        yield lambda done, size: progress.update(task, total=size, completed=done)
+    def shown(moved: tuple[int, int] | None) -> str | None:
+        return None if moved is None else f"{moved[0]:,} of {moved[1]:,} bytes"
+
+    with click.progressbar([(0, 0)], item_show_func=shown, file=sys.stderr) as bar:
+
+        def moved(done: int, size: int) -> None:
+            bar.length = size
+            bar.update(done - bar.pos, (done, size))
+
+        yield moved

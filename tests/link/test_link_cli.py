@@ -581,5 +581,5 @@ def test_copy_shows_a_bar_on_a_terminal(tmp_path: Path) -> None:
     ours, theirs = pty.openpty()
     subprocess.run(command, stdout=subprocess.DEVNULL, stderr=theirs, check=True, timeout=60)
     os.close(theirs)
-    assert "2.0/2.0 kB" in os.read(ours, 1 << 16).decode()
+    assert "2,000 of 2,000 bytes" in os.read(ours, 1 << 16).decode()
     os.close(ours)

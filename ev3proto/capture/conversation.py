@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ev3proto.bounded import Budget
-from ev3proto.capture.record import Record, Route, new_answered
+from ev3proto.capture.record import Answered, Record, Route
 from ev3proto.dialogue import Pairing, Transfers
 from ev3proto.messages import Message, SystemCommand, SystemReply
 from ev3proto.schema.frame import FrameSchema
@@ -84,7 +84,7 @@ class Conversation:
             request = record.request = self._pairing.answered(key, len(frame) - HEADER_SIZE if has_memory else None)
             if request is not None:
                 failed = is_error if not is_system else _is_failure(record.message)
-                request.answered = new_answered((time_ns, failed))
+                request.answered = Answered(time_ns, failed)
         elif wants_reply:
             has_memory = has_memory and len(frame) >= COMMAND_HEADER_SIZE
             asked = read_memory(frame)[0] if has_memory else 0
@@ -99,7 +99,7 @@ class Conversation:
         key = _CARRIED[_SYSTEM] + Header.read(frame).counter + _number(frame)
         request = record.request = self._pairing.answered(key, None)
         if request is not None:
-            request.answered = new_answered((time_ns, _is_failure(record.message)))
+            request.answered = Answered(time_ns, _is_failure(record.message))
         return record
 
     def _follow_transfer(self, record: Record) -> None:

@@ -10,14 +10,11 @@ all was read: only then it is known whether it is whole and whether there are se
 from __future__ import annotations
 
 import filecmp
-from collections import OrderedDict
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass
 from enum import StrEnum
 from pathlib import Path
-from types import TracebackType
-from typing import BinaryIO, Self
 
 from ev3proto.capture.dialogues import is_error
 from ev3proto.capture.moving import LISTINGS, UPLOADS, entry_of, piece_of
@@ -31,9 +28,6 @@ from ev3proto.temporary import PREFIX, temporary_folder
 
 MOST_FILES = 10_000
 """The most files that a capture can give."""
-
-MOST_OPEN = 16
-"""So many files are open at once."""
 
 PART = ".part"
 """What is added to the name of a file that is not whole."""
@@ -124,10 +118,10 @@ def recover(
         CaptureError: The capture is damaged, or moves more than MOST_FILES files. All others were given before.
     """
     folder.mkdir(parents=True, exist_ok=True)
-    with temporary_folder(folder, f".{PREFIX}") as beside, _Pieces(beside) as pieces:
+    with temporary_folder(folder, f".{PREFIX}") as beside:
+        pieces = _Pieces(beside)
         found = _Files(pieces.append, listings=listings)
         trouble = found.take(events)
-        pieces.close()
         shelf = Shelf(folder, force=force)
         several = len({moving.peer for moving in found.all}) > 1
         for moving in found.all:
@@ -372,60 +366,24 @@ class _Pieces:
 
     def __init__(self, folder: Path) -> None:
         self._folder = folder
-        self._open: OrderedDict[int, BinaryIO] = OrderedDict()
         self._failed: dict[int, OSError] = {}
 
     def path(self, number: int) -> Path:
         """Where a file is; an empty one is made where nothing was written. Raises OSError where it is not whole."""
         if number in self._failed:
             raise self._failed[number]
-        return self._made(number)
-
-    def _made(self, number: int) -> Path:
-        """The place of a file, which its owner only can read: files hold PINs."""
         path = self._folder / str(number)
-        path.touch(0o600)
+        path.touch(0o600)  # files hold PINs
         return path
 
     def append(self, number: int, piece: bytes) -> None:
-        """Writes a piece after those that were written. What cannot be written takes no room any more."""
+        """Writes a piece after those that were written. A file that cannot be written takes no room any more."""
         if number in self._failed:
             return
         try:
-            if number not in self._open:
-                if len(self._open) == MOST_OPEN:
-                    self._close_oldest()
-                self._open[number] = self._made(number).open("ab")
-            self._open.move_to_end(number)
-            self._open[number].write(piece)
+            with self.path(number).open("ab") as file:
+                file.write(piece)
         except OSError as error:
-            self._fail(number, error)
-
-    def close(self) -> None:
-        """Closes all; nothing is written any more."""
-        while self._open:
-            self._close_oldest()
-
-    def _close_oldest(self) -> None:
-        number, file = self._open.popitem(last=False)
-        try:
-            file.close()
-        except OSError as error:
-            self._fail(number, error)
-
-    def _fail(self, number: int, error: OSError) -> None:
-        self._failed[number] = error
-        file = self._open.pop(number, None)
-        with suppress(OSError):
-            if file is not None:
-                file.close()
-        with suppress(OSError):
-            (self._folder / str(number)).unlink()
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, where: TracebackType | None
-    ) -> None:
-        self.close()
+            self._failed[number] = error
+            with suppress(OSError):
+                (self._folder / str(number)).unlink()

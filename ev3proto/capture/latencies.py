@@ -61,28 +61,11 @@ class Latencies:
         if self.count <= EXACT:
             insort(self._first, seconds)
         else:
-            self._use_buckets()
+            if not self._buckets:
+                self._buckets = array("L", bytes(_BUCKETS * self._buckets.itemsize))
+                for early in self._first:
+                    self._count(early)
             self._count(seconds)
-
-    def add_all(self, others: Latencies) -> None:
-        """All that another one has taken."""
-        for seconds in others._first:
-            self.add(seconds)
-        if others._buckets:
-            self._use_buckets()
-            for number, count in enumerate(others._buckets):
-                self._buckets[number] += count
-            self.count += others.count
-            self._shortest = min(self._shortest, others._shortest)
-            self._longest = max(self._longest, others._longest)
-
-    def _use_buckets(self) -> None:
-        if self._buckets:
-            return
-        self._buckets = array("L", bytes(_BUCKETS * self._buckets.itemsize))
-        for early in self._first:
-            self._count(early)
-        self._first = array("d")
 
     def _count(self, seconds: float) -> None:
         # Bucket k holds what is above GROWTH ** (k - 1) and not above GROWTH ** k shortest times.

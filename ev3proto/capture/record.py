@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+from collections import deque
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from enum import StrEnum
-from functools import partial
 from typing import NamedTuple, Protocol
 
 from ev3proto.dialogue import Exchange, Transfer, Value, values_of
@@ -66,10 +66,6 @@ class Answered(NamedTuple):
 
     time_ns: int
     failed: bool
-
-
-new_answered = partial(tuple.__new__, Answered)
-"""Makes one of a tuple of all its fields, in half the time: `pytest benchmarks -k capture`."""
 
 
 class FrameReader(Protocol):
@@ -206,34 +202,19 @@ class Record:
         )
 
 
-MOST_READ = 1 << 14
-"""Bytes of frames whose messages are kept at the same time; a message takes up to 200 times the memory of its frame.
-Others are read again when somebody looks at them. With eight times as many, reading takes a tenth longer, since those
-that go are no longer in the processor's cache: `pytest benchmarks -k capture`."""
+MOST_READ = 32
+"""Messages that are kept at the same time. Others are read again when somebody looks at them: a message takes up to 200
+times the memory of its frame."""
 
-_LEAST = 64
-"""Bytes that a frame counts for besides its own."""
-
-_read: list[Record] = []
-_read_before: list[Record] = []
-_bytes_read = 0  # of the former
+_read: deque[Record] = deque()
 
 
 def _keep(record: Record) -> None:
-    """Keeps the message of a record, and now and then lets those go that were read longest ago."""
-    global _bytes_read
+    """Keeps the message of a record, and lets go of the one that was read longest ago."""
     _read.append(record)
-    _bytes_read += _LEAST + len(record.frame)
-    if _bytes_read > MOST_READ // 2:
-        _let_go()
-
-
-def _let_go() -> None:
-    """Lets go of the messages that were read before those that were read since the last time."""
-    global _bytes_read, _read, _read_before
-    for record in _read_before:
-        record._message = record._values = None
-    _read, _read_before, _bytes_read = [], _read, 0
+    if len(_read) > MOST_READ:
+        oldest = _read.popleft()
+        oldest._message = oldest._values = None
 
 
 class TextKind(StrEnum):

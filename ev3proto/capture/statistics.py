@@ -53,13 +53,8 @@ class Amount:
         self.messages += 1
         self.bytes += size
 
-    def add_all(self, other: Amount) -> None:
-        """All those of another one."""
-        self.messages += other.messages
-        self.bytes += other.bytes
 
-
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class OperationSummary:
     """One operation or system command.
 
@@ -76,13 +71,13 @@ class OperationSummary:
 
     name: str
     kind: str
-    uses: int
-    commands: int
-    replies: int
-    errors: int
-    unanswered: int
-    bytes: int
-    latency: Percentiles | None
+    uses: int = 0
+    commands: int = 0
+    replies: int = 0
+    errors: int = 0
+    unanswered: int = 0
+    bytes: int = 0
+    latency: Percentiles | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -124,7 +119,7 @@ class Noted:
     text: str
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class PeerSummary:
     """What went between the computer and one brick, or all of them.
 
@@ -142,17 +137,17 @@ class PeerSummary:
     """
 
     name: str
-    messages: Amount
-    kinds: dict[str, Amount]
-    operations: list[OperationSummary]
-    latency: Percentiles | None
-    errors: int
-    faults: int
-    unanswered: int
-    orphans: int
-    first: str | None
-    last: str | None
-    seconds: float
+    messages: Amount = field(default_factory=Amount)
+    kinds: dict[str, Amount] = field(default_factory=dict)
+    operations: list[OperationSummary] = field(default_factory=list)
+    latency: Percentiles | None = None
+    errors: int = 0
+    faults: int = 0
+    unanswered: int = 0
+    orphans: int = 0
+    first: str | None = None
+    last: str | None = None
+    seconds: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -203,136 +198,76 @@ class OperationName(NamedTuple):
     name: str
 
 
-@dataclass(slots=True)
-class _OperationCounts:
-    uses: int = 0
-    commands: int = 0
-    replies: int = 0
-    errors: int = 0
-    unanswered: int = 0
-    bytes: int = 0
-    latencies: Latencies = field(default_factory=Latencies)
+class _Peer:
+    """What is counted of one brick, or of all.
 
-    def add_all(self, other: _OperationCounts) -> None:
-        self.uses += other.uses
-        self.commands += other.commands
-        self.replies += other.replies
-        self.errors += other.errors
-        self.unanswered += other.unanswered
-        self.bytes += other.bytes
-        self.latencies.add_all(other.latencies)
+    counts  the result, which `summary` completes
+    """
 
-    def summary(self, carried: OperationName) -> OperationSummary:
-        return OperationSummary(
-            carried.name,
-            carried.kind,
-            self.uses,
-            self.commands,
-            self.replies,
-            self.errors,
-            self.unanswered,
-            self.bytes,
-            self.latencies.percentiles(),
-        )
+    def __init__(self, name: str) -> None:
+        self.counts = PeerSummary(name)
+        self._operations: dict[OperationName, tuple[OperationSummary, Latencies]] = {}
+        self._latencies = Latencies()
+        self._first_ns: int | None = None
+        self._last_ns = 0
 
-
-@dataclass(slots=True)
-class _PeerCounts:
-    """The counts of one brick, or of all."""
-
-    name: str
-    messages: Amount = field(default_factory=Amount)
-    kinds: dict[str, Amount] = field(default_factory=dict)
-    operations: dict[OperationName, _OperationCounts] = field(default_factory=dict)
-    latencies: Latencies = field(default_factory=Latencies)
-    errors: int = 0
-    faults: int = 0
-    unanswered: int = 0
-    orphans: int = 0
-    first_ns: int | None = None
-    last_ns: int = 0
+    def message(self, record: Record) -> None:
+        size, message = len(record.frame), record.message
+        self.counts.messages.add(size)
+        # A record that answers another one is a reply, though a command's type may have been written over its start.
+        kind = message.kind if record.request is None else message.kind.replace("-command", "-reply")
+        self.counts.kinds.setdefault(kind, Amount()).add(size)
+        self.counts.faults += message.fault is not None
+        if record.route.is_timed:
+            self._first_ns = record.time_ns if self._first_ns is None else min(self._first_ns, record.time_ns)
+            self._last_ns = max(self._last_ns, record.time_ns)
 
     def command(self, record: Record, carried: dict[OperationName, int]) -> None:
-        self._message(record)
         for key, uses in carried.items():
-            operation = self._operation(key)
+            operation, _ = self._operation(key)
             operation.uses += uses
             operation.commands += 1
             operation.bytes += len(record.frame)
 
     def reply(self, record: Record, carried: dict[OperationName, int], failed: bool) -> None:
-        self._message(record)
-        self.errors += failed
-        self.orphans += record.request is None
+        self.counts.errors += failed
+        self.counts.orphans += record.request is None
         latency = record.latency
         if latency is not None:
-            self.latencies.add(latency)
+            self._latencies.add(latency)
         for key in carried:
-            operation = self._operation(key)
+            operation, latencies = self._operation(key)
             operation.replies += 1
             operation.errors += failed
             operation.bytes += len(record.frame)
             if latency is not None:
-                operation.latencies.add(latency)
-
-    def no_message(self, record: Record) -> None:
-        self._message(record)
-
-    def add_all(self, other: _PeerCounts) -> None:
-        self.messages.add_all(other.messages)
-        for kind, amount in other.kinds.items():
-            self.kinds.setdefault(kind, Amount()).add_all(amount)
-        for key, operation in other.operations.items():
-            self._operation(key).add_all(operation)
-        self.latencies.add_all(other.latencies)
-        self.errors += other.errors
-        self.faults += other.faults
-        self.unanswered += other.unanswered
-        self.orphans += other.orphans
-        if other.first_ns is not None:
-            self.first_ns = other.first_ns if self.first_ns is None else min(self.first_ns, other.first_ns)
-            self.last_ns = max(self.last_ns, other.last_ns)
+                latencies.add(latency)
 
     def no_reply(self, carried: Iterable[OperationName]) -> None:
-        self.unanswered += 1
+        self.counts.unanswered += 1
         for key in carried:
-            self._operation(key).unanswered += 1
+            self._operation(key)[0].unanswered += 1
 
-    def _message(self, record: Record) -> None:
-        size = len(record.frame)
-        self.messages.add(size)
-        # A record that answers another one is a reply, though a command's type may have been written over its start.
-        kind = record.message.kind if record.request is None else record.message.kind.replace("-command", "-reply")
-        self.kinds.setdefault(kind, Amount()).add(size)
-        self.faults += record.message.fault is not None
-        if record.route.is_timed:
-            self.first_ns = record.time_ns if self.first_ns is None else min(self.first_ns, record.time_ns)
-            self.last_ns = max(self.last_ns, record.time_ns)
-
-    def _operation(self, key: OperationName) -> _OperationCounts:
-        found = self.operations.get(key)
+    def _operation(self, key: OperationName) -> tuple[OperationSummary, Latencies]:
+        found = self._operations.get(key)
         if found is None:
-            found = self.operations[key] = _OperationCounts()
+            found = self._operations[key] = OperationSummary(key.name, key.kind), Latencies()
         return found
 
     def summary(self) -> PeerSummary:
-        operations = [operation.summary(key) for key, operation in self.operations.items()]
-        operations.sort(key=lambda entry: (-entry.commands - entry.replies, entry.kind, entry.name))
-        seen = self.first_ns is not None
-        return PeerSummary(
-            self.name,
-            self.messages,
-            dict(sorted(self.kinds.items())),
-            operations,
-            self.latencies.percentiles(),
-            self.errors,
-            self.faults,
-            self.unanswered,
-            self.orphans,
-            utc(self.first_ns) if self.first_ns is not None else None,
-            utc(self.last_ns) if seen else None,
-            (self.last_ns - self.first_ns) / NANOSECONDS if self.first_ns is not None else 0.0,
+        counts = self.counts
+        for operation, latencies in self._operations.values():
+            operation.latency = latencies.percentiles()
+        counts.operations = sorted(
+            (operation for operation, _ in self._operations.values()),
+            key=lambda entry: (-entry.commands - entry.replies, entry.kind, entry.name),
         )
+        counts.kinds = dict(sorted(counts.kinds.items()))
+        counts.latency = self._latencies.percentiles()
+        if self._first_ns is not None:
+            counts.first, counts.last = utc(self._first_ns), utc(self._last_ns)
+            counts.seconds = (self._last_ns - self._first_ns) / NANOSECONDS
+        return counts
 
 
 class _OpenCommand(NamedTuple):
@@ -374,8 +309,9 @@ class Statistics:
     """Takes the events of a capture one by one, in their order. What it says is about those that it was given."""
 
     def __init__(self) -> None:
-        self._peers: dict[str, _PeerCounts] = {}
-        self._further = _PeerCounts("further ones")
+        self._whole = _Peer("all")
+        self._peers: dict[str, _Peer] = {}
+        self._further = 0
         self._texts: dict[str, Amount] = {}
         self._waiting: Bounded[int, _OpenCommand] = Bounded(MOST_PENDING)
         self._unanswered: list[Noted] = []
@@ -410,13 +346,10 @@ class Statistics:
         while self._waiting:
             self._give_up(self._waiting.pop_oldest())
         self._unanswered.sort(key=lambda noted: noted.packet)
-        whole = _PeerCounts("all")
-        for tally in (*self._peers.values(), self._further):
-            whole.add_all(tally)
         return Summary(
-            whole.summary(),
-            [tally.summary() for tally in self._peers.values()] if len(self._peers) > 1 else [],
-            self._further.messages.messages,
+            self._whole.summary(),
+            [peer.summary() for peer in self._peers.values()] if len(self._peers) > 1 else [],
+            self._further,
             self._texts,
             [moving.summary() for moving in self._transfers.values()],
             self._transfers_left_out,
@@ -433,28 +366,33 @@ class Statistics:
         message = record.message
         if message.fault is not None and len(self._faults) < MOST_LISTED:
             self._faults.append(Noted(record.number, record.peer, str(message.fault)))
-        tally = self._tally(record.peer)
+        counted = self._counted(record.peer)
+        self._further += len(counted) == 1
+        for each in counted:
+            each.message(record)
         if message.type is None:
-            tally.no_message(record)
+            pass
         elif message.type.is_command and record.request is None:
             carried = _carried(message)
-            tally.command(record, carried)
+            for each in counted:
+                each.command(record, carried)
             if message.wants_reply and record.answered is None:
                 self._wait(record, carried)
         else:
-            request = record.request
-            tally.reply(record, _carried(message if request is None else request.message), is_error(message))
+            carried = _carried(message if record.request is None else record.request.message)
+            for each in counted:
+                each.reply(record, carried, is_error(message))
             self._answered(record)
         if record.transfer is not None:
             self._move(record, record.transfer)
 
-    def _tally(self, peer: str) -> _PeerCounts:
-        found = self._peers.get(peer)
-        if found is None:
+    def _counted(self, peer: str) -> tuple[_Peer, ...]:
+        """What counts what a brick says: the whole, and as long as there are not too many, what it has of its own."""
+        if peer not in self._peers:
             if len(self._peers) >= MOST_PEERS:
-                return self._further
-            found = self._peers[peer] = _PeerCounts(peer)
-        return found
+                return (self._whole,)
+            self._peers[peer] = _Peer(peer)
+        return self._whole, self._peers[peer]
 
     # Commands and their replies. A record that is no longer referred to can have no reply, and then another one can
     # have its id: what waits under that id waits in vain.
@@ -473,7 +411,8 @@ class Statistics:
             del self._waiting[id(request)]
 
     def _give_up(self, waiting: _OpenCommand) -> None:
-        self._peers.get(waiting.peer, self._further).no_reply(waiting.carried)
+        for each in self._counted(waiting.peer):
+            each.no_reply(waiting.carried)
         self._unanswered.append(Noted(waiting.number, waiting.peer, _listed(waiting.carried)))
         if len(self._unanswered) > 2 * MOST_LISTED:
             # Commands are not always given up in their order.

@@ -254,8 +254,7 @@ def test_two_bricks_have_a_folder_each(tmp_path: Path) -> None:
     assert written(tmp_path) == {"192.0.2.10_5555/prjs/a": b"1", "192.0.2.11_5555/prjs/a": b"2"}
 
 
-def test_many_files_at_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(module, "MOST_OPEN", 3)
+def test_many_files_at_once(tmp_path: Path) -> None:
     bricks = [Brick(handle=number) for number in range(10)]
     for number, brick in enumerate(bricks):
         brick.upload(str(number), b"ab", b"cd", b"ef")

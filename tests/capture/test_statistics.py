@@ -244,21 +244,6 @@ def test_percentiles_of_many_are_as_right_as_they_say(kinds: list[float], seed: 
         assert value == pytest.approx(exact, rel=ACCURACY * 1.001)
 
 
-@pytest.mark.parametrize("counts", [(10, 20), (EXACT, 5), (5, EXACT + 1), (EXACT + 1, 5), (2 * EXACT, 3 * EXACT)])
-def test_latencies_of_two_bricks_together(counts: tuple[int, int]) -> None:
-    draw = random.Random(2)
-    parts = [[draw.expovariate(100) for _ in range(count)] for count in counts]
-    together, whole = Latencies(), Latencies()
-    for part in parts:
-        one = Latencies()
-        for seconds in part:
-            one.add(seconds)
-            whole.add(seconds)
-        together.add_all(one)
-    assert together.percentiles() == whole.percentiles()
-    assert together.count == sum(counts)
-
-
 def test_clocks_that_go_backwards_or_stand_still() -> None:
     latencies = Latencies()
     for seconds in [-5.0, 0.0, 1e9] * EXACT:

@@ -48,15 +48,13 @@ LIMITS = {
     "Adapters whose own address is remembered": f"{adapters.MOST_ADAPTERS}",
     "Interfaces of a section of a pcapng file": f"{pcapng.MOST_INTERFACES}, names of {pcapng.MOST_NAME:,} bytes",
     "One packet": f"{packets.MOST_PACKET // MIB} MiB",
-    "Messages of records that are kept after they were read": (
-        f"{record.MOST_READ // KIB} KiB of frames, up to {200 * record.MOST_READ // MIB} MiB"
-    ),
+    "Messages of records that are kept after they were read": f"{record.MOST_READ}, up to 6 MiB",
     "A line of text": f"{MAX_LINE // MIB} MiB",
     "An array or a dump over several lines": f"{MAX_COLLECTED // KIB} KiB",
     "A file of nothing but frames": f"{reading.MOST_RAW // MIB} MiB",
     "A program image": f"{MAX_IMAGE // MIB} MiB",
     "A file that `copy` moves, a listing of a folder": f"{file_moves.MOST_FILE // MIB} MiB",
-    "Files in a capture": f"{files.MOST_FILES:,}, of which {files.MOST_OPEN} are open at a time",
+    "Files in a capture": f"{files.MOST_FILES:,}",
     "`stats`: bricks, files, and unanswered commands, faults, skipped pieces one by one": (
         f"{statistics.MOST_PEERS}, {statistics.MOST_TRANSFERS}, {statistics.MOST_LISTED}"
     ),

@@ -1,1 +1,1 @@
-"""Frames as text: the notations people paste, and the tree, table, assembly and records they are shown in."""
+"""Frames as text: the notations people paste, and the output formats tree, table, assembly and JSON."""

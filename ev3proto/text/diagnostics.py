@@ -1,4 +1,4 @@
-"""What a check found, shown as good compilers show it: the sentence, the bytes with a line under them, the help.
+"""The findings of a check, shown as good compilers do: the sentence, the bytes with a line under them, the help.
 
 warning[W303]: FREQUENCY is 200 Hz, outside of 250 to 10000 Hz
     --> offset 10, FREQUENCY of SOUND.TONE
@@ -30,10 +30,10 @@ from ev3proto.text.phrases import argument_meaning, argument_value, command_span
 from ev3proto.text.spans import Line, Role, Span, plain_text
 
 ROW = 16
-"""Bytes in a row."""
+"""Bytes in one row."""
 
 MOST_ROWS = 4
-"""Rows of one span that are shown; a longer one is cut in the middle."""
+"""Maximum rows of one span; a longer one is cut in the middle."""
 
 _MOST_OPERATION = 108
 _MOST_LABEL = 60
@@ -42,7 +42,7 @@ _BYTE = 3
 
 
 class Excerpt:
-    """A frame from which spans are shown, and what it says there."""
+    """A frame whose spans are shown, with their meaning."""
 
     def __init__(self, frame: bytes, dialect: str) -> None:
         self._size = len(frame)
@@ -55,7 +55,7 @@ class Excerpt:
         self.margin = " " * self._width
 
     def show(self, finding: Finding, role: str) -> list[Line]:
-        """The rows that a finding's bytes are in, each underlined, and what these say, alone and as a whole."""
+        """Returns the rows with a finding's bytes underlined, and the meaning of the bytes and of their operation."""
         lines: list[Line] = [[(f"{self.margin} |", Role.ASIDE)], *self._rows(finding, role)] if self._size else []
         text = self._decoded(finding)
         if text:
@@ -66,7 +66,7 @@ class Excerpt:
         lines: list[Line] = []
         size, start = self._size, min(finding.offset, self._size)
         end = start + (finding.length or 1)
-        # A span after the last byte is shown where the next byte would stand.
+        # A span after the last byte is shown where the next byte would be.
         if end > size:
             end = size if size > start else start + 1
         last = (end - 1) // ROW if end - 1 < size or start % ROW else (start - 1) // ROW
@@ -80,13 +80,13 @@ class Excerpt:
         return lines
 
     def _row(self, row: int, start: int, end: int, role: str, label: str) -> tuple[Line, Line]:
-        """A row of bytes, and the line under a span of it."""
+        """Yields a row of bytes, and the line under a span of it."""
         digits, stop = self._hex, _BYTE * (row + ROW)
-        # What is missing after a full row is marked after that row.
+        # Bytes missing after a full row are marked after that row.
         first, after = _BYTE * max(start, row), _BYTE * min(end, row + ROW)
         marks = "^" * (max(after - first, _BYTE) - 1)
         row_line: Line = [
-            # The plus keeps who reads frames out of texts from taking the row for one.
+            # The plus keeps readers of pasted frames from taking the row for one.
             (f"{f'+{row}'.rjust(self._width)} |", Role.ASIDE),
             (digits[_BYTE * row : min(first, stop)], Role.PLAIN),
             (digits[first:after], role),
@@ -101,7 +101,7 @@ class Excerpt:
         return row_line, under
 
     def _label(self, finding: Finding) -> str:
-        """What the bytes of a span say: `VOLUME = 200 %`."""
+        """Returns the meaning of a span's bytes: `VOLUME = 200 %`."""
         span = finding.offset, finding.length
         if not finding.length:
             return ""
@@ -133,7 +133,7 @@ class Excerpt:
         return ""
 
     def _decoded(self, finding: Finding) -> str:
-        """What the span belongs to: an operation, or all of the command."""
+        """Returns what the span belongs to: an operation, or the whole command."""
         message, offset = self._message, finding.offset
         if self._operations is None:
             if message.type is None or offset < HEADER_SIZE:
@@ -141,7 +141,7 @@ class Excerpt:
             return _cut(plain_text(command_spans(message)), _MOST_OPERATION)
         operation = self._operation_at(offset)
         if not finding.length and (operation is None or operation.full_name != finding.operation):
-            # What is missing at the end of an operation stands where the next one starts.
+            # Bytes missing at the end of an operation are reported where the next one starts.
             operation = self._operation_at(offset - 1)
         if operation is None:
             return ""
@@ -157,7 +157,7 @@ class Excerpt:
             return None
         assert self._operations is not None
         operation = self._operations[number]
-        # Of an operation that is cut short, what could not be read belongs to it, too.
+        # The unread rest of an operation that is cut short also belongs to it.
         is_there = offset < operation.offset + operation.length or not operation.is_complete
         return operation if is_there else None
 
@@ -172,18 +172,18 @@ def _cut(text: str, most: int) -> str:
 
 
 MOST_ALIKE = 4
-"""Findings with the same code that are shown of one frame; of the others, only the offsets are listed."""
+"""Findings with the same code shown in full for one frame; the others are listed by offset."""
 
 _WORST = list(Severity)
 _MOST_OFFSETS = 12
 _TEXT_WIDTH = 100
 
 ROLES = {Severity.ERROR: Role.FAULT, Severity.WARNING: Role.VALUE, Severity.HINT: Role.MEANING}
-"""How each severity looks."""
+"""The style of each severity."""
 
 
 def _verdict(report: Report) -> str:
-    """`the brick refuses it at offset 9`."""
+    """Returns `the brick refuses it at offset 9`."""
     if report.accepted:
         return "the brick accepts it"
     if report.rejected_at is None:
@@ -192,7 +192,7 @@ def _verdict(report: Report) -> str:
 
 
 def tally(findings: Iterable[Finding]) -> str:
-    """`2 errors, 1 hint`, or `no findings`."""
+    """Returns `2 errors, 1 hint`, or `no findings`."""
     counts = Counter(finding.severity for finding in findings)
     return ", ".join(counted(counts[one], one) for one in Severity if counts[one]) or "no findings"
 
@@ -200,16 +200,16 @@ def tally(findings: Iterable[Finding]) -> str:
 def diagnostics(
     report: Report, findings: Sequence[Finding] | None = None, *, place: str = "", dialect: str = "official"
 ) -> Iterator[Line]:
-    """The verdict, then every finding with its bytes.
+    """Yields the verdict, then every finding with its bytes.
 
     Args:
-        report: What a check found.
-        findings: Those to show, in the order of their offsets; without them all of the report's.
-        place: Where the frame comes from, such as `robot.log, line 3`; it stands in front of every offset.
+        report: The result of a check.
+        findings: The findings to show, in the order of their offsets; by default all of the report's.
+        place: Where the frame comes from, such as `robot.log, line 3`; shown in front of every offset.
         dialect: The firmware whose instruction set the frame is read by.
 
     Yields:
-        Lines; what belongs together has an empty line before it.
+        Lines, with an empty line before each group.
 
     """
     shown = report.findings if findings is None else findings
@@ -245,9 +245,9 @@ def diagnostics(
 def fixed(
     fix: Fix, findings: Sequence[Finding] | None = None, *, place: str = "", dialect: str = "official"
 ) -> Iterator[Line]:
-    """The fixed frame, what was changed in it, what was left, and then what a check says of it.
+    """Yields the fixed frame, the changes, what was left unchanged, and then the findings that remain.
 
-    findings, place  as `diagnostics` takes them
+    findings, place  as for `diagnostics`
     """
     line: Line = [(f"{place}: ", Role.HEADING)] if place else []
     count = len(fix.changes)
@@ -271,7 +271,7 @@ def fixed(
 
 
 def explanation(code: Code, report: Report, dialect: str = "official") -> Iterator[Line]:
-    """What a code means, and what a check says of its example: `report` is that of it."""
+    """Yields the explanation of a code, and the findings of its example, which `report` has."""
     yield [
         (f"{code.severity}[{code.code}]", ROLES[code.severity]),
         (f": {code.title}", Role.HEADING),
@@ -288,14 +288,14 @@ def explanation(code: Code, report: Report, dialect: str = "official") -> Iterat
 
 
 def grouped_hex(frame: bytes, dialect: str = "official") -> str:
-    """`0x|0E:00|2A:00|80|00:00|94|01|01|82:B8:01|82:E8:03|`: a frame as the lesson prints it, argument by argument."""
+    """Returns a frame as the lesson prints it, argument by argument: `0x|0E:00|2A:00|80|00:00|94|01|01|82:B8:01|`."""
     cuts = sorted({0, *_cuts(read_last(frame, dialect), len(frame)), len(frame)})
     digits = frame.hex(":").upper()
     return "|".join(["0x", *[digits[3 * start : 3 * end - 1] for start, end in pairwise(cuts)], ""])
 
 
 def _cuts(message: Message, size: int) -> list[int]:
-    """Where the groups of a frame start."""
+    """Returns the offsets at which the groups of a frame start."""
     starts = [LENGTH_FIELD, LENGTH_FIELD + COUNTER_SIZE, HEADER_SIZE]
     if isinstance(message, DirectCommand):
         starts.append(COMMAND_HEADER_SIZE)
@@ -310,14 +310,14 @@ def _cuts(message: Message, size: int) -> list[int]:
 
 
 def _without_repetitions(findings: Sequence[Finding]) -> tuple[list[Finding], list[list[Finding]]]:
-    """The findings to show, and by code those that repeat what was shown often enough."""
+    """Splits findings into those to show, and, by code, those that repeat earlier ones often enough."""
     counts = Counter(finding.code for finding in findings)
     seen: Counter[str] = Counter()
     kept: list[Finding] = []
     left: dict[str, list[Finding]] = {}
     for finding in findings:
         seen[finding.code] += 1
-        # One that is left over is not worth a line that says that there is one more.
+        # A single leftover finding is shown: a line that says there is one more would be as long.
         if seen[finding.code] <= MOST_ALIKE or counts[finding.code] <= MOST_ALIKE + 1:
             kept.append(finding)
         else:
@@ -326,7 +326,7 @@ def _without_repetitions(findings: Sequence[Finding]) -> tuple[list[Finding], li
 
 
 def _on_one_span(findings: list[Finding], excerpt: Excerpt, place: str) -> list[Line]:
-    """The lines of the findings on one span of bytes. Help that several of them have is given once."""
+    """Yields the findings of one span. Help that several of them share is given once."""
     lines: list[Line] = [[_mark(finding), (f": {finding.message}", Role.HEADING)] for finding in findings]
     first = findings[0]
     about = " of ".join(filter(None, (first.parameter, first.operation)))
@@ -344,7 +344,7 @@ def _on_one_span(findings: list[Finding], excerpt: Excerpt, place: str) -> list[
 
 
 def _mark(finding: Finding) -> Span:
-    """`error[E301]`."""
+    """Returns `error[E301]`."""
     return f"{finding.severity}[{finding.code}]", ROLES[finding.severity]
 
 

@@ -1,4 +1,4 @@
-r"""Frames in the forms that other programs take: hex as the lessons write it, a C array, a Python byte string.
+r"""Frames in the notations of other programs: hex as the lessons write it, a C array, a Python byte string.
 
 All of them can be pasted into `ev3proto decode` again.
 """
@@ -31,7 +31,7 @@ _TAILS = {"direct-reply": "global memory", "daisy-command": "payload", "daisy-re
 
 
 def as_hex(message: Message) -> str:
-    """`0x|0E:00|2A:00|80|00:00|94:01:01:82:B8:01:82:E8:03|`: length, counter, type, memory, the rest."""
+    """Returns length, counter, type, memory and the rest: `0x|0E:00|2A:00|80|00:00|94:01:01:82:B8:01:82:E8:03|`."""
     frame = message.build()
     ends = [LENGTH_FIELD, 2 * LENGTH_FIELD, HEADER_SIZE]
     if isinstance(message, DirectCommand):
@@ -41,12 +41,12 @@ def as_hex(message: Message) -> str:
 
 
 def as_python(message: Message, name: str = "frame") -> str:
-    r"""`frame = b'\x0e\x00*\x00...'` with a comment above it."""
+    r"""Returns `frame = b'\x0e\x00*\x00...'` with a comment above it."""
     return f"# {_heading(message)}\n{name} = {message.build()!r}"
 
 
 def as_c(message: Message, name: str = "frame") -> str:
-    """An array of bytes, each line with a comment on what it says. It compiles as C99 and as C++."""
+    """Returns an array of bytes, each line with a comment on its meaning. It compiles as C99 and as C++."""
     frame = message.build()
     lines = [f"/* {_comment(_heading(message))} */", f"const unsigned char {name}[{len(frame)}] = {{"]
     rows = [row for data, text in _parts(message) for row in _rows(data, text)]
@@ -56,16 +56,16 @@ def as_c(message: Message, name: str = "frame") -> str:
 
 
 def _rows(data: bytes, text: str) -> Iterator[tuple[str, str]]:
-    """The lines of a part: the comment stands in the first."""
+    """Yields the lines of a part; the comment is in the first."""
     for start in range(0, len(data), _BYTES_A_LINE):
         code = " ".join(f"0x{byte:02X}," for byte in data[start : start + _BYTES_A_LINE])
         yield code, _comment(text) if start == 0 else ""
 
 
 def _comment(text: str) -> str:
-    """A text that can stand in a comment of C."""
+    """Returns a text that is safe in a comment of C."""
     short = text if len(text) <= _MOST_COMMENT else f"{text[:_MOST_COMMENT]}..."
-    # A compiler warns of a comment in a comment, and of two question marks that old C takes for another character.
+    # Compilers warn about a comment in a comment, and about trigraphs: two question marks and a character.
     return short.replace("*/", "* /").replace("/*", "/ *").replace("??", "? ?")
 
 
@@ -74,7 +74,7 @@ def _heading(message: Message) -> str:
 
 
 def _parts(message: Message) -> Iterator[tuple[bytes, str]]:
-    """The frame of a message in its parts, one after the other."""
+    """Yields a message's frame in its parts, in order."""
     frame = message.build()
     if message.type is None:
         yield frame, "no EV3 message"
@@ -91,7 +91,7 @@ def _parts(message: Message) -> Iterator[tuple[bytes, str]]:
 
 
 def _body(message: Message) -> Iterator[tuple[int, str]]:
-    """What stands after the message type, by its bytes and what they say; the last of it may be omitted."""
+    """Yields what follows the message type: bytes and their meaning; the last part may be omitted."""
     match message:
         case DirectCommand():
             memory = f"{message.global_size} bytes of global memory, {message.local_size} of local"
@@ -125,7 +125,7 @@ def _fields(message: SystemCommand | SystemReply) -> Iterator[tuple[int, str]]:
 
 
 def _told(operation: Operation) -> str:
-    """`SOUND.TONE: VOLUME 1 %, FREQUENCY 440 Hz, DURATION 1000 ms`."""
+    """Returns `SOUND.TONE: VOLUME 1 %, FREQUENCY 440 Hz, DURATION 1000 ms`."""
     arguments = ", ".join(f"{argument.name} {_value(argument)}" for argument in operation.arguments)
     return f"{operation.full_name}: {arguments}" if arguments else operation.full_name
 

@@ -1,4 +1,4 @@
-"""How things are said on one line: a value with its unit and name, the heading of a message, a dialogue."""
+"""Phrases of one line: a value with its unit and name, the heading of a message, a dialogue."""
 
 from __future__ import annotations
 
@@ -33,11 +33,11 @@ _SINGLE = struct.Struct("<f")
 
 
 def short_float(value: float) -> str:
-    """A single-precision float in as few digits as tell it from its neighbours: `7.92`, not `7.920000076293945`."""
+    """Returns a single-precision float in as few digits as identify it: `7.92`, not `7.920000076293945`."""
     if not math.isfinite(value):
         return str(value)
     single = _SINGLE.pack(value)
-    # Six digits always come through a single and back, so fewer need not be tried: zeros at the end are left off.
+    # Six digits always survive the way through a single, so fewer need not be tried: trailing zeros are dropped.
     for digits in range(6, 10):
         text = f"{value:.{digits}g}"
         try:
@@ -50,17 +50,17 @@ def short_float(value: float) -> str:
 
 
 def quoted(text: str) -> str:
-    """A text in double quotes, control characters escaped, letters of every language as they are."""
+    """Returns a text in double quotes, with control characters escaped and letters of every language unchanged."""
     return _encode(text)
 
 
 def spaced_hex(data: bytes) -> str:
-    """`0E 00 2A`."""
+    """Returns `0E 00 2A`."""
     return data.hex(" ").upper()
 
 
 def plain(value: ValueType) -> str:
-    """A value alone: numbers, quoted texts, lists in brackets, bytes as hex (long ones cut, with their number)."""
+    """Returns a bare value: number, quoted text, list in brackets, bytes as hex (cut if long, with their count)."""
     if type(value) is int:
         return str(value)
     if isinstance(value, str):
@@ -75,12 +75,12 @@ def plain(value: ValueType) -> str:
 
 
 def reading_text(value: Reading) -> str:
-    """A reading of a mailbox's message: `"hi"`, `1.5`, `true`."""
+    """Returns a reading of a mailbox's message: `"hi"`, `1.5`, `true`."""
     return str(value).lower() if isinstance(value, bool) else plain(value)
 
 
 def field_texts(message: SystemCommand | SystemReply) -> Iterator[tuple[str, str, str]]:
-    """Each field of a system message: its name, its value, and its meaning where its bytes are a mailbox's message.
+    """Yields each field of a system message: its name, its value, and the meaning of a mailbox's message.
 
     The meaning names each reading that fits: `logic false or text ""`.
     """
@@ -91,7 +91,7 @@ def field_texts(message: SystemCommand | SystemReply) -> Iterator[tuple[str, str
 
 
 def argument_value(argument: Argument) -> str:
-    """An argument's value: `440`, `"myEV3"`, `GV(0)`, with handle and address marked."""
+    """Returns an argument's value: `440`, `"myEV3"`, `GV(0)`, with handle and address marked."""
     form, text = argument.form, plain(argument.value)
     if form.kind in _LETTERS:
         text = f"{_LETTERS[form.kind]}V({text})"
@@ -101,7 +101,7 @@ def argument_value(argument: Argument) -> str:
 
 
 def argument_meaning(argument: Argument) -> str:
-    """What the tables know of a constant: its name in the enumeration, or its special meaning, or else its unit."""
+    """Returns what the tables know about a constant: its name in the enumeration, its special meaning, or its unit."""
     parameter, value = argument.parameter, argument.value
     if argument.form.kind in (LOCAL, GLOBAL, TEXT):
         return ""
@@ -114,9 +114,9 @@ def argument_meaning(argument: Argument) -> str:
 
 
 def value_text(value: Value) -> str:
-    """A value from a reply: `7.92 V`, `16 (TYPE_TOUCH)`, `-128 (not a number: there is no value)`."""
+    """Returns a value from a reply: `7.92 V`, `16 (TYPE_TOUCH)`, `-128 (not a number: no value)`."""
     if value.is_nan:
-        return f"{plain(value.value)} (not a number: there is no value)"
+        return f"{plain(value.value)} (not a number: no value)"
     text = plain(value.value)
     if isinstance(value.symbol, list):
         return f"{text} ({', '.join(name or '?' for name in value.symbol)})"
@@ -126,16 +126,16 @@ def value_text(value: Value) -> str:
 
 
 class Seen(NamedTuple):
-    """How a message was come by.
+    """The circumstances in which a message was seen.
 
     direction  `sent` or `received`, as the computer sees it
-    time       as it was written, or seconds since the capture began
-    cut        the text that it was read from is cut off
+    time       as written in a log, or seconds since the capture began
+    cut        the text was cut off
     packets    the packets of a capture that carried it
     place      carrier and brick
-    answers    for a reply: the packet of the command that it answers
+    answers    for a reply: the packet of its command
     latency    for a reply: seconds since then
-    frame      the message's bytes where they are at hand, which saves building them
+    frame      the message's bytes if available, which saves building them
     """
 
     direction: str | None = None
@@ -149,7 +149,7 @@ class Seen(NamedTuple):
 
 
 def origin(seen: Seen) -> Line:
-    """`0.011558 #12 usb 1.7 sent `: what stands before a message."""
+    """Returns the text in front of a message: `0.011558 #12 usb 1.7 sent `."""
     line: Line = []
     if seen.time:
         line.append((f"{seen.time} ", Role.ASIDE))
@@ -163,12 +163,12 @@ def origin(seen: Seen) -> Line:
 
 
 def packets_text(numbers: tuple[int, ...]) -> str:
-    """`#12`, `#12+13`: the packets of a capture."""
+    """Returns the packets of a capture: `#12`, `#12+13`."""
     return f"#{numbers[0]}" if len(numbers) == 1 else f"#{'+'.join(map(str, numbers))}"
 
 
 def heading(exchange: Exchange, seen: Seen) -> Line:
-    """`09:12:31.011558 sent DIRECT_COMMAND_REPLY, counter 42, 16 bytes`, and for replies what they answer and how."""
+    """Returns `09:12:31.011558 sent DIRECT_COMMAND_REPLY, counter 42, 16 bytes`; replies add command and result."""
     message = exchange.message
     line = origin(seen)
     size = len(message.build() if seen.frame is None else seen.frame)
@@ -211,7 +211,7 @@ _MOST_TEXT = 60
 
 
 def command_spans(message: Message) -> Line:
-    """What a command asks for: its operations with their arguments, or its fields."""
+    """Returns what a command asks for: its operations with their arguments, or its fields."""
     line: Line = []
     if isinstance(message, DirectCommand):
         line += _operations(message.operations) if message.operations else [("no operations", Role.ASIDE)]
@@ -231,7 +231,7 @@ def command_spans(message: Message) -> Line:
 
 
 def reply_spans(exchange: Exchange) -> Line:
-    """What a reply says: its values, or how the command went."""
+    """Returns what a reply says: its values, or whether the command succeeded."""
     message = exchange.message
     if message.fault is not None:
         return [(f"fault at {message.fault}", Role.FAULT)]
@@ -257,25 +257,25 @@ def reply_spans(exchange: Exchange) -> Line:
 
 
 def _refusal(command: Message | None) -> str | None:
-    """Why the brick refused a command, as a check says it; None where a check knows no reason."""
+    """Returns why the brick refused a command, as a check says it; None if a check knows no reason."""
     if not isinstance(command, DirectCommand) or command.fault is not None:
         return None
     from ev3proto.checking.checking import check  # 15 ms, and few replies are errors
 
     report = check(command)
     if report.accepted or parse(report.frame, strict=False).fault is not None:
-        return None  # it failed while it ran, or other firmware knows more operations
+        return None  # it failed while running, or other firmware knows more operations
     errors = sorted(report.errors, key=lambda finding: finding.offset != report.rejected_at)
     return f"{errors[0].code}: {errors[0].message}" if errors else None
 
 
 def dialogue_line(command: Message | None, reply: Exchange | None, latency: float | None) -> Line:
-    """A command and what came back.
+    """Returns a command and its reply.
 
     Args:
-        command: None for a reply whose command was not seen.
-        reply: None for a command that got none.
-        latency: Seconds between them, None where nobody knows.
+        command: None for a reply whose command was not captured.
+        reply: None for an unanswered command.
+        latency: Seconds between them; None if unknown.
     """
     line: Line = [("(a command that was not seen)", Role.ASIDE)] if command is None else command_spans(command)
     if reply is not None:
@@ -331,9 +331,9 @@ def _short(text: str) -> str:
 
 
 MACROS = "asm"
-"""With the macro of every encoding, so that the same bytes can be made of it."""
+"""With the macro of every encoding, so that assembling it gives the same bytes."""
 
 LEGO = "lego"
-"""As LEGO's sources have them."""
+"""As in LEGO's sources."""
 
 NOTATIONS = (MACROS, LEGO)

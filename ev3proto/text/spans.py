@@ -1,10 +1,9 @@
-r"""Lines made of pieces that each know what they are, so that a terminal can colour them and a pipe gets them plain.
+r"""Lines of pieces with roles, so that a terminal can colour them and a pipe gets plain text.
 
-What comes from outside is made fit to be shown: a character that would steer a terminal is written as `\u001b`. This is
-the border that everything printed passes. Control characters (C0, DEL, C1), line and paragraph separators, and the
-marks that turn the direction of writing can hide what a line says, or make a terminal do things. Tags and other formats
-that nobody sees can hide a text in another one. Halves of a character and numbers that are none cannot stand in files
-of many kinds, SVG among them.
+Everything printed passes here. Characters from outside that could steer a terminal are written as `\u001b`: control
+characters (C0, DEL, C1), line and paragraph separators, and marks that change the direction of writing can hide text or
+make a terminal act. Tags and other invisible format characters can hide a text within another. Lone surrogates and
+noncharacters are invalid in many file formats, SVG among them.
 """
 
 from __future__ import annotations
@@ -20,7 +19,7 @@ _HARMFUL = re.compile(
 
 
 def visible(text: str) -> str:
-    r"""A text as it can be shown on one line.
+    r"""Returns a text that is safe to show on one line.
 
     Args:
         text: Any text, also from the network.
@@ -35,7 +34,7 @@ def visible(text: str) -> str:
 
 
 def visible_lines(text: str) -> str:
-    """The same for a text of several lines, which stay."""
+    """Returns the same for a text of several lines; line ends stay."""
     return text if text.isprintable() else "\n".join(map(visible, text.split("\n")))
 
 
@@ -45,7 +44,7 @@ def _escaped(match: re.Match[str]) -> str:
 
 
 class Role:
-    """What a piece of a line is. Plain texts, since members of an enumeration take four times as long to look up."""
+    """The role of a piece of a line. Plain texts: looking up members of an enumeration takes four times as long."""
 
     PLAIN: Final = "plain"
     HEADING: Final = "heading"
@@ -62,5 +61,5 @@ Line = list[Span]
 
 
 def plain_text(line: Iterable[Span]) -> str:
-    """The line without its roles, fit to be shown."""
+    """Returns the line without its roles, safe to show."""
     return visible("".join([text for text, _ in line]).rstrip())

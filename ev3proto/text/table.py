@@ -1,4 +1,4 @@
-r"""The annotated table: the frame's bytes in groups, above them what each group is, below them what it says.
+r"""The annotated table: the frame's bytes in groups, with a label above and the meaning below each group.
 
 \ len \ cnt \ty\ hd  \op\cd\VOLUME\...
 0x|0E:00|2A:00|80|00:00|94|01|01    |...
@@ -31,19 +31,19 @@ _SHORT_TYPES = {
 }
 
 MOST_COLUMNS = 110
-"""Width at which a table continues in a new band, and letters after which a meaning is cut."""
+"""Width at which a table continues in a new band, and length at which a meaning is cut."""
 
 _MOST_ROWS = 32
-"""Letters up to which an argument's meaning is written from top to bottom where it is wider than its bytes."""
+"""Maximum length of an argument's meaning that is written from top to bottom."""
 
 _MOST_BYTES = 12
-"""Bytes shown in one cell; longer ones are cut in the middle of the text, not of the meaning."""
+"""Maximum bytes shown in one cell."""
 
 
 class Cell:
-    """A group of bytes. Upright meanings are written from top to bottom, a letter a row, as names of opcodes are.
+    """A group of bytes. Upright meanings are written from top to bottom, one letter a row, as names of opcodes are.
 
-    label  what stands above the bytes
+    label  the text above the bytes
     hex    the bytes: `0E:00`
     rows   what they say, row by row, as wide as the cell
     width  columns it takes
@@ -64,7 +64,7 @@ class Cell:
 
 
 def table(exchange: Exchange, seen: Seen) -> Iterator[Line]:
-    """The lines of one message: a heading, then one band of cells or more."""
+    """Yields the lines of one message: a heading, then one or more bands of cells."""
     yield heading(exchange, seen)
     message = exchange.message
     for number, band in enumerate(_bands(list(_cells(message)))):
@@ -146,7 +146,7 @@ def _cells(message: Message) -> Iterator[Cell]:
 
 
 def _fields(message: SystemCommand | SystemReply, frame: bytes) -> Iterator[Cell]:
-    """The fields as one cell: their names and values stand below the bytes that carry them."""
+    """Yields the fields as one cell: their names and values below their bytes."""
     start = 7 if isinstance(message, SystemReply) else 6
     if frame[start:]:
         meaning = ", ".join(f"{name}={plain(value)}" for name, value in message.fields.items())

@@ -1,4 +1,4 @@
-"""A message as an indented tree: header, operations, arguments with their encodings, and what each of them means."""
+"""A message as an indented tree: header, operations, arguments with their encodings and meanings."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ _MOST_REST = 32
 
 
 def tree(exchange: Exchange, seen: Seen) -> Iterator[Line]:
-    """The lines of one message."""
+    """Yields the lines of one message."""
     yield heading(exchange, seen)
     message = exchange.message
     match message:
@@ -56,7 +56,7 @@ def tree(exchange: Exchange, seen: Seen) -> Iterator[Line]:
 
 
 def operation_lines(operation: Operation) -> list[Line]:
-    """The lines of one operation: what it is, and each argument with its encoding and meaning."""
+    """Yields the lines of one operation: its name, and each argument with its encoding and meaning."""
     lines: list[Line] = [
         [
             (f"  {operation.offset:4}  ", Role.ASIDE),
@@ -154,7 +154,7 @@ def _fault(message: Message, cut: bool) -> Iterator[Line]:
 
 
 def _letters(rest: bytes) -> str:
-    """The text in bytes that start like a string, for arguments that are cut in the middle."""
+    """Returns the text in bytes that start like a string, for arguments that are cut in the middle."""
     encoding = ENCODINGS[rest[0]]
     text = rest[1:].split(b"\0", 1)[0].decode(STRING_CODING)
     return f'  "{text}..."' if encoding and encoding.kind == TEXT and text.isprintable() and text else ""

@@ -206,8 +206,8 @@ def test_bad_assembly_is_shown_with_its_place(tmp_path: Path) -> None:
         ("define A 1\n", "there is nothing in the input that can be encoded: assembly such as"),
         ("some words\n", "standard input: there is nothing in it that can be encoded"),
         ('{"kind": "beacon", "hex": "00"}\n', "there is nothing in the input that can be encoded"),
-        ('{"kind": 1}\n', "standard input, line 1: the object is no message: it has neither type nor hex"),
-        ('{"kind": 1\n', "standard input, line 1, column 11: this is no JSON: Expecting ',' delimiter"),
+        ('{"kind": 1}\n', "standard input, line 1: not a message: the object has neither type nor hex"),
+        ('{"kind": 1\n', "standard input, line 1, column 11: invalid JSON: Expecting ',' delimiter"),
         ('{"type": "DIRECT_REPLY", "hex": "0"}\n', 'standard input, line 1: hex takes bytes in hex, not "0"'),
         ("06:00|01:00|80|00:00|FE\n", "standard input, line 1: fault at offset 7: 0xFE is no opcode"),
         ("Sent 0x|0E:00|2A:00|80|00:...\n", "standard input, line 1: the text is cut off after 6 bytes"),
@@ -290,7 +290,7 @@ def test_an_object_written_by_hand() -> None:
 @pytest.mark.parametrize(
     ("change", "sentence"),
     [
-        ({"type": "DIRECT_COMAND_REPLY"}, 'there is no message type "DIRECT_COMAND_REPLY": did you mean DIRECT_'),
+        ({"type": "DIRECT_COMAND_REPLY"}, 'unknown message type "DIRECT_COMAND_REPLY": did you mean DIRECT_'),
         ({"counter": 65536}, "counter cannot be 65536: it is a whole number from 0 to 65535"),
         ({"globals": "4"}, 'globals cannot be "4": it is a whole number from 0 to 1023'),
         ({"operations": 1}, "operations takes a list, not 1"),
@@ -319,18 +319,18 @@ def test_texts_on_wifi_are_no_frames() -> None:
 
 def test_json_that_is_bad_or_endless() -> None:
     for text, sentence in {
-        "[" * 100_000: "line 1: this is no JSON that can be read: it is nested too deep",
-        "{\n" + '"a": 1,\n' * 3: "line 1: the object that starts here has no end",
-        '{"a": ' + "9" * 5000 + "}": "line 1: this is no JSON that can be read",
+        "[" * 100_000: "line 1: this JSON cannot be read: it is nested too deep",
+        "{\n" + '"a": 1,\n' * 3: "line 1: the object that starts here never ends",
+        '{"a": ' + "9" * 5000 + "}": "line 1: this JSON cannot be read",
         "{\n" + "\n" * 5_000_000: "line 1: the object has more than 4194304 characters",
-        '{}\n{"a": ?}': "line 2, column 7: this is no JSON: Expecting value",
+        '{}\n{"a": ?}': "line 2, column 7: invalid JSON: Expecting value",
     }.items():
         with pytest.raises(RecordError) as caught:
             list(read_records(text.splitlines(keepends=True)))
         assert str(caught.value).startswith(sentence)
     nothings: tuple[Any, ...] = (None, [], 5, "text")
     for nothing in nothings:
-        with pytest.raises(RecordError, match="an object should stand here"):
+        with pytest.raises(RecordError, match="expected an object"):
             list(frames_in(nothing))
 
 

@@ -1,1 +1,1 @@
-"""Messages as JSON and back: `writing` makes the records of `decode --json`, `reading` makes messages of them again."""
+"""Messages as JSON and back: `from_messages` makes the records of `decode --json`, `to_messages` reads them."""

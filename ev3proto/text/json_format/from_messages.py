@@ -1,4 +1,4 @@
-"""A message as one JSON object: every key that other tools may rely on."""
+"""A message as one JSON object, with every key that other tools may rely on."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from ev3proto.text.phrases import Seen
 
 
 def record(exchange: Exchange, seen: Seen) -> dict[str, Any]:
-    """The object of one message.
+    """Returns the object of one message.
 
     Floats that are not finite are the strings "nan", "inf", "-inf"; bytes are hex; keys that do not apply are absent.
     """
@@ -107,7 +107,7 @@ def _fields(message: SystemCommand | SystemReply) -> dict[str, Any]:
 
 
 def operation_record(operation: Operation) -> dict[str, Any]:
-    """The object of one operation."""
+    """Returns the object of one operation."""
     entry: dict[str, Any] = {
         "op": operation.name,
         "opcode": operation.opcode,

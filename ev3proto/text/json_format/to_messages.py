@@ -35,11 +35,11 @@ from ev3proto.text.json_format.from_messages import record
 from ev3proto.text.phrases import Seen
 
 MAX_RECORD = 1 << 22
-"""Characters of one object; the longest that a frame can give has a tenth of them."""
+"""Maximum characters of one object; the largest frame needs a tenth of them."""
 
 _MOST_SAID = 500
 _OUTSIDE = ("direction", "time", "values", "fault", "cut", "length")
-"""Keys that tell of more than the bytes, or follow from them."""
+"""Keys that describe more than the bytes, or follow from them."""
 
 _FLOATS = ("nan", "inf", "-inf")
 _ELEMENT = ArgumentSchema(Parameter("an element", Type.ARRAY_TYPED, "an element of a list"))
@@ -48,7 +48,7 @@ _SPEAKERS = ("command", "reply")
 
 
 class RecordError(ValueError):
-    """An object that no frame can be made of; the sentence names the key at fault and what would be right."""
+    """An object that does not describe a frame; the sentence names the faulty key and what would be right."""
 
     def __init__(self, reason: str) -> None:
         super().__init__(reason if len(reason) <= _MOST_SAID else f"{reason[:_MOST_SAID]}...")
@@ -64,7 +64,7 @@ def read_records(lines: Iterable[str]) -> Iterator[tuple[int, Any]]:
         The number of an object's first line, counted from 1, and the object.
 
     Raises:
-        RecordError: Something is no JSON, or an object has more than `MAX_RECORD` characters.
+        RecordError: A text is not JSON, or an object has more than `MAX_RECORD` characters.
     """
     kept: list[str] = []
     start = size = 0
@@ -76,7 +76,7 @@ def read_records(lines: Iterable[str]) -> Iterator[tuple[int, Any]]:
         size += len(line)
         if size > MAX_RECORD:
             raise RecordError(f"line {start}: the object has more than {MAX_RECORD} characters")
-        # An object over several lines has its brace alone in the last one; only there it is worth trying.
+        # An object over several lines ends with a brace alone on a line; parsing is tried only there.
         if len(kept) > 1 and line.rstrip() != "}":
             continue
         try:
@@ -88,20 +88,20 @@ def read_records(lines: Iterable[str]) -> Iterator[tuple[int, Any]]:
         yield start, found
         kept, size = [], 0
     if kept:
-        raise RecordError(f"line {start}: the object that starts here has no end")
+        raise RecordError(f"line {start}: the object that starts here never ends")
 
 
 def _no_json(error: Exception, start: int) -> str:
     if isinstance(error, json.JSONDecodeError):
-        return f"line {start + error.lineno - 1}, column {error.colno}: this is no JSON: {error.msg}"
-    return f"line {start}: this is no JSON that can be read: it is nested too deep, or a number is too long"
+        return f"line {start + error.lineno - 1}, column {error.colno}: invalid JSON: {error.msg}"
+    return f"line {start}: this JSON cannot be read: it is nested too deep, or a number is too long"
 
 
 def frames_in(entry: Any, *, dialect: str = "official") -> Iterator[bytes]:
-    """Finds the frames of one object.
+    """Yields the frames of one object.
 
-    The object's keys decide. Where they say what its key `hex` says, that is taken as it is, so every frame comes back
-    byte for byte. Where somebody changed them, the frame is made of them anew.
+    The object's keys decide. If they agree with its key `hex`, that is the frame, so every frame comes back byte for
+    byte. If they were changed, the frame is built from them.
 
     Args:
         entry: What was read from JSON.
@@ -114,11 +114,11 @@ def frames_in(entry: Any, *, dialect: str = "official") -> Iterator[bytes]:
         RecordError: No frame can be made of the object.
     """
     if not isinstance(entry, dict):
-        raise RecordError(f"an object should stand here, such as decode --json prints, not {_shown(entry)}")
+        raise RecordError(f"expected an object such as decode --json prints, not {_shown(entry)}")
     spoken = [entry[name] for name in _SPEAKERS if isinstance(entry.get(name), dict)]
     for one in spoken or [entry]:
         if not {"type", "hex", "rest"} & one.keys():
-            raise RecordError("the object is no message: it has neither type nor hex")
+            raise RecordError("not a message: the object has neither type nor hex")
         if "type" in one or one.get("kind", _UNKNOWN) == _UNKNOWN:
             yield frame_of(one, dialect=dialect)
 
@@ -149,13 +149,13 @@ def frame_of(entry: Mapping[str, Any], *, dialect: str = "official") -> bytes:
 
 
 def _is_told(entry: Mapping[str, Any], frame: bytes, dialect: str) -> bool:
-    """Whether the object says of the frame what would be said of it now."""
+    """Tells whether the object's keys are those of its frame in `hex`."""
     message = parse(frame, strict=False, dialect=dialect)
     written = record(Exchange(message, None, [], None), Seen())
     return all(entry[key] == value for key, value in written.items() if key in entry and key not in _OUTSIDE)
 
 
-# A frame made anew
+# A frame from its keys
 
 
 def _made(entry: Mapping[str, Any], dialect: str) -> bytes:
@@ -163,7 +163,7 @@ def _made(entry: Mapping[str, Any], dialect: str) -> bytes:
         kind = MessageType[_text(entry, "type")]
     except KeyError:
         hint = near_misses(entry["type"], MessageType.__members__)
-        raise RecordError(f"there is no message type {_shown(entry['type'])}{hint}") from None
+        raise RecordError(f"unknown message type {_shown(entry['type'])}{hint}") from None
     is_faulty = "fault" in entry
     rest = _bytes(entry, "rest") if "rest" in entry else b""
     length = _whole(entry, "length", 0xFFFF) if is_faulty and "length" in entry else None
@@ -234,21 +234,21 @@ def _payload(fields: Mapping[str, Any]) -> bytes:
 
 
 def _number(entry: Mapping[str, Any]) -> int:
-    """The number of a system command: as it stands there, or that of the name."""
+    """Returns the number of a system command: as given, or by its name."""
     if "number" in entry:
         return _whole(entry, "number", 0xFF)
     name = _text(entry, "command")
     for known in SYSTEM:
         if known.name == name:
             return known.number
-    raise RecordError(f"there is no system command {name}{near_misses(name, [known.name for known in SYSTEM])}")
+    raise RecordError(f"unknown system command {name}{near_misses(name, [known.name for known in SYSTEM])}")
 
 
 def _fields(entry: Mapping[str, Any], schema: Fields | None) -> dict[str, Any]:
     given = _object(entry, "fields")
     if schema is None:
         if given:
-            raise RecordError(f"0x{_number(entry):02X} is no system command, so nobody knows its fields")
+            raise RecordError(f"unknown system command 0x{_number(entry):02X}: its fields cannot be built")
         return {}
     values = {name: _field(schema.by_name.get(name), name, given) for name in given}
     completed = schema.completed(values)
@@ -306,7 +306,7 @@ def _operation(entry: Mapping[str, Any], dialect: str) -> Operation:
 
 
 def _head(schema: OperationSchema, entry: Mapping[str, Any]) -> bytes:
-    """Opcode and CMD, which may be encoded longer than it need be."""
+    """Returns opcode and CMD, which may be encoded longer than necessary."""
     command = schema.declaration.command
     if command is None or "command_encoding" not in entry:
         return schema.head
@@ -318,7 +318,7 @@ def _written(schema: OperationSchema, arguments: Sequence[Any]) -> Iterator[byte
         one = schema.fixed[index] if index < len(schema.fixed) else _ELEMENT
         given = argument if isinstance(argument, dict) else {"value": argument}
         if "value" not in given:
-            raise RecordError(f"args[{index}] has no value")
+            raise RecordError(f"args[{index}] lacks its value")
         yield _argument(given, one)
 
 
@@ -334,7 +334,7 @@ def _argument(argument: Mapping[str, Any], schema: ArgumentSchema) -> bytes:
         return schema.write(value)
     encoding = _text(argument, "encoding")
     if (kind == TEXT) != isinstance(value, str) and value not in _FLOATS:
-        raise RecordError(f"{schema.parameter.name} cannot be {_shown(value)}, which is no {kind}")
+        raise RecordError(f"{schema.parameter.name} cannot be {_shown(value)}, which is not a {kind}")
     if kind == CONSTANT and value in _FLOATS:
         value = float(value)
     if isinstance(value, float) or (schema.parameter.type is Type.DATAF and kind == CONSTANT):

@@ -71,7 +71,7 @@ def read_argument(text: str) -> Pasted:
         sure = broken([" ".join(lines)], 1, is_sure=True)
         pieces = sure if len(lines) == 1 or (sure and sure[0].problem is None) else pieces
     if not pieces:
-        problem = "it is empty" if not text.strip() else "column 1: there are no bytes in it that could be read"
+        problem = "it is empty" if not text.strip() else "column 1: it contains no readable bytes"
         return Pasted(b"", 1, short(text, MAX_TEXT), problem=problem)
     first = pieces[0]
     if first.problem is None and not first.cut and not is_flawless(first.data):

@@ -244,7 +244,7 @@ def _string(line: str, begin: int, start: int, quote: str, head: Head, offset: i
         problem = f"{short(line[stop : stop + 4])!r}".replace("{", "{{").replace("}", "}}")
         problem += " cannot be in a byte string" * bool(quote)
     elif not is_closed and not cut and quote:
-        problem = "the string that starts at column {} has no end"
+        problem = "the string that starts at column {} never ends"
     data = literal(line[start:stop].rstrip(".") if cut else line[start:stop]) or b""
     return Found(offset + begin, offset + (stop + 1 if quote else len(line)), head, data, cut, problem, offset + stop)
 
@@ -256,13 +256,13 @@ def _array(text: str, start: int, position: int, head: Head) -> Found:
         kind, at, position = part.lastgroup, position, part.end()
         is_closed, cut = kind == "close", cut or kind == "cut"
         if kind == "remark" and part[0].startswith("/*") and not part[0].endswith("*/"):
-            problem = "the comment that starts here has no end"
+            problem = "the comment that starts here never ends"
         elif kind == "word":
             is_missing = needs_comma and _NUMBER.fullmatch(part[0]) is not None
             problem = "a comma is missing" if is_missing else _add(data, part[0])
         needs_comma = (needs_comma or kind in ("word", "cut")) and kind != "comma"
     if problem is None and not is_closed and not cut:
-        problem, at = "the array that starts here has no end", start
+        problem, at = "the array that starts here never ends", start
     is_meant = problem is None or head.is_log or may_begin(data)
     is_open = not is_closed and position >= len(text)
     return Found(start, position, head, bytes(data) if is_meant else b"", cut, problem, at, is_open=is_open)

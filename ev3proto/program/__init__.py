@@ -3,14 +3,14 @@ r"""Programs: images (.rbf) and sources (.lms), taken apart and put together.
     program = ev3proto.program.parse(Path("robot.rbf").read_bytes())
     for part in program.objects:
         print(part.number, part.kind, part.local_size, part.operations)
-    ev3proto.program.build(program) == image                # always, byte for byte, whoever wrote it
+    ev3proto.program.build(program) == image                # always, byte for byte
 
     made = ev3proto.program.assemble(Path("robot.lms").read_bytes())
     made.image, made.dialect, made.warnings
     ev3proto.program.source_of(program)                     # a source that assembles to the same image
 
-`HEADER` is the Construct of the header and the table of objects, `IMAGE` that of a whole image; both stand in anybody's
-own `Struct`.
+`HEADER` is the Construct of the header and the table of objects, `IMAGE` that of a whole image; both fit into any other
+`Struct`.
 """
 
 from __future__ import annotations

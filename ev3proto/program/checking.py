@@ -242,7 +242,7 @@ def _way(part: CodeObject, image: bytes, dialect: str) -> Iterator[Finding]:
                 step,
                 jump,
                 codes.UNKNOWN_JUMP,
-                f"{jump.name} is no number in the code, so it is not known where {step.name} leads",
+                f"{jump.name} is not a number in the code, so the target of {step.name} is unknown",
                 "jump by a constant, or by a condition for each place",
             )
         elif goal is not None and goal not in starts:

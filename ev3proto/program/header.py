@@ -25,7 +25,7 @@ OBJECT_HEADER = Struct(
 """One object: where its code starts in the image, its owner's number, its triggers, bytes of local memory."""
 
 HEADER = Struct(*IMAGE_HEADER.subcons, "objects" / Array(this.count, OBJECT_HEADER))
-"""All that stands in front of the codes."""
+"""All that precedes the codes."""
 
 PARAMETER_CODE = BitStruct("is_in" / Flag, "is_out" / Flag, "reserved" / BitsInteger(3), "type" / BitsInteger(3))
 """The byte that declares a parameter."""

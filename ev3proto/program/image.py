@@ -1,4 +1,4 @@
-"""Images: bytes to programs and back. Whatever is damaged is read as far as it goes, and builds back as it was."""
+"""Images: bytes to programs and back. A damaged image is read as far as possible, and builds back as it was."""
 
 from __future__ import annotations
 
@@ -327,7 +327,7 @@ def parse(image: bytes | bytearray | memoryview, *, strict: bool = True, dialect
 
     Raises:
         DecodeError: The image is faulty, or not even its header can be read. The error has `offset` and `reason`.
-        ValueError: There is no such dialect.
+        ValueError: The dialect is unknown.
         TypeError: The image is not made of bytes.
     """
     program = image_schema(dialect).read_image(as_bytes(image, "an image"))
@@ -347,7 +347,7 @@ def build(program: Program) -> bytes:
 
     Raises:
         BuildError: No image can carry the program. The sentence names the field.
-        TypeError: It is no program.
+        TypeError: It is not a Program.
     """
     if not isinstance(program, Program):
         raise TypeError(f"an image is made of a Program, not of {type(program).__name__}")
@@ -368,7 +368,7 @@ def image_of(
         version: The version of the image, 0 to 65535.
         global_size: Bytes of global memory, 0 to 4294967295.
         entries: The objects, in the order of their numbers.
-        defects: Where the codes stand, if not in their order without gaps.
+        defects: Where the codes are, if not in their order without gaps.
 
     Returns:
         The image.
@@ -403,7 +403,7 @@ def image_of(
 
 
 def _pieces(entries: Sequence[Entry], offsets: Sequence[int], defects: Defects) -> list[tuple[int, bytes]]:
-    """The codes and what lies between them, in the order of the image."""
+    """Yields the codes and what is between them, in the order of the image."""
     own = [(offset, entry.code) for entry, offset in zip(entries, offsets, strict=True) if entry.shares is None]
     return sorted([*defects.gaps, *own], key=lambda piece: piece[0]) if defects.offsets is not None else own
 

@@ -13,7 +13,7 @@ from ev3proto.text.json_format.from_messages import operation_record
 
 
 def program_record(program: Program, size: int) -> dict[str, Any]:
-    """The object of a program whose image has so many bytes.
+    """Returns the object of a program whose image has `size` bytes.
 
     An object that uses the code of an earlier one has `shares`, and no operations of its own.
     """

@@ -12,7 +12,7 @@ from ev3proto.tables.program import ObjectKind, aligned, kind_of
 
 
 class ParameterPlace(NamedTuple):
-    """Where a parameter lies: its offset in local memory, and its bytes."""
+    """The place of a parameter: its offset in local memory, and its bytes."""
 
     offset: int
     size: int

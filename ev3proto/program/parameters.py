@@ -47,7 +47,7 @@ def code_of(direction: Direction, kind: Type) -> int:
 class ProgramParameter:
     """A parameter that a subcall declares.
 
-    code  the byte that stands in the image: direction and type
+    code  the byte in the image: direction and type
     size  of a string: the byte after it, its size modulo 256; else None
     """
 

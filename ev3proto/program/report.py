@@ -31,7 +31,7 @@ def program_findings(report: Report, findings: Iterable[Finding], place: str = "
     Args:
         report: What the check found.
         findings: Those of its findings to show.
-        place: What stands before each offset, such as `robot.rbf, `.
+        place: The text before each offset, such as `robot.rbf, `.
 
     Yields:
         Two lines for each finding, and one for the verdict.

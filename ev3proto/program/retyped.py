@@ -1,7 +1,7 @@
-"""Operations whose arguments have the types that the program around them tells.
+"""Operations whose arguments have types that only the rest of the program shows.
 
-What a CALL hands over is declared by the subcall, and what ARRAY.FILL writes by whoever made the array. The tables know
-neither, so that a float would be read as a whole number. Here such an operation gets a schema that reads it right.
+The subcall declares what a CALL hands over, and the operation that made an array what ARRAY.FILL writes. The tables
+know neither, so that a float would be read as a whole number. Here such an operation gets a schema that reads it right.
 """
 
 from __future__ import annotations
@@ -24,10 +24,10 @@ _MAKERS = {
     for word in ("CREATE", "INIT")
     for suffix, kind in (("8", DATA8), ("16", DATA16), ("32", DATA32), ("F", DATAF))
 }
-"""What tells the type of the array that a handle stands for."""
+"""The operations that show the type of the array behind a handle."""
 
 _Handles = dict[tuple[str, int], set[Type]]
-"""By the kind and index of the variable that holds a handle: the types of the arrays that it may stand for."""
+"""By the kind and index of the variable that holds a handle: the types of the arrays that it may refer to."""
 
 Kinds = tuple[tuple[Type, Direction], ...]
 
@@ -89,7 +89,7 @@ Callees = Mapping[int, tuple[ProgramParameter, ...]]
 
 
 def with_types(codes: Sequence[tuple[Operation, ...]], callees: Callees, dialect: str) -> list[tuple[Operation, ...]]:
-    """The operations of every code, those of CALL and ARRAY.FILL read with the types that the program tells.
+    """The operations of every code, those of CALL and ARRAY.FILL read with the types that the program shows.
 
     Args:
         codes: The codes, each once, however many objects share it.

@@ -79,7 +79,7 @@ def assemble(
     Raises:
         AssemblyError: The source cannot be assembled. The error has line, column, the line's text, and in `others` what
             else is wrong.
-        ValueError: There is no such dialect.
+        ValueError: The dialect is unknown.
         TypeError: The source is neither text nor bytes.
     """
     if version is not None and not 0 <= version <= 0xFFFF:

@@ -20,14 +20,14 @@ _WORDS = {
     Type.HANDLE: "HANDLE",
 }
 MOST_DECLARED = 1 << 24
-"""Bytes of a memory for which there are variables: more than the brick has. What lies further on has no name."""
+"""Bytes of a memory for which there are variables: more than the brick has. Memory beyond has no names."""
 
 _BYTES, _STRING, _ONE = "ARRAY8", "DATAS", "DATA8"
 
 
 @dataclass(frozen=True, slots=True)
 class DeclaredVariable:
-    """A declaration: where it lies, its word, how many bytes of an array."""
+    """A declaration: its index, its word, the bytes of an array."""
 
     index: int
     word: str
@@ -40,7 +40,7 @@ def declared(start: int, end: int, uses: Mapping[int, Type]) -> list[DeclaredVar
     Args:
         start: Index of the first byte.
         end: Index after the last byte.
-        uses: By the index of a place, the type as which it is used; STRING for a buffer, whose size nobody knows.
+        uses: By the index of a place, the type as which it is used; STRING for a buffer of unknown size.
     """
     end = max(start, min(end, MOST_DECLARED))
     places = sorted(index for index in uses if start <= index < end)

@@ -16,7 +16,7 @@ from ev3proto.program.parameters import has_size
 from ev3proto.tables.program import DEFAULT_VERSION, OLD_VERSIONS, RELEASE_VERSION, SIGN, ObjectKind, kind_of
 
 SIZE_AT = len(SIGN)
-"""Offset of the size of the image, which is blamed for whatever the header has wrong."""
+"""Offset of the size of the image, the position of every fault of the header."""
 
 VERSION_AT = SIZE_AT + 4
 """Offset of the version."""

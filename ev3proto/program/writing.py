@@ -1,4 +1,4 @@
-"""Images to sources: a text in the strict dialect that assembles to the same bytes, whatever encodings an image has.
+"""Images to sources: a text in the strict dialect that assembles to the same bytes, whichever encodings an image has.
 
 What the usual rules make is written as people write it. What they would make otherwise is said: an encoding by its name
 (`LC2(5)`), an argument or code as `bytes(...)`, what is odd about the image or an object as a comment of the form
@@ -57,7 +57,7 @@ _PARAMETER_BY_KIND = {
 
 
 def source_of(program: Program) -> str:
-    """The source of a program, in the strict dialect; `assemble` makes the same image of it, whoever wrote that.
+    """Returns the source of a program, in the strict dialect; `assemble` makes the same image of it.
 
     Args:
         program: The program.
@@ -66,7 +66,7 @@ def source_of(program: Program) -> str:
         The source.
 
     Raises:
-        TypeError: It is no program.
+        TypeError: It is not a Program.
     """
     if not isinstance(program, Program):
         raise TypeError(f"a source is made of a Program, not of {type(program).__name__}")
@@ -122,7 +122,7 @@ class ObjectCode:
 
     @property
     def places(self) -> set[int]:
-        """Offsets that a label can stand at: of the steps, and after the last one where an operation is added."""
+        """Offsets that can have a label: of the steps, and after the last one where an operation is added."""
         found = {step.offset for step in self.steps}
         if not self.is_open:
             found.add(end_of(self.steps[-1]) if self.steps else self.part.operations[0].offset)
@@ -255,7 +255,7 @@ class Writer(OperationWriter):
         self._locals_end = max(self._locals_end, min(part.local_size, MOST_DECLARED))
 
     def begin(self, code: ObjectCode) -> None:
-        """Settles the names of an object's variables and labels, for those who show single operations."""
+        """Settles the names of an object's variables and labels, to show single operations."""
         for _ in self._declarations(code):
             pass
         self._labels = labels_of(code.steps, code.places, self.rules, _LABEL_NAME)

@@ -86,7 +86,7 @@ def test_a_subroutine_is_called_with_whatever_it_takes(text: str) -> None:
 
 def test_what_is_missing_is_named() -> None:
     assert reason("CALL(Show,'text')") == (
-        "unknown object Show: `define Show 2` in front of it tells the number of the object, counted from 1"
+        "unknown object Show: `define Show 2` in front of it gives the number of the object, counted from 1"
     )
     assert reason("INPUT_DEVICE(READY_SI,0,Port,0,0,1,GV0(0))").endswith(
         " Or `DATA8 Port` in front of it declares a variable"

@@ -10,19 +10,19 @@ What else there is:
     // and /* */             comments
     define SPEED 50          a name for a constant, a text or a macro; #define as well
     DATAF volts              a variable: DATA8, DATA16, DATA32, DATAF, HANDLE, DATAS, ARRAY8, ARRAY16, ARRAY32, ARRAYF
-    DATAS name 20            the same with so many elements; name[3] is one of them
+    DATAS name 20            the same with that number of elements; name[3] is one of them
     local DATA8 i            in local memory. Others are global, so the reply carries them; in a vmthread they are local
-    vmthread MAIN { ... }    may stand around the operations, as in LEGO's sources
+    vmthread MAIN { ... }    may enclose the operations, as in LEGO's sources
     Loop:  JR(Loop)          a label, and a jump to it
     LED_RED, 0x1F, 1.5F, 'text', "text", (A + 2) * 3        constants; the firmware's names are all known
     @handle  HND(LV1(4))     the memory object that a variable is a handle to; &place and ADR(...) what it points to
 
 What LEGO's own sources have is read, too: a missing ) at the end of a line, names of CMDs as numbers, letters of motor
-ports (`OUTPUT_POWER(0, A+B, 50)`), CALL by the name of an object, which `define` gives its number. After a name stands
-no number of values; after a number it does: `CALL(Show, 'text', 5)` is `CALL(2, 2, 'text', 5)`.
+ports (`OUTPUT_POWER(0, A+B, 50)`), CALL by the name of an object, which `define` gives its number. A name is
+not followed by the number of values, a number is: `CALL(Show, 'text', 5)` is `CALL(2, 2, 'text', 5)`.
 
-Values are legal where `ev3proto.ops` takes them; others are refused, unless their encoding is named, or a header stands
-in front, or `unchecked=True` is given.
+Values are legal where `ev3proto.ops` takes them; others are refused, unless their encoding is named, a header
+precedes them, or `unchecked=True` is given.
 
 Without a header, operations are one direct command, whose memory and type are worked out, and each system command is a
 message of its own. A header begins a message and fixes what it says:
@@ -39,9 +39,9 @@ message of its own. A header begins a message and fixes what it says:
     message DAISY_COMMAND_REPLY counter 44 command DOWNSTREAM layer_from 0 layer_to 1
     opOUTPUT_START, LC0(0), LC0(15)
 
-Whatever is faulty can be said too. `length 55` in a header is what the length field says, `...` ends an operation or a
-system command that is cut short, `bytes 01 FF` are bytes as they are (`bytes(A3 05)` where a value stands), and `frame`
-begins a message that is nothing but bytes.
+Faulty messages can be written, too. `length 55` in a header is what the length field says, `...` ends an operation or a
+system command that is cut short, `bytes 01 FF` are bytes as they are (`bytes(A3 05)` as a value), and `frame` begins a
+message that is nothing but bytes.
 """
 
 from __future__ import annotations
@@ -76,7 +76,7 @@ def assemble(
         The messages, in their order.
 
     Raises:
-        AssemblyError: The text is no assembly, or a value in it is not legal. The error has line, column, the line's
+        AssemblyError: The text is not assembly, or a value in it is not legal. The error has line, column, the line's
             text, and in `others` what else is wrong.
     """
     # It takes 25 ms, and all that prints messages loads this package.

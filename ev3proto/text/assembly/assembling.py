@@ -145,7 +145,7 @@ class _Work:
                 self._thread = statement
             case Closing(at):
                 if self._thread is None:
-                    raise SourceError(at, "there is no { that this } could end")
+                    raise SourceError(at, "unexpected }: no { is open")
                 self._thread = None
             case Raw(at, data):
                 pending = self._opened(at)
@@ -181,7 +181,7 @@ class _Work:
         pending = self._opened(at)
         if pending.is_frame or pending.kind not in ("direct-command", "daisy-command"):
             name = "a frame in bytes" if pending.is_frame else f"a {pending.kind}"
-            raise SourceError(at, f"{what} cannot stand in {name}, which has no operations")
+            raise SourceError(at, f"{what} is not allowed in {name}, which has no operations")
         return pending
 
     def _declare(self, statement: Declaration) -> None:
@@ -210,7 +210,7 @@ class _Work:
         if pending.parts:
             raise SourceError(call.at, f"a {pending.kind} has one command; what follows can only be bytes")
         if self._assembler.is_operation(call.name):
-            raise SourceError(call.at, f"{call.name} is an operation, which cannot stand in a {pending.kind}")
+            raise SourceError(call.at, f"{call.name} is an operation, which is not allowed in a {pending.kind}")
         assert pending.type is not None
         pending.is_lenient |= not call.is_complete
         is_reply = not pending.type.is_command

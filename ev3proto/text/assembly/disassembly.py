@@ -61,7 +61,7 @@ def assembly(exchange: Exchange, heading: str, notation: str = MACROS) -> Iterat
         Its lines: the comment, its header, then an operation a line, or the command, or bytes.
 
     Raises:
-        TypeError: It is no Exchange.
+        TypeError: It is not an Exchange.
     """
     if not isinstance(exchange, Exchange):
         raise TypeError(

@@ -48,7 +48,7 @@ class AssemblyError(ValueError):
         start = max(0, min(self.column - 1 - _MOST_SHOWN // 2, len(self.text) - _MOST_SHOWN))
         shown = self.text[start : start + _MOST_SHOWN]
         before = shown[: self.column - 1 - start]
-        # A tab stays one, so that the mark stands below its character whatever a tab's width is.
+        # A tab stays a tab, so that the mark is below its character for any width of tabs.
         padding = "".join("\t" if character == "\t" else " " for character in before)
         return f"{shown}\n{padding}^"
 

@@ -12,7 +12,7 @@ from ev3proto.text.assembly.errors import SourceError
 from ev3proto.text.assembly.notations import Notation
 
 NAME, NUMBER, WORD, TEXT, MARK, BAD, END = "name", "number", "word", "text", "mark", "bad", "end"
-"""What a token is. A word starts like a number and is none: hex, where bytes are written."""
+"""Kinds of tokens. A word starts like a number and is not one: hex, where bytes are written."""
 
 
 class Token(NamedTuple):
@@ -55,7 +55,7 @@ def _pattern(notation: Notation) -> re.Pattern[str]:
 
 
 def tokens(text: str, notation: Notation) -> Iterator[Token]:
-    """The tokens of a text, and one for its end. What is none is a bad token; nothing is raised."""
+    """Yields the tokens of a text, and one for its end. Anything else becomes a bad token; nothing is raised."""
     match = _pattern(notation).match
     at = 0
     is_first = True
@@ -126,7 +126,7 @@ _KNOWN_ESCAPES = r"\n \r \t \b \f \q (an apostrophe) \0 \" \' \\ \/ \x41 \u0041"
 
 
 def text_of(token: Token, notation: Notation, coding: str, warnings: list[tuple[int, str]]) -> str:
-    """What stands between a text's quotes, its escapes replaced. Raises SourceError for an unknown one.
+    """Returns what is between a text's quotes, its escapes replaced. Raises SourceError for an unknown one.
 
     Args:
         token: The text with its quotes.
@@ -147,7 +147,7 @@ def text_of(token: Token, notation: Notation, coding: str, warnings: list[tuple[
 
 
 def _unescaped(token: Token, body: str) -> str:
-    """The text with escapes as in C, from the left. A backslash before a blank is none, as names of files need it."""
+    """The text with escapes as in C, from the left. A backslash before a blank stays, as names of files need it."""
 
     def meant(found: re.Match[str]) -> str:
         escape = found[1]

@@ -89,7 +89,7 @@ class PendingMessage:
         return self.type is not None and self.type.carries == "system"
 
     def add(self, at: int, pieces: Iterable[Piece]) -> None:
-        """One more part. Raises SourceError where there are more than anybody can mean."""
+        """Adds a part. Raises SourceError for more than any message needs."""
         added = list(pieces)
         self.size += max(1, sum(len(piece) if isinstance(piece, bytes) else 1 for piece in added))
         if self.size > MAX_BODY:
@@ -109,7 +109,7 @@ class PendingMessage:
             reply: Whether a direct command without a stated type wants a reply; None: where it has global memory.
         """
         if self.type is None and not self.parts and not self.is_frame:
-            raise SourceError(self.at, "there is no operation in this message: the brick refuses an empty one")
+            raise SourceError(self.at, "this message has no operation, and the brick refuses an empty one")
         body = joined(self.parts, local.labels, OF_FRAMES)
         if self.is_frame:
             return parse(body, strict=False, dialect=dialect)

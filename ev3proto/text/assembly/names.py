@@ -25,7 +25,7 @@ MAX_DEPTH = 50
 """Defines that may be needed for the value of one."""
 
 NOT_NUMBERS = tuple(f"{kind}_NAN" for kind in (DATA8, DATA16, DATA32, DATAF))
-"""The firmware's names for the value of each type that is none."""
+"""The firmware's names for the value of each type that means "not a number"."""
 
 OBJECT_PARAMETER = "OBJID"
 """The name of all parameters that are objects, whether the firmware looks for one there or for its memory."""
@@ -87,7 +87,7 @@ class Goal(NamedTuple):
 
 
 class Encoded(NamedTuple):
-    """An argument that a define stands for."""
+    """An encoded argument, as the value of a define."""
 
     data: bytes
 
@@ -122,7 +122,7 @@ class Memory:
 
 
 def is_object(parameter: Parameter | None) -> bool:
-    """Whether a parameter is the number of an object, which its name stands for."""
+    """Whether a parameter is the number of an object, which can be given by its name."""
     return parameter is not None and (parameter.role is Role.OBJECT or parameter.name == OBJECT_PARAMETER)
 
 
@@ -138,7 +138,7 @@ class LocalNames:
 class Names:
     """The names of a text, looked up in the order of its notation.
 
-    value  works out what a define stands for
+    value  works out the value of a define
     """
 
     def __init__(self, notation: Notation, value: Callable[[Define, LocalNames], Meaning]) -> None:
@@ -198,7 +198,7 @@ class Names:
                 return Goal(name) if name in local.labels and not is_hidden else None
 
     def defined(self, define: Define, local: LocalNames) -> Meaning:
-        """What a define stands for."""
+        """Returns the value of a define."""
         if define.at not in self._worked_out:
             if self._depth >= MAX_DEPTH:
                 raise SourceError(define.at, f"{cited(define.name)} is defined by itself, or by too many others")
@@ -210,7 +210,7 @@ class Names:
         return self._worked_out[define.at]
 
     def known(self, parameter: Parameter | None = None) -> list[str]:
-        """Every name that can stand for a value, the likeliest first."""
+        """Returns every name that can be a value, the likeliest first."""
         local = self.local
         own = [*local.places, *local.labels, *local.defines, *self.globals, *self.objects, *self.defines]
         if parameter is None or not self.notation.has_messages:
@@ -223,7 +223,7 @@ class Names:
 
 @cache
 def firmware_constants() -> dict[str, int | float | str]:
-    """Every constant of the firmware by name; opcodes, CMDs and system commands are none."""
+    """Returns every constant of the firmware by name, without opcodes, CMDs and system commands."""
     found: dict[str, int | float | str] = dict(NUMBERS)
     for name, value in CONSTANTS.items():
         found.setdefault(name, Pattern(value) if name in NOT_NUMBERS else value)
@@ -256,12 +256,12 @@ def _ends() -> frozenset[str]:
 
 
 def firmware_constant(name: str, parameter: Parameter | None) -> int | float | str | None:
-    """The firmware's constant of a name, None where there is none.
+    """Returns the firmware's constant of a name, None for an unknown name.
 
     Args:
         name: The name, as the firmware spells it.
         parameter: What the constant is for, if that is known. Where it has an enumeration, neither another
-            enumeration's member nor a CMD can stand for it.
+            enumeration's member nor a CMD is one.
     """
     if parameter is not None:
         number = parameter.number_of(name)

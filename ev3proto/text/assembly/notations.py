@@ -18,7 +18,7 @@ from ev3proto.tables.source import BACKSLASH, ESCAPES, LEGO_ESCAPES, OBJECT_WORD
 from ev3proto.tables.system import SystemCommand
 
 MESSAGE = "message"
-"""Begins a message whose header it tells."""
+"""Begins a message, with the facts of its header."""
 
 FRAME = "frame"
 """Begins a message that is nothing but bytes."""
@@ -148,7 +148,7 @@ class Notation:
     text             a text in quotes
     marks            single characters that are tokens
     number           what a number looks like
-    folds            names are in upper case, whatever was written
+    folds            names are read in upper case
     by_line          a statement a line, blanks between arguments; else statements are tokens with parentheses
     has_messages     frames: headers, macro operations, bytes, names in front of values
     needs_commas     between arguments
@@ -157,7 +157,7 @@ class Notation:
     escapes          those in single quotes, replaced kind after kind; None: as in C
     keeps_escapes    an unknown escape is left as it is, else an error
     octal, point     see there
-    bits             whole numbers have so many; 0: any number of them
+    bits             size of whole numbers in bits; 0: unlimited
     cuts             longer ones are cut to that, else refused
     hex_is_bits      hex is a pattern of bits: 0xFF may be -1
     arithmetic       see there

@@ -1,6 +1,6 @@
 """Statements to the objects of a program, as plain data: memory laid out, values encoded, jumps measured.
 
-What an image is made of this way is the matter of `ev3proto.program`.
+`ev3proto.program` makes an image of them.
 """
 
 from __future__ import annotations
@@ -169,7 +169,7 @@ class ProgramAssembler:
                         raise statement
                     case Closing(at):
                         if current is None:
-                            raise SourceError(at, "there is no { that this } could end")
+                            raise SourceError(at, "unexpected }: no { is open")
                         current = None
                     case Opening() if current is None:
                         current = self._begun(statement)
@@ -235,7 +235,7 @@ class ProgramAssembler:
             self._keep(SourceError(getattr(arguments[-1], "at", 0), str(error)))
 
     def _number_by_mention(self) -> None:
-        """EV3 Basic numbers objects as their names are mentioned first, by whatever."""
+        """Numbers the objects in the order in which their names are first mentioned, as EV3 Basic does."""
         order: dict[str, None] = {}
         for one in sorted(self._objects, key=lambda one: one.head.at):
             order.setdefault(one.head.name)
@@ -403,7 +403,7 @@ class ProgramAssembler:
             parameter = parameters[number] if number < len(parameters) else None
             value = argument.value
             if number == 0 and self._notation.folds and len(parameters) > 1 and isinstance(value, Name):
-                # The name of a CMD is part of the operation's, whatever else is called so.
+                # The name of a CMD is part of the operation's, even if a variable has that name, too.
                 value = _as_number(value, parameters)
             piece, meaning = self._argument(value, parameter)
             pieces.append(piece)
@@ -489,7 +489,7 @@ class ProgramAssembler:
 
 def _parameters_of(call: Call) -> tuple[Parameter, ...]:
     """The parameters of an operation of a program, by the names of its opcode and CMD; CMD is the first. None for
-    an operation that the tables do not have: its arguments are whatever they are.
+    an operation that the tables do not have.
     """
     if call.name in _PARAMETERS:
         return _PARAMETERS[call.name]

@@ -48,7 +48,7 @@ class Assembler:
         return _bare(name).partition(".")[0] in opcodes(self._dialect)
 
     def operation(self, call: Call, *, is_checked: bool) -> list[Piece]:
-        """The pieces of an operation: bytes, and jumps whose distance nobody knows yet.
+        """Returns the pieces of an operation: bytes, and jumps whose distance is not known yet.
 
         Args:
             call: The operation as it is written.
@@ -83,7 +83,7 @@ class Assembler:
         """Raises SourceError for a name that should be the number of the values that follow."""
         what = "is a variable" if counter.text in self._encoder.names.local.places else "is unknown"
         hint = f"`define {counter.text} 2` in front of it makes it a number"
-        raise SourceError(counter.at, f"{counter.text} {what}, and tells how many values follow: {hint}")
+        raise SourceError(counter.at, f"{counter.text} {what}, and the number of values that follow is needed: {hint}")
 
     # Which operation
 
@@ -97,7 +97,7 @@ class Assembler:
         plain = self._set.opcodes[opcode.number]
         if plain is not None:
             if command:
-                raise SourceError(call.at, f"{name} has no CMD, so none can stand after its name")
+                raise SourceError(call.at, f"{name} has no CMD, so its name takes none")
             return plain, head, call.arguments
         family = self._set.families[opcode.number]
         assert family is not None, "an opcode of a dialect is plain or has CMDs"
@@ -138,7 +138,7 @@ class Assembler:
         for command in family.opcode.commands:
             if command.name == name:
                 others = ", ".join(dialect for dialect in command.dialects)
-                where = f"{others} has" if others else "it stands in headers only"
+                where = f"{others} has" if others else "it is in headers only"
                 raise SourceError(at, f"the {self._dialect} firmware has no {family.opcode.name}.{name}: {where}")
         hint = suggestion(name, numbers) or f": it has {_commands(family)}"
         raise SourceError(at, f"{family.opcode.name} has no CMD {name}{hint}")
@@ -179,9 +179,9 @@ class Assembler:
         given = arguments[len(fixed) :]
         known = [piece for piece in fixed if isinstance(piece, bytes)]
         if len(known) < len(fixed):
-            raise SourceError(arguments[0].at, "a label cannot stand in front of a list")
+            raise SourceError(arguments[0].at, "a label cannot precede a list")
         try:
-            # Zeros in place of the values: that tells whether their number is right, and what each of them is.
+            # Zeros in place of the values show whether their number is right, and the type of each.
             placeholders = schema.make([*known, *[encode_integer(0)] * len(given)]).arguments[len(fixed) :]
         except BuildError as error:
             raise SourceError(arguments[len(fixed) - 1].at, str(error)) from None
@@ -202,7 +202,7 @@ class Assembler:
 def _check(schema: OperationSchema, head: bytes, pieces: Sequence[Piece], arguments: Sequence[WrittenArgument]) -> None:
     """Raises SourceError for the first value that means nothing to the brick.
 
-    A value whose encoding is named, and the name of what is not a number, are what people mean, whatever they are.
+    A value whose encoding is named, and DATA8_NAN and its like, are meant as they are written.
     """
     code = head + b"".join(_ANY_DISTANCE if not isinstance(piece, bytes) else piece for piece in pieces)
     for number, error in objections(Operation((schema, code, 0, len(code)))):
@@ -214,7 +214,7 @@ def _check(schema: OperationSchema, head: bytes, pieces: Sequence[Piece], argume
 
 
 def _is_meant(value: Value) -> bool:
-    """Whether a value is written so that nobody could mean another one."""
+    """Whether the text leaves no doubt that this value is meant."""
     if isinstance(value, Form):
         return value.name not in SHORTEST
     return isinstance(value, Raw) or (isinstance(value, Name) and value.text in NOT_NUMBERS)

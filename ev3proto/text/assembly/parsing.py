@@ -113,7 +113,7 @@ class Parser:
         self._heads = {self._fold(word): word for word in notation.heads}
 
     def statements(self) -> Iterator[Statement | SourceError]:
-        """The statements of the text. What is wrong comes as an error; reading goes on with the next line."""
+        """The statements of the text. What is wrong comes as an error; reading continues with the next line."""
         while not self._is_at_end():
             start = self._peek()
             try:
@@ -126,7 +126,7 @@ class Parser:
                 self._skip_line()
 
     def _is_at_end(self) -> bool:
-        """Whether there is no further statement. In frames, marks between statements are passed over."""
+        """Whether there is no further statement. In frames, marks between statements are skipped."""
         while self.notation.has_messages and self._peek().is_mark(",", ";"):
             self._next()
         return self._peek().kind == END
@@ -330,7 +330,7 @@ class Parser:
     # Lines
 
     def _line(self) -> Iterator[Statement]:
-        """A line of a notation whose words stand between blanks."""
+        """Reads a line of a notation that separates words by blanks."""
         token, notation = self._peek(), self.notation
         word = token.text
         if token.is_mark("}"):
@@ -339,7 +339,7 @@ class Parser:
             self._omit_rest("}")
         elif token.kind != NAME:
             if token.is_mark("{"):
-                raise SourceError(token.at, "there is no vmthread or subcall that this { could begin")
+                raise SourceError(token.at, "unexpected {: a vmthread or subcall has to precede it")
             raise self._unexpected("an operation, a label or a declaration")
         elif self._peek(1).is_mark(":") and self._peek(1).at == token.end:
             self._next()
@@ -379,7 +379,7 @@ class Parser:
         return Call(token.at, token.text, tuple(arguments), self._last.end)
 
     def _check_blank(self, start: Token) -> None:
-        """Raises SourceError where a word goes on after what could be read of it: words have blanks between them."""
+        """Raises SourceError for a word that continues after what could be read of it: blanks separate words."""
         following = self._peek()
         is_glued = not following.is_first and following.at == self._last.end and following.kind != TEXT
         if is_glued and self._last.kind != TEXT and not following.is_mark(";", "}"):
@@ -605,7 +605,7 @@ class Parser:
         return Number(at, self._cut(at, text, value))
 
     def _cut(self, at: int, text: str, value: int) -> int:
-        """The lowest 32 bits of a number that was written, where the notation has so many."""
+        """Returns the lowest 32 bits of a number, where the notation has numbers of 32 bits."""
         if not self.notation.bits:
             return value
         if not -1 << 31 <= value < 1 << 32:
@@ -703,7 +703,7 @@ class Parser:
         self._depth -= 1
 
     def _line_end(self, expected: str) -> SourceError:
-        """The error where something should stand in the same line."""
+        """Returns the error for something missing in the same line."""
         if self._peek().kind != END and not self._peek().is_first:
             return self._unexpected(expected)
         return SourceError(self._last.end, f"expected {expected}, found the end of the line")

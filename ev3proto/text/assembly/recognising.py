@@ -1,4 +1,4 @@
-"""Whether a line is assembly, for those who are given a text and do not know what it is."""
+"""Recognition of assembly in a text of unknown kind."""
 
 from __future__ import annotations
 

@@ -20,7 +20,7 @@ class Number(NamedTuple):
 
 
 class Text(NamedTuple):
-    """What stands between quotes, its escapes replaced."""
+    """The text between quotes, its escapes replaced."""
 
     at: int
     value: str
@@ -154,7 +154,7 @@ class Label(NamedTuple):
 class Call(NamedTuple):
     """An operation or a system command with its arguments.
 
-    end          where the next argument would stand
+    end          the place of a further argument
     is_complete  False where it ends in `...`
     """
 

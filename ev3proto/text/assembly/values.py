@@ -1,6 +1,6 @@
 """Values to what they mean, and to bytes: names looked up, expressions worked out, macros obeyed, jumps left open.
 
-In a frame the parameter decides how a value is encoded, and whether it can stand there. In a program the value alone
+In a frame the parameter decides how a value is encoded, and whether it is allowed. In a program the value alone
 decides, as in every assembler of programs.
 """
 
@@ -66,7 +66,7 @@ JUMP_SIZES = {**{form: size for size, form in FORM_OF_SIZE.items()}, "LAB1": 2}
 _SCOPES = {"L": LOCAL, "G": GLOBAL}
 _MOST_MEMBERS = 6
 _FLOATS = {"inf": math.inf, "nan": math.nan}
-_ANYTHING = ArgumentSchema(Parameter("the value", Type.ARRAY_TYPED, "whatever an argument can be"))
+_ANYTHING = ArgumentSchema(Parameter("the value", Type.ARRAY_TYPED, "any argument"))
 
 
 _N = TypeVar("_N", int, float, Fraction)
@@ -198,7 +198,7 @@ class Encoder:
     # What values mean
 
     def defined(self, define: Define, _: object = None) -> Meaning:
-        """What a define stands for: a constant, or in frames an encoded argument, too. Raises SourceError."""
+        """Returns the value of a define: a constant, or in frames an encoded argument. Raises SourceError."""
         value = define.value
         if not self._is_typed or isinstance(value, Number | Text | Name | Sum):
             return self.meaning(value)
@@ -258,7 +258,7 @@ class Encoder:
         return found
 
     def _unknown(self, name: str, at: int, parameter: Parameter | None) -> str:
-        """What to say of a name that stands for nothing that the parameter can be."""
+        """Returns the sentence about a name that is not a value of the parameter."""
         names = self.names
         if any(place.at >= at for place in names.globals.get(name, ())):
             return f"{cited(name)} is declared further down: a variable has to be declared above its use"
@@ -267,7 +267,7 @@ class Encoder:
             how = hint or ": a variable is declared above its use, a label is set in the same object"
             return f"unknown name {cited(name)}{how}"
         if name in names.local.labels and parameter is not None:
-            return f"{name} is a label, which cannot stand for {parameter.name}"
+            return f"{name} is a label, and {parameter.name} takes none"
         if parameter is None:
             return f"unknown name {cited(name)}{suggestion(name, names.known())}"
         what, known = "variable or constant", names.known(parameter)
@@ -280,7 +280,7 @@ class Encoder:
             what = f"value of {parameter.name} ({enum.name}):"
         hint = suggestion(name, known)
         if parameter.role is Role.OBJECT:
-            hint = hint or f": `define {name} 2` in front of it tells the number of the object, counted from 1"
+            hint = hint or f": `define {name} 2` in front of it gives the number of the object, counted from 1"
         elif enum is None or parameter.is_output:
             is_label = parameter.type is Type.LABEL
             declares = f"{_declaration(parameter, name)} in front of it declares a variable"
@@ -361,7 +361,7 @@ class Encoder:
             raise SourceError(value.at, str(error)) from None
 
     def element(self, value: Value, schema: ArgumentSchema) -> Piece:
-        """The bytes of one value of a list. A letter may stand for its number. Raises SourceError."""
+        """Returns the bytes of one value of a list. A letter may be given for its number. Raises SourceError."""
         if isinstance(value, Text) and schema.parameter.type is Type.DATA8 and len(value.value) == 1:
             return schema.write(ord(value.value))
         return self.argument(value, schema)
@@ -507,7 +507,7 @@ def _written(value: Value) -> str:
 
 
 def _signed(pattern: int, bits: int) -> int:
-    """A pattern of so many bits as a number with a sign; itself where it has more bits."""
+    """Returns a pattern of that many bits as a signed number; longer ones unchanged."""
     return pattern - (1 << bits) if 1 << (bits - 1) <= pattern < 1 << bits else int(pattern)
 
 

@@ -3,11 +3,11 @@
 -- To install it, put this one file into the personal Lua plugins folder, which Wireshark names under Help, About,
 -- Folders; or run: ev3proto dissector install
 --
--- This file is made by ev3proto 0.1.0, of its tables of the EV3's protocol and its runtime for Wireshark.
+-- This file is made by ev3proto 0.2.0, of its tables of the EV3's protocol and its runtime for Wireshark.
 -- Change those, not this.
 
 set_plugin_info({
-    version = "0.1.0",
+    version = "0.2.0",
     description = "LEGO MINDSTORMS EV3: direct and system commands over WiFi, USB and Bluetooth",
     author = "the ev3proto authors",
 })

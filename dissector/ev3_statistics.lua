@@ -2,10 +2,10 @@
 --
 -- To install it, put it beside ev3.lua into the personal Lua plugins folder; or run: ev3proto dissector install
 --
--- This file is made by ev3proto 0.1.0, of its runtime for Wireshark. Change that, not this.
+-- This file is made by ev3proto 0.2.0, of its runtime for Wireshark. Change that, not this.
 
 set_plugin_info({
-    version = "0.1.0",
+    version = "0.2.0",
     description = "LEGO MINDSTORMS EV3: statistics, and export of the files that were transferred",
     author = "the ev3proto authors",
 })

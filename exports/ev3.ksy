@@ -14,7 +14,7 @@ doc: |
   Not covered: the meaning of a direct reply's bytes, which only the command tells; CMDs that a family does not have
   (what follows is then read as the next operation); names of sets of bits.
 
-  Made by ev3proto 0.1.0 from its tables (ev3proto export kaitai): change those, not this.
+  Made by ev3proto 0.2.0 from its tables (ev3proto export kaitai): change those, not this.
 seq:
   - {id: frames, type: frame, repeat: eos}
 types:

@@ -23,7 +23,7 @@
  * Opcodes, CMDs and enumerations have the firmware's names. Where another header defines one of them as a macro, as
  * windows.h does, include this one first.
  *
- * This file is made by ev3proto 0.1.0 from its tables (ev3proto export c-header): change those, not this.
+ * This file is made by ev3proto 0.2.0 from its tables (ev3proto export c-header): change those, not this.
  */
 
 #ifndef EV3PROTO_H

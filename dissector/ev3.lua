@@ -7483,7 +7483,9 @@ do
         while at < #text do
             local operation, after, _, reason, kind = read_operation(text, at)
             -- Of a list that goes on in the next packet the dissector says that it is too long.
-            if reason then return kind == "cut_off" or kind == "fault" and operation ~= nil and operation.list ~= nil end
+            if reason then
+                return kind == "cut_off" or kind == "fault" and operation ~= nil and operation.list ~= nil
+            end
             at = after
         end
         return true
@@ -7998,7 +8000,9 @@ do
             and frame_size(low, high) <= captured then
             message = read_report(tvb)
             -- Bricks in a chain send commands both ways. They are no computers, whose reports are larger.
-            if sort == "daisy" or is_overwritten(message, pinfo) then return claiming.is_sensible(message) and message or nil end
+            if sort == "daisy" or is_overwritten(message, pinfo) then
+                return claiming.is_sensible(message) and message or nil
+            end
         end
         if not message or (type.is_command == true) ~= is_from_host(pinfo) then
             local conversation = known_conversation(key)

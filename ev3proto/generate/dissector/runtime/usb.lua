@@ -108,7 +108,9 @@ do
             and frame_size(low, high) <= captured then
             message = read_report(tvb)
             -- Bricks in a chain send commands both ways. They are no computers, whose reports are larger.
-            if sort == "daisy" or is_overwritten(message, pinfo) then return claiming.is_sensible(message) and message or nil end
+            if sort == "daisy" or is_overwritten(message, pinfo) then
+                return claiming.is_sensible(message) and message or nil
+            end
         end
         if not message or (type.is_command == true) ~= is_from_host(pinfo) then
             local conversation = known_conversation(key)

@@ -22,9 +22,9 @@ from ev3proto.cli.output import complain, flush, is_terminal, say
 from ev3proto.cli.programs import complain_of, complain_of_warnings
 from ev3proto.cli.reading import is_image
 from ev3proto.program import assemble, check_program
-from ev3proto.program.image import MAX_IMAGE
 from ev3proto.tables.enumerations import LEDPATTERN
 from ev3proto.tables.errors import ERRORS
+from ev3proto.tables.program import MAX_IMAGE
 from ev3proto.text.assembly.errors import AssemblyError
 from ev3proto.text.spans import visible
 

@@ -28,6 +28,7 @@ from ev3proto.cli.reading import (
     split,
     text_lines,
 )
+from ev3proto.tables.program import MAX_IMAGE
 from ev3proto.text.paste import Pasted, read_argument
 from ev3proto.text.spans import visible
 
@@ -250,8 +251,6 @@ class SourceReader(ABC):
         )
 
     def _program(self, source: Source, file: CaptureFile) -> None:
-        from ev3proto.program.image import MAX_IMAGE  # takes 60 ms, which only programs need
-
         try:
             image = file.contents.read(MAX_IMAGE + 1)
         except (OSError, EOFError, zlib.error) as error:

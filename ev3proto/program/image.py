@@ -22,10 +22,7 @@ from ev3proto.program.retyped import with_types
 from ev3proto.program.walk import walk
 from ev3proto.schema.bytewise import Bytewise
 from ev3proto.schema.instructions import InstructionSet, instruction_set
-from ev3proto.tables.program import DEFAULT_VERSION, MAX_MEMORY, MAX_OBJECTS, SIGN, ObjectKind, kind_of
-
-MAX_IMAGE = 1 << 25
-"""Bytes of the largest image that is read: more than the brick has memory for."""
+from ev3proto.tables.program import DEFAULT_VERSION, MAX_IMAGE, MAX_MEMORY, MAX_OBJECTS, SIGN, ObjectKind, kind_of
 
 _COUNT_AT = len(SIGN) + Int32ul.sizeof() + Int16ul.sizeof()
 """Offset of the number of objects."""

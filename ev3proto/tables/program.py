@@ -26,6 +26,9 @@ VERSIONS = {
 }
 """The known writers of each version."""
 
+MAX_IMAGE = 1 << 25
+"""Maximum size of an image that is read, in bytes: more than the brick has memory for."""
+
 MAX_OBJECTS = 0xFFFF
 """Maximum number of objects that the header can count; their numbers start at 1."""
 

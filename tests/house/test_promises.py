@@ -24,9 +24,9 @@ from ev3proto.cli import live, reading, values
 from ev3proto.cli.annotations import MOST_COMPLAINTS
 from ev3proto.generate.dissector.build import build, build_statistics
 from ev3proto.link import file_moves
-from ev3proto.program.image import MAX_IMAGE
 from ev3proto.tables.claims import STRANGE_PACKETS
 from ev3proto.tables.frame import MAX_FRAME
+from ev3proto.tables.program import MAX_IMAGE
 from ev3proto.text.paste.pieces import MAX_COLLECTED, MAX_LINE
 
 ROOT = Path(__file__).parents[2]

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import json
+from typing import Any
+
 import pytest
+from support.cli import run_ev3proto_text
 
 import ev3proto
 from ev3proto import Dialogue, operation, parse
 from ev3proto.cli.reading import split
 from ev3proto.text.assembly import assembly, operation_line
 from ev3proto.text.forms import as_c
-from ev3proto.text.json_format.from_messages import record
 from ev3proto.text.phrases import Seen, dialogue_line, heading, plain, short_float
 from ev3proto.text.spans import plain_text
 from ev3proto.text.table import table
@@ -34,6 +37,12 @@ def shown(frame: bytes, seen: Seen | None = None, *, before: bytes | None = None
         dialogue.feed(parse(before))
     lines = tree(dialogue.follow(parse(frame, strict=False)), seen or Seen())
     return [plain_text(line) for line in lines]
+
+
+def as_json(*frames: bytes | str) -> list[dict[str, Any]]:
+    """What `decode --json` prints for frames, or for a log line."""
+    words = [frame if isinstance(frame, str) else frame.hex() for frame in frames]
+    return list(map(json.loads, run_ev3proto_text("decode", "--json", *words).stdout.splitlines()))
 
 
 def drawn(frame: bytes) -> list[str]:
@@ -82,7 +91,7 @@ def test_messages_to_mailboxes_are_shown_as_all_that_they_can_mean() -> None:
 
 def test_messages_to_mailboxes_are_read_in_json_too() -> None:
     def read(payload: bytes) -> object:
-        entry = record(Dialogue().follow(parse(mailbox(payload))), Seen())
+        (entry,) = as_json(mailbox(payload))
         assert entry["fields"]["payload"] == payload.hex()
         return entry.get("readings")
 
@@ -198,51 +207,51 @@ def test_assembly_of_a_message() -> None:
 
 
 def test_json_of_a_command_has_the_promised_keys() -> None:
-    tone = parse(bytes.fromhex("0e002a0080000094010182b80182e803"))
-    assert record(Dialogue().follow(tone), Seen()) == {
-        "kind": "direct-command",
-        "type": "DIRECT_COMMAND_NO_REPLY",
-        "length": 14,
-        "counter": 42,
-        "globals": 0,
-        "locals": 0,
-        "operations": [
-            {
-                "op": "SOUND",
-                "opcode": 148,
-                "command": "TONE",
-                "offset": 7,
-                "length": 9,
-                "args": [
-                    {"name": "VOLUME", "kind": "constant", "encoding": "LC0", "value": 1, "offset": 9, "length": 1},
-                    {
-                        "name": "FREQUENCY",
-                        "kind": "constant",
-                        "encoding": "LC2",
-                        "value": 440,
-                        "offset": 10,
-                        "length": 3,
-                    },
-                    {
-                        "name": "DURATION",
-                        "kind": "constant",
-                        "encoding": "LC2",
-                        "value": 1000,
-                        "offset": 13,
-                        "length": 3,
-                    },
-                ],
-            }
-        ],
-        "hex": "0e002a0080000094010182b80182e803",
-    }
+    assert as_json(TONE) == [
+        {
+            "kind": "direct-command",
+            "type": "DIRECT_COMMAND_NO_REPLY",
+            "length": 14,
+            "counter": 42,
+            "globals": 0,
+            "locals": 0,
+            "operations": [
+                {
+                    "op": "SOUND",
+                    "opcode": 148,
+                    "command": "TONE",
+                    "offset": 7,
+                    "length": 9,
+                    "args": [
+                        {"name": "VOLUME", "kind": "constant", "encoding": "LC0", "value": 1, "offset": 9, "length": 1},
+                        {
+                            "name": "FREQUENCY",
+                            "kind": "constant",
+                            "encoding": "LC2",
+                            "value": 440,
+                            "offset": 10,
+                            "length": 3,
+                        },
+                        {
+                            "name": "DURATION",
+                            "kind": "constant",
+                            "encoding": "LC2",
+                            "value": 1000,
+                            "offset": 13,
+                            "length": 3,
+                        },
+                    ],
+                }
+            ],
+            "hex": "0e002a0080000094010182b80182e803",
+        }
+    ]
 
 
 def test_json_of_variables_handles_and_replies() -> None:
-    dialogue = Dialogue()
-    argument = record(dialogue.follow(parse(ASK)), Seen())["operations"][0]["args"][0]
+    asked, entry = as_json(ASK, f"received: {ANSWER.hex()}")
+    argument = asked["operations"][0]["args"][0]
     assert (argument["kind"], argument["encoding"], argument["value"]) == ("global", "GV0", 0)
-    entry = record(dialogue.follow(parse(ANSWER)), Seen("received"))
     assert (entry["status"], entry["direction"]) == ("ok", "received")
     assert {key: entry["values"][0][key] for key in ("op", "command", "name", "unit")} == {
         "op": "UI_READ",
@@ -250,22 +259,20 @@ def test_json_of_variables_handles_and_replies() -> None:
         "name": "VALUE",
         "unit": "V",
     }
-    handle = record(Dialogue().follow(parse(bytes.fromhex("09 00 01 00 80 00 04 C0 07 D1 02"))), Seen())
+    (handle,) = as_json(bytes.fromhex("09 00 01 00 80 00 04 C0 07 D1 02"))
     assert handle["operations"][0]["args"][0]["handle"] is True
 
 
 def test_json_of_a_fault() -> None:
-    entry = record(Dialogue().follow(parse(UNKNOWN, strict=False)), Seen())
+    (entry,) = as_json(UNKNOWN)
     assert entry["fault"] == {"offset": 7, "reason": "0xFE is no opcode of the official firmware"}
     assert entry["rest"] == "fe"
 
 
 def test_json_of_system_messages() -> None:
-    dialogue = Dialogue()
-    request = record(dialogue.follow(parse(LIST)), Seen())
+    request, reply = as_json(LIST, REFUSED)
     assert (request["kind"], request["command"]) == ("system-command", "LIST_FILES")
     assert request["fields"] == {"max_bytes": 1000, "path": "/prjs"}
-    reply = record(dialogue.follow(parse(REFUSED)), Seen())
     assert (reply["kind"], reply["command"], reply["status"]) == ("system-reply", "LIST_FILES", "error")
     assert reply["status_name"] == "ILLEGAL_PATH"
 

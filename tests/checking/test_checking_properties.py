@@ -12,7 +12,6 @@ from support.effort import effort
 import ev3proto
 from ev3proto import GV, check
 from ev3proto.checking.codes import CODES
-from ev3proto.checking.rules import memory
 from ev3proto.checking.verdict import verdict
 from ev3proto.messages import DirectCommand, Variable
 from ev3proto.tables.carriers import CARRIERS
@@ -130,21 +129,6 @@ def test_verdicts_do_not_depend_on_counter_and_type(command: DirectCommand) -> N
     frame = command.build()
     other = frame[:2] + b"\x12\x34" + bytes((frame[4] ^ 0x80,)) + frame[5:]
     assert verdict(frame) == verdict(other)
-
-
-@many
-@given(mutated_frames())
-def test_a_check_of_what_was_checked_says_the_same(frame: bytes) -> None:
-    assert check(frame) == check(frame)
-
-
-@many
-@given(ANYTHING)
-def test_what_was_kept_of_other_frames_changes_no_text(frame: bytes) -> None:
-    kept = str(check(frame)), str(check(frame).fixed)
-    for texts in (memory._misaligned_texts, memory._beyond_texts):
-        texts.cache_clear()
-    assert (str(check(frame)), str(check(frame).fixed)) == kept
 
 
 def test_a_command_full_of_results_is_checked_at_once() -> None:

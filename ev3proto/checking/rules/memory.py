@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import lru_cache
 
 from ev3proto.checking import codes
 from ev3proto.checking.context import CheckContext, CheckedOperation
@@ -15,9 +14,6 @@ from ev3proto.schema.header import HEADER_SIZE, MEMORY_SIZE
 from ev3proto.semantics.footprint import Footprint, MemoryFacts, Taken
 from ev3proto.tables.encoding import GLOBAL, LOCAL
 from ev3proto.tables.frame import MAX_FRAME, MAX_LOCALS, MessageType
-
-_MOST_TEXTS = 4096
-"""Number of variables with cached texts."""
 
 _LARGEST = 4
 """Bytes of the largest value; requested sizes are often rounded up to its multiples."""
@@ -101,8 +97,6 @@ def _wrongly_placed(use: Use, asked: int) -> Iterator[Finding]:
         yield operation.finding_at(code, argument, *_beyond_texts(argument.name, is_global, start, end, asked))
 
 
-# Cached, since commands use the same variables repeatedly.
-@lru_cache(_MOST_TEXTS)
 def _misaligned_texts(
     name: str, is_global: bool, start: int, size: int, multiples: tuple[int, int], asked: int
 ) -> tuple[str, str]:
@@ -151,7 +145,6 @@ def _memory(is_global: bool) -> tuple[str, int]:
     return ("global", MOST_IN_REPLY) if is_global else ("local", MAX_LOCALS)
 
 
-@lru_cache(_MOST_TEXTS)
 def _beyond_texts(name: str, is_global: bool, start: int, end: int, asked: int) -> tuple[str, str]:
     """Returns message and help for a variable beyond its memory."""
     scope, most = _memory(is_global)
@@ -325,7 +318,6 @@ def _unused(scope: str, asked: int, used: list[Use]) -> Iterator[Finding]:
     yield codes.UNUSED_MEMORY.finding(HEADER_SIZE, MEMORY_SIZE, *_unused_texts(scope, asked, needed))
 
 
-@lru_cache(_MOST_TEXTS)
 def _unused_texts(scope: str, asked: int, needed: int) -> tuple[str, str]:
     """Returns message and help for partly used memory."""
     share = f"only {needed} are" if needed else "none are"

@@ -12,7 +12,6 @@ from ev3proto.errors import Fault
 from ev3proto.messages import Argument, Message, Operation, OperationReader
 from ev3proto.schema.header import HEADER_SIZE, frame_size, may_be_long
 from ev3proto.semantics.domain import Domain, domain_of
-from ev3proto.semantics.footprint import MemoryFacts, memory_facts
 from ev3proto.tables.declaration import Declaration, Direction, Effect, Parameter, Type
 from ev3proto.tables.encoding import RANGES, Range
 from ev3proto.tables.frame import MAX_FRAME, MAX_LONG_FRAME, REPORT_SIZES
@@ -45,7 +44,6 @@ class OperationFacts:
     declaration  its entry in the tables
     name         `SOUND.TONE`
     parameters   facts of each argument before the elements of a list
-    memory       the same for the memory of a variable in their place
     effects      its side effects
     has_cmd      whether its opcode has CMDs
     is_jump      whether its last argument is a jump target
@@ -57,7 +55,6 @@ class OperationFacts:
     declaration: Declaration
     name: str
     parameters: tuple[ParameterFacts, ...]
-    memory: tuple[MemoryFacts, ...]
     effects: frozenset[Effect]
     has_cmd: bool
     is_jump: bool
@@ -76,7 +73,6 @@ def operation_facts(schema: OperationReader) -> OperationFacts:
         declaration,
         declaration.name,
         tuple(parameter_facts(parameter) for parameter in fixed),
-        memory_facts(schema),
         frozenset(declaration.effects),
         declaration.command is not None,
         is_jump=declaration.is_jump,

@@ -14,14 +14,13 @@ from itertools import chain
 from ev3proto.checking.checking import check, swapped
 from ev3proto.checking.context import operation_facts
 from ev3proto.checking.report import Change, Fix, Report, uses
-from ev3proto.checking.rules.arguments import is_longer, shortest
-from ev3proto.checking.rules.header import MOST_IN_REPLY, TYPE_OFFSET
+from ev3proto.checking.rules.arguments import longer_arguments, shortest
+from ev3proto.checking.rules.header import MOST_IN_REPLY, TYPE_OFFSET, is_plausible
 from ev3proto.errors import as_bytes, counted
-from ev3proto.messages import Argument, DirectCommand, Message, Operation, Variable
-from ev3proto.schema.argument import SHORT
+from ev3proto.messages import Argument, DirectCommand, Message, Variable
 from ev3proto.schema.frame import read_last
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, frame_size, may_be_long, with_length, write_memory
-from ev3proto.semantics.footprint import Footprint, Taken, footprints
+from ev3proto.semantics.footprint import Footprint, footprints, needed, unread
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL
 from ev3proto.tables.frame import GRANTED_GLOBALS, LENGTH_FIELD, MAX_FRAME, MAX_LOCALS, MAX_LONG_FRAME, MessageType
 
@@ -171,7 +170,7 @@ class _Fixing:
         fixed = with_length(self.frame[LENGTH_FIELD:])
         whole = self._parsed(fixed)
         what = f"the length field says {stated}, but {size} bytes follow it"
-        if whole.type is None or not whole.type.is_command or whole.fault is not None:
+        if not is_plausible(whole):
             self.unfixed.append(f"{what}; they cannot be parsed to the end, so either may be wrong")
         elif self._is_padded(stated):
             self.unfixed.append(f"{what}, with zeros at the end that look like padding of a USB report")
@@ -203,17 +202,14 @@ class _Fixing:
     def _reply_type(self, command: DirectCommand) -> DirectCommand:
         if command.type is not MessageType.DIRECT_COMMAND_NO_REPLY:
             return command
-        found = self._places[GLOBAL]
-        read = Taken((place.start, place.end) for place in found if place.is_read)
-        for place in found:
-            if not place.is_written or place.end > MOST_IN_REPLY or read.has_some_of(place.start, place.end):
-                continue
-            member = MessageType.DIRECT_COMMAND_REPLY
-            self._set(TYPE_OFFSET, bytes((member,)))
-            why = f"{place.operation.full_name} writes {place.variable}, which only a reply carries"
-            self._changed("type", command.type.name, member.name, why)
-            return replace(command, type=member)
-        return command
+        place = next((place for place in unread(self._places[GLOBAL]) if place.end <= MOST_IN_REPLY), None)
+        if place is None:
+            return command
+        member = MessageType.DIRECT_COMMAND_REPLY
+        self._set(TYPE_OFFSET, bytes((member,)))
+        why = f"{place.operation.full_name} writes {place.variable}, which only a reply carries"
+        self._changed("type", command.type.name, member.name, why)
+        return replace(command, type=member)
 
     def _memory(self, command: DirectCommand) -> None:
         """Sets the memory sizes to what is needed."""
@@ -241,19 +237,14 @@ class _Fixing:
 
     def _cut(self, command: DirectCommand, scope: str, sizes: dict[str, int]) -> None:
         """Lowers a memory size that is above the maximum."""
-        stated, most, needed = sizes[scope], _most(command, scope), _used(self._places[scope])
+        stated, most, used = sizes[scope], _most(command, scope), needed(self._places[scope])
         if stated > most and all(place.end <= most for place in self._places[scope]):
-            sizes[scope] = most if needed is None else min(needed, most)
+            sizes[scope] = most if used is None else min(used, most)
             why = "the maximum" if sizes[scope] == most else "the rest is unused"
             self._changed(f"{scope} memory", f"{stated} bytes", f"{sizes[scope]} bytes", why)
 
     def _shorten(self, command: DirectCommand) -> None:
-        longer = [
-            (operation, argument)
-            for operation in command.operations
-            for argument in _in_long_forms(operation)
-            if is_longer(argument)
-        ]
+        longer = [(operation, argument) for operation in command.operations for argument in longer_arguments(operation)]
         if not longer:
             return
         keeps_size = _spanned(command, len(self.frame))
@@ -283,26 +274,6 @@ def _most(command: DirectCommand, scope: str) -> int:
     if scope == LOCAL:
         return MAX_LOCALS
     return MOST_IN_REPLY if command.wants_reply else GRANTED_GLOBALS
-
-
-def _used(places: Iterable[Footprint]) -> int | None:
-    """Returns the used size of a memory in bytes, None if unknown."""
-    needed = 0
-    for place in places:
-        if place.most is None:
-            return None
-        needed = max(needed, place.start + place.most)
-    return needed
-
-
-def _in_long_forms(operation: Operation) -> list[Argument]:
-    """Returns CMD and the arguments, without those of a single byte."""
-    _, data, start, end, *_ = operation
-    found = [argument for argument in operation.arguments if argument[1].width]
-    if end - start > 1 and data[start + 1] >= len(SHORT):
-        cmd = operation.cmd
-        return found if cmd is None else [cmd, *found]
-    return found
 
 
 def _spanned(command: DirectCommand, size: int) -> bytearray:

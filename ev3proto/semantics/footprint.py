@@ -149,6 +149,24 @@ class Taken:
         return before > 0 and self._ends[before - 1] > start
 
 
+def needed(used: Iterable[Footprint]) -> int | None:
+    """Returns how many bytes of one memory variables take, None where that is not known."""
+    end = 0
+    for place in used:
+        if place.most is None:
+            return None
+        end = max(end, place.start + place.most)
+    return end
+
+
+def unread(used: Sequence[Footprint]) -> Iterator[Footprint]:
+    """Yields the results among the variables of one memory that no operation reads."""
+    read = Taken((place.start, place.end) for place in used if place.is_read)
+    for place in used:
+        if place.is_written and place.size and not read.has_some_of(place.start, place.end):
+            yield place
+
+
 def footprints(operation: Operation, arguments: Sequence[Argument] | None = None) -> list[Footprint]:
     """The memory that an operation uses, in the order of its arguments.
 

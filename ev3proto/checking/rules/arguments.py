@@ -10,9 +10,9 @@ from ev3proto.checking.context import CheckContext, CheckedOperation, ParameterF
 from ev3proto.checking.report import Finding
 from ev3proto.checking.rules.memory import Use
 from ev3proto.errors import counted
-from ev3proto.messages import Argument, Variable
+from ev3proto.messages import Argument, Operation, Variable
 from ev3proto.schema.argument import ENCODINGS, SHORT, encode_integer, encode_variable
-from ev3proto.semantics.footprint import InlineArray, element_facts, footprint, inline_arrays
+from ev3proto.semantics.footprint import InlineArray, footprint, inline_arrays
 from ev3proto.tables.declaration import Direction, Role, Type
 from ev3proto.tables.encoding import CONSTANT, CONSTANT_RANGES, GLOBAL, INDEX_RANGES, LOCAL, RANGES, TEXT, Encoding
 from ev3proto.tables.validation import LABELS
@@ -181,12 +181,8 @@ def _integer_for_float(operation: CheckedOperation, argument: Argument) -> Findi
     )
 
 
-def longer_form(operation: CheckedOperation, has_jumps: bool) -> list[Finding]:
-    """Returns what is wrong with the CMD of an operation, if it has one."""
-    cmd = operation.parsed.cmd
-    assert cmd is not None
-    return [longer_finding(operation, cmd, has_jumps)] if is_longer(cmd) else []
-
+_SHORT_FORMS = len(SHORT)
+"""Identification bytes below this one are complete arguments."""
 
 _RANGES = {CONSTANT: CONSTANT_RANGES, LOCAL: INDEX_RANGES, GLOBAL: INDEX_RANGES}
 
@@ -208,6 +204,16 @@ def is_longer(argument: Argument) -> bool:
     """Returns whether its value fits a shorter form."""
     shorter = SHORTER.get(id(argument.form))
     return shorter is not None and type(argument.value) is int and argument.value in shorter
+
+
+def longer_arguments(operation: Operation) -> Iterator[Argument]:
+    """Yields CMD and the arguments whose value fits a shorter form."""
+    _, data, start, end, *_ = operation
+    if end - start > 1 and data[start + 1] >= _SHORT_FORMS and (cmd := operation.cmd) is not None and is_longer(cmd):
+        yield cmd
+    for argument in operation.arguments:
+        if argument[1].width and is_longer(argument):
+            yield argument
 
 
 def shortest(argument: Argument) -> bytes:
@@ -319,41 +325,22 @@ def _count(operation: CheckedOperation, array: InlineArray, count: int) -> Itera
         yield f"set {array.length} to {count}"
 
 
-_VARIABLES = (LOCAL, GLOBAL)
-_SHORT_FORMS = len(SHORT)
-"""Identification bytes below this one are complete arguments."""
-
-
 def check_arguments(context: CheckContext, found: list[Finding]) -> tuple[list[Use], list[Use]]:
     """Adds findings about values and encodings; returns the variables in local and in global memory."""
     local: list[Use] = []
     shared: list[Use] = []
-    frame, has_jumps = context.frame, context.has_jumps
     for operation in context.operations:
-        facts = operation.facts
-        if facts.has_cmd and frame[operation.start + 1] >= _SHORT_FORMS:
-            found += longer_form(operation, has_jumps)
-        parameters = facts.parameters
+        arguments, parameters = operation.arguments, operation.facts.parameters
         fixed = len(parameters)
-        if len(operation.arguments) > fixed:
+        if len(arguments) > fixed:
             # All elements of a list are of one kind.
-            element = operation.arguments[fixed].parameter
-            listed, listed_memory = parameter_facts(element), element_facts(element)
-        for number, argument in enumerate(operation.arguments):
+            listed = parameter_facts(arguments[fixed].parameter)
+        for number, argument in enumerate(arguments):
             _, form, value, _, _ = argument
-            kind = form.kind
-            if kind in _VARIABLES:
-                known = facts.memory[number] if number < fixed else listed_memory
-                if known.is_counted or form.handle or form.address:
-                    lies = footprint(operation.parsed, number, operation.arguments)
-                    start, size, most = lies.start, lies.size, lies.most
-                    used: Use = start, start + size, None if most is None else start + most, lies, operation, number
-                else:
-                    assert type(value) is int
-                    most = known.most
-                    end = value + known.size
-                    used = value, end, None if most is None else value + most, known, operation, number
-                (shared if kind == GLOBAL else local).append(used)
+            if form.kind == GLOBAL:
+                shared.append((operation, footprint(operation.parsed, number, arguments)))
+            elif form.kind == LOCAL:
+                local.append((operation, footprint(operation.parsed, number, arguments)))
             else:
                 legal = parameters[number] if number < fixed else listed
                 # A range compares all of its numbers, one by one, with a value that is not a whole number.
@@ -361,8 +348,6 @@ def check_arguments(context: CheckContext, found: list[Finding]) -> tuple[list[U
                     wrong = value_finding(operation, number, argument, legal)
                     if wrong is not None:
                         found.append(wrong)
-            if form.width:
-                shorter = SHORTER.get(id(form))
-                if shorter is not None and type(value) is int and value in shorter:
-                    found.append(longer_finding(operation, argument, has_jumps))
+        for argument in longer_arguments(operation.parsed):
+            found.append(longer_finding(operation, argument, context.has_jumps))
     return local, shared

@@ -9,7 +9,7 @@ from ev3proto.checking.context import CheckContext
 from ev3proto.checking.report import Finding
 from ev3proto.checking.verdict import Reason
 from ev3proto.errors import counted
-from ev3proto.messages import DaisyCommand, DirectCommand, SystemCommand
+from ev3proto.messages import DaisyCommand, DirectCommand, Message, SystemCommand
 from ev3proto.schema.fields import NUMBERS
 from ev3proto.schema.frame import frame_schema
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, MEMORY_SIZE, frame_size, may_be_long, with_length
@@ -131,8 +131,11 @@ def _ways_out(frame: bytes, stated: int, follow: int, context: CheckContext) -> 
 
 
 def _reads_to_its_end(frame: bytes, context: CheckContext) -> bool:
-    """Returns whether these bytes are a plausible frame: a command's type, no byte missing, none left over."""
-    message = frame_schema(context.dialect).read_frame(frame, strict=False)
+    return is_plausible(frame_schema(context.dialect).read_frame(frame, strict=False))
+
+
+def is_plausible(message: Message) -> bool:
+    """Returns whether a message is a command, with no byte missing and none left over."""
     return message.type is not None and message.type.is_command and message.fault is None
 
 

@@ -11,7 +11,7 @@ from ev3proto.checking.rules.header import MOST_IN_REPLY, TYPE_OFFSET
 from ev3proto.errors import counted
 from ev3proto.messages import DirectCommand, Variable
 from ev3proto.schema.header import HEADER_SIZE, MEMORY_SIZE
-from ev3proto.semantics.footprint import Footprint, MemoryFacts, Taken
+from ev3proto.semantics.footprint import Footprint, needed, unread
 from ev3proto.tables.encoding import GLOBAL, LOCAL
 from ev3proto.tables.frame import MAX_FRAME, MAX_LOCALS, MessageType
 
@@ -19,9 +19,8 @@ _LARGEST = 4
 """Bytes of the largest value; requested sizes are often rounded up to its multiples."""
 
 
-Use = tuple[int, int, int | None, MemoryFacts | Footprint, CheckedOperation, int]
-"""A variable: its first byte, its certain end, its largest possible end (None if unknown), what else is known
-of it, its operation, the index of the argument."""
+Use = tuple[CheckedOperation, Footprint]
+"""A variable: its operation, the bytes that it takes."""
 
 
 def check_memory(
@@ -49,8 +48,8 @@ _Identity = tuple[str, int, int, int, int, int | None]
 
 def _identity(use: Use) -> _Identity:
     """Returns the key by which two variables have the same finding."""
-    start, end, most, _, operation, number = use
-    return operation.name, number, id(operation.arguments[number][1]), start, end, most
+    operation, place = use
+    return operation.name, place.number, id(place.argument[1]), place.start, place.size, place.most
 
 
 def _again(finding: Finding, offset: int) -> Finding:
@@ -72,50 +71,41 @@ def _places(used: list[Use], asked: int) -> Iterator[Finding]:
     # One variable may be wrong in a thousand places: its finding is made once.
     said: dict[_Identity, list[Finding]] = {}
     for use in used:
-        start, end, _, known, operation, number = use
-        if end > asked or start % known.validator_alignment or start % known.cpu_alignment:
+        _, place = use
+        start = place.start
+        if place.end > asked or start % place.validator_alignment or start % place.cpu_alignment:
             key = _identity(use)
             found = said.get(key)
             if found is None:
                 found = said[key] = list(_wrongly_placed(use, asked))
-            offset = operation.arguments[number][3]
             for finding in found:
-                yield _again(finding, offset)
+                yield _again(finding, place.argument.offset)
 
 
 def _wrongly_placed(use: Use, asked: int) -> Iterator[Finding]:
-    start, end, _, known, operation, number = use
-    argument = operation.arguments[number]
-    is_global = argument.form.kind == GLOBAL
-    multiples = known.validator_alignment, known.cpu_alignment
-    if start % max(multiples):
-        code = codes.MISALIGNED if start % known.validator_alignment else codes.UNALIGNED
-        texts = _misaligned_texts(argument.name, is_global, start, end - start, multiples, asked)
-        yield operation.finding_at(code, argument, *texts)
-    if end > asked:
-        code = codes.BEYOND_GLOBALS if is_global else codes.BEYOND_LOCALS
-        yield operation.finding_at(code, argument, *_beyond_texts(argument.name, is_global, start, end, asked))
+    operation, place = use
+    if place.start % max(place.validator_alignment, place.cpu_alignment):
+        code = codes.MISALIGNED if place.start % place.validator_alignment else codes.UNALIGNED
+        yield operation.finding_at(code, place.argument, *_misaligned_texts(place, asked))
+    if place.end > asked:
+        code = codes.BEYOND_GLOBALS if place.is_global else codes.BEYOND_LOCALS
+        yield operation.finding_at(code, place.argument, *_beyond_texts(place, asked))
 
 
-def _misaligned_texts(
-    name: str, is_global: bool, start: int, size: int, multiples: tuple[int, int], asked: int
-) -> tuple[str, str]:
+def _misaligned_texts(place: Footprint, asked: int) -> tuple[str, str]:
     """Returns message and help for a misaligned variable.
 
     Args:
-        name: The parameter's name.
-        is_global: Whether the variable is in global memory.
-        start: Its index.
-        size: Its size in bytes.
-        multiples: The multiples required by the validator and by the processor.
+        place: The variable.
         asked: Bytes of that memory that the command requests.
     """
-    for_validator, for_cpu = multiples
-    is_validated = start % for_validator != 0
-    multiple = for_validator if is_validated else for_cpu
+    is_validated = place.start % place.validator_alignment != 0
+    multiple = place.validator_alignment if is_validated else place.cpu_alignment
     aside = "" if is_validated else ", though the firmware does not check it here"
-    message = f"{name} is {_variable(is_global, start)}, and must start at a multiple of {multiple}{aside}"
-    return message, _aligned(is_global, start, size, max(multiples), asked)
+    name, variable = place.argument.name, _variable(place.is_global, place.start)
+    message = f"{name} is {variable}, and must start at a multiple of {multiple}{aside}"
+    multiple = max(place.validator_alignment, place.cpu_alignment)
+    return message, _aligned(place.is_global, place.start, place.size, multiple, asked)
 
 
 def _aligned(is_global: bool, start: int, size: int, multiple: int, asked: int) -> str:
@@ -145,9 +135,10 @@ def _memory(is_global: bool) -> tuple[str, int]:
     return ("global", MOST_IN_REPLY) if is_global else ("local", MAX_LOCALS)
 
 
-def _beyond_texts(name: str, is_global: bool, start: int, end: int, asked: int) -> tuple[str, str]:
+def _beyond_texts(place: Footprint, asked: int) -> tuple[str, str]:
     """Returns message and help for a variable beyond its memory."""
-    scope, most = _memory(is_global)
+    name, start, end = place.argument.name, place.start, place.end
+    scope, most = _memory(place.is_global)
     bytes_taken = f"byte {start}" if start == end - 1 else f"bytes {start} to {end - 1}"
     has = f"{counted(asked, 'byte')} of" if asked else "no"
     message = f"{name} takes {bytes_taken} of {scope} memory, but the header requests {has} {scope} memory"
@@ -169,21 +160,21 @@ def _overlaps(used: list[Use], *, is_kept: bool) -> Iterator[Finding]:
     for together in _by_operation(used):
         # Up to a thousand arguments may take all bytes from their start on: the first one is enough.
         open_from = MAX_FRAME
-        for start, _, most, known, _, _ in together:
-            if not known.is_read:
+        for _, place in together:
+            if not place.is_read:
                 continue
-            if most is None:
+            start = place.start
+            if place.most is None:
                 open_from = min(open_from, start)
             else:
-                end = min(most, MAX_FRAME)
+                end = min(start + place.most, MAX_FRAME)
                 results[start:end] = [None] * (end - start)
         results[open_from:] = [None] * (MAX_FRAME - open_from)
         for use in together:
-            start, end, _, known, operation, number = use
-            if not known.is_written:
+            _, place = use
+            if not place.is_written:
                 continue
-            if end > MAX_FRAME:
-                end = MAX_FRAME
+            start, end = place.start, min(place.end, MAX_FRAME)
             key = _identity(use)
             before = next(filter(None, results[start:end]), None)
             if before is not None:
@@ -192,7 +183,7 @@ def _overlaps(used: list[Use], *, is_kept: bool) -> Iterator[Finding]:
                     said[both] = _destroyed(before[1], use, is_kept)
                 finding = said[both]
                 if finding is not None:
-                    yield _again(finding, operation.arguments[number][3])
+                    yield _again(finding, place.argument.offset)
             results[start:end] = [(key, use)] * (end - start)
 
 
@@ -200,7 +191,7 @@ def _by_operation(used: list[Use]) -> Iterator[list[Use]]:
     """Yields the variables of each operation."""
     together: list[Use] = []
     for use in used:
-        if together and together[0][4] is not use[4]:
+        if together and together[0][0] is not use[0]:
             yield together
             together = []
         together.append(use)
@@ -209,7 +200,7 @@ def _by_operation(used: list[Use]) -> Iterator[list[Use]]:
 
 def _have_results_in_common(used: list[Use]) -> bool:
     """Returns whether any two results share a byte, which is rare."""
-    taken = sorted([(start, end) for start, end, _, known, _, _ in used if known.is_written])
+    taken = sorted([(place.start, place.end) for _, place in used if place.is_written])
     last = 0
     for start, end in taken:
         if start < last:
@@ -220,46 +211,32 @@ def _have_results_in_common(used: list[Use]) -> bool:
 
 def _destroyed(before: Use, use: Use, is_kept: bool) -> Finding | None:
     """Returns the finding about a result that overwrites an unread one."""
-    first, first_end, first_most, first_known, *_ = before
-    start, end, most, known, operation, number = use
-    argument = operation.arguments[number]
-    is_vague = first_most != first_end or most != end
-    if first == start and (first_end == end or is_vague):
+    (_, first), (operation, place) = before, use
+    name = place.argument.name
+    if first.start == place.start and (first.size == place.size or not (first.is_exact and place.is_exact)):
         if not is_kept:
             return None
         return operation.finding_at(
             codes.OVERWRITTEN,
-            argument,
-            f"{argument.name} is stored in {_of(use)}, like {_full_name(before)} before: the reply has only the last",
+            place.argument,
+            f"{name} is stored in {place.variable}, like {first.full_name} before: the reply has only the last",
             "store them in different variables",
         )
-    if (first_known.is_array or known.is_array) and (_is_within(before, use) or _is_within(use, before)):
+    if (first.is_array or place.is_array) and (_is_within(first, place) or _is_within(place, first)):
         # Arrays are often filled element by element.
         return None
     return operation.finding_at(
         codes.OVERLAP,
-        argument,
-        f"{argument.name} takes bytes {start} to {end - 1}, and {_full_name(before)} takes {first} to {first_end - 1}:"
-        " the later one destroys the other",
+        place.argument,
+        f"{name} takes bytes {place.start} to {place.end - 1}, and {first.full_name} takes {first.start} to"
+        f" {first.end - 1}: the later one destroys the other",
         "store them in variables that do not overlap",
     )
 
 
-def _is_within(inner: Use, outer: Use) -> bool:
-    return inner[0] >= outer[0] and (outer[2] is None or inner[1] <= outer[2])
-
-
-def _full_name(use: Use) -> str:
-    """`VALUE of UI_READ.GET_VBATT`."""
-    *_, operation, number = use
-    return f"{operation.arguments[number].name} of {operation.name}"
-
-
-def _of(use: Use) -> Variable:
-    """Returns the variable."""
-    start, _, _, _, operation, number = use
-    form = operation.arguments[number].form
-    return Variable(form.kind, start, form.handle, form.address)
+def _is_within(inner: Footprint, outer: Footprint) -> bool:
+    is_before_end = outer.most is None or inner.end <= outer.start + outer.most
+    return inner.start >= outer.start and is_before_end
 
 
 def _asked_for(command: DirectCommand, local: list[Use], shared: list[Use]) -> Iterator[Finding]:
@@ -269,13 +246,12 @@ def _asked_for(command: DirectCommand, local: list[Use], shared: list[Use]) -> I
     if command.wants_reply:
         yield from _unused("global", command.global_size, shared)
         return
-    unread = _unread(shared)
-    if unread is not None:
-        *_, operation, number = unread
+    lost = next(unread([place for _, place in shared]), None)
+    if lost is not None:
         yield codes.NO_REPLY.finding(
             TYPE_OFFSET,
             1,
-            f"{operation.name} stores {operation.arguments[number].name} in {_of(unread)}, which only a reply carries,"
+            f"{lost.operation.full_name} stores {lost.argument.name} in {lost.variable}, which only a reply carries,"
             " but the type does not ask for one",
             f"use type 0x{MessageType.DIRECT_COMMAND_REPLY:02X}, or store it in local memory",
         )
@@ -289,36 +265,16 @@ def _asked_for(command: DirectCommand, local: list[Use], shared: list[Use]) -> I
         )
 
 
-def _unread(used: list[Use]) -> Use | None:
-    """Returns the first result that no operation reads."""
-    read: Taken | None = None
-    for use in used:
-        start, end, _, known, _, _ = use
-        if not known.is_written or end == start:
-            continue
-        read = read or Taken([(it[0], it[1]) for it in used if it[3].is_read])
-        if not read.has_some_of(start, end):
-            return use
-    return None
-
-
 def _unused(scope: str, asked: int, used: list[Use]) -> Iterator[Finding]:
     if not asked or asked > MOST_IN_REPLY:
         return
-    needed = 0
-    for _, _, end, _, _, _ in used:
-        if end is None:
-            # Its size is unknown.
-            return
-        if end > needed:
-            needed = end
-    left = asked - needed
-    if left <= 0 or (left < _LARGEST and needed and asked % _LARGEST == 0):
+    end = needed([place for _, place in used])
+    if end is None or end >= asked or (asked - end < _LARGEST and end and asked % _LARGEST == 0):
         return
-    yield codes.UNUSED_MEMORY.finding(HEADER_SIZE, MEMORY_SIZE, *_unused_texts(scope, asked, needed))
-
-
-def _unused_texts(scope: str, asked: int, needed: int) -> tuple[str, str]:
-    """Returns message and help for partly used memory."""
-    share = f"only {needed} are" if needed else "none are"
-    return f"the header requests {counted(asked, 'byte')} of {scope} memory, but {share} used", f"request {needed}"
+    share = f"only {end} are" if end else "none are"
+    yield codes.UNUSED_MEMORY.finding(
+        HEADER_SIZE,
+        MEMORY_SIZE,
+        f"the header requests {counted(asked, 'byte')} of {scope} memory, but {share} used",
+        f"request {end}",
+    )

@@ -132,17 +132,16 @@ def _tried(
 
 def _image(program: AssembledProgram, version: int) -> bytes:
     """The image of a program. Raises BuildError."""
-    said, lasts = program.settings, program.lasts
-    entries = [Entry(it.owner, it.triggers, it.local_size, _code(it), it.shares) for it in program.objects]
+    said, objects = program.settings, program.objects
+    entries = [Entry(it.owner, it.triggers, it.local_size, _code(it), it.shares) for it in objects]
     regular = list(regular_offsets(entries))
-    offsets = [it.numbers.get("offset", offset) for it, offset in zip(program.of_objects, regular, strict=True)]
-    headers = [it.numbers.get("header", offset) for it, offset in zip(program.of_objects, offsets, strict=True)]
-    if len(set(lasts)) < len(entries):
+    offsets = [it.settings.get("offset", offset) for it, offset in zip(objects, regular, strict=True)]
+    headers = [it.settings.get("header", offset) for it, offset in zip(objects, offsets, strict=True)]
+    if len({it.last for it in objects}) < len(objects):
         # Objects of the same name have the header of the last of them.
-        headers = [offsets[last] for last in lasts]
-        entries = [
-            entry._replace(local_size=entries[last].local_size) for entry, last in zip(entries, lasts, strict=True)
-        ]
+        headers = [offsets[it.last] for it in objects]
+        sizes = [objects[it.last].local_size for it in objects]
+        entries = [entry._replace(local_size=size) for entry, size in zip(entries, sizes, strict=True)]
     defects = Defects(
         stated_size=said.numbers.get("size"),
         stated_count=said.numbers.get("count"),

@@ -76,5 +76,5 @@ def test_a_setting(setting: str, header: str) -> None:
 
 @pytest.mark.parametrize("setting", ["colour 5", "version red", "version 65536", "gap 3 xyz", "locals -1"])
 def test_what_is_no_setting(setting: str) -> None:
-    with pytest.raises(AssemblyError, match=f"line 1, column 14: {setting} is not a setting"):
+    with pytest.raises(AssemblyError, match=f"line 1, column 14: unknown setting {setting}"):
         assemble(f"// ev3proto: {setting}\nvmthread M {{ }}")

@@ -5,7 +5,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
@@ -38,7 +38,7 @@ from ev3proto.text.assembly.names import (
 )
 from ev3proto.text.assembly.notations import OF_BASIC, OF_EV3_G, Notation, Rules
 from ev3proto.text.assembly.parsing import Parser
-from ev3proto.text.assembly.settings import ObjectSettings, Settings, SettingsReader
+from ev3proto.text.assembly.settings import OPEN, OWN, Settings
 from ev3proto.text.assembly.syntax import (
     Call,
     Closing,
@@ -76,6 +76,8 @@ class AssembledObject(NamedTuple):
     declared                     how many parameters the code says there are; that of the last object of the same name
     code                         its operations, encoded
     shares                       the number of the object whose code it uses; None where the code is its own
+    last                         the number of the last object of the same name, less 1
+    settings                     what the source says of it
     """
 
     owner: int
@@ -85,6 +87,8 @@ class AssembledObject(NamedTuple):
     declared: int
     code: bytes
     shares: int | None
+    last: int
+    settings: Mapping[str, int]
 
 
 class AssembledProgram(NamedTuple):
@@ -93,15 +97,11 @@ class AssembledProgram(NamedTuple):
     settings     what the source says of its image
     global_size  bytes of global memory
     objects      in the order of their numbers
-    of_objects   what the source says of each
-    lasts        of each object, the number of the last one of the same name, less 1
     """
 
     settings: Settings
     global_size: int
     objects: list[AssembledObject]
-    of_objects: list[ObjectSettings]
-    lasts: list[int]
 
 
 @dataclass
@@ -117,7 +117,7 @@ class _Object:
     """
 
     head: Opening
-    settings: ObjectSettings
+    settings: Mapping[str, int]
     memory: Memory
     alias_of: str | None = None
     body: list[Statement] = field(default_factory=list)
@@ -140,9 +140,9 @@ class ProgramAssembler:
         self.errors: list[SourceError] = []
         self.warnings = parser.warnings
         self._notation = notation
-        self._settings = SettingsReader(text, self.errors)
+        self._settings = Settings(text, self.errors)
         # The rules that are asked for have no say where variables are: that is the notation's.
-        said = self._settings.file.rules
+        said = self._settings.rules
         self._rules = rules or said or notation.rules
         if said is not None and notation.folds and said is not OF_BASIC:
             self._keep(SourceError(0, f"the source says {said.name}: it is not in EV3 Basic's dialect"))
@@ -252,7 +252,7 @@ class ProgramAssembler:
         """The object whose code an object uses."""
         if one.alias_of is not None:
             return next(it for it in self._objects if it.head.name == one.alias_of)
-        shared = one.settings.numbers.get("shares", 0)
+        shared = one.settings.get("shares", 0)
         return self._objects[shared - 1] if 0 < shared <= len(self._objects) else one
 
     def _check_new(self, at: int, name: str) -> None:
@@ -321,9 +321,7 @@ class ProgramAssembler:
                 entries.append(self._entry(number, one, owners, first))
             except SourceError as error:
                 self._keep(error)
-        lasts = [self._names.objects[one.head.name].number - 1 for one in self._objects]
-        settings = [one.settings for one in self._objects]
-        return AssembledProgram(self._settings.file, self._globals.size, entries, settings, lasts)
+        return AssembledProgram(self._settings, self._globals.size, entries)
 
     def _body(self, one: _Object) -> None:
         self._names.local = one.names
@@ -337,7 +335,7 @@ class ProgramAssembler:
             self._tried(self._statement, one, statement)
             if len(self.errors) >= MOST_ERRORS:
                 break
-        if not one.settings.is_open:
+        if OPEN not in one.settings:
             # LEGO's assembler adds a RETURN to one that is written, too.
             is_written = one.last == _RETURN and not self._notation.by_line
             if one.head.word == _SUBCALL and not is_written:
@@ -454,26 +452,27 @@ class ProgramAssembler:
         self, number: int, one: _Object, owners: dict[str, int], first: dict[tuple[object, ...], int]
     ) -> AssembledObject:
         head, said, of = one.head, one.settings, self._implementation(one)
-        owner = said.numbers.get("owner", owners.get(head.name, 1) if head.word == _BLOCK else 0)
-        triggers = said.numbers.get("triggers", 0 if head.word == _THREAD else 1)
-        size = said.numbers.get("locals", (of if one.alias_of else one).memory.size)
+        owner = said.get("owner", owners.get(head.name, 1) if head.word == _BLOCK else 0)
+        triggers = said.get("triggers", 0 if head.word == _THREAD else 1)
+        size = said.get("locals", (of if one.alias_of else one).memory.size)
         shares: int | None = None
         code = b""
         if of is not one:
             shares = self._objects.index(of) + 1
-        elif "shares" in said.numbers:
-            shares = said.numbers["shares"]
+        elif "shares" in said:
+            shares = said["shares"]
         if shares is not None and (of is one or (one.alias_of is None and shares >= number)):
             raise SourceError(head.at, f"{head.name} cannot share the code of object {shares}")
         parameters = tuple(one.parameters) if head.word == _SUBCALL else None
         if shares is None:
             code = joined(one.parts, one.labels, self._rules)
             key = (owner, triggers, size, parameters, code)
-            if self._rules is OF_EV3_G and not said.is_own:
+            if self._rules is OF_EV3_G and OWN not in said:
                 shares = first.get(key)
             first.setdefault(key, number)
-        count = len(self._names.objects[head.name].parameters or ())
-        return AssembledObject(owner, triggers, size, parameters, count, code, shares)
+        named = self._names.objects[head.name]
+        count, last = len(named.parameters or ()), named.number - 1
+        return AssembledObject(owner, triggers, size, parameters, count, code, shares, last, said)
 
     def _owners(self) -> dict[str, int]:
         """By the name of a block: the only object that triggers it, or else the first."""

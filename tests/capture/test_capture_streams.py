@@ -1038,7 +1038,7 @@ def test_half_frames_share_the_memory() -> None:
     assert (capture.account.skipped + capture.account.other, capture.account.balance) == (900, 0)
 
 
-@pytest.mark.parametrize("memory", [1 << 10, 1 << 14, 1 << 26])
+@pytest.mark.parametrize("memory", [1 << 10, 1 << 26])
 def test_every_byte_is_accounted_for_however_little_may_wait(memory: int) -> None:
     found = Packets(HCI_WITH_DIRECTION)
     for number in range(60):

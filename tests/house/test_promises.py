@@ -43,7 +43,7 @@ LIMITS = {
     "Bytes of each side of a conversation before it is known to be a brick's": f"{MAX_FRAME:,}",
     "Bricks whose beacons are remembered": f"{connections.MOST_BRICKS} addresses and ports",
     "USB devices": f"{reports.MOST_DEVICES}, about 12 MiB",
-    "Bluetooth connections, of all adapters": f"{adapters.MOST_CONNECTIONS}, about 12 MiB",
+    "Bluetooth connections, of all adapters": f"{adapters.MOST_CONNECTIONS}, about 8 MiB",
     "Channels of one Bluetooth connection": f"{adapters.MOST_CHANNELS}",
     "Adapters whose own address is remembered": f"{adapters.MOST_ADAPTERS}",
     "Interfaces of a section of a pcapng file": f"{pcapng.MOST_INTERFACES}, names of {pcapng.MOST_NAME:,} bytes",

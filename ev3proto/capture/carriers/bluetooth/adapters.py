@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from construct import Int8ul, Int16ub, Int16ul, Int32ub, Struct
 
-from ev3proto.bounded import Bounded, Budget
+from ev3proto.bounded import Bounded
 from ev3proto.capture.packets import Packet
 from ev3proto.capture.record import HOST
 from ev3proto.schema.bytewise import packed
@@ -63,17 +63,14 @@ UIH, OPEN, DONE, REFUSED, CLOSED = 0xEF, 0x2F, 0x63, 0x0F, 0x43
 
 _POLL = 0x10
 _FRAME_TYPES = {UIH, OPEN, DONE, REFUSED, CLOSED}
-MOST_CONNECTIONS = 1 << HANDLE_BITS
-"""Connections of all adapters together that are followed at the same time."""
+MOST_CONNECTIONS = 64
+"""Connections of all adapters together that are followed at the same time. An adapter has 7 at most."""
 
 MOST_CHANNELS = 128
 """Channels of a connection of which it is known what they are for."""
 
 MOST_ADAPTERS = 1024
 """Adapters whose own addresses are remembered."""
-
-_PART_SIZE = 300
-"""Bytes of memory that the beginning of a packet takes, besides its data, about."""
 
 
 def _check_table() -> bytes:
@@ -146,15 +143,11 @@ class Carried(NamedTuple):
 
 @dataclass(slots=True)
 class _Part:
-    """An L2CAP packet of which some is there.
-
-    serial  the number by which the budget knows it
-    """
+    """An L2CAP packet of which some is there."""
 
     data: bytes
     size: int
     weight: int
-    serial: int = 0
 
 
 @dataclass(slots=True)
@@ -175,22 +168,15 @@ class _Connection:
 class Bluetooth:
     """Follows what the adapters of one computer exchange with their controllers."""
 
-    def __init__(self, budget: Budget) -> None:
-        self._budget = budget
+    def __init__(self) -> None:
         self._connections: dict[tuple[object, int], _Connection] = {}
         self._own: Bounded[object, str] = Bounded(MOST_ADAPTERS)
         self._generation = 0
-        self._serial = 0
-        self._places: dict[int, tuple[dict[object, _Part], object]] = {}  # where each part stands, by its serial
-        self._given_up = 0
 
     def feed(self, packet: Packet) -> Iterator[Carried | Closed | int]:
         """What is complete with a packet; a number for so many captured bytes of other traffic."""
         kind, is_from_host, body = _unwrap(packet)
         adapter: object = packet.interface if packet.interface.link != Link.BLUETOOTH_MONITOR else _adapter(packet)
-        if self._given_up:
-            yield self._given_up
-            self._given_up = 0
         if kind == ACL_PACKET and len(body) >= _acl.size:
             yield from self._data(adapter, is_from_host, body, len(packet.data))
             return
@@ -201,26 +187,7 @@ class Bluetooth:
     def pending(self) -> int:
         """Captured bytes of L2CAP packets whose rest never came."""
         parts = (part for connection in self._connections.values() for part in connection.parts.values())
-        return self._given_up + sum(part.weight for part in parts)
-
-    def _keep(self, parts: dict[object, _Part], side: object, part: _Part) -> None:
-        self._serial += 1
-        part.serial = self._serial
-        parts[side] = part
-        self._places[self._serial] = parts, side
-        self._budget.add(part, _PART_SIZE + len(part.data), self._drop, self._serial)
-
-    def _take(self, parts: dict[object, _Part], side: object) -> _Part | None:
-        part = parts.pop(side, None)
-        if part is not None:
-            self._budget.remove(part)
-            del self._places[part.serial]
-        return part
-
-    def _drop(self, serial: int) -> None:
-        """Too much waits: the rest of a packet is no longer waited for."""
-        parts, side = self._places.pop(serial)
-        self._given_up += parts.pop(side).weight
+        return sum(part.weight for part in parts)
 
     def _event(self, adapter: object, body: bytes) -> Iterator[Closed | int]:
         if len(body) < 2:
@@ -243,9 +210,7 @@ class Bluetooth:
     def _forget(self, adapter: object, handle: int) -> Iterator[Closed | int]:
         connection = self._connections.pop((adapter, handle), None)
         if connection is not None:
-            for side in tuple(connection.parts):
-                part = self._take(connection.parts, side)
-                yield 0 if part is None else part.weight
+            yield sum(part.weight for part in connection.parts.values())
             yield Closed((adapter, handle, connection.generation))
 
     def _data(
@@ -262,13 +227,13 @@ class Bluetooth:
         if start == _GOES_ON:
             if is_from_host is None:
                 side = next(reversed(connection.parts), None)
-            part = self._take(connection.parts, side)
+            part = connection.parts.pop(side, None)
             if part is None:
                 yield weight
                 return
             part = _Part(part.data + data, part.size, part.weight + weight)
         else:
-            before = self._take(connection.parts, side)
+            before = connection.parts.pop(side, None)
             if before is not None:
                 yield before.weight
             if len(data) < _l2cap.size:
@@ -278,7 +243,7 @@ class Bluetooth:
         # A packet that was cut by the capture can only be read as far as it is there.
         is_cut = len(data) < length
         if len(part.data) < part.size and not is_cut:
-            self._keep(connection.parts, side, part)
+            connection.parts[side] = part
             return
         serial = self._channel(connection, is_from_host, part.data[: part.size])
         ends = Ports(self._own.get(adapter, HOST), connection.address or f"handle 0x{handle:04x}")

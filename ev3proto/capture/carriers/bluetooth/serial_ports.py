@@ -21,7 +21,7 @@ class SerialPorts:
     def __init__(self, context: Context) -> None:
         self._context = context
         self._account = context.account
-        self._bluetooth = Bluetooth(context.budget)
+        self._bluetooth = Bluetooth()
         self._streams: dict[tuple[object, bool], Stream] = {}
         self._conversations: dict[object, Conversation] = {}
         self._claims: dict[object, StreamClaim] = {}

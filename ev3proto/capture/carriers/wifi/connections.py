@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from functools import cache
-from types import ModuleType
 
 from ev3proto.bounded import Bounded
 from ev3proto.capture.carriers.claims import Piece, StreamClaim
@@ -48,33 +46,20 @@ from ev3proto.tables.discovery import BEACON_PORT, TCP_PORT, UNLOCK_REQUEST
 MOST_CONNECTIONS = 1024
 """Connections that are followed at the same time; those unused for longest are given up."""
 
-_MANY_CONNECTIONS = MOST_CONNECTIONS // 2
-"""Connections from which on it counts which were used last."""
-
 MOST_BRICKS = 1024
 """Bricks whose beacons are remembered."""
 
 _UNLOCK_START = UNLOCK_REQUEST.encode()
 _BEACON_PORT = port_bytes(BEACON_PORT)
 
-_TURNS = SYN | RST
-
 _MOST_IP = 1 << 16
 """More bytes than a packet of IP can have."""
-
-
-@cache
-def _layers() -> ModuleType:
-    """What takes unusual packets apart. Its dpkt takes 35 ms to load, which most captures have no use for."""
-    return layers
 
 
 def _transport(link: int, data: bytes) -> Transport | None:
     """What a packet of one of the links carries; None where there is none that can be read."""
     found = usual_transport(link, data)
-    if found is None:
-        found = _layers().dissected(link, data)
-    return found
+    return layers.dissected(link, data) if found is None else found
 
 
 class _Connection:
@@ -124,21 +109,6 @@ class _Half:
         """The direction, as records have it."""
         return Direction.SENT if self.is_from_host else Direction.RECEIVED
 
-    def takes_next(self, interface: Interface, flags: int, sequence: int, size: int) -> bool:
-        """Whether a segment is what comes next and has nothing to do with anything but what it carries: nothing waits,
-        nothing changes. If so, it is taken with this.
-        """
-        back = self.back
-        if (
-            self.size
-            or flags & _TURNS
-            or self.interface is not interface
-            or not self.claim.is_claimed
-            or (back is not None and back.size)
-        ):
-            return False
-        return self.reassembly.takes_next(sequence, size)
-
 
 class Connections:
     """Follows the connections to the ports on which bricks listen."""
@@ -160,34 +130,16 @@ class Connections:
 
     def feed(self, packet: Packet) -> Iterable[Event]:
         """The events that are complete with a packet."""
-        number, time_ns, data, size, interface, _ = packet
-        found = _transport(interface.link, data)
+        found = _transport(packet.interface.link, packet.data)
         if found is None:
             return self._put_together(packet)
-        ends, carried, sequence, acknowledged, flags = found
+        ends, carried, *_, flags = found
         if flags is None:
             return self._datagram(packet, ends, carried)
-        half = self._halves.get(ends)
-        is_cut = len(data) < size
-        if half is None or not carried or is_cut or not half.takes_next(interface, flags, sequence, len(carried)):
-            return self._segment(packet, found, half)
-        # Nearly every segment of a capture: nothing waits, and it is what comes next.
-        self._account.headers += len(data) - len(carried)
-        if len(self._connections) > _MANY_CONNECTIONS:
-            self._connections.move_to_end(half.connection.ends)
-        back = half.back
-        if back is not None and flags & ACK:
-            back.reassembly.acknowledged = acknowledged
-        stream = half.stream
-        stream.packet = packet
-        events = half.claim.feed(stream, Piece(carried, number, time_ns))
-        if stream.times:
-            self._weigh(half)
-        return events
+        return self._segment(packet, found, self._halves.get(ends))
 
     def _put_together(self, packet: Packet) -> Iterable[Event]:
         """Takes a packet without a segment or a datagram: part of one, where it has one, or of others."""
-        layers = _layers()
         link: int = packet.interface.link
         self._account.other += len(packet.data)
         for _ in range(layers.MOST_LAYERS):
@@ -265,7 +217,7 @@ class Connections:
             if not data:
                 return self._acknowledge(self._halves.get(reversed_ends(ends)), acknowledged) if flags & ACK else events
             half = self._open(packet, segment, None, ended)
-        elif len(self._connections) > _MANY_CONNECTIONS:
+        else:
             self._connections.move_to_end(half.connection.ends)
         stream, reassembly = half.stream, half.reassembly
         if half.interface is not packet.interface:

@@ -41,15 +41,20 @@ def assembled_messages(
     except AssemblyError as error:
         objects = OBJECT.findall(text)
         if len(objects) <= 1 and _SUBROUTINE not in objects:
-            _tell(source, error, complain_of)
+            show_errors("" if source.is_frame else f"{source.label}, ", error, complain_of)
         if objects:
             label = "this" if source.is_frame else source.label
             complain_of(f"{label}: the source of a program fits no frame: give -o FILE.rbf to make its image")
 
 
-def _tell(source: Source, error: AssemblyError, complain_of: Callable[[str], None]) -> None:
-    """Every error with its line and, below that, a mark at the place."""
-    place = "" if source.is_frame else f"{source.label}, "
+def show_errors(place: str, error: AssemblyError, complain_of: Callable[[str], None] = complain) -> None:
+    """Prints every error with its line and, below that, a mark at the place.
+
+    Args:
+        place: In front of each.
+        error: The first of them, which has the others.
+        complain_of: Takes the sentences.
+    """
     for one in (error, *error.others):
         complain_of(f"{place}{one}")
         if one.text.strip():

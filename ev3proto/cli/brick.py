@@ -22,11 +22,10 @@ from ev3proto.brick.servers.script import Script, ScriptError, read_script
 from ev3proto.brick.servers.server import Options, ServerError, running
 from ev3proto.cli.commands import FiniteRange, given_options
 from ev3proto.cli.ending import stopped_by_signals
-from ev3proto.cli.output import Printer, complain, flush, say
+from ev3proto.cli.output import Failure, Printer, complain, failing_on, failing_to, flush, say
 from ev3proto.tables.declaration import DIALECTS
 from ev3proto.tables.discovery import TCP_PORT
 from ev3proto.temporary import temporary_folder
-from ev3proto.text.spans import visible
 
 _SHARE = FiniteRange(0, 1)
 _PORT = click.IntRange(0, 65535)
@@ -214,7 +213,7 @@ def _serial_number(text: str | None) -> str | None:
 
 async def _serve(options: Options, root: Path) -> Reporter | None:
     """Runs the brick until it is interrupted. Returns what has checked the clients' frames."""
-    try:
+    with failing_on(ServerError):
         async with running(options, root, complain) as now:
             with interrupted() as ended:
                 if now.port:
@@ -226,9 +225,6 @@ async def _serve(options: Options, root: Path) -> Reporter | None:
                 flush()
                 await ended.wait()
             return now.reporter
-    except ServerError as error:
-        complain(str(error))
-        sys.exit(1)
 
 
 @contextmanager
@@ -248,11 +244,8 @@ def folder(root: Path | None) -> Iterator[Path]:
         with temporary_folder() as fresh:
             yield fresh
         return
-    try:
+    with failing_to("created", root):
         root.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        complain(f"{root}: there can be no such folder: {error.strerror or error}")
-        sys.exit(1)
     yield root
 
 
@@ -261,12 +254,10 @@ def read_script_file(path: Path | None) -> Script:
     if path is None:
         return Script()
     try:
-        return read_script(path)
-    except OSError as error:
-        complain(f"{visible(str(path))}: cannot be read: {error.strerror or error}")
+        with failing_to("read", path):
+            return read_script(path)
     except ScriptError as error:
-        complain(f"{visible(str(path))}: {error}")
-    sys.exit(1)
+        raise Failure(f"{path}: {error}") from None
 
 
 def _show_coverage(dialect: str) -> None:

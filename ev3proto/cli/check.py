@@ -206,7 +206,8 @@ class Checking(SourceReader):
     def _source(self, source: Source) -> None:
         """The source of a program: what is wrong with it, or else with the image that it becomes."""
         # They take 30 ms, which frames have no use for.
-        from ev3proto.cli.programs import complain_of, complain_of_warnings, read_source, source_findings
+        from ev3proto.cli.assembly import show_errors
+        from ev3proto.cli.programs import complain_of_warnings, read_source, source_findings
         from ev3proto.program import assemble
         from ev3proto.text.assembly.errors import AssemblyError
 
@@ -223,7 +224,7 @@ class Checking(SourceReader):
             if self._annotations is not None:
                 self._annotations.source(source.label, error)
             elif not self._options.quiet:
-                complain_of(source.label, error)
+                show_errors(f"{source.label}, ", error)
                 if self._options.as_json:
                     entry = {"accepted": False, "rejected_at": None, "findings": source_findings(error), "hex": ""}
                     self._print({"source": source.label}, entry)

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import click
 
-from ev3proto.cli.output import Printer, complain
+from ev3proto.cli.output import failing_on, failing_to, say
 from ev3proto.cli.targets import TargetType
 from ev3proto.errors import BuildError
 from ev3proto.link.errors import LinkError
@@ -41,19 +41,14 @@ def copy(target: Target, source: str, destination: str) -> None:
         example = f"{ON_BRICK}../prjs/tone/tone.rbf"
         raise click.UsageError(f"one of SOURCE and DESTINATION must be on the brick, such as {example}")
 
-    try:
-        with EV3(target=target) as brick, _bar() as moved:
-            if is_from_brick:
-                size = len(brick.upload(source.removeprefix(ON_BRICK), Path(destination), moved))
-            else:
-                size = brick.download(Path(source), destination.removeprefix(ON_BRICK), moved).size
-    except OSError as error:
-        complain(f"{source if error.filename is None else error.filename}: {error.strerror or error}")
-        sys.exit(1)
-    except (LinkError, BuildError) as error:
-        complain(str(error))
-        sys.exit(1)
-    Printer().text(f"{source} -> {destination}: {size} bytes, the same MD5")
+    done = "written" if is_from_brick else "read"
+    local = destination if is_from_brick else source
+    with failing_on(LinkError, BuildError), failing_to(done, local), EV3(target=target) as brick, _bar() as moved:
+        if is_from_brick:
+            size = len(brick.upload(source.removeprefix(ON_BRICK), Path(local), moved))
+        else:
+            size = brick.download(Path(local), destination.removeprefix(ON_BRICK), moved).size
+    say(f"{source} -> {destination}: {size} bytes, the same MD5")
 
 
 @contextmanager

@@ -8,7 +8,7 @@ from pathlib import Path
 import click
 
 from ev3proto.cli.commands import Group
-from ev3proto.cli.output import complain, put, say
+from ev3proto.cli.output import failing_on, put, say
 from ev3proto.generate.dissector.build import FILE_NAME, build
 from ev3proto.generate.dissector.install import (
     Folders,
@@ -77,11 +77,8 @@ def install(folder: Path | None, with_profile: bool, tshark: str | None, force: 
       ev3proto dissector install --profile
       ev3proto dissector install --dir ~/.local/lib/wireshark/plugins
     """  # noqa: D301
-    try:
+    with failing_on(InstallError):
         _install(folder, with_profile, tshark, force)
-    except InstallError as error:
-        complain(str(error))
-        sys.exit(1)
 
 
 @dissector.command("uninstall")
@@ -100,7 +97,7 @@ def uninstall_command(folder: Path | None, tshark: str | None, force: bool) -> N
       ev3proto dissector uninstall
       ev3proto dissector uninstall --dir ~/.local/lib/wireshark/plugins
     """  # noqa: D301
-    try:
+    with failing_on(InstallError):
         if folder is not None:
             folders = Folders.below(folder)
         else:
@@ -111,9 +108,6 @@ def uninstall_command(folder: Path | None, tshark: str | None, force: bool) -> N
                     raise
                 folders = Folders.documented()
         outcomes = list(uninstall(folders, force=force))
-    except InstallError as error:
-        complain(str(error))
-        sys.exit(1)
     for path, outcome in outcomes:
         say(f"{path}: {outcome.value}")
     if any(outcome is InstallResult.KEPT for _, outcome in outcomes):

@@ -17,7 +17,7 @@ import click
 from ev3proto.cli.assembly import assembled_messages
 from ev3proto.cli.captures import CaptureSource
 from ev3proto.cli.commands import given_options
-from ev3proto.cli.output import binary_output, complain, is_terminal, say
+from ev3proto.cli.output import binary_output, failing_to, is_terminal, say
 from ev3proto.cli.reading import CaptureOptions, Piece, Unread, introduction, reading_options
 from ev3proto.cli.sources import Source, SourceReader, sources
 from ev3proto.dialogue import Dialogue
@@ -322,14 +322,10 @@ def encode(
     form = form or "hex"
     if form == RAW and path is None and is_terminal():
         raise click.UsageError("raw bytes would garble the terminal: give -o FILE, or pipe them into another program")
-    try:
-        with Output(form, path) as output:
-            encoding = Encoding(output, reading, Wants(counter, reply, unchecked))
-            for source in sources(names):
-                encoding.read(source)
-    except OSError as error:
-        complain(f"{error.filename or path}: cannot be written: {error.strerror or error}")
-        sys.exit(1)
+    with failing_to("written", path), Output(form, path) as output:
+        encoding = Encoding(output, reading, Wants(counter, reply, unchecked))
+        for source in sources(names):
+            encoding.read(source)
     if not output.count and not encoding.at_fault:
         encoding.complain(f"there is nothing in the input that can be encoded: {_EXPECTED}")
     sys.exit(1 if encoding.at_fault else 0)

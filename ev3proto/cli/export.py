@@ -12,7 +12,7 @@ import click
 from ev3proto.capture.text_log import Clock
 from ev3proto.cli.captures import CaptureSource
 from ev3proto.cli.commands import FiniteRange, Group
-from ev3proto.cli.output import binary_output, complain, is_terminal, put
+from ev3proto.cli.output import binary_output, failing_to, is_terminal, put
 from ev3proto.cli.reading import CaptureOptions, Piece, reading_options
 from ev3proto.cli.sources import Source, SourceReader, sources
 from ev3proto.errors import BuildError
@@ -143,11 +143,8 @@ def everything(folder: Path, check: bool) -> None:
         output_schemas.FILE_NAME: output_schemas.build(),
     }
     if not check:
-        try:
+        with failing_to("created", folder):
             folder.mkdir(parents=True, exist_ok=True)
-        except OSError as error:
-            complain(f"{folder}: cannot be made: {error.strerror or error}")
-            sys.exit(1)
     outcomes = [put(text.encode(), folder / name, check=check) for name, text in texts.items()]
     sys.exit(0 if all(outcomes) else 1)
 
@@ -221,16 +218,12 @@ def pcapng(names: tuple[str, ...], output: Path | None, carrier: str, interval: 
     """  # noqa: D301
     if output is None and is_terminal():
         raise click.UsageError("a capture is no text for a terminal: name a file with -o, or pipe it on")
-    try:
-        with binary_output() if output is None else whole_file(output) as stream:
-            writer = CaptureWriter(stream, carrier=carrier, step_ns=round(interval * _NANOSECONDS_EACH))
-            carrying = _Carrying(writer, reading)
-            carrying.read_all(sources(names))
-            if not writer.count:
-                # Nothing was written yet, and what was there before stays.
-                sys.exit(1)
-            writer.close()
-    except OSError as error:
-        complain(f"{error.filename or output}: cannot be written: {error.strerror or error}")
-        sys.exit(1)
+    with failing_to("written", output), binary_output() if output is None else whole_file(output) as stream:
+        writer = CaptureWriter(stream, carrier=carrier, step_ns=round(interval * _NANOSECONDS_EACH))
+        carrying = _Carrying(writer, reading)
+        carrying.read_all(sources(names))
+        if not writer.count:
+            # Nothing was written yet, and what was there before stays.
+            sys.exit(1)
+        writer.close()
     sys.exit(1 if carrying.at_fault else 0)

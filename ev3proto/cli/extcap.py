@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from contextlib import ExitStack, closing
 from pathlib import Path
 from typing import BinaryIO, cast
@@ -10,7 +9,7 @@ from typing import BinaryIO, cast
 import click
 
 from ev3proto.cli.ending import stopped_by_signals
-from ev3proto.cli.output import complain, say
+from ev3proto.cli.output import Failure, complain, failing_on, failing_to, say
 from ev3proto.cli.targets import TargetType
 from ev3proto.generate.captures.recording import Recording
 from ev3proto.link.announcing import Announcement
@@ -94,23 +93,19 @@ def extcap(
 def _capture(fifo: Path, target: Target, options: ProxyOptions) -> None:
     """Runs the proxy until Wireshark ends it or reads no more."""
     with ExitStack() as stack:
-        try:
+        with failing_on(LinkError), failing_to("written", fifo):
             pipe = _Pipe(stack.enter_context(fifo.open("wb")))
             wire = stack.enter_context(closing(open_wire(target)))
             recording = Recording(cast(BinaryIO, pipe))
             recording.flush()
             proxy = Proxy(wire, str(target), options, show=lambda _pair: None, say=complain, recording=recording)
-        except (LinkError, OSError) as error:
-            complain(str(error) if isinstance(error, LinkError) else f"{fifo}: {error.strerror or error}")
-            sys.exit(1)
         pipe.proxy = proxy
         beacon = Beacon(target.serial_number or _UNKNOWN_SERIAL, str(proxy.port))
         stack.callback(Announcement(beacon, _LOOPBACK, BEACON_PORT).stop)
         with stopped_by_signals(proxy.stop):
             proxy.serve()
     if proxy.lost is not None:
-        complain(str(proxy.lost))
-        sys.exit(1)
+        raise Failure(str(proxy.lost))
 
 
 class _Pipe:

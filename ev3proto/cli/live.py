@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Iterator
 
 import click
@@ -11,7 +10,7 @@ from ev3proto.capture import Announcement, CaptureError, Event, Skipped, TextKin
 from ev3proto.capture.dialogues import RequestReply, dialogues
 from ev3proto.cli.captures import MOST_COMPLAINTS
 from ev3proto.cli.ending import stopped_by_signals
-from ev3proto.cli.output import complain
+from ev3proto.cli.output import complain, failing_on
 from ev3proto.cli.reading import MIB, CaptureOptions, reading_options
 from ev3proto.cli.recorded import show_announcement, show_dialogue
 from ev3proto.cli.show import Show
@@ -49,12 +48,12 @@ def live(interfaces: tuple[str, ...], reading: CaptureOptions, as_json: bool) ->
     """  # noqa: D301 - the mark by which click leaves lines as they are
     names = tuple(dict.fromkeys(interfaces))
     words = [word for name in names for word in ("-i", name)]
-    try:
-        with Run(Tshark(reading.tshark), *words, "-w", "-") as run, stopped_by_signals(run.stop):
-            _watch(run, reading, f"Capturing on {', '.join(names)}. Ctrl-C ends it.", as_json=as_json)
-    except CaptureError as error:
-        complain(str(error))
-        sys.exit(1)
+    with (
+        failing_on(CaptureError),
+        Run(Tshark(reading.tshark), *words, "-w", "-") as run,
+        stopped_by_signals(run.stop),
+    ):
+        _watch(run, reading, f"Capturing on {', '.join(names)}. Ctrl-C ends it.", as_json=as_json)
 
 
 def _watch(run: Run, reading: CaptureOptions, started: str, *, as_json: bool) -> None:

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import json
 import re
-import sys
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
 import click
 
-from ev3proto.cli.output import Printer, complain
+from ev3proto.cli.output import Failure, Printer
 from ev3proto.errors import near_misses
 from ev3proto.schema.instructions import instruction_set
 from ev3proto.semantics.domain import element, facts
@@ -54,8 +53,7 @@ def ops(words: tuple[str, ...], area: str | None, as_json: bool, dialect: str) -
     if not found:
         hint = near_misses(".".join(words), [entry.name for entry in entries]) or _near_words(entries, words)
         hint = hint or "; without words, ops lists all there are"
-        complain(f"nothing has {' '.join(words)!r} in its name or meaning{hint}")
-        sys.exit(1)
+        raise Failure(f"nothing has {' '.join(words)!r} in its name or meaning{hint}")
     for number, entry in enumerate(found):
         if as_json:
             printer.text(json.dumps(entry.record(), ensure_ascii=False))

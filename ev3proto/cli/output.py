@@ -53,7 +53,7 @@ class OutputError(Exception):
 
 
 @contextmanager
-def _writing() -> Iterator[TextIO]:
+def writing_output() -> Iterator[TextIO]:
     """Standard output. Raises OutputError for what goes wrong with it."""
     if sys.stdout is None:
         raise OutputError(None, "standard output is closed")
@@ -64,7 +64,7 @@ def _writing() -> Iterator[TextIO]:
 
 
 def _write(text: str, *, at_once: bool = False) -> None:
-    with _writing() as stream:
+    with writing_output() as stream:
         stream.write(text)
         if at_once:
             stream.flush()
@@ -73,7 +73,7 @@ def _write(text: str, *, at_once: bool = False) -> None:
 def flush() -> None:
     """Writes what waits to be written to standard output. Raises OutputError where that is not possible."""
     if sys.stdout is not None:
-        with _writing() as stream:
+        with writing_output() as stream:
             stream.flush()
 
 
@@ -126,6 +126,32 @@ def complain(sentence: str) -> None:
             sys.stderr.flush()
 
 
+class Failure(click.ClickException):
+    """The input is at fault: a sentence on standard error, and exit status 1."""
+
+    def show(self, file: object = None) -> None:  # noqa: ARG002 - click's signature
+        """Prints the sentence."""
+        complain(self.message)
+
+
+@contextmanager
+def failing_on(*kinds: type[Exception]) -> Iterator[None]:
+    """Ends the program where an error of these kinds is raised, with its sentence."""
+    try:
+        yield
+    except kinds as error:
+        raise Failure(str(error)) from None
+
+
+@contextmanager
+def failing_to(do: str, path: object) -> Iterator[None]:
+    """Ends the program where an OSError is raised: `PATH: cannot be DONE: REASON`. The error may name another path."""
+    try:
+        yield
+    except OSError as error:
+        raise Failure(f"{error.filename or path}: cannot be {do}: {error.strerror or error}") from None
+
+
 def is_terminal() -> bool:
     """Whether standard output is a terminal."""
     return sys.stdout is not None and sys.stdout.isatty()
@@ -136,7 +162,7 @@ class _Bytes:
 
     def write(self, data: bytes) -> int:
         """Writes bytes, now or with what follows them. Raises OutputError."""
-        with _writing() as stream:
+        with writing_output() as stream:
             return stream.buffer.write(data)
 
     def flush(self) -> None:
@@ -151,7 +177,7 @@ def binary_output() -> Iterator[BinaryIO]:
     Raises:
         OutputError: It cannot be written.
     """
-    with _writing() as stream:
+    with writing_output() as stream:
         stream.flush()
     yield cast(BinaryIO, _Bytes())
     flush()

@@ -11,6 +11,7 @@ from typing import Any
 import click
 
 from ev3proto.checking.codes import Code
+from ev3proto.cli.assembly import show_errors
 from ev3proto.cli.output import Printer, complain, is_terminal, put
 from ev3proto.cli.reading import is_image
 from ev3proto.cli.sources import Source
@@ -68,14 +69,6 @@ def show_program(
             printer.text(line)
     else:
         printer.lines(program_tree(program) if style == "tree" else listing(program))
-
-
-def complain_of(label: str, error: AssemblyError) -> None:
-    """Prints every error of a source with its line and, below that, a mark at the place."""
-    for one in (error, *error.others):
-        complain(f"{label}, {one}")
-        if one.text.strip():
-            complain("\n".join(f"  {line}" for line in one.excerpt.split("\n")))
 
 
 def complain_of_warnings(label: str, warnings: Sequence[SourceWarning]) -> None:
@@ -146,7 +139,7 @@ def encode_program(
     try:
         made = assemble(text, dialect=dialect, version=version, shortest=shortest)
     except AssemblyError as error:
-        complain_of(label, error)
+        show_errors(f"{label}, ", error)
         return 1
     complain_of_warnings(label, made.warnings)
     if not put(made.image, None if path is None else Path(path)):

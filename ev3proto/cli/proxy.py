@@ -15,7 +15,7 @@ from ev3proto.brick.servers.faults import Faults
 from ev3proto.capture.dialogues import RequestReply
 from ev3proto.cli.commands import FiniteRange
 from ev3proto.cli.ending import stopped_by_signals
-from ev3proto.cli.output import OutputError, complain, flush, is_terminal, say
+from ev3proto.cli.output import Failure, complain, failing_on, failing_to, flush, is_terminal, say, writing_output
 from ev3proto.cli.recorded import show_dialogue
 from ev3proto.cli.show import Show
 from ev3proto.cli.targets import TargetType
@@ -98,13 +98,10 @@ def proxy(
     with ExitStack() as stack:
         recording = _recording(record, stack)
         shown = _Shown(as_json=as_json, is_quiet=record == "-")
-        try:
+        with failing_on(LinkError):
             wire = open_wire(target)
             stack.callback(wire.close)
             standing = Proxy(wire, str(target), options, show=shown, say=complain, recording=recording)
-        except LinkError as error:
-            complain(str(error))
-            sys.exit(1)
         shown.start_ns = standing.records.start_ns
         if not ipaddress.ip_address(address).is_loopback:
             complain(f"Everybody who reaches {address} can talk to the brick through this proxy (--from, --read-only).")
@@ -117,8 +114,7 @@ def proxy(
             flush()
             standing.serve()
     if standing.lost is not None:
-        complain(str(standing.lost))
-        sys.exit(1)
+        raise Failure(str(standing.lost))
 
 
 class _Shown:
@@ -160,15 +156,10 @@ def _recording(record: str | None, stack: ExitStack) -> Recording | None:
     """The recording, which is begun; None without one. Ends the program where it cannot be written."""
     if record is None:
         return None
-    try:
+    with writing_output() if record == "-" else failing_to("written", record):
         recording = Recording(_recorded_to(record, stack))
         recording.flush()
         return recording
-    except OSError as error:
-        if record == "-":
-            raise OutputError.of(error) from None
-        complain(f"{record}: cannot be written: {error.strerror or error}")
-        sys.exit(1)
 
 
 def _recorded_to(record: str, stack: ExitStack) -> BinaryIO:
@@ -176,7 +167,5 @@ def _recorded_to(record: str, stack: ExitStack) -> BinaryIO:
     if record == "-":
         if is_terminal():
             raise click.UsageError("a capture would garble the terminal: pipe it, or give --record FILE")
-        if sys.stdout is None:
-            raise OutputError(None, "standard output is closed")
         return sys.stdout.buffer
     return cast(BinaryIO, stack.enter_context(closing(GrowingFile(Path(record)))))

@@ -10,7 +10,7 @@ import click
 
 from ev3proto.capture.dialogues import RequestReply, dialogues
 from ev3proto.cli.captures import CaptureSource
-from ev3proto.cli.output import Printer, complain
+from ev3proto.cli.output import Failure, Printer, complain
 from ev3proto.cli.reading import CaptureOptions, reading_options
 from ev3proto.cli.recorded import show_dialogue
 from ev3proto.cli.show import Show
@@ -95,9 +95,9 @@ def replay(
     """  # noqa: D301 - the mark by which click leaves lines as they are
     capture = CaptureSource(name, reading)
     found = steps(dialogues(capture.events()), allowed, reading.dialect)
+    if not found and not capture.status:
+        raise Failure(f"{capture.label}: there is no command in it")
     if not found:
-        if not capture.status:
-            complain(f"{capture.label}: there is no command in it")
         sys.exit(1)
     if dry_run:
         _show_plan(found)

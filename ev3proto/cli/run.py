@@ -16,10 +16,11 @@ from ev3proto.brick.devices.display.braille import braille
 from ev3proto.brick.devices.display.canvas import WIDTH
 from ev3proto.brick.running_programs import FAIL, RUNNING, Program
 from ev3proto.brick.servers.server import Options, Running, ServerError, running
+from ev3proto.cli.assembly import show_errors
 from ev3proto.cli.brick import folder, interrupted, read_script_file
 from ev3proto.cli.commands import FiniteRange
-from ev3proto.cli.output import complain, flush, is_terminal, say
-from ev3proto.cli.programs import complain_of, complain_of_warnings
+from ev3proto.cli.output import complain, failing_on, failing_to, flush, is_terminal, say
+from ev3proto.cli.programs import complain_of_warnings
 from ev3proto.cli.reading import is_image
 from ev3proto.program import assemble, check_program
 from ev3proto.tables.enumerations import LEDPATTERN
@@ -99,18 +100,14 @@ def run(
 def _image(file: Path) -> bytes:
     """The image in a file, or what its source becomes. Ends the program where it is neither."""
     label = visible(str(file))
-    try:
-        with file.open("rb") as stream:
-            found = stream.read(MAX_IMAGE + 1)
-    except OSError as error:
-        complain(f"{label}: cannot be read: {error.strerror or error}")
-        sys.exit(1)
+    with failing_to("read", file), file.open("rb") as stream:
+        found = stream.read(MAX_IMAGE + 1)
     if is_image(found):
         return found
     try:
         made = assemble(found)
     except AssemblyError as error:
-        complain_of(label, error)
+        show_errors(f"{label}, ", error)
         sys.exit(1)
     complain_of_warnings(label, made.warnings)
     return made.image
@@ -118,7 +115,7 @@ def _image(file: Path) -> bytes:
 
 async def _run(image: bytes, name: str, options: Options, root: Path, limit: float | None) -> int:
     """Runs the program until it ends; the exit status."""
-    try:
+    with failing_on(ServerError):
         async with running(options, root, complain) as now:
             with interrupted() as ended:
                 if now.link:
@@ -133,9 +130,6 @@ async def _run(image: bytes, name: str, options: Options, root: Path, limit: flo
                 else:
                     await _show(now, program, ended, limit)
             return _ending(now.brick, program)
-    except ServerError as error:
-        complain(str(error))
-        return 1
 
 
 async def _first(*events: asyncio.Event) -> None:

@@ -9,7 +9,7 @@ from itertools import islice
 
 import click
 
-from ev3proto.cli.output import binary_output, complain, say
+from ev3proto.cli.output import Failure, binary_output, complain, say
 from ev3proto.cli.show import FORMATS, Show
 from ev3proto.dialogue import Exchange
 from ev3proto.extras import install_command
@@ -97,8 +97,9 @@ def _frames(
         from ev3proto.sampling import samples  # hypothesis is an extra
         from ev3proto.testing import accepted_frames, choice, frames, mutated_frames
     except ImportError:
-        complain("samples are drawn with hypothesis, which is not installed or too old: " + install_command("sample"))
-        sys.exit(1)
+        raise Failure(
+            "samples are drawn with hypothesis, which is not installed or too old: " + install_command("sample")
+        ) from None
     try:
         chosen = choice(names=names, areas=areas, types=types, dialect=dialect)
         return samples((mutated_frames if mutate else accepted_frames if accepted else frames)(dialect, chosen), seed)

@@ -8,7 +8,7 @@ import click
 
 from ev3proto.capture.dialogues import RequestReply, is_error
 from ev3proto.cli.encode import Encoding, Wants
-from ev3proto.cli.output import complain
+from ev3proto.cli.output import Failure, complain
 from ev3proto.cli.reading import CaptureOptions, Piece
 from ev3proto.cli.recorded import show_dialogue
 from ev3proto.cli.show import Show
@@ -101,8 +101,7 @@ def send(
             complain("there is nothing in the input that can be sent: frames in hex, or assembly")
         sys.exit(1)
     if encoding.at_fault and not force:
-        complain("nothing was sent, because not all of the input can be read; --force sends what can be")
-        sys.exit(1)
+        raise Failure("nothing was sent, because not all of the input can be read; --force sends what can be")
     if found.replies:
         complain(f"{counted(found.replies, 'frame')} of the input from a brick: not sent")
     allowed = [
@@ -111,8 +110,7 @@ def send(
         if force or not is_refused(message.build(), f"frame {number}", dialect=dialect, carrier=target.carrier)
     ]
     if len(allowed) < len(found.commands):
-        complain("nothing was sent; --force sends it all the same")
-        sys.exit(1)
+        raise Failure("nothing was sent; --force sends it all the same")
     with channel_to(target) as channel:
         is_fine = _talk(channel, allowed, Show("json" if as_json else None), timeout, dialect, str(target))
     sys.exit(0 if is_fine and not encoding.at_fault else 1)

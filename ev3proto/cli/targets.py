@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from typing import Any
 
 import click
 
 from ev3proto.checking.checking import check
 from ev3proto.cli.commands import FiniteRange
-from ev3proto.cli.output import complain
+from ev3proto.cli.output import complain, failing_on
 from ev3proto.link.carriers import open_wire
 from ev3proto.link.channel import Channel
 from ev3proto.link.errors import LinkError
@@ -50,15 +49,10 @@ class TargetType(click.ParamType):
 @contextmanager
 def channel_to(target: Target) -> Iterator[Channel]:
     """A connection to a brick for as long as the context lasts. Ends the program where there can be none."""
-    try:
+    with failing_on(LinkError):
         channel = Channel(open_wire(target))
-    except LinkError as error:
-        complain(str(error))
-        sys.exit(1)
-    try:
+    with closing(channel):
         yield channel
-    finally:
-        channel.close()
 
 
 def is_refused(frame: bytes, place: str, *, dialect: str, carrier: str) -> bool:

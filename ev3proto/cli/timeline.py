@@ -13,7 +13,7 @@ from ev3proto.capture import Event
 from ev3proto.capture.timeline import Form, MissingLibraryError, Window, collect, render, require_library
 from ev3proto.cli.captures import CaptureSource
 from ev3proto.cli.commands import FiniteRange
-from ev3proto.cli.output import complain, put, say
+from ev3proto.cli.output import Failure, complain, put, say
 from ev3proto.cli.reading import CaptureOptions, reading_options
 
 MOST_SECONDS = 1e9
@@ -58,8 +58,7 @@ def timeline(
     if first is not None and last is not None and first >= last:
         raise click.UsageError(f"--from {first:g} must be less than --to {last:g}")
     if not output.parent.is_dir():
-        complain(f"{output}: cannot be written: there is no folder {output.parent}")
-        sys.exit(1)
+        raise Failure(f"{output}: cannot be written: there is no folder {output.parent}")
     found = [CaptureSource(file, reading) for file in files]
     labels = ", ".join(source.label for source in found)
     names = ", ".join(Path(source.label).name for source in found)

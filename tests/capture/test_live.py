@@ -320,4 +320,4 @@ def test_calls_that_are_wrong() -> None:
     assert refused()[0] == 2
     status, complaint = refused("-i", LOOPBACK, "--filter", "op==")
     assert status == 2
-    assert "the filter ends where a value should stand" in complaint
+    assert "the filter ends early: expected a value" in complaint

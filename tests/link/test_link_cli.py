@@ -92,7 +92,7 @@ def test_send_shows_errors_in_what_the_brick_takes_and_sends_it() -> None:
 def test_copy_reads_no_more_than_a_brick_has_room_for() -> None:
     done = run_ev3proto_text("copy", "virtual", "/dev/zero", "brick:../prjs/x.rtf")
     assert (done.returncode, done.stdout) == (1, "")
-    assert done.stderr == "/dev/zero: more than 256 MiB, for which no brick has room\n"
+    assert done.stderr == "/dev/zero: cannot be read: more than 256 MiB, for which no brick has room\n"
 
 
 @pytest.mark.parametrize(
@@ -564,7 +564,7 @@ def test_copy_says_what_to_do(tmp_path: Path) -> None:
     target = f"virtual:{tmp_path}"
     for words, status, sentence in (
         (("one", "two"), 2, "one of SOURCE and DESTINATION must be on the brick, such as brick:../prjs/tone/tone.rbf"),
-        ((tmp_path / "none", "brick:../prjs/none"), 1, f"{tmp_path / 'none'}: No such file or directory"),
+        ((tmp_path / "none", "brick:../prjs/none"), 1, f"{tmp_path / 'none'}: cannot be read: No such file or directory"),
         (("brick:../prjs/none.rbf", tmp_path / "x"), 1, "none.rbf"),
     ):
         done = run_ev3proto_text("copy", target, *words)

@@ -564,7 +564,11 @@ def test_copy_says_what_to_do(tmp_path: Path) -> None:
     target = f"virtual:{tmp_path}"
     for words, status, sentence in (
         (("one", "two"), 2, "one of SOURCE and DESTINATION must be on the brick, such as brick:../prjs/tone/tone.rbf"),
-        ((tmp_path / "none", "brick:../prjs/none"), 1, f"{tmp_path / 'none'}: cannot be read: No such file or directory"),
+        (
+            (tmp_path / "none", "brick:../prjs/none"),
+            1,
+            f"{tmp_path / 'none'}: cannot be read: No such file or directory",
+        ),
         (("brick:../prjs/none.rbf", tmp_path / "x"), 1, "none.rbf"),
     ):
         done = run_ev3proto_text("copy", target, *words)

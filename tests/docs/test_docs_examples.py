@@ -109,6 +109,12 @@ def test_the_programs_run_one_after_the_other(page: Path, monkeypatch: pytest.Mo
         exec(compile(program, page.name, "exec"), names)
 
 
+def test_the_test_of_the_tutorial_prints_what_is_shown(capsys: pytest.CaptureFixture[str]) -> None:
+    page = ROOT / "docs" / "tutorial.md"
+    exec("\n".join(blocks(page, "python")), {})
+    assert capsys.readouterr().out == blocks(page, "text")[-1]
+
+
 @pytest.fixture(scope="module")
 def programs(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder with the programs of each page in one file."""

@@ -145,6 +145,25 @@ def test_what_is_typed_is_read_and_stands_in_the_link(address: str, tmp_path: Pa
         assert "#" not in page.browser.current_url
 
 
+def test_the_tutorial_begins_with_what_the_page_shows(address: str, tmp_path: Path) -> None:
+    tutorial = (ROOT / "docs" / "tutorial.md").read_text(encoding="utf-8")
+    (fragment,) = re.findall(r'href="playground/index.html(#text=[^"]+)"', tutorial)
+    shown = tutorial.partition("```text\n")[2].partition("```")[0]
+    with opened(address + fragment, tmp_path) as page:
+        page.wait(lambda: page.text("tree"))
+        assert f"\n    {page.input}\n" in tutorial
+        assert page.text("tree") == shown
+        frame = page.input
+        page.type(frame.replace("0E", "0F", 1))
+        page.wait(lambda: "error[E102]" in page.text("findings"))
+        page.click("fix")
+        page.wait(lambda: page.input == frame)
+        page.type("UI_WRITE(LED, LED_ORANGE)")
+        page.wait(lambda: page.text("c"))
+        page.click("send")
+        page.wait(lambda: page.text("leds") == "LED_ORANGE")
+
+
 def test_lines_mark_their_bytes_and_bytes_their_lines(address: str, tmp_path: Path) -> None:
     with opened(f"{address}#text={TONE}", tmp_path) as page:
         page.wait(lambda: page.text("tree"))

@@ -22,6 +22,7 @@ from ev3proto.link.printing import RECEIVED, SENT
 from ev3proto.link.questions import Battery, Memory, Network, Question, Sensors, System
 from ev3proto.link.verbs import Verbs
 from ev3proto.messages import Message, SystemReply
+from ev3proto.ops import com_set, info
 from ev3proto.whole_files import write_whole
 
 T = TypeVar("T")
@@ -126,54 +127,54 @@ class AsyncEV3(Verbs[Coroutine[Any, Any, bytes], Coroutine[Any, Any, Any]]):
     @property
     def name(self) -> Coroutine[Any, Any, str]:
         """The brick's name."""
-        return self._ask(questions.name())
+        return self._ask(questions.NAME)
 
     async def set_name(self, name: str) -> None:
         """Gives the brick another name."""
-        await self.send_direct_cmd(questions.set_name(name), sync_mode=SyncMode.SYNC)
+        await self.send_direct_cmd(com_set.set_brickname(name), sync_mode=SyncMode.SYNC)
 
     @property
     def volume(self) -> Coroutine[Any, Any, int]:
         """The volume of sounds in percent."""
-        return self._ask(questions.volume())
+        return self._ask(questions.VOLUME)
 
     async def set_volume(self, percent: int) -> None:
         """Changes the volume of sounds."""
-        await self.send_direct_cmd(questions.set_volume(percent), sync_mode=SyncMode.SYNC)
+        await self.send_direct_cmd(info.set_volume(percent), sync_mode=SyncMode.SYNC)
 
     @property
     def sleep(self) -> Coroutine[Any, Any, int]:
         """Minutes without use after which the brick powers off, 0 for never."""
-        return self._ask(questions.sleep())
+        return self._ask(questions.SLEEP)
 
     async def set_sleep(self, minutes: int) -> None:
         """Changes after how many minutes without use the brick powers off."""
-        await self.send_direct_cmd(questions.set_sleep(minutes), sync_mode=SyncMode.SYNC)
+        await self.send_direct_cmd(info.set_minutes(minutes), sync_mode=SyncMode.SYNC)
 
     @property
     def battery(self) -> Coroutine[Any, Any, Battery]:
         """Voltage in V, current in A, charge in percent."""
-        return self._ask(questions.battery())
+        return self._ask(questions.BATTERY)
 
     @property
     def sensors(self) -> Coroutine[Any, Any, Sensors]:
         """The types of the devices at all ports, None where there is none."""
-        return self._ask(questions.sensors())
+        return self._ask(questions.SENSORS)
 
     @property
     def system(self) -> Coroutine[Any, Any, System]:
         """The versions of operating system, firmware and hardware."""
-        return self._ask(questions.system())
+        return self._ask(questions.SYSTEM)
 
     @property
     def memory(self) -> Coroutine[Any, Any, Memory]:
         """The memory for users' files in KiB: all of it, and what is free."""
-        return self._ask(questions.memory())
+        return self._ask(questions.MEMORY)
 
     @property
     def network(self) -> Coroutine[Any, Any, Network]:
         """The WiFi network that the brick is in, and its addresses there."""
-        return self._ask(questions.network())
+        return self._ask(questions.NETWORK)
 
     async def _ask(self, question: Question[T]) -> T:
         values = await self.send_direct_cmd(question.operations, sync_mode=SyncMode.SYNC)

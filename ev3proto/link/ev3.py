@@ -21,6 +21,7 @@ from ev3proto.link.questions import Battery, Memory, Network, Question, Sensors,
 from ev3proto.link.targets import Target, chosen_target
 from ev3proto.link.verbs import Verbs
 from ev3proto.messages import Message, SystemReply
+from ev3proto.ops import com_set, info
 from ev3proto.schema.frame import parse
 from ev3proto.whole_files import write_whole
 
@@ -230,54 +231,54 @@ class EV3(Verbs[bytes, Any]):
     @property
     def name(self) -> str:
         """The brick's name; it can be set."""
-        return self._ask(questions.name())
+        return self._ask(questions.NAME)
 
     @name.setter
     def name(self, value: str) -> None:
-        self._tell(questions.set_name(value))
+        self._tell(com_set.set_brickname(value))
 
     @property
     def volume(self) -> int:
         """The volume of sounds in percent; it can be set."""
-        return self._ask(questions.volume())
+        return self._ask(questions.VOLUME)
 
     @volume.setter
     def volume(self, value: int) -> None:
-        self._tell(questions.set_volume(value))
+        self._tell(info.set_volume(value))
 
     @property
     def sleep(self) -> int:
         """Minutes without use after which the brick powers off, 0 for never; it can be set."""
-        return self._ask(questions.sleep())
+        return self._ask(questions.SLEEP)
 
     @sleep.setter
     def sleep(self, value: int) -> None:
-        self._tell(questions.set_sleep(value))
+        self._tell(info.set_minutes(value))
 
     @property
     def battery(self) -> Battery:
         """Voltage in V, current in A, charge in percent."""
-        return self._ask(questions.battery())
+        return self._ask(questions.BATTERY)
 
     @property
     def sensors(self) -> Sensors:
         """The types of the devices at all ports, None where there is none: `sensors.Port_1`, `sensors.Port_A`."""
-        return self._ask(questions.sensors())
+        return self._ask(questions.SENSORS)
 
     @property
     def system(self) -> System:
         """The versions of operating system, firmware and hardware."""
-        return self._ask(questions.system())
+        return self._ask(questions.SYSTEM)
 
     @property
     def memory(self) -> Memory:
         """The memory for users' files in KiB: all of it, and what is free."""
-        return self._ask(questions.memory())
+        return self._ask(questions.MEMORY)
 
     @property
     def network(self) -> Network:
         """The WiFi network that the brick is in, and its addresses there."""
-        return self._ask(questions.network())
+        return self._ask(questions.NETWORK)
 
     def _ask(self, question: Question[T]) -> T:
         values = self.send_direct_cmd(question.operations, sync_mode=SyncMode.SYNC)

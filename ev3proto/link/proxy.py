@@ -6,7 +6,6 @@ One client is served at a time, as a brick does it; others wait. Frames go throu
 from __future__ import annotations
 
 import contextlib
-import errno
 import queue
 import re
 import socket
@@ -16,6 +15,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from ev3proto.brick.servers.faults import Faults
+from ev3proto.brick.servers.limits import MOST_QUEUED, UNLOCK_TIME
+from ev3proto.brick.servers.unlocking import FIRST_READ, Unlocking, why_not_open
 from ev3proto.capture.dialogues import RequestReply
 from ev3proto.capture.record import Record
 from ev3proto.dialogue import Pairing
@@ -31,31 +32,20 @@ from ev3proto.messages import Message, SystemCommand
 from ev3proto.schema.header import build_frame
 from ev3proto.stream import Decoder, StreamError
 from ev3proto.tables.carriers import Carrier
-from ev3proto.tables.discovery import ACCEPT, UNLOCK_REQUEST
+from ev3proto.tables.discovery import ACCEPT
 from ev3proto.tables.frame import MAX_FRAME, MessageType
 from ev3proto.tables.system import SystemStatus
 
-_UNLOCK = UNLOCK_REQUEST[1:].encode()
-"""What the firmware looks for in the first bytes."""
-
-_FIRST_READ = 100
-"""Bytes that the firmware reads to find it; what else is among them is lost."""
-
 _CLIENT = "client"
 """One is served at a time."""
-
-_MOST_SAID = 1024
-"""Bytes that are kept of what a client says before it is unlocked."""
 
 _HIDDEN_HOST, _HIDDEN_PROXY = "192.0.2.1", "192.0.2.10"
 _SERIAL = re.compile(rb"(?<=sn=)\w+")
 
 _CHUNK = 1 << 14
 _TURN = 0.1
-_UNLOCK_TIME = 30.0
 _SEND_TIME = 30.0
 _MOST_WAITING = 1024
-_MOST_STRANGERS = 64
 
 
 @dataclass(frozen=True)
@@ -183,7 +173,7 @@ class Proxy:
                 client.close()
                 continue
             self._strangers[client] = None
-            for each in list(self._strangers)[:-_MOST_STRANGERS]:
+            for each in list(self._strangers)[:-MOST_QUEUED]:
                 with contextlib.suppress(OSError):
                     each.shutdown(socket.SHUT_RDWR)
             threading.Thread(target=self._unlock, args=(client, peer[0]), daemon=True).start()
@@ -372,35 +362,24 @@ class Proxy:
 
 
 def _listen(options: ProxyOptions) -> socket.socket:
-    place = f"{options.address}:{options.port}"
     try:
         family = socket.AF_INET6 if ":" in options.address else socket.AF_INET
         return socket.create_server((options.address, options.port), family=family)
     except (OSError, OverflowError, UnicodeError) as error:
-        code = getattr(error, "errno", None)
-        if code == errno.EADDRINUSE:
-            raise PortInUseError(
-                f"{place} is in use: end what uses it, or name another port (--listen wifi:127.0.0.1:5556)"
-            ) from None
-        if code == errno.EADDRNOTAVAIL:
-            raise PortInUseError(f"{options.address} is not an address of this computer") from None
-        raise PortInUseError(f"{place} cannot be opened: {getattr(error, 'strerror', None) or error}") from None
+        other = "--listen wifi:127.0.0.1:5556"
+        raise PortInUseError(why_not_open(error, options.address, options.port, other)) from None
 
 
 def _unlock_text(client: socket.socket) -> bytes | None:
     """Waits for the unlock text. Returns what the client said up to its end; None where that is something else."""
-    text = b""
-    deadline = time.monotonic() + _UNLOCK_TIME
-    client.settimeout(_UNLOCK_TIME)
-    try:
-        while _UNLOCK not in text:
-            piece = client.recv(_FIRST_READ)
-            if not piece or time.monotonic() > deadline:
-                return None
-            text = text[-_MOST_SAID:] + piece
-    except OSError:
-        return None
-    return text
+    unlocking = Unlocking()
+    deadline = time.monotonic() + UNLOCK_TIME
+    client.settimeout(UNLOCK_TIME)
+    with contextlib.suppress(OSError):
+        while (piece := client.recv(FIRST_READ)) and time.monotonic() < deadline:
+            if unlocking.feed(piece) is not None:
+                return unlocking.said
+    return None
 
 
 def _without_serial(text: bytes) -> bytes:

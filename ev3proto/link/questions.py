@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any, Generic, NamedTuple, TypeVar
 
 from ev3proto.compose import Draft
-from ev3proto.ops import com_get, com_set, info, input_device, memory_usage, ui_read
+from ev3proto.ops import com_get, info, input_device, memory_usage, ui_read
 from ev3proto.semantics.replies import Value
 from ev3proto.tables.enumerations import HWTYPE, TYPE
 from ev3proto.tables.input import MOTOR_PORTS
@@ -78,72 +78,37 @@ class Question(Generic[T]):
         return self.answer([value.value for value in values])
 
 
-def name() -> Question[str]:
-    """The brick's name."""
-    return Question((com_get.get_brickname(_NAME_LENGTH),), lambda values: str(values[0]))
+NAME = Question((com_get.get_brickname(_NAME_LENGTH),), lambda values: str(values[0]))
 
+VOLUME = Question((info.get_volume(),), lambda values: int(values[0]))
+"""In percent."""
 
-def battery() -> Question[Battery]:
-    """The battery."""
-    operations = (ui_read.get_vbatt(), ui_read.get_ibatt(), ui_read.get_lbatt())
-    return Question(operations, lambda values: Battery(*values))
+SLEEP = Question((info.get_minutes(),), lambda values: int(values[0]))
+"""Minutes without use after which the brick powers off; 0 for never."""
 
+BATTERY = Question((ui_read.get_vbatt(), ui_read.get_ibatt(), ui_read.get_lbatt()), lambda values: Battery(*values))
 
-def volume() -> Question[int]:
-    """The volume in percent."""
-    return Question((info.get_volume(),), lambda values: int(values[0]))
+MEMORY = Question((memory_usage(),), lambda values: Memory(*values))
 
+SYSTEM = Question(
+    (
+        ui_read.get_os_vers(_TEXT_LENGTH),
+        ui_read.get_os_build(_TEXT_LENGTH),
+        ui_read.get_fw_vers(_TEXT_LENGTH),
+        ui_read.get_fw_build(_TEXT_LENGTH),
+        ui_read.get_hw_vers(_TEXT_LENGTH),
+    ),
+    lambda values: System(*values),
+)
 
-def sleep() -> Question[int]:
-    """Minutes without use after which the brick powers off; 0 for never."""
-    return Question((info.get_minutes(),), lambda values: int(values[0]))
+_NOTHING = TYPE.members["TYPE_NONE"]
 
+SENSORS = Question(
+    tuple(input_device.get_typemode(0, port) for port in (*SENSOR_PORTS, *MOTOR_PORTS)),
+    lambda values: Sensors(*(None if each == _NOTHING else int(each) for each in values[::2])),
+)
 
-def memory() -> Question[Memory]:
-    """The memory for users' files."""
-    return Question((memory_usage(),), lambda values: Memory(*values))
-
-
-def system() -> Question[System]:
-    """The versions."""
-    operations = tuple(
-        ask(_TEXT_LENGTH)
-        for ask in (
-            ui_read.get_os_vers,
-            ui_read.get_os_build,
-            ui_read.get_fw_vers,
-            ui_read.get_fw_build,
-            ui_read.get_hw_vers,
-        )
-    )
-    return Question(operations, lambda values: System(*values))
-
-
-def sensors() -> Question[Sensors]:
-    """The types of devices."""
-    operations = tuple(input_device.get_typemode(0, port) for port in (*SENSOR_PORTS, *MOTOR_PORTS))
-    nothing = TYPE.members["TYPE_NONE"]
-    return Question(
-        operations, lambda values: Sensors(*(None if each == nothing else int(each) for each in values[::2]))
-    )
-
-
-def network() -> Question[Network]:
-    """The WiFi network."""
-    wifi = HWTYPE.members["HW_WIFI"]
-    return Question((com_get.get_network(wifi, _ADDRESS_LENGTH),), lambda values: Network(values[0], *values[:0:-1]))
-
-
-def set_name(name: str) -> tuple[Draft, ...]:
-    """Gives the brick another name. Raises BuildError for one that it does not take."""
-    return (com_set.set_brickname(name),)
-
-
-def set_volume(percent: int) -> tuple[Draft, ...]:
-    """Changes the volume. Raises BuildError for more than 100 percent."""
-    return (info.set_volume(percent),)
-
-
-def set_sleep(minutes: int) -> tuple[Draft, ...]:
-    """Changes after how many minutes the brick powers off. Raises BuildError for more than 120."""
-    return (info.set_minutes(minutes),)
+NETWORK = Question(
+    (com_get.get_network(HWTYPE.members["HW_WIFI"], _ADDRESS_LENGTH),),
+    lambda values: Network(values[0], *values[:0:-1]),
+)

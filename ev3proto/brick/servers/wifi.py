@@ -3,30 +3,15 @@
 from __future__ import annotations
 
 import asyncio
-import errno
 import ipaddress
-import socket
 from collections import deque
 
 from ev3proto.brick.servers.host import Connection, Host
 from ev3proto.brick.servers.limits import MOST_QUEUED, MOST_UNREAD, UNLOCK_TIME
+from ev3proto.brick.servers.unlocking import BEACON_PERIOD, FIRST_READ, Unlocking, beacon_socket, why_not_open
 from ev3proto.errors import BuildError
 from ev3proto.schema.discovery import Beacon
-from ev3proto.tables.discovery import ACCEPT, BEACON_PORT, PROTOCOL, UNLOCK_PROTOCOL, UNLOCK_REQUEST
-
-BEACON_PERIOD = 5.0
-"""Seconds from one beacon to the next."""
-
-_UNLOCK = UNLOCK_REQUEST[1:].encode()
-"""What the firmware looks for."""
-
-_FIRST_READ = 100
-"""Bytes that the firmware reads to find it; what else is among them is lost."""
-
-_MOST_SAID = 1024
-"""Bytes before its end that are kept of what a client says until it is unlocked."""
-
-_EVERYBODY = "255.255.255.255"
+from ev3proto.tables.discovery import ACCEPT, BEACON_PORT, PROTOCOL
 
 
 class WifiError(Exception):
@@ -70,7 +55,7 @@ class Wifi:
         try:
             self._server = await loop.create_server(lambda: _Client(self, self._host), address, port, backlog=128)
         except (OSError, OverflowError, UnicodeError) as error:
-            raise WifiError(_why(error, address, port)) from None
+            raise WifiError(why_not_open(error, address, port, "--port 0 takes any")) from None
         self.address, self.port = self._server.sockets[0].getsockname()[:2]
 
     def announce(self) -> None:
@@ -124,12 +109,11 @@ class Wifi:
     # The beacon
 
     async def _announce(self) -> None:
-        address = ipaddress.ip_address(self.address)
-        if address.version != 4:
+        if ipaddress.ip_address(self.address).version != 4:
             self._host.say("there is no beacon: it goes by IPv4, and the address is one of IPv6")
             return
-        target = str(address) if address.is_loopback else _EVERYBODY
-        with self._beacon_socket() as sender:
+        sender, target = beacon_socket(self.address, self.port)
+        with sender:
             while True:
                 settings = self._host.brick.settings
                 beacon = Beacon(settings.bluetooth_address, str(self.port), settings.name, PROTOCOL)
@@ -141,19 +125,6 @@ class Wifi:
                     self._host.say_once(f"the beacon cannot be sent: {error}")
                 await asyncio.sleep(BEACON_PERIOD)
 
-    def _beacon_socket(self) -> socket.socket:
-        """Hosts answer to the port that the beacon names, or to that which it came from: they should be the same."""
-        sender = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
-        sender.setblocking(False)
-        sender.setsockopt(socket.SOL_SOCKET, socket.SO_BROADCAST, 1)
-        for port in (self.port, 0):
-            try:
-                sender.bind((self.address, port))
-                break
-            except OSError:
-                continue
-        return sender
-
 
 class _Client(asyncio.Protocol):
     """One TCP connection, from the unlock text to its end."""
@@ -163,8 +134,7 @@ class _Client(asyncio.Protocol):
         self._host = host
         self._transport: asyncio.Transport | None = None
         self._connection: Connection | None = None
-        self._text = b""
-        self._said = bytearray()
+        self._unlocking = Unlocking()
         self._rest: bytes | None = None
         self._timer: asyncio.TimerHandle | None = None
 
@@ -211,7 +181,7 @@ class _Client(asyncio.Protocol):
         assert self._rest is not None
         host, port = self._transport.get_extra_info("peername")[:2]
         ends = (host, port), self._transport.get_extra_info("sockname")[:2]
-        opening = (bytes(self._said), True), (ACCEPT, False)
+        opening = (self._unlocking.said, True), (ACCEPT, False)
         self._connection = self._host.open(self, f"{host}:{port}", "wifi", ends, opening)
         # The zero that some firmware sends after it would stand before the first reply, where clients read 16 bytes.
         self._transport.write(ACCEPT)
@@ -225,28 +195,19 @@ class _Client(asyncio.Protocol):
             self._transport.abort()
 
     def _unlock(self, data: bytes) -> None:
-        """Looks for the unlock text; what stands beside it in the bytes read at once is lost, as on the real brick."""
-        for at in range(0, len(data), _FIRST_READ):
-            piece = data[at : at + _FIRST_READ]
-            self._said += piece
-            del self._said[:-_MOST_SAID]
-            if _UNLOCK in self._text + piece:
-                self._wait(data[at + _FIRST_READ :])
-                rest = piece.partition(UNLOCK_PROTOCOL.encode())[2].lstrip(b" ").removeprefix(PROTOCOL.encode())
-                if rest.strip(b"\r\n\0"):
-                    self._host.say_once(
-                        f"what a client sends right after the unlock text is lost with it, within {_FIRST_READ} bytes,"
-                        " as on the real brick: wait for its answer"
-                    )
-                return
-            self._text = (self._text + piece)[-len(_UNLOCK) :]
-
-    def _wait(self, rest: bytes) -> None:
+        rest = self._unlocking.feed(data)
+        if rest is None:
+            return
         assert self._timer is not None
         self._timer.cancel()
         self._rest = rest
         self.pause()
         self._wifi.unlocked(self)
+        if self._unlocking.extra:
+            self._host.say_once(
+                f"what a client sends right after the unlock text is lost with it, within {FIRST_READ} bytes,"
+                " as on the real brick: wait for its answer"
+            )
 
     # What the connection calls
 
@@ -263,16 +224,3 @@ class _Client(asyncio.Protocol):
         assert self._transport is not None
         if not self._transport.is_closing():
             self._transport.resume_reading()
-
-
-def _why(error: Exception, address: str, port: int) -> str:
-    code = getattr(error, "errno", None)
-    if isinstance(error, OverflowError):
-        return f"there is no port {port}: it must be 0 to 65535"
-    if code == errno.EADDRINUSE:
-        return f"port {port} of {address} is in use: end what uses it, or give another one (--port 0 takes any)"
-    if code == errno.EACCES:
-        return f"port {port} is not for everybody: take one above 1023"
-    if code == errno.EADDRNOTAVAIL:
-        return f"{address} is not an address of this computer"
-    return f"port {port} of {address} cannot be opened: {getattr(error, 'strerror', None) or error}"

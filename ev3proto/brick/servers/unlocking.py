@@ -1,0 +1,80 @@
+"""What a WiFi brick and the proxy begin with: the beacon, the port, the unlock text in what a client sends first."""
+
+from __future__ import annotations
+
+import errno
+import ipaddress
+import socket
+
+from ev3proto.tables.discovery import PROTOCOL, UNLOCK_PROTOCOL, UNLOCK_REQUEST
+
+BEACON_PERIOD = 5.0
+"""Seconds from one beacon to the next."""
+
+FIRST_READ = 100
+"""Bytes that the firmware reads to find the unlock text; what else is among them is lost."""
+
+_UNLOCK = UNLOCK_REQUEST[1:].encode()
+"""What the firmware looks for."""
+
+_MOST_SAID = 1024
+"""Bytes before its end that are kept of what a client says until it is unlocked."""
+
+_EVERYBODY = "255.255.255.255"
+
+
+class Unlocking:
+    """Finds the unlock text.
+
+    said   what the client said, its last bytes up to the end of what was read with the text
+    extra  whether the client sent something right behind the text that is lost with it
+    """
+
+    def __init__(self) -> None:
+        self.said = b""
+        self.extra = False
+
+    def feed(self, data: bytes) -> bytes | None:
+        """Takes bytes from the client. Returns what follows the text and is not lost; None before the text is there."""
+        for at in range(0, len(data), FIRST_READ):
+            piece = data[at : at + FIRST_READ]
+            self.said = (self.said + piece)[-_MOST_SAID:]
+            if _UNLOCK in self.said:
+                behind = piece.partition(UNLOCK_PROTOCOL.encode())[2].lstrip(b" ").removeprefix(PROTOCOL.encode())
+                self.extra = bool(behind.strip(b"\r\n\0"))
+                return data[at + FIRST_READ :]
+        return None
+
+
+def beacon_socket(address: str, port: int) -> tuple[socket.socket, str]:
+    """Opens the socket that sends the beacons of a brick at an IPv4 address.
+
+    Hosts answer to the port that the beacon names, or to the one it came from: they are the same, if that port is free.
+
+    Returns:
+        The socket, and the address that beacons go to: on loopback only this computer hears them.
+    """
+    sender = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+    sender.setblocking(False)
+    sender.setsockopt(socket.SOL_SOCKET, socket.SO_BROADCAST, 1)
+    for each in (port, 0):
+        try:
+            sender.bind((address, each))
+            break
+        except OSError:
+            continue
+    return sender, "127.0.0.1" if ipaddress.ip_address(address).is_loopback else _EVERYBODY
+
+
+def why_not_open(error: Exception, address: str, port: int, other: str) -> str:
+    """Says why a port cannot be opened, and what to do; `other` is how another port is given."""
+    code = getattr(error, "errno", None)
+    if isinstance(error, OverflowError):
+        return f"there is no port {port}: it must be 0 to 65535"
+    if code == errno.EADDRINUSE:
+        return f"port {port} of {address} is in use: end what uses it, or give another one ({other})"
+    if code == errno.EACCES:
+        return f"port {port} is not for everybody: take one above 1023"
+    if code == errno.EADDRNOTAVAIL:
+        return f"{address} is not an address of this computer"
+    return f"port {port} of {address} cannot be opened: {getattr(error, 'strerror', None) or error}"

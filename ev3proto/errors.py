@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from itertools import islice
 from typing import Any, NamedTuple
 
 from construct.core import ConstructError
@@ -87,17 +88,25 @@ def counted(count: int, noun: str) -> str:
     return f"{count} {noun}{'s' * (count != 1)}"
 
 
-def near_misses(name: str, known: Iterable[str]) -> str:
-    """`: did you mean SOUND.TONE?` for a name that nearly is a known one, or its part after the dot; or nothing.
+_LIKENESS = 0.67
+_MOST_GUESSED = 60
+_MOST_KNOWN = 5000
 
-    The case of letters does not count.
+
+def near_misses(name: str, known: Iterable[str]) -> str:
+    """Returns `: did you mean SOUND.TONE?` for a name close to a known one, or to its part after the dot; or nothing.
+
+    The case of letters does not count. Names of more than 60 characters are not compared, and of the known ones 5000.
     """
+    if len(name) > _MOST_GUESSED:
+        return ""
     import difflib  # it takes a millisecond, which only a misspelt name should cost
 
-    targets: dict[str, str] = {}
-    for full in known:
+    names = list(islice(known, _MOST_KNOWN))
+    targets = {full.upper(): full for full in reversed(names)}
+    for full in names:
         targets.setdefault(full.rpartition(".")[2].upper(), full)
-        targets[full.upper()] = full
-    close = difflib.get_close_matches(name.upper(), targets, 3, 0.6)
-    near = [full for full in dict.fromkeys(targets[found] for found in close) if full.upper() != name.upper()]
+    upper = name.upper()
+    close = [upper] if upper in targets else difflib.get_close_matches(upper, targets, 3, _LIKENESS)
+    near = [full for full in dict.fromkeys(targets[found] for found in close) if full != name]
     return f": did you mean {' or '.join(near)}?" if near else ""

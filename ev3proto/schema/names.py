@@ -20,11 +20,10 @@ GET_VERSION is UI_READ's, BEGIN_DOWNLOAD is the firmware's 0x92. That is what ev
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Iterator
 from functools import cache
 
-from ev3proto.errors import BuildError
+from ev3proto.errors import BuildError, near_misses
 from ev3proto.messages import GV, LV
 from ev3proto.schema.argument import (
     ENCODINGS,
@@ -112,10 +111,7 @@ def constant(name: str) -> Constant:
         return known[name]
     if name.startswith("op") and name[2:].upper() in _opcodes():
         return _opcodes()[name[2:].upper()]
-    by_upper = {candidate.upper(): candidate for candidate in known}
-    near = [by_upper[match] for match in difflib.get_close_matches(name.upper(), by_upper, 3)]
-    hint = f": did you mean {' or '.join(near)}?" if near else ""
-    raise KeyError(f"there is no constant {name}{hint}")
+    raise KeyError(f"there is no constant {name}{near_misses(name, known)}")
 
 
 def constant_names() -> list[str]:

@@ -252,7 +252,7 @@ def test_decode_reads_them() -> None:
 @pytest.mark.parametrize(
     ("words", "sentence"),
     [
-        (("--op", "SOND"), "the official firmware has no operation or system command SOND: did you mean SOUND or"),
+        (("--op", "SOND"), "the official firmware has no operation or system command SOND: did you mean SOUND?"),
         (("--op", "SOUND.TOEN"), "did you mean SOUND.TONE"),
         (("--type", "foo"), "there is no type of message foo: kinds are direct-command, system-command, direct-reply"),
         (("--type", "DIRECT_REPLAY"), "there is no type of message DIRECT_REPLAY: did you mean DIRECT_REPLY"),

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
-from ev3proto.errors import BuildError
+from ev3proto.errors import BuildError, near_misses
 from ev3proto.messages import DaisyCommand as DaisyMessage
 from ev3proto.messages import DaisyReply, DirectCommand, FieldValue, Flaw, Message, Operation
 from ev3proto.schema.fields import NUMBERS, REPLIES, REQUESTS, Fields
@@ -25,7 +25,7 @@ from ev3proto.tables.frame import (
 )
 from ev3proto.tables.system import SYSTEM, Field, Kind, SystemCommand, SystemStatus
 from ev3proto.text.assembly.errors import SourceError
-from ev3proto.text.assembly.names import LocalNames, choice, suggestion
+from ev3proto.text.assembly.names import LocalNames, choice
 from ev3proto.text.assembly.notations import OF_FRAMES, STATUS, command_name
 from ev3proto.text.assembly.syntax import Call, Header, Name, Raw, RawFrame, WrittenArgument
 from ev3proto.text.assembly.values import Encoder, Piece, joined
@@ -226,7 +226,7 @@ def system_body(call: Call, encoder: Encoder, *, is_reply: bool, may_fail: bool)
     """
     entry = find_command(call.name)
     if entry is None:
-        raise SourceError(call.at, f"unknown system command {call.name}{suggestion(call.name, _BY_NAME)}")
+        raise SourceError(call.at, f"unknown system command {call.name}{near_misses(call.name, _BY_NAME)}")
     arguments = list(call.arguments)
     head = bytes((entry.number,))
     if is_reply:

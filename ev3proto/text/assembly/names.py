@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from functools import cache
-from itertools import islice
 from typing import NamedTuple
 
+from ev3proto.errors import near_misses
 from ev3proto.schema.instructions import CMD
 from ev3proto.schema.names import constant, constant_names
 from ev3proto.tables import OPCODES
@@ -29,11 +28,6 @@ NOT_NUMBERS = tuple(f"{kind}_NAN" for kind in (DATA8, DATA16, DATA32, DATAF))
 
 OBJECT_PARAMETER = "OBJID"
 """The name of all parameters that are objects, whether the firmware looks for one there or for its memory."""
-
-_MOST_GUESSED = 60
-_LIKENESS = 0.67
-_MOST_KNOWN = 5000
-"""Names among which a misspelt one is looked for."""
 
 
 class Place(NamedTuple):
@@ -277,20 +271,6 @@ def choice(name: str, at: int, what: str, known: Iterable[str], more: str = "") 
     names = list(known)
     if name not in names:
         choices = f"; choose from {', '.join(names)}{more}" if names else "; there are none"
-        hint = suggestion(name, names) or choices
+        hint = near_misses(name, names) or choices
         raise SourceError(at, f"{what} {cited(name)}{hint}")
     return name
-
-
-def suggestion(name: str, known: Iterable[str]) -> str:
-    """`: did you mean TONE?` for a name that nearly is a known one, in any case; or nothing. Never the name itself."""
-    if len(name) > _MOST_GUESSED:
-        return ""
-    by_upper: dict[str, str] = {}
-    for candidate in islice(known, _MOST_KNOWN):
-        if candidate != name:
-            by_upper.setdefault(candidate.upper(), candidate)
-    near = (
-        [name.upper()] if name.upper() in by_upper else difflib.get_close_matches(name.upper(), by_upper, 3, _LIKENESS)
-    )
-    return f": did you mean {' or '.join(by_upper[match] for match in near)}?" if near else ""

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
-from ev3proto.errors import BuildError, counted
+from ev3proto.errors import BuildError, counted, near_misses
 from ev3proto.schema.instructions import CMD, OperationSchema, instruction_set
 from ev3proto.tables import OPCODES
 from ev3proto.tables.constants import CONSTANTS
@@ -34,7 +34,6 @@ from ev3proto.text.assembly.names import (
     Place,
     firmware_names,
     is_object,
-    suggestion,
 )
 from ev3proto.text.assembly.notations import OF_BASIC, OF_EV3_G, Notation, Rules
 from ev3proto.text.assembly.parsing import Parser
@@ -389,7 +388,7 @@ class ProgramAssembler:
         name = self._name(call)
         code = _OPCODES.get(name)
         if code is None:
-            raise SourceError(call.at, f"unknown operation {cited(call.name)}{suggestion(call.name, _OPCODES)}")
+            raise SourceError(call.at, f"unknown operation {cited(call.name)}{near_misses(call.name, _OPCODES)}")
         one.last = name
         if name == _CALL:
             one.parts += [code, *self._call(call)]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from functools import cache
 
-from ev3proto.errors import BuildError, counted
+from ev3proto.errors import BuildError, counted, near_misses
 from ev3proto.messages import Operation
 from ev3proto.schema.argument import ArgumentSchema, encode_integer
 from ev3proto.schema.instructions import CMD, FamilySchema, InstructionSet, OperationSchema, instruction_set
@@ -15,7 +15,7 @@ from ev3proto.tables.declaration import DIALECTS, Enumeration, Opcode, Parameter
 from ev3proto.tables.encoding import CONSTANT
 from ev3proto.tables.system import SYSTEM
 from ev3proto.text.assembly.errors import SourceError
-from ev3proto.text.assembly.names import NOT_NUMBERS, choice, suggestion
+from ev3proto.text.assembly.names import NOT_NUMBERS, choice
 from ev3proto.text.assembly.notations import SHORTEST
 from ev3proto.text.assembly.parsing import is_operation_word
 from ev3proto.text.assembly.syntax import Call, Form, Name, Number, Raw, Value, WrittenArgument
@@ -140,7 +140,7 @@ class Assembler:
                 others = ", ".join(dialect for dialect in command.dialects)
                 where = f"{others} has" if others else "it is in headers only"
                 raise SourceError(at, f"the {self._dialect} firmware has no {family.opcode.name}.{name}: {where}")
-        hint = suggestion(name, numbers) or f": it has {_commands(family)}"
+        hint = near_misses(name, numbers) or f": it has {_commands(family)}"
         raise SourceError(at, f"{family.opcode.name} has no CMD {name}{hint}")
 
     def _unknown(self, written: str, name: str) -> str:
@@ -149,7 +149,7 @@ class Assembler:
             if name in opcodes(dialect):
                 return f"the {self._dialect} firmware has no operation {name}; {dialect} has"
         systems = [] if is_operation_word(written) else [entry.name for entry in SYSTEM]
-        hint = suggestion(name, [*opcodes(self._dialect), *systems])
+        hint = near_misses(name, [*opcodes(self._dialect), *systems])
         return f"unknown operation {written}{hint}"
 
     # Values

@@ -13,6 +13,7 @@ from collections import deque
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
+from ev3proto.errors import near_misses
 from ev3proto.tables.source import (
     BYTES,
     DEFINE,
@@ -26,7 +27,6 @@ from ev3proto.tables.source import (
 )
 from ev3proto.text.assembly.errors import SourceError, cited
 from ev3proto.text.assembly.lexing import BAD, END, NAME, NUMBER, TEXT, WORD, Token, text_of, tokens
-from ev3proto.text.assembly.names import suggestion
 from ev3proto.text.assembly.notations import (
     BASIC,
     CUT,
@@ -712,7 +712,7 @@ class Parser:
         token = self._peek()
         if token.kind == BAD:
             return SourceError(token.at, token.text)
-        hint = suggestion(token.text, (*self._heads, *self._declaring)) if token.kind == NAME else ""
+        hint = near_misses(token.text, (*self._heads, *self._declaring)) if token.kind == NAME else ""
         return SourceError(token.at, f"expected {expected}, found {self._shown(token)}{hint}")
 
     @staticmethod

@@ -15,7 +15,7 @@ from functools import lru_cache
 from itertools import accumulate
 from typing import Any, NamedTuple, TypeVar
 
-from ev3proto.errors import BuildError, counted
+from ev3proto.errors import BuildError, counted, near_misses
 from ev3proto.schema.argument import (
     ArgumentSchema,
     encode_as,
@@ -29,7 +29,7 @@ from ev3proto.tables.declaration import DATA8, Direction, Parameter, Role, Type
 from ev3proto.tables.encoding import GLOBAL, LOCAL, RANGES
 from ev3proto.tables.source import VARIABLE_WORDS
 from ev3proto.text.assembly.errors import SourceError, cited
-from ev3proto.text.assembly.names import NOT_NUMBERS, Callee, Encoded, Goal, Meaning, Names, Place, suggestion
+from ev3proto.text.assembly.names import NOT_NUMBERS, Callee, Encoded, Goal, Meaning, Names, Place
 from ev3proto.text.assembly.notations import MARKS, SHORTEST, Arithmetic, Jumps, Rules
 from ev3proto.text.assembly.syntax import (
     Define,
@@ -155,7 +155,7 @@ def joined(parts: Sequence[Piece], labels: Mapping[str, int], rules: Rules) -> b
             continue
         for name in (part.name,) if isinstance(part, PendingJump) else (part.start, part.end):
             if name not in labels:
-                hint = suggestion(name, labels) or f": `{cited(name)}:` in front of an operation makes one"
+                hint = near_misses(name, labels) or f": `{cited(name)}:` in front of an operation makes one"
                 raise SourceError(part.at, f"unknown label {cited(name)}{hint}")
         form = "LC4" if isinstance(part, Distance) else part.form
         sizes.append(JUMP_SIZES[form] if form is not None else 0)
@@ -263,13 +263,13 @@ class Encoder:
         if any(place.at >= at for place in names.globals.get(name, ())):
             return f"{cited(name)} is declared further down: a variable has to be declared above its use"
         if not self._is_typed:
-            hint = suggestion(name, names.known())
+            hint = near_misses(name, names.known())
             how = hint or ": a variable is declared above its use, a label is set in the same object"
             return f"unknown name {cited(name)}{how}"
         if name in names.local.labels and parameter is not None:
             return f"{name} is a label, and {parameter.name} takes none"
         if parameter is None:
-            return f"unknown name {cited(name)}{suggestion(name, names.known())}"
+            return f"unknown name {cited(name)}{near_misses(name, names.known())}"
         what, known = "variable or constant", names.known(parameter)
         enum = parameter.enum
         if parameter.is_output:
@@ -278,7 +278,7 @@ class Encoder:
             what, known = "object", list(names.defines)
         elif enum is not None:
             what = f"value of {parameter.name} ({enum.name}):"
-        hint = suggestion(name, known)
+        hint = near_misses(name, known)
         if parameter.role is Role.OBJECT:
             hint = hint or f": `define {name} 2` in front of it gives the number of the object, counted from 1"
         elif enum is None or parameter.is_output:
@@ -302,7 +302,7 @@ class Encoder:
     def _variable(self, name: str, at: int) -> Place:
         found = self.names.meaning(name, at)
         if not isinstance(found, Place):
-            hint = suggestion(name, (*self.names.local.places, *self.names.globals))
+            hint = near_misses(name, (*self.names.local.places, *self.names.globals))
             raise SourceError(at, f"unknown variable {cited(name)}{hint or ': DATA8, DATAF and others declare one'}")
         return found
 

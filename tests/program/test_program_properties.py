@@ -2,32 +2,30 @@
 
 from __future__ import annotations
 
+import pytest
 from hypothesis import HealthCheck, given, settings
 
 from ev3proto import program as programs
 from ev3proto.program import Program, assemble, check_program, source_of
 from ev3proto.program.json_format import program_record
 from ev3proto.program.listing import listing, program_tree
+from ev3proto.tables.declaration import DIALECTS
 from ev3proto.testing import program_images
 from ev3proto.testing import programs as any_programs
 
 _quick = settings(max_examples=60, suppress_health_check=[HealthCheck.too_slow])
 
 
-@_quick
-@given(program_images())
-def test_an_image_builds_back_and_its_source_assembles_to_it(image: bytes) -> None:
-    program = programs.parse(image, strict=False)
-    assert program.build() == image
-    assert assemble(source_of(program), dialect="strict").image == image
+@pytest.mark.parametrize("dialect", DIALECTS)
+def test_an_image_builds_back_and_its_source_assembles_to_it(dialect: str) -> None:
+    @_quick
+    @given(program_images(dialect))
+    def comes_back(image: bytes) -> None:
+        program = programs.parse(image, strict=False, dialect=dialect)
+        assert program.build() == image
+        assert assemble(source_of(program), dialect="strict").image == image
 
-
-@_quick
-@given(program_images("xtended"))
-def test_so_does_one_for_other_firmware(image: bytes) -> None:
-    program = programs.parse(image, strict=False, dialect="xtended")
-    assert program.build() == image
-    assert assemble(source_of(program), dialect="strict").image == image
+    comes_back()
 
 
 @_quick

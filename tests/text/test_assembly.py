@@ -21,7 +21,7 @@ from ev3proto.testing import frames, mutated_frames, operations
 from ev3proto.text.assembly import AssemblyError, assemble, assembly
 from ev3proto.text.assembly.recognising import is_assembly
 from ev3proto.text.paste import read_text
-from ev3proto.text.phrases import quoted
+from ev3proto.text.phrases import MACROS, NOTATIONS, quoted
 
 ROOT = Path(__file__).parents[2]
 CAPTURES = sorted((ROOT / "captures").glob("*.pcap*"))
@@ -40,11 +40,10 @@ def code(text: str) -> str:
     return message.build()[7:].hex(" ").upper()
 
 
-def written(data: list[bytes], dialect: str = "official") -> str:
+def written(data: list[bytes], dialect: str = "official", notation: str = MACROS) -> str:
     """Frames as assembly."""
-    dialogue = Dialogue()
-    messages = [parse(frame, strict=False, dialect=dialect) for frame in data]
-    return "\n".join(line for message in messages for line in assembly(dialogue.follow(message), "what it is"))
+    exchanges = map(Dialogue().follow, [parse(frame, strict=False, dialect=dialect) for frame in data])
+    return "\n".join(line for exchange in exchanges for line in assembly(exchange, "what it is", notation))
 
 
 def wrong(text: str) -> AssemblyError:
@@ -483,23 +482,14 @@ def test_bad_text_gives_an_error_and_nothing_else(chance: random.Random, noise: 
 # There and back
 
 
+@pytest.mark.parametrize("notation", NOTATIONS)
 @pytest.mark.parametrize("dialect", DIALECTS)
-def test_every_frame_comes_back(dialect: str) -> None:
-    @given(st.lists(frames(dialect), max_size=3))
+def test_every_frame_comes_back_faulty_or_not(dialect: str, notation: str) -> None:
+    @given(st.lists(frames(dialect) | mutated_frames(dialect) | st.binary(max_size=40), max_size=3))
     def comes_back(data: list[bytes]) -> None:
-        messages = assemble(written(data, dialect), dialect=dialect)
+        messages = assemble(written(data, dialect, notation), dialect=dialect)
         assert [message.build() for message in messages] == data
-        assert messages == [parse(frame, dialect=dialect) for frame in data]
-
-    comes_back()
-
-
-@pytest.mark.parametrize("dialect", DIALECTS)
-def test_every_faulty_frame_comes_back(dialect: str) -> None:
-    @given(st.lists(mutated_frames(dialect) | st.binary(max_size=40), max_size=3))
-    def comes_back(data: list[bytes]) -> None:
-        text = written(data, dialect)
-        assert [message.build() for message in assemble(text, dialect=dialect)] == data
+        assert messages == [parse(frame, strict=False, dialect=dialect) for frame in data]
 
     comes_back()
 
@@ -516,7 +506,8 @@ def test_every_capture_comes_back(path: Path) -> None:
     with read(path) as capture:
         data = [event.frame for event in capture.events() if isinstance(event, Record)]
     assert data
-    assert [message.build() for message in assemble(written(data))] == data
+    for notation in NOTATIONS:
+        assert [message.build() for message in assemble(written(data, notation=notation))] == data
 
 
 def test_the_lesson_comes_back() -> None:

@@ -9,6 +9,7 @@ from ev3proto.tables import check_dialect
 from ev3proto.tables.encoding import GLOBAL, LOCAL
 from ev3proto.tables.frame import COUNTERS, MAX_GLOBALS, SYSTEM_COMMAND_TYPES
 from ev3proto.tables.source import VARIABLE_WORDS
+from ev3proto.tables.system import SystemCommand
 from ev3proto.text.assembly.errors import MOST_ERRORS, AssemblyError, Lines, SourceError
 from ev3proto.text.assembly.messages import MOST_MEMORY, PendingMessage, begun_by, find_command, system_body
 from ev3proto.text.assembly.names import LocalNames, Memory, Names
@@ -87,9 +88,10 @@ class _Work:
             if isinstance(statement, Header | RawFrame):
                 yield from self.finish()
                 self._pending = begun_by(statement, self._encoder)
-            elif isinstance(statement, Call) and self._is_alone(statement):
+            elif isinstance(statement, Call) and (entry := self._system_alone(statement)) is not None:
                 yield from self.finish()
-                self._pending = self._pending_system(statement)
+                wants_reply = entry.answered if self._reply is None else self._reply
+                self._pending = PendingMessage(statement.at, SYSTEM_COMMAND_TYPES[bool(wants_reply)])
                 self._add(statement)
                 yield from self.finish()
             else:
@@ -115,17 +117,11 @@ class _Work:
                 yield message
         self._begin()
 
-    def _is_alone(self, call: Call) -> bool:
-        """Whether it is a system command that no header waits for, so a message of its own."""
+    def _system_alone(self, call: Call) -> SystemCommand | None:
+        """Returns the system command that is a message of its own: no header waits for it."""
         pending = self._pending
         is_awaited = pending is not None and pending.carries_system and not pending.parts
-        return not is_awaited and find_command(call.name) is not None
-
-    def _pending_system(self, call: Call) -> PendingMessage:
-        entry = find_command(call.name)
-        assert entry is not None
-        wants_reply = entry.answered if self._reply is None else self._reply
-        return PendingMessage(call.at, SYSTEM_COMMAND_TYPES[bool(wants_reply)])
+        return None if is_awaited else find_command(call.name)
 
     def _add(self, statement: Statement) -> None:
         """A statement of the message that is read. Raises SourceError."""

@@ -14,7 +14,16 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import NamedTuple
 
-from ev3proto.tables.source import BACKSLASH, ESCAPES, LEGO_ESCAPES, OBJECT_WORDS
+from ev3proto.tables.source import (
+    BACKSLASH,
+    ESCAPES,
+    HANDLE_PARAMETERS,
+    LEGO_ESCAPES,
+    OBJECT_WORDS,
+    OLD_WORDS,
+    PARAMETER_WORDS,
+    VARIABLE_WORDS,
+)
 from ev3proto.tables.system import SystemCommand
 
 MESSAGE = "message"
@@ -154,6 +163,8 @@ class Notation:
     needs_commas     between arguments
     needs_braces     `{` after the head of an object
     heads            the words that begin objects
+    declaring        the words that declare variables and parameters
+    templates        the words that begin pieces of code for a compiler, which become no object
     escapes          those in single quotes, replaced kind after kind; None: as in C
     keeps_escapes    an unknown escape is left as it is, else an error
     octal, point     see there
@@ -179,6 +190,8 @@ class Notation:
     needs_commas: bool = False
     needs_braces: bool = False
     heads: tuple[str, ...] = OBJECT_WORDS
+    declaring: tuple[str, ...] = (*VARIABLE_WORDS, *PARAMETER_WORDS)
+    templates: tuple[str, ...] = ()
     escapes: tuple[tuple[str, str], ...] | None = None
     keeps_escapes: bool = False
     octal: Octal = Octal.WRONG
@@ -192,6 +205,8 @@ class Notation:
     rules: Rules
 
 
+_WITHOUT_HANDLES = tuple(word for word in PARAMETER_WORDS if word not in HANDLE_PARAMETERS)
+
 MACROS = Notation(
     name="macros",
     newline=r"\n",
@@ -203,6 +218,7 @@ MACROS = Notation(
     needs_commas=True,
     needs_braces=True,
     heads=("vmthread",),
+    declaring=tuple(VARIABLE_WORDS),
     octal=Octal.WRONG,
     point=Point.FLOAT,
     bits=0,
@@ -239,6 +255,7 @@ LEGO = Notation(
     number=r"(?:0x|\$)[0-9a-fA-F]+|(?:\d+(?:\.\d*)?|\.\d+)(?:[eE]\d+)?F?",
     by_line=True,
     heads=("vmthread", "subcall"),
+    declaring=(*VARIABLE_WORDS, *_WITHOUT_HANDLES, *OLD_WORDS),
     escapes=(*ESCAPES, *LEGO_ESCAPES),
     keeps_escapes=True,
     octal=Octal.LENIENT,
@@ -259,6 +276,8 @@ BASIC = Notation(
     folds=True,
     by_line=True,
     heads=("vmthread", "subcall"),
+    declaring=(*VARIABLE_WORDS, *_WITHOUT_HANDLES),
+    templates=("INIT", "INLINE"),
     escapes=((r"\n", "\n"), (r"\t", "\t"), *((rf"\{code:03o}", chr(code)) for code in range(1, 256))),
     keeps_escapes=True,
     octal=Octal.DECIMAL,

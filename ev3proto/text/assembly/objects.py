@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
@@ -213,25 +214,30 @@ class ProgramAssembler:
         if self._notation.folds:
             self._number_by_mention()
         for define in defines:
-            self._tried(self._check_new, define.at, define.name)
+            with self._keeping(define.at):
+                self._check_new(define.at, define.name)
             self._names.defines[define.name] = define
         for number, one in enumerate(self._objects, 1):
-            self._tried(self._declare_object, number, one)
+            with self._keeping(one.head.at):
+                self._declare_object(number, one)
         for one in self._objects:
             of = self._implementation(one)
             if of is not one and one.head.word == _SUBCALL:
                 callee = self._names.objects[one.head.name]
                 self._names.objects[one.head.name] = callee._replace(parameters=_declared_by(of.body))
         for declaration in self._declarations:
-            self._tried(self._global, declaration)
+            with self._keeping(declaration.at):
+                self._global(declaration)
 
-    def _tried(self, function: object, *arguments: object) -> None:
+    @contextmanager
+    def _keeping(self, at: int) -> Iterator[None]:
+        """Keeps an error, so that the next ones are found, too. One in building is at the given place."""
         try:
-            function(*arguments)  # type: ignore[operator]
+            yield
         except SourceError as error:
             self._keep(error)
         except BuildError as error:
-            self._keep(SourceError(getattr(arguments[-1], "at", 0), str(error)))
+            self._keep(SourceError(at, str(error)))
 
     def _number_by_mention(self) -> None:
         """Numbers the objects in the order in which their names are first mentioned, as EV3 Basic does."""
@@ -316,10 +322,8 @@ class ProgramAssembler:
         entries: list[AssembledObject] = []
         first: dict[tuple[object, ...], int] = {}
         for number, one in enumerate(self._objects, 1):
-            try:
+            with self._keeping(one.head.at):
                 entries.append(self._entry(number, one, owners, first))
-            except SourceError as error:
-                self._keep(error)
         return AssembledProgram(self._settings, self._globals.size, entries)
 
     def _body(self, one: _Object) -> None:
@@ -327,11 +331,12 @@ class ProgramAssembler:
         for statement in one.body:
             if isinstance(statement, Label):
                 if statement.name in one.names.labels:
-                    reason = f"the label {cited(statement.name)} is set already"
-                    self._tried(self._check_twice, statement.at, reason)
+                    with self._keeping(statement.at):
+                        self._check_twice(statement.at, f"the label {cited(statement.name)} is set already")
                 one.names.labels[statement.name] = statement.at
         for statement in one.body:
-            self._tried(self._statement, one, statement)
+            with self._keeping(statement.at):
+                self._statement(one, statement)
             if len(self.errors) >= MOST_ERRORS:
                 break
         if OPEN not in one.settings:

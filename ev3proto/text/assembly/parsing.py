@@ -17,7 +17,6 @@ from ev3proto.errors import near_misses
 from ev3proto.tables.source import (
     BYTES,
     DEFINE,
-    HANDLE_PARAMETERS,
     OBJECT_WORDS,
     OLD_WORDS,
     PARAMETER_WORDS,
@@ -28,7 +27,6 @@ from ev3proto.tables.source import (
 from ev3proto.text.assembly.errors import SourceError, cited
 from ev3proto.text.assembly.lexing import BAD, END, NAME, NUMBER, TEXT, WORD, Token, text_of, tokens
 from ev3proto.text.assembly.notations import (
-    BASIC,
     CUT,
     FORMS,
     FRAME,
@@ -77,9 +75,6 @@ _SIZED = frozenset((*SIZED_WORDS, *SIZED_PARAMETERS))
 _AS_VARIABLE = {"8": "DATA8", "16": "DATA16", "32": "DATA32", "F": "DATAF", "S": "DATAS", "H": "HANDLE"}
 """By the end of the word that declares a parameter: the word for a variable of that type."""
 
-_TEMPLATES = ("INIT", "INLINE")
-"""What EV3 Basic's library has for its compiler: pieces of code that it puts into programs."""
-
 _OPERATION = re.compile(r"op[A-Z_]\w*", re.ASCII)
 _HEX = re.compile(r"(?:0[xX])?(?:[0-9a-fA-F]{2})+", re.ASCII)
 
@@ -103,14 +98,7 @@ class Parser:
         self._ahead: deque[Token] = deque()
         self._depth = 0
         self._last = Token(END, "", 0, True)
-        words: tuple[str, ...] = tuple(VARIABLE_WORDS)
-        if not notation.has_messages:
-            words += tuple(word for word in PARAMETER_WORDS if notation.needs_braces or word not in HANDLE_PARAMETERS)
-        if notation.last_counts:
-            words += OLD_WORDS
-        self._declaring = frozenset(words)
-        self._fold = str.upper if notation.folds else str
-        self._heads = {self._fold(word): word for word in notation.heads}
+        self._heads = {word.upper() if notation.folds else word: word for word in notation.heads}
 
     def statements(self) -> Iterator[Statement | SourceError]:
         """The statements of the text. What is wrong comes as an error; reading continues with the next line."""
@@ -160,7 +148,7 @@ class Parser:
             yield Label(token.at, word)
         elif word in self._heads and not self._peek(1).is_mark("("):
             yield from self._head()
-        elif word in self._declaring or (notation.has_messages and word in OLD_WORDS):
+        elif word in self.notation.declaring or (notation.has_messages and word in OLD_WORDS):
             yield self._declaration()
         elif word == DEFINE:
             yield self._define()
@@ -237,7 +225,7 @@ class Parser:
         if notation.has_messages and self._peek().text in OLD_WORDS:
             scope = self._next().text
         kind = self._peek()
-        if kind.kind != NAME or kind.text not in self._declaring:
+        if kind.kind != NAME or kind.text not in self.notation.declaring:
             raise self._line_end(f"a type ({', '.join(VARIABLE_WORDS)})")
         self._next()
         name = self._expect_name("the name of the variable", is_same_line=notation.by_line or notation.has_messages)
@@ -349,12 +337,12 @@ class Parser:
             self._omit_rest(f"the label {cited(word)}")
         elif word in self._heads:
             yield from self._head()
-        elif notation is BASIC and word in _TEMPLATES:
+        elif word in notation.templates:
             self._template()
         else:
             if word == DEFINE and notation.last_counts:
                 yield self._define()
-            elif word in self._declaring:
+            elif word in self.notation.declaring:
                 declaration = self._declaration()
                 self._check_blank(self._last)
                 yield declaration
@@ -712,7 +700,7 @@ class Parser:
         token = self._peek()
         if token.kind == BAD:
             return SourceError(token.at, token.text)
-        hint = near_misses(token.text, (*self._heads, *self._declaring)) if token.kind == NAME else ""
+        hint = near_misses(token.text, (*self._heads, *self.notation.declaring)) if token.kind == NAME else ""
         return SourceError(token.at, f"expected {expected}, found {self._shown(token)}{hint}")
 
     @staticmethod

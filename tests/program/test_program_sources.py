@@ -26,6 +26,12 @@ def _code(body: str, *, dialect: str | None = None, before: str = "", number: in
     return part.code.hex(" ").upper()
 
 
+def _codes(source: str | bytes, dialect: str | None = None) -> list[str]:
+    """The codes of a program's objects in hex."""
+    program = programs.parse(assemble(source, dialect=dialect).image, strict=False)
+    return [part.code.hex(" ") for part in program.objects]
+
+
 def _header(source: str, dialect: str | None = None) -> tuple[int, list[tuple[int, int, int, int]]]:
     """Bytes of globals, and of each object offset, owner, triggers, bytes of locals."""
     program = programs.parse(assemble(source, dialect=dialect).image, strict=False)
@@ -236,19 +242,14 @@ def test_strict_a_local_then_what_stands_above_then_the_firmware() -> None:
     body = "NOP()\nUI_BUTTON(LINE)"
     assert _code(body, before=define, dialect="strict") == "01 83 82 40 00 0A".replace("82 40 00", "81 40")
     below = f"vmthread MAIN {{ UI_BUTTON(LINE) }}\n{define}"
-    assert programs.parse(assemble(below, dialect="strict").image).objects[0].code.hex() == "83030a"
-    assert (
-        programs.parse(assemble(below.replace("{", "\n{\n").replace(" }", "\n}"), dialect="lego").image, strict=False)
-        .objects[0]
-        .code.hex()
-        == "8381400a"
-    )
+    assert _codes(below, dialect="strict") == ["83 03 0a"]
+    assert _codes(below.replace("{", "\n{\n").replace(" }", "\n}"), dialect="lego") == ["83 81 40 0a"]
 
 
 def test_a_define_further_down_is_known() -> None:
     source = "vmthread MAIN\n{\nUI_BUTTON(Mine)\n}\ndefine Mine 5\n"
     for dialect in BOTH:
-        assert programs.parse(assemble(source, dialect=dialect).image, strict=False).objects[0].code.hex() == "83050a"
+        assert _codes(source, dialect=dialect) == ["83 05 0a"]
 
 
 def test_the_last_define_counts_in_legos_dialect() -> None:
@@ -275,8 +276,7 @@ def test_an_object_declared_twice_in_legos_dialect() -> None:
 
 def test_labels_are_those_of_their_object() -> None:
     source = "vmthread A { x: JR(x) } vmthread B { x: JR(x) NOP() }"
-    first, second = programs.parse(assemble(source).image).objects
-    assert (first.code.hex(), second.code.hex()) == ("4082fcff0a", "4082fcff010a")
+    assert _codes(source) == ["40 82 fc ff 0a", "40 82 fc ff 01 0a"]
 
 
 def test_a_label_hides_a_constant_in_legos_dialect() -> None:
@@ -323,31 +323,28 @@ def test_sizes_are_expressions() -> None:
 def test_a_call_tells_how_many_parameters_the_subcall_declares() -> None:
     many = "".join(f"IN_8 p{number}\n" for number in range(34))
     source = "vmthread M\n{\nCALL(S" + ", 1" * 34 + ")\n}\nsubcall S\n{\n" + many + "}\n"
-    code = programs.parse(assemble(source).image).objects[0].code
-    assert code.hex(" ") == "09 02 81 22 " + "01 " * 34 + "0a"
+    assert _codes(source)[0] == "09 02 81 22 " + "01 " * 34 + "0a"
 
 
 def test_object_numbers_from_32_on() -> None:
     threads = "".join(f"vmthread T{number}\n{{\n}}\n" for number in range(2, 40))
     source = "vmthread M\n{\nOBJECT_START(T38)\nCALL(T32)\n}\n" + threads
     for dialect in BOTH:
-        main = programs.parse(assemble(source, dialect=dialect).image, strict=False).objects[0]
-        assert main.code.hex(" ") == "05 81 26 09 81 20 0a"
+        assert _codes(source, dialect)[0] == "05 81 26 09 81 20 0a"
 
 
 def test_a_subcall_elsewhere_is_its_number() -> None:
     source = "vmthread M { OBJECT_WAIT(S) } subcall S { IN_8 a }"
-    assert programs.parse(assemble(source).image).objects[0].code.hex(" ") == "07 02 0a"
+    assert _codes(source)[0] == "07 02 0a"
 
 
 def test_the_table_of_parameters() -> None:
     declared = ["IN_8 a", "IN_16 b", "OUT_32 c", "IO_F d", "IN_S e 300", "OUT_S f 8"]
     source = "vmthread M\n{\n}\nsubcall S\n{\n" + "\n".join(declared) + "\n}\n"
     for dialect in BOTH:
-        part = programs.parse(assemble(source, dialect=dialect).image).objects[1]
-        assert part.code.hex(" ") == "06 80 81 42 c3 84 2c 44 08 08 0a"
+        assert _codes(source, dialect)[1] == "06 80 81 42 c3 84 2c 44 08 08 0a"
     handles = "subcall S { IN_H a OUT_H b IO_H c }"
-    assert programs.parse(assemble(handles).image).objects[0].code.hex(" ") == "03 81 41 c1 08 0a"
+    assert _codes(handles)[0] == "03 81 41 c1 08 0a"
 
 
 def test_a_parameter_behind_an_operation_is_refused() -> None:
@@ -358,13 +355,10 @@ def test_a_parameter_behind_an_operation_is_refused() -> None:
 
 def test_a_written_return() -> None:
     source = "subcall S\n{\nRETURN()\n}\n"
-    assert programs.parse(assemble(source, dialect="lego").image).objects[0].code.hex(" ") == "00 08 08 0a"
-    assert programs.parse(assemble(source, dialect="strict").image).objects[0].code.hex(" ") == "00 08 0a"
+    assert _codes(source, dialect="lego")[0] == "00 08 08 0a"
+    assert _codes(source, dialect="strict")[0] == "00 08 0a"
     argument = "subcall S\n{\nUI_BUTTON(8)\n}\n"
-    assert (
-        programs.parse(assemble(argument, dialect="strict").image, strict=False).objects[0].code.hex(" ")
-        == "00 83 08 08 0a"
-    )
+    assert _codes(argument, dialect="strict") == ["00 83 08 08 0a"]
 
 
 def test_a_label_in_front_of_the_end() -> None:
@@ -434,12 +428,12 @@ def test_legos_dialect_is_loose(line: str) -> None:
 
 def test_a_brace_may_stand_on_the_line_of_the_name_or_alone() -> None:
     for source in ("vmthread X {\nNOP\n}\n", "vmthread X\n{ anything\nNOP\n} anything\n"):
-        assert programs.parse(assemble(source, dialect="lego").image).objects[0].code.hex(" ") == "01 0a"
+        assert _codes(source, dialect="lego")[0] == "01 0a"
 
 
 def test_what_follows_a_brace_or_a_label_may_be_anything() -> None:
     source = "vmthread X\n{ it's open\nx: isn't it\nNOP\n} that's it\n"
-    assert programs.parse(assemble(source, dialect="lego").image).objects[0].code.hex(" ") == "01 0a"
+    assert _codes(source, dialect="lego")[0] == "01 0a"
 
 
 def test_the_rest_of_a_labels_line_is_ignored() -> None:
@@ -597,5 +591,4 @@ def test_whole_programs_as_legos_sources_are_written(name: str) -> None:
 def test_a_source_in_latin_1() -> None:
     source = "vmthread M\n{\nSTRINGS(DUPLICATE, 'ä', 'ä')\n}\n".encode("latin-1")
     for dialect in BOTH:
-        image = assemble(source, dialect=dialect).image
-        assert programs.parse(image).objects[0].code.hex(" ") == "7d 05 80 e4 00 80 e4 00 0a"
+        assert _codes(source, dialect)[0] == "7d 05 80 e4 00 80 e4 00 0a"

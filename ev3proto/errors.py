@@ -94,7 +94,7 @@ _MOST_KNOWN = 5000
 
 
 def near_misses(name: str, known: Iterable[str]) -> str:
-    """Returns `: did you mean SOUND.TONE?` for a name close to a known one, or to its part after the dot; or nothing.
+    """Returns `: did you mean SOUND.TONE?` for a name close to a known one, or to a part of it; or nothing.
 
     The case of letters does not count. Names of more than 60 characters are not compared, and of the known ones 5000.
     """
@@ -105,7 +105,10 @@ def near_misses(name: str, known: Iterable[str]) -> str:
     names = list(islice(known, _MOST_KNOWN))
     targets = {full.upper(): full for full in reversed(names)}
     for full in names:
-        targets.setdefault(full.rpartition(".")[2].upper(), full)
+        head, _, last = full.rpartition(".")
+        targets.setdefault(last.upper(), full)
+        if head:
+            targets.setdefault(head.upper(), head)
     upper = name.upper()
     close = [upper] if upper in targets else difflib.get_close_matches(upper, targets, 3, _LIKENESS)
     near = [full for full in dict.fromkeys(targets[found] for found in close) if full != name]

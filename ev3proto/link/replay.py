@@ -21,7 +21,7 @@ from ev3proto.tables import operations
 from ev3proto.tables.declaration import Effect
 from ev3proto.tables.frame import MessageType
 from ev3proto.tables.system import SYSTEM, SYSTEM_BY_NUMBER, SystemStatus
-from ev3proto.text.phrases import value_text
+from ev3proto.text.phrases import status_name, value_text
 
 _HANDLE = "handle"
 _HANDLE_AT = HEADER_SIZE + 1
@@ -163,5 +163,5 @@ def firmware_of(reply: Record) -> str | None:
 
 def _kind(message: Message) -> str:
     if isinstance(message, SystemReply):
-        return f"status {message.status_code}" if message.status is None else message.status.name
+        return status_name(message)
     return "no EV3 message" if message.type is None else message.type.name

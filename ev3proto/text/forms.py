@@ -97,12 +97,10 @@ def _body(message: Message) -> Iterator[tuple[int, str]]:
             memory = f"{message.global_size} bytes of global memory, {message.local_size} of local"
             yield COMMAND_HEADER_SIZE - HEADER_SIZE, memory
             yield from ((operation.length, _told(operation)) for operation in message.operations)
-        case SystemCommand():
+        case SystemCommand() | SystemReply():
             yield 1, message.command or "no system command"
-            yield from _fields(message)
-        case SystemReply():
-            yield 1, message.command or "no system command"
-            yield 1, f"status {message.status_code if message.status is None else message.status.name}"
+            if isinstance(message, SystemReply):
+                yield 1, f"status {message.status_code if message.status is None else message.status.name}"
             yield from _fields(message)
         case DaisyCommand():
             yield 1, message.command or "no daisy command"

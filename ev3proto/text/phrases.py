@@ -90,6 +90,16 @@ def field_texts(message: SystemCommand | SystemReply) -> Iterator[tuple[str, str
         yield name, plain(value), meaning if isinstance(value, bytes) else ""
 
 
+def command_name(message: SystemCommand | SystemReply | DaisyCommand) -> str:
+    """Returns the name of the command, or its number in hex."""
+    return message.command or f"0x{message.number:02X}"
+
+
+def status_name(message: SystemReply) -> str:
+    """Returns `SUCCESS`, or `status 99` for a status without a name."""
+    return f"status {message.status_code}" if message.status is None else message.status.name
+
+
 def argument_value(argument: Argument) -> str:
     """Returns an argument's value: `440`, `"myEV3"`, `GV(0)`, with handle and address marked."""
     form, text = argument.form, plain(argument.value)
@@ -188,14 +198,10 @@ def heading(exchange: Exchange, seen: Seen) -> Line:
 def _what(exchange: Exchange) -> Line:
     message = exchange.message
     line: Line = []
-    if isinstance(message, SystemCommand | DaisyCommand):
-        line.append((": ", Role.PLAIN))
-        line.append((message.command or f"0x{message.number:02X}", Role.OPERATION))
-    elif isinstance(message, SystemReply):
-        status = message.status.name if message.status is not None else f"status {message.status_code}"
-        line.append((": ", Role.PLAIN))
-        line.append((message.command or f"0x{message.number:02X}", Role.OPERATION))
-        line.append((f" {status}", Role.FAULT if message.is_error else Role.VALUE))
+    if isinstance(message, SystemCommand | SystemReply | DaisyCommand):
+        line += [(": ", Role.PLAIN), (command_name(message), Role.OPERATION)]
+        if isinstance(message, SystemReply):
+            line.append((f" {status_name(message)}", Role.FAULT if message.is_error else Role.VALUE))
     elif isinstance(message, DirectReply | DaisyReply) and message.type is not None:
         line.append(
             (": error" if message.type.is_error else ": ok", Role.FAULT if message.type.is_error else Role.VALUE)
@@ -216,10 +222,10 @@ def command_spans(message: Message) -> Line:
     if isinstance(message, DirectCommand):
         line += _operations(message.operations) if message.operations else [("no operations", Role.ASIDE)]
     elif isinstance(message, SystemCommand):
-        line.append((message.command or f"0x{message.number:02X}", Role.OPERATION))
+        line.append((command_name(message), Role.OPERATION))
         line += _fields(message)
     elif isinstance(message, DaisyCommand):
-        line.append((message.command or f"0x{message.number:02X}", Role.OPERATION))
+        line.append((command_name(message), Role.OPERATION))
         line.append((f" from layer {message.layer_from} to layer {message.layer_to}", Role.PLAIN))
         if message.operations:
             line += [(": ", Role.PLAIN), *_operations(message.operations)]
@@ -238,10 +244,9 @@ def reply_spans(exchange: Exchange) -> Line:
     if message.type is not None and message.type.is_command:
         return [("fault: the request came back in place of a reply", Role.FAULT)]
     if isinstance(message, SystemReply):
-        status = message.status.name if message.status is not None else f"status {message.status_code}"
         meaning = status_meaning(message.number, message.status_code) if message.is_error else None
         said: Line = [(f" ({meaning})", Role.MEANING)] if meaning else []
-        return [(status, Role.FAULT if message.is_error else Role.VALUE), *_fields(message), *said]
+        return [(status_name(message), Role.FAULT if message.is_error else Role.VALUE), *_fields(message), *said]
     if message.type is not None and message.type.is_error:
         reason = _refusal(exchange.request)
         return [("error", Role.FAULT), *([(f" ({reason})", Role.MEANING)] if reason else [])]

@@ -25,7 +25,7 @@ _HANDLE_SIZE = 2
 
 
 def check_program(image: bytes | bytearray | memoryview, *, dialect: str = "official") -> ProgramReport:
-    """What is wrong with a program image, and whether the brick starts it. Never raises for what is in an image.
+    """Checks a program image, and whether the brick starts it. Never raises for what is in an image.
 
     Args:
         image: From its sign to its last byte.
@@ -62,7 +62,7 @@ class _Check:
         }
 
     def findings(self) -> Iterator[Finding]:
-        """All of them; those of code that several objects share once."""
+        """Yields all of them; those of code that several objects share once."""
         if not self._walk.accepted:
             refusal = self._refusal(self._walk.position or 0, str(self._walk.reason))
             yield refusal
@@ -84,7 +84,7 @@ class _Check:
         return codes.LEFT_OVER.finding(offset, size, f"{counted(size, 'byte')} {verb} to no object", f"omit {them}")
 
     def _refusal(self, at: int, why: str) -> Finding:
-        """What the firmware's validator stops at."""
+        """Returns the finding that the firmware's validator stops at."""
         if at == SIZE_AT:
             return codes.DAMAGED.finding(at, 0, why, "give the whole image")
         steps = (step for part in self._program.objects for step in part.operations)
@@ -103,7 +103,7 @@ class _Check:
         )
 
     def _other_code(self, part: CodeObject) -> Iterator[Finding]:
-        """What the brick runs without having validated it, because a header points elsewhere."""
+        """Yields what the brick runs without having validated it, because a header points elsewhere."""
         at = IMAGE_HEADER_SIZE + (part.number - 1) * OBJECT_HEADER_SIZE
         read = self._walk.objects[part.number - 1]
         if (part.offset, part.kind is ObjectKind.SUBCALL) not in self._starts:
@@ -202,7 +202,7 @@ class _Check:
                 )
 
     def _place(self, operation: Operation, argument: Argument, part: CodeObject) -> Iterator[Finding]:
-        """A variable that ends outside its memory. A block has the locals of its owner."""
+        """Yields a variable that ends outside its memory. A block has the locals of its owner."""
         if argument.kind == GLOBAL:
             size = self._program.global_size
         else:
@@ -259,7 +259,7 @@ def _way(part: CodeObject, image: bytes, dialect: str) -> Iterator[Finding]:
 
 
 def _unreached(steps: tuple[Operation, ...], known: set[int]) -> Iterator[Finding]:
-    """One finding for operations in a row. The end of an object may well be one: every writer adds it."""
+    """Yields one finding for operations in a row. The end of an object may well be one: every writer adds it."""
     run: list[Operation] = []
     for step in [*steps, None]:
         if step is not None and step.offset not in known:

@@ -59,7 +59,7 @@ class Program:
         return next(iter(self.faults), None)
 
     def build(self) -> bytes:
-        """The image. Raises BuildError when no image can carry the program."""
+        """Returns the image. Raises BuildError when no image can carry the program."""
         return build(self)
 
 
@@ -81,7 +81,7 @@ class _Reader:
         self._ends: dict[int, int] = {}
 
     def program(self) -> Program:
-        """The whole of it. Raises DecodeError where there is not even a header."""
+        """Returns the whole of it. Raises DecodeError where there is not even a header."""
         size, version, count, global_size = self._header()
         end = len(self.image)
         if size != end:
@@ -137,7 +137,7 @@ class _Reader:
         self.faults.append(Fault(offset, reason, truncated))
 
     def _where_validated(self, entries: list[tuple[int, int, int, int]]) -> list[tuple[int, int, int, int]]:
-        """The entries with the offsets that the firmware gives to those that say 0, as one published image has them."""
+        """Returns the entries with the firmware's offsets for those that say 0, as one published image has them."""
         offsets = [read.offset for read in walk(self.image, self._instructions.dialect).objects]
         offsets += [0] * (len(entries) - len(offsets))
         return [
@@ -172,7 +172,7 @@ class _Reader:
         return objects
 
     def _codes(self, entries: list[tuple[int, int, int, int]]) -> dict[tuple[int, bool], _Code]:
-        """Every code by its offset and by whether it is read as that of a subcall, with the types that others tell."""
+        """Returns every code by its offset and by whether it is read as a subcall, with the types that others show."""
         codes: dict[tuple[int, bool], _Code] = {}
         callees: dict[int, tuple[ProgramParameter, ...]] = {}
         for number, (offset, owner, triggers, _) in enumerate(entries, 1):
@@ -189,7 +189,7 @@ class _Reader:
         }
 
     def _nowhere(self, number: int, offset: int) -> _Code:
-        """An object whose offset leads to no code."""
+        """Returns an object whose offset leads to no code."""
         at = IMAGE_HEADER_SIZE + (number - 1) * OBJECT_HEADER_SIZE
         where = "in the header" if offset < len(self.image) else "after the end of the image"
         fault = Fault(at, f"the code of object {number} should be at offset {offset}, {where}")
@@ -216,7 +216,7 @@ class _Reader:
 
 
 def _own_operations(operations: tuple[Operation, ...]) -> int | None:
-    """How many operations there are up to the first OBJECT_END after which no jump leads; None without one.
+    """Returns how many operations there are up to the first OBJECT_END after which no jump leads; None without one.
 
     What follows it is never run: code that belongs to no object, or no code at all.
     """
@@ -250,7 +250,7 @@ class Entry(NamedTuple):
 
 
 def regular_offsets(entries: Sequence[Entry]) -> Iterator[int]:
-    """Where the codes start as every writer puts them: in their order, without gaps, shared code once."""
+    """Yields where the codes start as every writer puts them: in their order, without gaps, shared code once."""
     at = IMAGE_HEADER_SIZE + len(entries) * OBJECT_HEADER_SIZE
     starts: list[int] = []
     for entry in entries:
@@ -276,7 +276,7 @@ class ImageSchema(Bytewise):
         self.instructions = instruction_set(dialect)
 
     def read(self, data: bytes, at: int) -> tuple[Program, int]:
-        """The image from an offset to where its header says it ends. Raises DecodeError."""
+        """Returns the image from an offset to where its header says it ends. Raises DecodeError."""
         head = data[at : at + IMAGE_HEADER_SIZE]
         size = PACKED_HEADER.unpack_from(head, len(SIGN))[0] if len(head) == IMAGE_HEADER_SIZE else len(data)
         end = min(at + size, len(data))
@@ -292,7 +292,7 @@ class ImageSchema(Bytewise):
         return _Reader(image, self.instructions).program()
 
     def write(self, value: Any) -> bytes:
-        """The image of a program. Raises BuildError."""
+        """Returns the image of a program. Raises BuildError."""
         return build(value)
 
 
@@ -300,7 +300,7 @@ _SCHEMAS: dict[str, ImageSchema] = {}
 
 
 def image_schema(dialect: str = "official") -> ImageSchema:
-    """The schema of images for a dialect, made once. ValueError for an unknown dialect."""
+    """Returns the schema of images for a dialect, made once. ValueError for an unknown dialect."""
     if dialect not in _SCHEMAS:
         _SCHEMAS[dialect] = ImageSchema(dialect)
     return _SCHEMAS[dialect]
@@ -334,7 +334,7 @@ def parse(image: bytes | bytearray | memoryview, *, strict: bool = True, dialect
 
 
 def build(program: Program) -> bytes:
-    """The image of a program, each code laid where its writer had it, or else one after the other.
+    """Returns the image of a program, each code laid where its writer had it, or else one after the other.
 
     Args:
         program: The program.
@@ -359,7 +359,7 @@ def image_of(
     entries: Sequence[Entry],
     defects: Defects = NO_DEFECTS,
 ) -> bytes:
-    """The image of objects.
+    """Returns the image of objects.
 
     Args:
         version: The version of the image, 0 to 65535.

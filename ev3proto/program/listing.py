@@ -22,7 +22,7 @@ _MOST_NAMED = 12
 
 
 def listing(program: Program) -> Iterator[Line]:
-    """One line an operation."""
+    """Yields one line an operation."""
     writer = Writer(program)
     yield from _head(program)
     for code, name in zip(writer.codes, writer.names, strict=True):
@@ -41,7 +41,7 @@ def listing(program: Program) -> Iterator[Line]:
 
 
 def program_tree(program: Program) -> Iterator[Line]:
-    """The same with a line for every argument, its encoding and meaning."""
+    """Yields the same with a line for every argument, its encoding and meaning."""
     names = Writer(program).names
     yield from _head(program)
     for part, name in zip(program.objects, names, strict=True):
@@ -55,7 +55,7 @@ def program_tree(program: Program) -> Iterator[Line]:
 
 
 def called_by(part: CodeObject) -> list[int]:
-    """The numbers of the objects that an object calls, each once, in their order."""
+    """Returns the numbers of the objects that an object calls, each once, in their order."""
     found: dict[int, None] = {}
     for operation in part.operations:
         if operation.name == _CALL and operation.is_complete:

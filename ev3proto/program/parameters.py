@@ -25,7 +25,7 @@ def direction_of(code: int) -> Direction:
 
 
 def type_of(code: int) -> Type:
-    """What a parameter with that code holds; DATA8 for a code that means none."""
+    """Returns what a parameter with that code holds; DATA8 for a code that means none."""
     return _parsed(code)[1] or DATA8
 
 
@@ -36,7 +36,7 @@ def has_size(code: int) -> bool:
 
 
 def code_of(direction: Direction, kind: Type) -> int:
-    """The code of a parameter."""
+    """Returns the code of a parameter."""
     is_in, is_out = next(bits for bits, one in PARAMETER_DIRECTIONS.items() if one is direction)
     number = next(number for number, one in PARAMETER_CODES.items() if one is kind)
     code: bytes = PARAMETER_CODE.build({"is_in": is_in, "is_out": is_out, "reserved": 0, "type": number})
@@ -71,7 +71,7 @@ class ProgramParameter:
 
 
 def read_table(data: bytes, at: int, end: int) -> tuple[tuple[ProgramParameter, ...], int]:
-    """The parameters that a subcall declares, and the offset after their table. Raises DecodeError."""
+    """Returns the parameters that a subcall declares, and the offset after their table. Raises DecodeError."""
     start = at
     count = data[at] if at < end else None
     at += 1
@@ -93,7 +93,7 @@ def read_table(data: bytes, at: int, end: int) -> tuple[tuple[ProgramParameter, 
 
 
 def table_bytes(parameters: Sequence[ProgramParameter]) -> bytes:
-    """The table of parameters of a subcall. Raises BuildError for more than the count can tell."""
+    """Returns the table of parameters of a subcall. Raises BuildError for more than the count can tell."""
     if len(parameters) > MAX_PARAMETERS:
         raise BuildError(f"a subcall cannot have {len(parameters)} parameters: at most {MAX_PARAMETERS}")
     table = bytearray((len(parameters),))

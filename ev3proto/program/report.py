@@ -16,7 +16,7 @@ class ProgramReport(Report):
     """What a check of a program found. Its `frame` is the image, and `accepted` says whether the brick starts it."""
 
     def __str__(self) -> str:
-        """What `ev3proto check` prints of it."""
+        """Returns what `ev3proto check` prints of it."""
         return "\n".join(visible(plain_text(line)) for line in program_findings(self, self.findings))
 
     @property
@@ -26,7 +26,7 @@ class ProgramReport(Report):
 
 
 def program_findings(report: Report, findings: Iterable[Finding], place: str = "") -> Iterator[Line]:
-    """The findings of a program as lines, and the brick's verdict.
+    """Yields the findings of a program as lines, and the brick's verdict.
 
     Args:
         report: What the check found.

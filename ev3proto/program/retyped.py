@@ -52,7 +52,7 @@ class RetypedSchema:
         return self.base.selector(data, at)
 
     def arguments(self, data: bytes, at: int, end: int) -> tuple[Argument, ...]:
-        """The arguments of the operation whose opcode is at an offset."""
+        """Returns the arguments of the operation whose opcode is at an offset."""
         return self._retyped(data, self.base.arguments(data, at, end))
 
     def _retyped(self, data: bytes, arguments: tuple[Argument, ...]) -> tuple[Argument, ...]:
@@ -81,7 +81,7 @@ def _schema_of_argument(argument: Argument, kind: Type, direction: Direction) ->
 
 @cache
 def retyped(base: OperationSchema, first: int, kinds: Kinds) -> RetypedSchema:
-    """The schema of an operation with other types, made once."""
+    """Returns the schema of an operation with other types, made once."""
     return RetypedSchema(base, first, kinds)
 
 
@@ -89,7 +89,7 @@ Callees = Mapping[int, tuple[ProgramParameter, ...]]
 
 
 def with_types(codes: Sequence[tuple[Operation, ...]], callees: Callees, dialect: str) -> list[tuple[Operation, ...]]:
-    """The operations of every code, those of CALL and ARRAY.FILL read with the types that the program shows.
+    """Returns the operations of every code, those of CALL and ARRAY.FILL read with the types that the program shows.
 
     Args:
         codes: The codes, each once, however many objects share it.
@@ -120,7 +120,7 @@ def with_types(codes: Sequence[tuple[Operation, ...]], callees: Callees, dialect
 
 
 def _handles(operations: tuple[Operation, ...], makers: Mapping[OperationSchema, Type], shared: _Handles) -> _Handles:
-    """The variables of one code that hold handles, with the types of their arrays; global ones go to `shared`."""
+    """Returns the variables that hold handles in one code, and the types of their arrays; `shared` gets global ones."""
     found: _Handles = {}
     for operation in operations:
         kind = makers.get(operation._schema)  # type: ignore[call-overload]
@@ -132,7 +132,7 @@ def _handles(operations: tuple[Operation, ...], makers: Mapping[OperationSchema,
 
 
 def _handle_of(operation: Operation) -> Argument | None:
-    """The variable that holds the array's handle."""
+    """Returns the variable that holds the array's handle."""
     return next((it for it in operation.arguments if it.is_variable and it.parameter.type is Type.HANDLE), None)
 
 

@@ -102,7 +102,7 @@ def assemble(
 
 
 def _decoded(source: str | bytes) -> tuple[str, str]:
-    """The text, and the coding in which the strict dialect writes its strings."""
+    """Returns the text, and the coding in which the strict dialect writes its strings."""
     if isinstance(source, str):
         return source, "utf-8"
     if not isinstance(source, (bytes, bytearray)):
@@ -131,7 +131,7 @@ def _tried(
 
 
 def _image(program: AssembledProgram, version: int) -> bytes:
-    """The image of a program. Raises BuildError."""
+    """Returns the image of a program. Raises BuildError."""
     said, objects = program.settings, program.objects
     entries = [Entry(it.owner, it.triggers, it.local_size, _code(it), it.shares) for it in objects]
     regular = list(regular_offsets(entries))
@@ -153,7 +153,7 @@ def _image(program: AssembledProgram, version: int) -> bytes:
 
 
 def _code(part: AssembledObject) -> bytes:
-    """The code of an object with the table of its parameters; nothing where it uses that of another."""
+    """Returns the code of an object with the table of its parameters; nothing where it uses that of another."""
     if part.parameters is None or part.shares is not None:
         return b"" if part.shares is not None else part.code
     table = table_bytes(

@@ -35,7 +35,7 @@ class DeclaredVariable:
 
 
 def declared(start: int, end: int, uses: Mapping[int, Type]) -> list[DeclaredVariable]:
-    """Variables for the memory from `start` to `end`, one at every place that is used there.
+    """Returns variables for the memory from `start` to `end`, one at every place that is used there.
 
     Args:
         start: Index of the first byte.
@@ -54,7 +54,7 @@ def declared(start: int, end: int, uses: Mapping[int, Type]) -> list[DeclaredVar
 
 
 def _at(index: int, following: int, kind: Type) -> tuple[DeclaredVariable, int]:
-    """The variable at a place, and where the next one may start."""
+    """Returns the variable at a place, and where the next one may start."""
     room = following - index
     width = kind.size
     if kind in _WORDS and 1 < width <= room and index % width == 0:
@@ -65,7 +65,7 @@ def _at(index: int, following: int, kind: Type) -> tuple[DeclaredVariable, int]:
 
 
 def _filled(start: int, end: int) -> Iterator[DeclaredVariable]:
-    """Variables for memory that nothing names."""
+    """Yields variables for memory that nothing names."""
     size = end - start
     if size > 1 and size in ALIGNED_SIZES and start % size:
         yield DeclaredVariable(start, _ONE, None)

@@ -76,7 +76,7 @@ class Walk(NamedTuple):
 
 
 def walk(image: bytes, dialect: str = "official") -> Walk:
-    """What the validator says to an image whose header is there.
+    """Returns what the validator says to an image whose header is there.
 
     A version between that of 2013's release and the latest says that the program is for a firmware with newer commands.
     """
@@ -122,7 +122,7 @@ def walk(image: bytes, dialect: str = "official") -> Walk:
 
 
 def _table_end(data: bytes, at: int) -> int:
-    """The offset after a table of parameters, which may reach beyond the end of the image."""
+    """Returns the offset after a table of parameters, which may reach beyond the end of the image."""
     count = data[at] if at < len(data) else 0
     at += 1
     for _ in range(count):

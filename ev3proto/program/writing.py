@@ -151,7 +151,7 @@ class Writer(OperationWriter):
         self._declared = list(self._global_lines())
 
     def lines(self) -> Iterator[str]:
-        """All of it."""
+        """Writes all of it."""
         program = self._program
         defects = program.defects
         writer = VERSIONS.get(program.version)
@@ -173,7 +173,7 @@ class Writer(OperationWriter):
             yield from self._object(code, name)
 
     def _global_lines(self) -> Iterator[str]:
-        """The lines that declare globals; notes their names."""
+        """Yields the lines that declare globals; notes their names."""
         uses: dict[int, Type] = {}
         for code in self.codes:
             for index, kind in code.uses[GLOBAL].items():
@@ -236,7 +236,7 @@ class Writer(OperationWriter):
             self._seen.setdefault(key, part.number)
 
     def _declarations(self, code: ObjectCode) -> Iterator[str]:
-        """The lines that declare parameters and locals; notes their names, and where the last of them ends."""
+        """Yields the lines that declare parameters and locals; notes their names, and where the last of them ends."""
         part = code.part
         self._locals = {}
         self._locals_end = 0
@@ -261,17 +261,17 @@ class Writer(OperationWriter):
         self._labels = labels_of(code.steps, code.places, self.rules, _LABEL_NAME)
 
     def label_at(self, offset: int) -> str | None:
-        """The label at an offset of the object that was begun."""
+        """Returns the label at an offset of the object that was begun."""
         return self._labels.names.get(offset)
 
     # Operations
 
     def step(self, step: Operation) -> str:
-        """One operation as a statement, in the object that was begun."""
+        """Writes one operation as a statement, in the object that was begun."""
         return self.line(step, self._labels)
 
     def arguments(self, operation: Operation, labels: Labels) -> Iterable[str]:
-        """The arguments of an operation; of a CALL by name, without the number of parameters."""
+        """Writes the arguments of an operation; of a CALL by name, without the number of parameters."""
         arguments = operation.arguments
         if operation.name != _CALL or arguments[0].kind != CONSTANT:
             return super().arguments(operation, labels)
@@ -282,7 +282,7 @@ class Writer(OperationWriter):
         return [self.number(arguments[0], str(arguments[0].value)), *map(self.argument, arguments[1:])]
 
     def _callee(self, arguments: Sequence[Argument]) -> str | None:
-        """The subcall's name, where that and the number of parameters is all that the two first arguments say."""
+        """Returns the subcall's name, if the first two arguments say only that and the number of parameters."""
         number, count = arguments[0], arguments[1]
         if not 0 < int(number.value) <= len(self.codes):
             return None
@@ -298,7 +298,7 @@ class Writer(OperationWriter):
         return self.names[int(number.value) - 1]
 
     def argument(self, argument: Argument) -> str:
-        """One argument, in the object that was begun."""
+        """Writes one argument, in the object that was begun."""
         value, raw, parameter = argument.value, argument.raw, argument.parameter
         if argument.is_variable:
             return self._variable(argument)
@@ -328,7 +328,7 @@ class Writer(OperationWriter):
         return shown if argument.raw == encode_as("LCS_OLD", text) else in_macro(argument, shown)
 
     def _float(self, raw: bytes) -> str:
-        """A float in LC4, the only encoding in which one is seen as a float."""
+        """Writes a float in LC4, the only encoding in which one is seen as a float."""
         bits = int.from_bytes(raw[1:], "little", signed=True)
         (value,) = struct.unpack("<f", raw[1:])
         if not math.isfinite(value):
@@ -394,7 +394,7 @@ def _add_uses(step: Operation, uses: Mapping[str, dict[int, Type]]) -> None:
 
 
 def _wider(known: Type | None, kind: Type) -> Type:
-    """What a place is that is used in two ways: a buffer where it is one of them, else the wider number."""
+    """Returns what a place is that is used in two ways: a buffer where it is one of them, else the wider number."""
     if known is None or kind is Type.STRING:
         return kind
     return kind if known is not Type.STRING and kind.size > known.size else known
@@ -408,7 +408,7 @@ _RULES = {
 
 
 def rules_of(program: Program) -> Rules:
-    """The rules that fit a program best, by its jumps: those of LEGO's assembler, of EV3-G, or of EV3 Basic."""
+    """Returns the rules that fit a program best, by its jumps: those of LEGO's assembler, of EV3-G, or of EV3 Basic."""
     fits = dict.fromkeys(_RULES, 0)
     for part in program.objects:
         for step in part.operations if part.shares is None else ():

@@ -37,7 +37,7 @@ MAX_TEXT = 1 << 24
 def assembled(
     text: str, *, dialect: str = "official", counter: int = 0, reply: bool | None = None, unchecked: bool = False
 ) -> Iterator[Message]:
-    """The messages of a text, one after the other; parameters and errors as for `assemble`.
+    """Yields the messages of a text, one after the other; parameters and errors as for `assemble`.
 
     Where something is wrong, the messages in front of it are given, and then all errors are raised as one.
     """
@@ -83,7 +83,7 @@ class _Work:
         self._memory = {scope: Memory(scope, MACROS, most) for scope, most in MOST_MEMORY.items()}
 
     def take(self, statement: Statement) -> Iterator[Message]:
-        """What is complete when a statement came. Errors are kept."""
+        """Yields what is complete when a statement came. Errors are kept."""
         try:
             if isinstance(statement, Header | RawFrame):
                 yield from self.finish()
@@ -100,7 +100,7 @@ class _Work:
             self.errors.append(error)
 
     def finish(self) -> Iterator[Message]:
-        """The message that was begun, if there is one."""
+        """Yields the message that was begun, if there is one."""
         pending, self._pending = self._pending, None
         if self._thread is not None:
             self.errors.append(SourceError(self._thread.at, "the thread that begins here has no } at its end"))
@@ -168,7 +168,7 @@ class _Work:
                 raise SourceError(at, f"{name} is declared already, as {kind}")
 
     def _opened(self, at: int) -> PendingMessage:
-        """The message that is read; a direct command begins where there is none."""
+        """Returns the message that is read; a direct command begins where there is none."""
         if self._pending is None:
             self._pending = PendingMessage(at)
         return self._pending

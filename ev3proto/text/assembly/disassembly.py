@@ -139,7 +139,7 @@ def _bytes(data: bytes) -> Iterator[str]:
 
 
 def hex_lines(data: bytes) -> Iterator[str]:
-    """Bytes in hex, 32 a line."""
+    """Writes bytes in hex, 32 a line."""
     return (spaced_hex(data[start : start + _BYTES_A_LINE]) for start in range(0, len(data), _BYTES_A_LINE))
 
 
@@ -189,7 +189,7 @@ def in_macro(argument: Argument, value: str, macro: str | None = None) -> str:
 
 
 def _macro(argument: Argument) -> str:
-    """An argument in the macro of its encoding. Of a float every bit counts."""
+    """Writes an argument in the macro of its encoding. Of a float every bit counts."""
     value = argument.value
     if isinstance(value, str):
         return in_macro(argument, quoted(value))
@@ -202,14 +202,14 @@ def _macro(argument: Argument) -> str:
 
 
 def _name(argument: Argument, value: int) -> str | None:
-    """The firmware's name of a constant in the enumeration of its parameter."""
+    """Returns the firmware's name of a constant in the enumeration of its parameter."""
     enum = argument.parameter.enum
     return None if enum is None or argument.kind != CONSTANT else _symbols(enum).get(value)
 
 
 @cache
 def _symbols(enum: Enumeration) -> dict[int, str]:
-    """The first name of each number."""
+    """Returns the first name of each number."""
     return {number: name for name, number in reversed(list(enum.members.items()))}
 
 
@@ -231,7 +231,7 @@ NO_LABELS = Labels()
 
 
 def goal_of(step: Operation) -> int | None:
-    """The offset that a jump leads to, None for all other operations."""
+    """Returns the offset that a jump leads to, None for all other operations."""
     parameters = step.declaration.parameters
     if not parameters or parameters[-1].type is not Type.LABEL or step.name == "LABEL" or not step.is_complete:
         return None
@@ -244,7 +244,7 @@ def goal_of(step: Operation) -> int | None:
 
 
 def end_of(step: Operation) -> int:
-    """The offset after an operation."""
+    """Returns the offset after an operation."""
     return step.offset + step.length
 
 
@@ -317,7 +317,7 @@ class OperationWriter:
         self.rules = rules
 
     def line(self, operation: Operation, labels: Labels = NO_LABELS) -> str:
-        """One operation. One that is cut short ends in `...`. Jumps to no label are written as numbers."""
+        """Writes one operation. One that is cut short ends in `...`. Jumps to no label are written as numbers."""
         values: list[str] = []
         cmd = operation.cmd
         if cmd is not None:
@@ -328,7 +328,7 @@ class OperationWriter:
         return f"{operation.name}({self.separator.join(values)})"
 
     def arguments(self, operation: Operation, labels: Labels) -> Iterable[str]:
-        """The arguments of an operation."""
+        """Writes the arguments of an operation."""
         label = labels.names.get(goal_of(operation))
         if label is None:
             return map(self.argument, operation.arguments)
@@ -337,12 +337,12 @@ class OperationWriter:
         return [*map(self.argument, operation.arguments[:-1]), jump]
 
     def number(self, argument: Argument, text: str) -> str:
-        """A whole number as its text, in the macro of its encoding where that is not the usual one."""
+        """Writes a whole number as its text, in the macro of its encoding where that is not the usual one."""
         usual = integer(int(argument.value), self.rules) if argument.kind == CONSTANT else None
         return text if usual == argument.raw else in_macro(argument, text)
 
     def argument(self, argument: Argument) -> str:
-        """One argument: as a plain value if that is encoded to the same bytes."""
+        """Writes one argument: as a plain value if that is encoded to the same bytes."""
         if argument.is_variable or argument.kind == JUMP:
             return _macro(argument)
         text, value = _text(argument)
@@ -355,7 +355,7 @@ class OperationWriter:
 
 
 def _text(argument: Argument) -> tuple[str, int | float | str]:
-    """A constant as it is written, and the value that is read from that."""
+    """Returns a constant as it is written, and the value that is read from that."""
     value, parameter = argument.value, argument.parameter
     if isinstance(value, str):
         return text_literal(value), value
@@ -372,7 +372,7 @@ def _text(argument: Argument) -> tuple[str, int | float | str]:
 
 
 def _encoded(argument: Argument, value: int | float | str) -> bytes:
-    """The bytes that a plain value gets as this argument; none where it cannot be there."""
+    """Returns the bytes that a plain value gets as this argument; none where it cannot be there."""
     if argument.form.handle or argument.form.address:
         return b""
     try:
@@ -386,7 +386,7 @@ _PLAIN = frozenset(map(chr, range(0x20, 0x7F))) - set("'\\")
 
 
 def text_literal(text: str, escapes: Mapping[str, str] = TEXT_ESCAPES) -> str:
-    """A text in LEGO's quotes with its escapes; with other signs in double quotes, with the escapes of C.
+    """Writes a text in LEGO's quotes with its escapes; with other signs in double quotes, with the escapes of C.
 
     In single quotes, `'_x'` is a number in the sources of LEGO's programs.
     """
@@ -396,7 +396,7 @@ def text_literal(text: str, escapes: Mapping[str, str] = TEXT_ESCAPES) -> str:
 
 
 def float_literal(value: float) -> str:
-    """A finite single as a literal that means the same bits: `1.5F`, `-0.0F`, never with a signed exponent."""
+    """Writes a finite single as a literal that means the same bits: `1.5F`, `-0.0F`, never with a signed exponent."""
     text = short_float(value) if value else str(value)
     if "e" in text:
         text = format(Decimal(text), "f")

@@ -91,7 +91,7 @@ class Lines:
         return line, at - self._starts[line - 1] + 1
 
     def error(self, errors: Iterable[SourceError]) -> AssemblyError:
-        """All errors as one, in the order of the text."""
+        """Returns all errors as one, in the order of the text."""
         first, *others = map(self._one, sorted(errors, key=lambda error: error.at)[:MOST_ERRORS])
         return AssemblyError(first.line, first.column, first.reason, first.text, tuple(others))
 
@@ -107,5 +107,5 @@ class Lines:
 
 
 def cited(text: str) -> str:
-    """What was written, cut where it is long."""
+    """Returns what was written, cut where it is long."""
     return text if len(text) <= _MOST_CITED else f"{text[:_MOST_CITED]}..."

@@ -88,7 +88,7 @@ def tokens(text: str, notation: Notation) -> Iterator[Token]:
 
 
 def _bad(text: str, at: int) -> str:
-    """What is wrong with a character that starts no token."""
+    """Returns what is wrong with a character that starts no token."""
     character = text[at]
     return (
         f"the text that starts here has no {character} at its end"
@@ -101,7 +101,7 @@ _LINE_END = re.compile(r"[\r\n]")
 
 
 def _behind_bad(text: str, at: int) -> int:
-    """Where to read on."""
+    """Returns where reading continues."""
     if text[at] not in "\"'":
         return at + 1
     end = _LINE_END.search(text, at)
@@ -147,7 +147,7 @@ def text_of(token: Token, notation: Notation, coding: str, warnings: list[tuple[
 
 
 def _unescaped(token: Token, body: str) -> str:
-    """The text with escapes as in C, from the left. A backslash before a blank stays, as names of files need it."""
+    """Replaces escapes as in C, from the left. A backslash before a blank stays, as names of files need it."""
 
     def meant(found: re.Match[str]) -> str:
         escape = found[1]
@@ -163,7 +163,7 @@ def _unescaped(token: Token, body: str) -> str:
 
 
 def _replaced(token: Token, body: str, notation: Notation, warnings: list[tuple[int, str]]) -> str:
-    """The text with the escapes of a program's notation, which are replaced kind after kind."""
+    """Returns the text with the escapes of a program's notation, which are replaced kind after kind."""
     escapes = notation.escapes or ()
     if not notation.keeps_escapes:
         known = {escape[1] for escape, _ in escapes}

@@ -99,7 +99,7 @@ class PendingMessage:
     def message(
         self, local: LocalNames, sizes: Mapping[str, int], dialect: str, counter: int, reply: bool | None
     ) -> Message:
-        """The message. Raises SourceError.
+        """Returns the message. Raises SourceError.
 
         Args:
             local: Its labels.
@@ -125,7 +125,7 @@ class PendingMessage:
     def _unread(
         self, body: bytes, declared: Mapping[str, int], dialect: str, counter: int, reply: bool | None
     ) -> Message:
-        """The message, its operations, payload or fields still as bytes."""
+        """Returns the message, its operations, payload or fields still as bytes."""
         counter = self.facts.get(COUNTER, counter)
         flaw = Flaw(rest=body, stated_length=self.facts.get(LENGTH))
         if self.type is None or self.type.kind == MessageType.DIRECT_COMMAND_REPLY.kind:
@@ -154,7 +154,7 @@ class PendingMessage:
         )
 
     def _memory(self, body: bytes, variables: Mapping[str, int], dialect: str) -> dict[str, int]:
-        """Bytes of memory that a direct command asks for: those stated, or those that it uses."""
+        """Returns bytes of memory that a direct command asks for: those stated, or those that it uses."""
         operations, _ = instruction_set(dialect).scan(body, 0, len(body))
         used = _used(operations)
         sizes = {}
@@ -175,7 +175,7 @@ class PendingMessage:
 
 
 def begun_by(header: Header | RawFrame, encoder: Encoder) -> PendingMessage:
-    """The message that a header begins. Raises SourceError."""
+    """Returns the message that a header begins. Raises SourceError."""
     if isinstance(header, RawFrame):
         return PendingMessage(header.at, is_frame=True, is_lenient=True, has_header=True)
     kind = header.type
@@ -198,7 +198,7 @@ def begun_by(header: Header | RawFrame, encoder: Encoder) -> PendingMessage:
 
 
 def _used(operations: Iterable[Operation]) -> dict[str, int]:
-    """Bytes of global and of local memory up to the last that operations use for sure."""
+    """Returns bytes of global and of local memory up to the last that operations use for sure."""
     used = {GLOBAL: 0, LOCAL: 0}
     for operation in operations:
         for found in footprints(operation):
@@ -211,12 +211,12 @@ def _used(operations: Iterable[Operation]) -> dict[str, int]:
 
 
 def find_command(name: str) -> SystemCommand | None:
-    """The system command of that name; the firmware's where the bootloader has one too."""
+    """Returns the system command of that name; the firmware's where the bootloader has one too."""
     return _BY_NAME.get(name)
 
 
 def system_body(call: Call, encoder: Encoder, *, is_reply: bool, may_fail: bool) -> bytes:
-    """The bytes after the message type. Raises SourceError.
+    """Returns the bytes after the message type. Raises SourceError.
 
     Args:
         call: The command as it was written.
@@ -246,7 +246,7 @@ def system_body(call: Call, encoder: Encoder, *, is_reply: bool, may_fail: bool)
 
 
 def _status(arguments: list[WrittenArgument], encoder: Encoder) -> int:
-    """The status of a reply, which is taken out of its arguments."""
+    """Returns the status of a reply, which is taken out of its arguments."""
     for index, argument in enumerate(arguments):
         if argument.name is not None and argument.name.text == STATUS:
             value = arguments.pop(index).value
@@ -260,7 +260,7 @@ def _status(arguments: list[WrittenArgument], encoder: Encoder) -> int:
 def _values(
     name: str, schema: Fields, arguments: list[WrittenArgument], encoder: Encoder
 ) -> dict[str, FieldValue | float]:
-    """The fields by name. Values without names are those of the fields in order, lengths omitted."""
+    """Returns the fields by name. Values without names are those of the fields in order, lengths omitted."""
     in_order = iter([field for field in schema.fields if field.counts is None])
     values: dict[str, FieldValue | float] = {}
     for argument in arguments:

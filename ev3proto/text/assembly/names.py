@@ -100,7 +100,7 @@ class Memory:
         self._limit = limit
 
     def place(self, at: int, name: str, kind: Type, count: int, is_array: bool) -> Place:
-        """The next variable. Raises SourceError where the memory ends before it."""
+        """Returns the next variable. Raises SourceError where the memory ends before it."""
         new = Place(at, self.scope, 0, kind, count, is_array)
         if self._notation.rules.aligns_elements:
             start = -(-self.size // new.width) * new.width
@@ -146,7 +146,7 @@ class Names:
         self._depth = 0
 
     def meaning(self, name: str, at: int, parameter: Parameter | None = None) -> Meaning | None:
-        """What a name means at an offset, None for a name that means nothing there.
+        """Returns what a name means at an offset, None for a name that means nothing there.
 
         Args:
             name: The name.
@@ -234,7 +234,7 @@ def firmware_constants() -> dict[str, int | float | str]:
 
 @cache
 def firmware_names() -> dict[str, int | float | str]:
-    """The same with the number of every CMD by name. None has two."""
+    """Returns the same with the number of every CMD by name. None has two."""
     commands = {command.name: command.number for opcode in OPCODES for command in opcode.commands}
     return commands | firmware_constants()
 
@@ -267,7 +267,7 @@ def firmware_constant(name: str, parameter: Parameter | None) -> int | float | s
 
 
 def choice(name: str, at: int, what: str, known: Iterable[str], more: str = "") -> str:
-    """The name, if it is one of those that are known. Raises SourceError, which says what it could be."""
+    """Returns the name, if it is one of those that are known. Raises SourceError, which says what it could be."""
     names = list(known)
     if name not in names:
         choices = f"; choose from {', '.join(names)}{more}" if names else "; there are none"

@@ -52,7 +52,7 @@ STATUS = "status"
 
 
 def command_name(entry: SystemCommand) -> str:
-    """The name of a system command. BEGIN_DOWNLOAD is the firmware's and the bootloader's."""
+    """Returns the name of a system command. BEGIN_DOWNLOAD is the firmware's and the bootloader's."""
     return f"BOOTLOADER.{entry.name}" if entry.bootloader else entry.name
 
 

@@ -254,7 +254,7 @@ class ProgramAssembler:
         self._objects.sort(key=lambda one: numbers[one.head.name])
 
     def _implementation(self, one: _Object) -> _Object:
-        """The object whose code an object uses."""
+        """Returns the object whose code an object uses."""
         if one.alias_of is not None:
             return next(it for it in self._objects if it.head.name == one.alias_of)
         shared = one.settings.get("shares", 0)
@@ -290,7 +290,7 @@ class ProgramAssembler:
         self._names.globals.setdefault(item.name, []).append(self._place(item, self._globals))
 
     def _place(self, item: Declaration, memory: Memory) -> Place:
-        """The memory of a declaration."""
+        """Returns the memory of a declaration."""
         kind = VARIABLE_WORDS.get(item.word, Type.DATA8)
         if item.word in PARAMETER_WORDS:
             kind = PARAMETER_WORDS[item.word][1]
@@ -312,7 +312,7 @@ class ProgramAssembler:
     # Objects
 
     def program(self) -> AssembledProgram | None:
-        """The program; None where there are errors."""
+        """Returns the program; None where there are errors."""
         for one in self._objects:
             if one.alias_of is None and not self.errors:
                 self._body(one)
@@ -383,7 +383,7 @@ class ProgramAssembler:
     # Operations
 
     def _name(self, call: Call) -> str:
-        """The firmware's name of an operation; EV3 Basic has its own for some."""
+        """Returns the firmware's name of an operation; EV3 Basic has its own for some."""
         return BASIC_NAMES.get(call.name, call.name) if self._notation.folds else call.name
 
     def _parameters(self, call: Call) -> tuple[Parameter, ...]:
@@ -415,7 +415,7 @@ class ProgramAssembler:
             self.warnings += _of_operation(call, name, meant)
 
     def _call(self, call: Call) -> Iterator[Piece]:
-        """The arguments of a CALL. Of a subcall by name, the number of its parameters is written too."""
+        """Yields the arguments of a CALL. Of a subcall by name, the number of its parameters is written too."""
         if not call.arguments:
             self.warnings.append((call.at, "CALL needs the name of the subcall, and then its arguments"))
             return
@@ -444,7 +444,7 @@ class ProgramAssembler:
             self.warnings += _of_call(call, meant, callee)
 
     def _argument(self, value: Value, parameter: Parameter | None) -> tuple[Piece, Meaning | None]:
-        """The bytes of an argument, or the jump that it is; and what it means, None for what is not to be checked."""
+        """Returns the bytes of an argument, or its jump; and what it means, None for what is not to be checked."""
         if isinstance(value, Raw | Form | Marked | Distance | Unchecked):
             return self._encoder.argument(value), None
         meaning = self._encoder.meaning(value, parameter)
@@ -491,7 +491,7 @@ class ProgramAssembler:
 
 
 def _parameters_of(call: Call) -> tuple[Parameter, ...]:
-    """The parameters of an operation of a program, by the names of its opcode and CMD; CMD is the first. None for
+    """Returns the parameters of an operation by the names of its opcode and CMD; CMD is the first. None for
     an operation that the tables do not have.
     """
     if call.name in _PARAMETERS:
@@ -507,7 +507,7 @@ def _declared_by(body: Iterable[Statement]) -> tuple[tuple[Direction, Type], ...
 
 
 def _as_number(value: Name, parameters: Sequence[Parameter]) -> Value:
-    """A CMD as its number, where the operation has others after it, so that no variable hides its name."""
+    """Returns a CMD as its number, where the operation has others after it, so that no variable hides its name."""
     number = firmware_names().get(value.text)
     return Number(value.at, number) if isinstance(number, int) and parameters[0] is CMD.parameter else value
 
@@ -522,7 +522,7 @@ Meant = Sequence[Meaning | None]
 
 
 def _of_operation(call: Call, name: str, values: Meant) -> Warnings:
-    """What may not be meant of an operation, CMD included.
+    """Yields what may not be meant of an operation, CMD included.
 
     Args:
         call: The operation as it is written.
@@ -552,7 +552,7 @@ def _of_operation(call: Call, name: str, values: Meant) -> Warnings:
 
 
 def _of_call(call: Call, values: Meant, callee: Callee) -> Warnings:
-    """What may not be meant of what a CALL hands over."""
+    """Yields what may not be meant of the arguments of a CALL."""
     arguments = [argument.value for argument in call.arguments[1:]]
     for number, ((direction, kind), argument, value) in enumerate(
         zip(callee.parameters or (), arguments, values, strict=False), 1

@@ -31,7 +31,7 @@ _ELEMENT = ArgumentSchema(Parameter("the value", Type.ARRAY_TYPED, "an element o
 
 @cache
 def opcodes(dialect: str) -> dict[str, Opcode]:
-    """The opcodes of a dialect by name."""
+    """Returns the opcodes of a dialect by name."""
     return {opcode.name: opcode for opcode in OPCODES if dialect in opcode.dialects}
 
 
@@ -88,7 +88,7 @@ class Assembler:
     # Which operation
 
     def _selected(self, call: Call) -> tuple[OperationSchema, bytes, tuple[WrittenArgument, ...]]:
-        """The schema of an operation, the bytes of opcode and CMD, the values that are left."""
+        """Returns the schema of an operation, the bytes of opcode and CMD, the values that are left."""
         name, _, command = _bare(call.name).partition(".")
         opcode = opcodes(self._dialect).get(name)
         if opcode is None:
@@ -110,7 +110,7 @@ class Assembler:
         return family.commands[number], head + cmd, call.arguments[1:]
 
     def _cmd(self, family: FamilySchema, value: Value) -> tuple[bytes, int]:
-        """The bytes of CMD and its number."""
+        """Returns the bytes of CMD and its number."""
         named = value
         while isinstance(named, Form):
             named = named.value
@@ -144,7 +144,7 @@ class Assembler:
         raise SourceError(at, f"{family.opcode.name} has no CMD {name}{hint}")
 
     def _unknown(self, written: str, name: str) -> str:
-        """What to say of an operation that the dialect does not have."""
+        """Returns what to say of an operation that the dialect does not have."""
         for dialect in DIALECTS:
             if name in opcodes(dialect):
                 return f"the {self._dialect} firmware has no operation {name}; {dialect} has"
@@ -157,7 +157,7 @@ class Assembler:
     def _with_count(
         self, schema: OperationSchema, arguments: tuple[WrittenArgument, ...], call: Call
     ) -> tuple[WrittenArgument, ...]:
-        """The values of a CALL with the number of those for the subroutine, which LEGO's sources do not write.
+        """Returns the values of a CALL with the number of those for the subroutine, which LEGO's sources do not write.
 
         It is omitted where the subroutine is called by a name, and where the second value cannot be that number.
         """
@@ -173,7 +173,7 @@ class Assembler:
     def _elements(
         self, schema: OperationSchema, fixed: Sequence[Piece], arguments: Sequence[WrittenArgument]
     ) -> list[Piece]:
-        """The values of a list at the end, each as the type that the list has."""
+        """Returns the values of a list at the end, each as the type that the list has."""
         if schema.list_parameter is None:
             return []
         given = arguments[len(fixed) :]
@@ -191,7 +191,7 @@ class Assembler:
         ]
 
     def _incomplete(self, schema: OperationSchema, arguments: Sequence[WrittenArgument]) -> Iterator[Piece]:
-        """The values of an operation that is cut short, as many as there are."""
+        """Yields the values of an operation that is cut short, as many as there are."""
         for index, argument in enumerate(arguments):
             if argument.name is not None:
                 raise SourceError(argument.name.at, "the values of an operation that is cut short have no names")
@@ -223,7 +223,7 @@ def _is_meant(value: Value) -> bool:
 def _in_order(
     schema: OperationSchema, arguments: tuple[WrittenArgument, ...], call: Call
 ) -> tuple[WrittenArgument, ...]:
-    """The values in the order of the parameters, where they were given by name."""
+    """Returns the values in the order of the parameters, where they were given by name."""
     named = {argument.name.text.upper(): argument for argument in arguments if argument.name is not None}
     if not named:
         return arguments
@@ -249,12 +249,12 @@ def _takes(schema: OperationSchema) -> str:
 
 
 def _bare(name: str) -> str:
-    """An operation's name without the `op` of the macro notation, after which any case will do."""
+    """Returns an operation's name without the `op` of the macro notation, after which any case will do."""
     return name[2:].upper() if is_operation_word(name) else name
 
 
 def _numbers(family: FamilySchema) -> dict[str, int]:
-    """The CMDs of a family by name."""
+    """Returns the CMDs of a family by name."""
     return {
         schema.declaration.command.name: number
         for number, schema in family.commands.items()

@@ -101,7 +101,7 @@ class Parser:
         self._heads = {word.upper() if notation.folds else word: word for word in notation.heads}
 
     def statements(self) -> Iterator[Statement | SourceError]:
-        """The statements of the text. What is wrong comes as an error; reading continues with the next line."""
+        """Yields the statements of the text. What is wrong comes as an error; reading continues with the next line."""
         while not self._is_at_end():
             start = self._peek()
             try:
@@ -165,7 +165,7 @@ class Parser:
             raise SourceError(token.end, f"expected ( after {cited(word)}, found {self._shown(self._peek(1))}")
 
     def _of_message(self, token: Token) -> Statement:
-        """What only frames have."""
+        """Reads what only frames have."""
         word = token.text
         if word == MESSAGE:
             return self._header()
@@ -198,7 +198,7 @@ class Parser:
         return Define(name.at, name.text, self._value())
 
     def _head(self) -> Iterator[Statement]:
-        """One object, or several heads in a row for the same code."""
+        """Reads one object, or several heads in a row for the same code."""
         notation = self.notation
         opening: Opening | None = None
         while opening is None or (self._peek().text in self._heads and self._peek().kind == NAME):
@@ -287,7 +287,7 @@ class Parser:
         return Call(token.at, token.text, tuple(arguments), end.at, is_complete)
 
     def _bare(self) -> Call:
-        """A name alone, for an operation without values."""
+        """Reads a name alone, for an operation without values."""
         token = self._next()
         following = self._peek()
         if not following.is_first and not following.is_mark(",", ";", "}"):
@@ -356,7 +356,7 @@ class Parser:
                 raise self._unexpected("the end of the line")
 
     def _words(self) -> Call:
-        """An operation and its arguments, up to the end of the line."""
+        """Reads an operation and its arguments, up to the end of the line."""
         token = self._next()
         arguments: list[WrittenArgument] = []
         self._check_blank(token)
@@ -391,7 +391,7 @@ class Parser:
         self._next()
 
     def _word(self) -> Value:
-        """A value by itself: a number with its sign, a name, a text, names joined by signs without blanks."""
+        """Reads a value by itself: a number with its sign, a name, a text, names joined by signs without blanks."""
         token = self._peek()
         if token.is_first:
             raise self._line_end("a value")
@@ -416,7 +416,7 @@ class Parser:
         return self._joined(name)
 
     def _joined(self, first: Value) -> Value:
-        """A name and those that are added to it without parentheses around them: `A+B`."""
+        """Reads a name and those that are added to it without parentheses around them: `A+B`."""
         values: list[Value] = [first]
         operators: list[tuple[int, str]] = []
         while self._peek().is_mark("+") and self._peek(1).kind in (NAME, NUMBER):
@@ -446,7 +446,7 @@ class Parser:
         return WrittenArgument(None, value)
 
     def _value(self) -> Value:
-        """A whole value: an expression where the notation has them outside of parentheses."""
+        """Reads a whole value: an expression where the notation has them outside of parentheses."""
         match self.notation.arithmetic:
             case Arithmetic.USUAL:
                 return self._expression()
@@ -457,7 +457,7 @@ class Parser:
         return self._factor()
 
     def _expression(self) -> Value:
-        """Values with operators between them, as they are written."""
+        """Reads values with operators between them, as they are written."""
         with self._deeper(self._peek()):
             return self._chain("+-*/|" if self.notation.arithmetic is Arithmetic.USUAL else "+-*/", self._factor)
 
@@ -503,7 +503,7 @@ class Parser:
         return self._plain()
 
     def _plain(self) -> Value:
-        """A number, a text, a name."""
+        """Reads a number, a text, a name."""
         token = self._peek()
         if token.kind == NUMBER:
             return self._number()
@@ -518,7 +518,7 @@ class Parser:
         return Text(token.at, text)
 
     def _named(self) -> Value:
-        """What starts with a name."""
+        """Reads what starts with a name."""
         token, following = self._peek(), self._peek(1)
         if following.is_mark("["):
             return self._element(self._name_of(self._next()))
@@ -569,7 +569,7 @@ class Parser:
         return Form(token.at, token.text, Text(token.at, "".join(letters)))
 
     def _number(self, sign: int = 1, at: int | None = None) -> Number:
-        """A number as the notation reads it; `at` is where its sign is."""
+        """Reads a number as the notation reads it; `at` is where its sign is."""
         token, notation = self._next(), self.notation
         text, at = token.text, token.at if at is None else at
         if len(text) > MAX_DIGITS:
@@ -601,7 +601,7 @@ class Parser:
         return value % (1 << 32) if value >= 0 else (value + (1 << 31)) % (1 << 32) - (1 << 31)
 
     def _real(self, at: int, text: str, sign: int) -> int | float:
-        """A number with a point, an exponent or an F."""
+        """Reads a number with a point, an exponent or an F."""
         notation = self.notation
         if text[-1] not in "fF" and notation.point is not Point.FLOAT:
             if notation.point is Point.WRONG or "e" in text.lower():
@@ -618,7 +618,7 @@ class Parser:
         return value
 
     def _with_zero(self, at: int, text: str) -> int:
-        """A number with a 0 in front, without its sign."""
+        """Reads a number with a 0 in front, without its sign."""
         is_octal = all(digit in "01234567" for digit in text)
         octal = self.notation.octal
         if octal is Octal.WRONG and (not is_octal or text.lstrip("0")[1:]):
@@ -632,7 +632,7 @@ class Parser:
         return int(text)
 
     def _hex(self, *, until_mark: bool) -> bytes:
-        """Bytes in hex: to the end of the line, or up to the next mark."""
+        """Reads bytes in hex: to the end of the line, or up to the next mark."""
         data = bytearray()
         while until_mark or not self._peek().is_first:
             found = self._peek()

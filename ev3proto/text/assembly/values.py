@@ -93,18 +93,18 @@ Piece = bytes | PendingJump | Distance
 
 
 def wrapped(value: int) -> int:
-    """The lowest 32 bits as a number with a sign: 0xFFFFFFFF is -1."""
+    """Returns the lowest 32 bits as a number with a sign: 0xFFFFFFFF is -1."""
     return (value + (1 << 31)) % (1 << 32) - (1 << 31)
 
 
 def single_bits(value: float) -> int:
-    """The bits of the nearest single, as a number with a sign."""
+    """Returns the bits of the nearest single, as a number with a sign."""
     return int(struct.unpack("<i", struct.pack("<f", value))[0])
 
 
 @lru_cache(_MOST_KEPT)
 def integer(value: int, rules: Rules) -> bytes:
-    """A number in its shortest encoding. From 2147483648 on it is a pattern of 32 bits."""
+    """Returns a number in its shortest encoding. From 2147483648 on it is a pattern of 32 bits."""
     for form, low, high in zip(("LC0", "LC1", "LC2"), rules.lowest, (31, 127, 32767), strict=True):
         if low <= value <= high:
             return encode_as(form, value)
@@ -113,7 +113,7 @@ def integer(value: int, rules: Rules) -> bytes:
 
 @lru_cache(_MOST_KEPT)
 def variable(scope: str, index: int, rules: Rules, handle: bool = False, address: bool = False) -> bytes:
-    """A variable in its shortest encoding; that of a handle or an address is never one byte."""
+    """Returns a variable in its shortest encoding; that of a handle or an address is never one byte."""
     is_marked = handle or address
     width = next(
         (w for w, end in zip((0, 1, 2), rules.indexes, strict=True) if index < end and (w or not is_marked)), 4
@@ -140,7 +140,7 @@ def measure(sizes: list[int], goals: Mapping[int, int], rules: Rules) -> None:
 
 
 def joined(parts: Sequence[Piece], labels: Mapping[str, int], rules: Rules) -> bytes:
-    """The parts of a code with every jump in them worked out. Raises SourceError for jumps that cannot be made.
+    """Joins the parts of a code, every jump in them worked out. Raises SourceError for jumps that cannot be made.
 
     Args:
         parts: Bytes and jumps, in their order.
@@ -208,7 +208,7 @@ class Encoder:
         return Encoded(piece)
 
     def meaning(self, value: Value, parameter: Parameter | None = None) -> Meaning:
-        """What a value means that is neither a macro nor marked. Raises SourceError."""
+        """Returns what a value means that is neither a macro nor marked. Raises SourceError."""
         match value:
             case Number() | Text():
                 return value.value
@@ -224,7 +224,7 @@ class Encoder:
         raise SourceError(value.at, f"expected a number, a text or a name, found {found}")
 
     def whole(self, value: Value, what: str, low: int, high: int) -> int:
-        """A whole number in a range. Raises SourceError, which says of what."""
+        """Returns a whole number in a range. Raises SourceError, which says of what."""
         found = self.meaning(value)
         if isinstance(found, Place | Encoded | Callee | Goal):
             raise SourceError(value.at, f"{what} must be a whole number from {low} to {high}")
@@ -237,7 +237,7 @@ class Encoder:
         return int(found)
 
     def whole_or_none(self, value: Value) -> int | None:
-        """A whole number that is written or has a name, in a macro or not; None for all other values."""
+        """Returns a whole number that is written or has a name, in a macro or not; None for all other values."""
         while isinstance(value, Form):
             value = value.value
         try:
@@ -291,7 +291,7 @@ class Encoder:
         return f"unknown {what} {cited(name)}{hint}"
 
     def _part(self, value: Element) -> Place:
-        """A part of a declared variable."""
+        """Returns a part of a declared variable."""
         place = self._variable(value.text, value.at)
         if value.is_byte and isinstance(value.number, Number):
             far = int(value.number.value)
@@ -332,7 +332,7 @@ class Encoder:
         return self._both(value, parts)
 
     def _both(self, value: Sum, parts: Sequence[int | float]) -> int | float:
-        """An expression of a program, which the assemblers read in two ways."""
+        """Returns the value of an expression of a program, which the assemblers read in two ways."""
         from_the_left = int(_worked_out([int(part) for part in parts], value.operators, _LEFT, _wrapped_at))
         is_exact = self.names.notation.arithmetic is Arithmetic.EXACT
         try:
@@ -354,7 +354,7 @@ class Encoder:
     # Arguments
 
     def argument(self, value: Value, schema: ArgumentSchema = _ANYTHING) -> Piece:
-        """The bytes of one argument of an operation. Raises SourceError."""
+        """Returns the bytes of one argument of an operation. Raises SourceError."""
         try:
             return self._argument(value, schema)
         except BuildError as error:
@@ -384,7 +384,7 @@ class Encoder:
         return self.encoded(self.meaning(value, schema.parameter), value, schema)
 
     def encoded(self, meaning: Meaning, value: Value, schema: ArgumentSchema = _ANYTHING) -> Piece:
-        """The bytes of what a value means."""
+        """Returns the bytes of what a value means."""
         match meaning:
             case Encoded(data):
                 return schema.write(data)
@@ -429,7 +429,7 @@ class Encoder:
     # Macros
 
     def _form(self, form: Form, schema: ArgumentSchema) -> Piece:
-        """A value in the encoding that is named."""
+        """Returns a value in the encoding that is named."""
         name, part = form.name, form.value
         if name in MARKS:
             inner = self.argument(part, schema)
@@ -492,7 +492,7 @@ _WORDS = {kind: word for word, kind in reversed(VARIABLE_WORDS.items())}
 
 
 def _declaration(parameter: Parameter, name: str) -> str:
-    """A line that declares a variable for a parameter."""
+    """Returns a line that declares a variable for a parameter."""
     if parameter.type is Type.STRING or parameter.length is not None:
         return f"`DATAS {name} 64`"
     return f"`{_WORDS.get(parameter.type, DATA8.label)} {name}`"
@@ -519,7 +519,7 @@ _USUAL = ("*/", "+-", "|")
 def _worked_out(
     parts: Sequence[_N], operators: Sequence[tuple[int, str]], ranks: Sequence[str], kept: Callable[[int, _N], _N]
 ) -> _N:
-    """The value of an expression.
+    """Returns the value of an expression.
 
     Args:
         parts: The values in it.
@@ -540,7 +540,7 @@ def _worked_out(
 
 
 def _applied(at: int, sign: str, left: Any, right: Any) -> Any:
-    """One operation of an expression; whole numbers are divided towards zero."""
+    """Returns the result of one operator; whole numbers are divided towards zero."""
     are_whole = isinstance(left, int) and isinstance(right, int)
     if sign == "|" and not are_whole:
         raise SourceError(at, "| joins the bits of whole numbers")

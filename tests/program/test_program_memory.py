@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from ev3proto import program as programs
 from ev3proto.program import assemble
-from ev3proto.program.variables import declared
+from ev3proto.program.writing import declared
 from ev3proto.tables.declaration import Type
 from ev3proto.text.assembly import AssemblyError
 

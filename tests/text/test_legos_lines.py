@@ -98,7 +98,6 @@ def test_what_is_missing_is_named() -> None:
     assert reason("IN_16 width\nMOVE16_16(width, LV0(0))") == (
         "a direct command has no subroutines: it is one piece, as a vmthread is; DATA16 declares a variable"
     )
-    assert reason("define PORT 1\ndefine PORT 2") == "PORT is defined already"
 
 
 @pytest.mark.parametrize(

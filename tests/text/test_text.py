@@ -11,9 +11,9 @@ from support.cli import run_ev3proto_text
 import ev3proto
 from ev3proto import Dialogue, operation, parse
 from ev3proto.cli.reading import split
-from ev3proto.text.assembly import assembly, operation_line
+from ev3proto.text.assembly import operation_line
 from ev3proto.text.forms import as_c
-from ev3proto.text.phrases import Seen, dialogue_line, heading, plain, short_float
+from ev3proto.text.phrases import Seen, dialogue_line, plain, short_float
 from ev3proto.text.spans import plain_text
 from ev3proto.text.table import table
 from ev3proto.text.tree import tree
@@ -195,15 +195,6 @@ def test_assembly_fixes_every_encoding() -> None:
     }
     for one, line in lines.items():
         assert operation_line(one) == line
-
-
-def test_assembly_of_a_message() -> None:
-    exchange = Dialogue().follow(parse(NAME))
-    assert list(assembly(exchange, plain_text(heading(exchange, Seen())))) == [
-        "// DIRECT_COMMAND_REPLY, counter 42, 16 bytes",
-        "message DIRECT_COMMAND_REPLY counter 42 globals 0 locals 0",
-        'opCOM_SET, LC0(SET_BRICKNAME), LCS("myEV3")',
-    ]
 
 
 def test_json_of_a_command_has_the_promised_keys() -> None:

@@ -41,71 +41,48 @@ class Token(NamedTuple):
 
 @cache
 def _pattern(notation: Notation) -> re.Pattern[str]:
-    return re.compile(
-        rf"""(?P<blank>(?>(?:{notation.blank})+)|{notation.comment}[^\r\n]*+)
-          |(?P<newline>{notation.newline})
-          |(?P<comment>/\*)
-          |(?P<number>(?:{notation.number})(?![\w.]))
-          |(?P<name>[A-Za-z_]\w*+(?>(?:\.[A-Za-z_]\w*+)*))
-          |(?P<word>\.?\w[\w.]*+)
-          |(?P<text>"(?>(?:[^"\\\r\n]|\\[^\r\n])*)"|{notation.text})
-          |(?P<mark>{notation.marks})""".replace("\n", "").replace("          |", "|"),
-        re.ASCII,
-    )
+    """Returns the pattern of a piece of the text. It matches everywhere, each piece in linear time."""
+    pieces = {
+        "blank": rf"(?>(?:{notation.blank})+)|{notation.comment}[^\r\n]*+",
+        "newline": notation.newline,
+        "comment": r"/\*[\s\S]*?\*/",
+        NUMBER: rf"(?:{notation.number})(?![\w.])",
+        NAME: r"[A-Za-z_]\w*+(?>(?:\.[A-Za-z_]\w*+)*)",
+        WORD: r"\.?\w[\w.]*+",
+        TEXT: rf'"(?>(?:[^"\\\r\n]|\\[^\r\n])*)"|{notation.text}',
+        "open": r"""["'][^\r\n]*+|/\*[\s\S]*+""",
+        MARK: notation.marks,
+        BAD: r"[\s\S]",
+    }
+    return re.compile("|".join(f"(?P<{kind}>{pattern})" for kind, pattern in pieces.items()), re.ASCII)
 
 
 def tokens(text: str, notation: Notation) -> Iterator[Token]:
     """Yields the tokens of a text, and one for its end. Anything else becomes a bad token; nothing is raised."""
-    match = _pattern(notation).match
-    at = 0
     is_first = True
-    while at < len(text):
-        found = match(text, at)
-        kind = found.lastgroup if found else None
-        if found is None or kind is None:
-            token = _bad(text, at)
-            yield Token(BAD, token, at, is_first)
-            at = _behind_bad(text, at)
-        elif kind == "blank":
-            at = found.end()
-            continue
-        elif kind == "newline":
-            at, is_first = found.end(), True
-            continue
-        elif kind == "comment":
-            end = text.find("*/", found.end())
-            if end < 0:
+    for found in _pattern(notation).finditer(text):
+        kind, written, at = found.lastgroup, found[0], found.start()
+        match kind:
+            case "blank":
+                continue
+            case "newline":
+                is_first = True
+                continue
+            case "comment":
+                is_first |= "\n" in written or "\r" in written
+                continue
+            case "open" if written[0] == "/":
                 yield Token(BAD, "the comment that starts here has no */", at, is_first)
-                break
-            is_first |= "\n" in text[at:end] or "\r" in text[at:end]
-            at = end + 2
-            continue
-        else:
-            yield Token(kind, found[0].upper() if notation.folds and kind == NAME else found[0], at, is_first)
-            at = found.end()
+            case "open":
+                yield Token(BAD, f"the text that starts here has no {written[0]} at its end", at, is_first)
+            case "bad":
+                yield Token(BAD, f"unexpected {written!r}", at, is_first)
+            case "name" if notation.folds:
+                yield Token(NAME, written.upper(), at, is_first)
+            case _:
+                yield Token(str(kind), written, at, is_first)
         is_first = False
     yield Token(END, "", len(text), True)
-
-
-def _bad(text: str, at: int) -> str:
-    """Returns what is wrong with a character that starts no token."""
-    character = text[at]
-    return (
-        f"the text that starts here has no {character} at its end"
-        if character in "\"'"
-        else f"unexpected {character!r}"
-    )
-
-
-_LINE_END = re.compile(r"[\r\n]")
-
-
-def _behind_bad(text: str, at: int) -> int:
-    """Returns where reading continues."""
-    if text[at] not in "\"'":
-        return at + 1
-    end = _LINE_END.search(text, at)
-    return end.start() if end else len(text)
 
 
 _ESCAPE = re.compile(r"\\(x[0-9a-fA-F]{2}|u[0-9a-fA-F]{4}|.)", re.DOTALL)

@@ -188,7 +188,7 @@ class _Check:
                 operation,
                 arguments[1],
                 codes.CALL_COUNT,
-                f"object {callee.number} takes {counted(declared, 'parameter')}, and here {given} are given",
+                f"object {callee.number} takes {counted(declared, 'parameter')}, not {given}",
                 f"give {counted(declared, 'parameter')}",
             )
         for argument, parameter in zip(arguments[2:], callee.parameters, strict=False):
@@ -197,7 +197,7 @@ class _Check:
                     operation,
                     argument,
                     codes.CALL_OUTPUT,
-                    f"object {callee.number} writes {argument.name}, and here is a constant",
+                    f"object {callee.number} writes {argument.name}, but the argument is a constant",
                     "give a variable",
                 )
 

@@ -123,11 +123,11 @@ class _Reader:
     def _header(self) -> tuple[int, int, int, int]:
         image = self.image
         if not image.startswith(SIGN[: len(image)]) or not image:
-            raise DecodeError(0, f"an image starts with {SIGN.decode()}, and here is {image[: len(SIGN)]!r}")
+            raise DecodeError(0, f"an image starts with {SIGN.decode()}, not {image[: len(SIGN)]!r}")
         if len(image) < IMAGE_HEADER_SIZE:
             raise DecodeError(
                 len(image),
-                f"an image starts with a header of {IMAGE_HEADER_SIZE} bytes, and here are {len(image)}",
+                f"an image starts with a header of {IMAGE_HEADER_SIZE} bytes, not {len(image)}",
                 truncated=True,
             )
         size, version, count, global_size = PACKED_HEADER.unpack_from(image, len(SIGN))

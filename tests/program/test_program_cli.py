@@ -134,9 +134,7 @@ def test_encode_warns_of_what_may_not_be_meant(source: Path, tmp_path: Path) -> 
     source.write_text(SOURCE.replace("MOVE8_8(0, count)", "MOVE8_8(0, timer)"))
     result = run_ev3proto_text("encode", source, "-o", tmp_path / "made.rbf")
     assert result.returncode == 0
-    assert (
-        "line 10, column 14: DESTINATION of MOVE8_8 is a DATA8, and here is a DATA32: timer (warning)" in result.stderr
-    )
+    assert "line 10, column 14: DESTINATION of MOVE8_8 is a DATA8, not a DATA32: timer (warning)" in result.stderr
 
 
 @pytest.mark.parametrize("options", [("--version", "70000"), ("--version", "x"), ("--shortest", "--to", "hex")])

@@ -276,10 +276,10 @@ ERRORS = [
         "SOUND(PLAY, 1)",
         1,
         14,
-        "SOUND.PLAY takes 2 values (VOLUME, NAME), and here are 1: NAME is missing"
+        "SOUND.PLAY takes 2 values (VOLUME, NAME), not 1: NAME is missing"
         " (sound file without its extension .rsf, absolute or relative to /home/root/lms2012/sys)",
     ),
-    ("SOUND(BREAK, 1)", 1, 14, "SOUND.BREAK takes 0 values, and here are 1"),
+    ("SOUND(BREAK, 1)", 1, 14, "SOUND.BREAK takes 0 values, not 1"),
     ("SOUND(TONE 1)", 1, 12, "expected , or ), found 1"),
     ("SOUND TONE", 1, 7, "expected (, as in SOUND(...), found TONE"),
     ("opSOUND LC0(TONE)", 1, 9, "expected a comma, found LC0"),

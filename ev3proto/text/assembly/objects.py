@@ -428,7 +428,7 @@ class ProgramAssembler:
             if len(others) != len(callee.parameters):
                 wanted = counted(len(callee.parameters), "argument")
                 shown = cited(first.text) if isinstance(first, Name) else "the subcall"
-                reason = f"{shown} takes {wanted}, and here are {len(others)}"
+                reason = f"{shown} takes {wanted}, not {len(others)}"
                 if not self._notation.last_counts:
                     raise SourceError(call.at, reason)
                 self.warnings.append((call.at, reason))
@@ -567,7 +567,7 @@ def _of_parameters(call: Call, schema: OperationSchema, arguments: Sequence[Valu
         count = values[len(fixed) - 1] if len(values) >= len(fixed) else None
         wanted = len(fixed) + count if isinstance(count, int) else None
     if wanted is not None and len(values) != wanted:
-        yield call.at, f"{name} takes {counted(wanted, 'argument')}, and here are {len(values)}"
+        yield call.at, f"{name} takes {counted(wanted, 'argument')}, not {len(values)}"
     for one, argument, value in zip(fixed, arguments, values, strict=False):
         yield from _of_one(name, one.parameter, argument, value)
 
@@ -590,16 +590,16 @@ def _wrong_constant(parameter: Parameter, value: int | float | str) -> str | Non
     if parameter.direction is Direction.OUT:
         return "is an output, and what is written into a constant is lost"
     if isinstance(value, float):
-        return None if kind in (Type.DATAF, Type.ARRAY_TYPED) else f"is a {kind}, and here is a float"
+        return None if kind in (Type.DATAF, Type.ARRAY_TYPED) else f"is a {kind}, not a float"
     if isinstance(value, str):
         is_text = kind in (Type.STRING, Type.ARRAY_TYPED, Type.DATA8)
-        return None if is_text else f"is a {kind}, and here is a string"
+        return None if is_text else f"is a {kind}, not a string"
     if kind is Type.DATAF:
         if value in (0, CONSTANTS["DATAF_NAN"]):
             return None
         return "is a DATAF, and a whole number means its bits there, while floats end in F"
     if kind is Type.STRING:
-        return "is a string, and here is a number"
+        return "is a string, not a number"
     limits = RANGES.get(kind) if kind in (Type.DATA8, Type.DATA16) else None
     if parameter.unsigned and value in BITS[kind]:
         return None
@@ -614,9 +614,9 @@ def _wrong_place(parameter: Parameter, place: Place) -> str | None:
         return None
     if kind is Type.STRING:
         is_text = place.type in (Type.STRING, Type.DATA8, Type.HANDLE)
-        return None if is_text else f"is a string, and here is a {place.type}"
+        return None if is_text else f"is a string, not a {place.type}"
     if place.type is Type.STRING:
-        return None if kind is Type.DATA8 else f"is a {kind}, and here is a string"
+        return None if kind is Type.DATA8 else f"is a {kind}, not a string"
     if place.type.size != kind.size or (place.type is Type.DATAF) is not (kind is Type.DATAF):
-        return f"is a {kind}, and here is a {place.type}"
+        return f"is a {kind}, not a {place.type}"
     return None

@@ -64,11 +64,11 @@ class Assembler:
         arguments = self._with_count(schema, arguments, call)
         fixed = schema.fixed
         if schema.list_parameter is None and len(arguments) > len(fixed):
-            raise SourceError(arguments[len(fixed)].at, f"{_takes(schema)}, and here are {len(arguments)}")
+            raise SourceError(arguments[len(fixed)].at, f"{_takes(schema)}, not {len(arguments)}")
         if len(arguments) < len(fixed):
             missing = fixed[len(arguments)].parameter
             raise SourceError(
-                call.end, f"{_takes(schema)}, and here are {len(arguments)}: {missing.name} is missing ({missing.text})"
+                call.end, f"{_takes(schema)}, not {len(arguments)}: {missing.name} is missing ({missing.text})"
             )
         counter = arguments[len(fixed) - 1].value if schema.list_parameter is not None else None
         if isinstance(counter, Name) and self._encoder.whole_or_none(counter) is None:

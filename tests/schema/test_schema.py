@@ -16,8 +16,8 @@ from support.cpu_time import seconds
 
 import ev3proto
 from ev3proto import GV, LV, BuildError, DecodeError
-from ev3proto.schema.argument import ENCODINGS, LABEL_BYTE
-from ev3proto.schema.header import HEADER, MEMORY
+from ev3proto.schema.argument import ENCODINGS
+from ev3proto.schema.header import MEMORY
 from ev3proto.schema.instructions import instruction_set
 
 pytestmark = pytest.mark.portable
@@ -73,52 +73,12 @@ def test_a_misspelt_operation_gets_a_suggestion() -> None:
 
 
 @pytest.mark.parametrize(
-    ("byte", "name", "kind", "width"),
-    [
-        (0x00, "LC0", "constant", 0),
-        (0x1F, "LC0", "constant", 0),
-        (0x3F, "LC0", "constant", 0),
-        (0x40, "LV0", "local", 0),
-        (0x60, "GV0", "global", 0),
-        (0x80, "LCS_OLD", "string", None),
-        (0x81, "LC1", "constant", 1),
-        (0x82, "LC2", "constant", 2),
-        (0x83, "LC4", "constant", 4),
-        (0x84, "LCS", "string", None),
-        (0xA0, "LAB1", "label", 1),
-        (0xC1, "LV1", "local", 1),
-        (0xC2, "LV2", "local", 2),
-        (0xC3, "LV4", "local", 4),
-        (0xE1, "GV1", "global", 1),
-        (0xE2, "GV2", "global", 2),
-        (0xE3, "GV4", "global", 4),
-    ],
-)
-def test_identification_bytes_have_the_names_everybody_uses(byte: int, name: str, kind: str, width: int | None) -> None:
-    encoding = ENCODINGS[byte]
-    assert encoding is not None
-    assert (encoding.name, encoding.kind, encoding.width) == (name, kind, width)
-    assert not encoding.handle
-    assert not encoding.address
-
-
-@pytest.mark.parametrize(
     ("byte", "handle", "address"), [(0x91, True, False), (0x89, False, True), (0xF9, True, True), (0xD2, True, False)]
 )
 def test_handle_and_address_bits(byte: int, handle: bool, address: bool) -> None:
     encoding = ENCODINGS[byte]
     assert encoding is not None
     assert (encoding.handle, encoding.address) == (handle, address)
-
-
-def test_the_label_byte() -> None:
-    assert LABEL_BYTE == 0xA0
-
-
-def test_header() -> None:
-    found = HEADER.parse(frame_of("0E:00|2A:80|80"))
-    assert (found.length, found.counter, found.type) == (14, 0x802A, 0x80)
-    assert HEADER.build({"length": 14, "counter": 0x802A, "type": 0x80}) == frame_of("0E:00|2A:80|80")
 
 
 @pytest.mark.parametrize(
@@ -164,40 +124,53 @@ def test_set_brickname() -> None:
     assert (reply.kind, reply.counter, reply.memory, reply.is_error) == ("direct-reply", 42, b"", False)
 
 
-def test_output_power_and_start() -> None:
-    command = direct_command("0C:00|00:00|80|00:00|A4:00:01:14:A6:00:01")
-    assert command.type is ev3proto.MessageType.DIRECT_COMMAND_NO_REPLY
-    assert not command.wants_reply
-    power, start = command.operations
-    assert (power.name, power.command, power.offset, power.length) == ("OUTPUT_POWER", None, 7, 4)
-    assert arguments_of(power) == [("LAYER", 0, "LC0"), ("NOS", 1, "LC0"), ("POWER", 20, "LC0")]
-    assert (start.name, start.command, start.offset, start.length) == ("OUTPUT_START", None, 11, 3)
-    assert arguments_of(start) == [("LAYER", 0, "LC0"), ("NOS", 1, "LC0")]
+@pytest.mark.parametrize(
+    ("text", "sizes", "operations"),
+    [
+        (
+            "0C:00|00:00|80|00:00|A4:00:01:14:A6:00:01",
+            (0, 0),
+            [("OUTPUT_POWER", 7, "LAYER=0 NOS=1 POWER=20"), ("OUTPUT_START", 11, "LAYER=0 NOS=1")],
+        ),
+        ("09:00|00:00|80|00:00|A3:00:01:00", (0, 0), [("OUTPUT_STOP", 7, "LAYER=0 NOS=1 BRAKE=0")]),
+        ("07:00|01:00|80|00:00|02:01", (0, 0), [("PROGRAM_STOP", 7, "PRGID=1")]),
+        (
+            "0B:00|01:00|00|01:00|9A:00:00:00:00:60",
+            (1, 0),
+            [("INPUT_READ", 7, "LAYER=0 NO=0 TYPE=0 MODE=0 PCT=GV(0)")],
+        ),
+        (
+            "0B:00|01:00|00|10:00|99:15:00:00:10:60",
+            (16, 0),
+            [("INPUT_DEVICE.GET_NAME", 7, "LAYER=0 NO=0 LENGTH=16 DESTINATION=GV(0)")],
+        ),
+        (
+            "0B:00|01:00|00|05:00|7F:01:00:04:05:60",
+            (5, 0),
+            [("MEMORY_READ", 7, "PRGID=1 OBJID=0 OFFSET=4 SIZE=5 ARRAY=GV(0)")],
+        ),
+        (
+            "13:00|01:00|80|00:14|2F:40:05:01:02:03:04:05:7E:01:00:04:05:40",
+            (0, 5),
+            [
+                ("INIT_BYTES", 7, "DESTINATION=LV(0) LENGTH=5 " + " ".join(f"SOURCE[{n}]={n + 1}" for n in range(5))),
+                ("MEMORY_WRITE", 15, "PRGID=1 OBJID=0 OFFSET=4 SIZE=5 ARRAY=LV(0)"),
+            ],
+        ),
+    ],
+)
+def test_published_commands(text: str, sizes: tuple[int, int], operations: list[tuple[str, int, str]]) -> None:
+    command = direct_command(text)
+    assert (command.global_size, command.local_size) == sizes
+    assert command.wants_reply == (command.type is ev3proto.MessageType.DIRECT_COMMAND_REPLY)
+    assert [(found.full_name, found.offset, shown(found)) for found in command.operations] == operations
+    assert {argument.length for found in command.operations for argument in found.arguments} == {1}
 
 
-def test_output_stop() -> None:
-    (operation,) = direct_command("09:00|00:00|80|00:00|A3:00:01:00").operations
-    assert operation.full_name == "OUTPUT_STOP"
-    assert arguments_of(operation) == [("LAYER", 0, "LC0"), ("NOS", 1, "LC0"), ("BRAKE", 0, "LC0")]
-
-
-def test_input_read() -> None:
-    command = direct_command("0B:00|01:00|00|01:00|9A:00:00:00:00:60")
-    assert (command.global_size, command.local_size) == (1, 0)
-    (operation,) = command.operations
-    assert operation.full_name == "INPUT_READ"
-    assert [(it.value, it.encoding) for it in operation.arguments] == [(0, "LC0")] * 4 + [(0, "GV0")]
-    assert operation.arguments[-1].kind == "global"
-    assert operation.arguments[-1].parameter.is_output
-    assert direct_reply("04:00|01:00|02|00").memory == b"\x00"
-
-
-def test_input_device_get_name() -> None:
-    command = direct_command("0B:00|01:00|00|10:00|99:15:00:00:10:60")
-    assert command.global_size == 16
-    (operation,) = command.operations
-    assert operation.full_name == "INPUT_DEVICE.GET_NAME"
-    assert [(it.value, it.encoding) for it in operation.arguments] == [(0, "LC0"), (0, "LC0"), (16, "LC0"), (0, "GV0")]
+def shown(operation: ev3proto.Operation) -> str:
+    """`POWER=20 PCT=GV(0)`."""
+    letters = {"local": "LV({})", "global": "GV({})"}
+    return " ".join(f"{it.name}={letters.get(it.kind, '{}').format(it.value)}" for it in operation.arguments)
 
 
 def test_input_device_list() -> None:
@@ -210,48 +183,6 @@ def test_input_device_list() -> None:
     values = dialogue.feed(direct_reply("08:00|01:00|02|7E:7E:7E:7D:00"))
     assert [value.value for value in values] == [[0x7E, 0x7E, 0x7E, 0x7D], 0]
     assert [value.offset for value in values] == [5, 9]
-
-
-def test_init_bytes_and_memory_write() -> None:
-    command = direct_command("13:00|01:00|80|00:14|2F:40:05:01:02:03:04:05:7E:01:00:04:05:40")
-    assert (command.global_size, command.local_size) == (0, 5)
-    init, write = command.operations
-    assert init.full_name == "INIT_BYTES"
-    assert arguments_of(init) == [
-        ("DESTINATION", 0, "LV0"),
-        ("LENGTH", 5, "LC0"),
-        ("SOURCE[0]", 1, "LC0"),
-        ("SOURCE[1]", 2, "LC0"),
-        ("SOURCE[2]", 3, "LC0"),
-        ("SOURCE[3]", 4, "LC0"),
-        ("SOURCE[4]", 5, "LC0"),
-    ]
-    assert (write.full_name, write.offset) == ("MEMORY_WRITE", 15)
-    assert [(it.value, it.encoding) for it in write.arguments] == [
-        (1, "LC0"),
-        (0, "LC0"),
-        (4, "LC0"),
-        (5, "LC0"),
-        (0, "LV0"),
-    ]
-
-
-def test_memory_read() -> None:
-    (operation,) = direct_command("0B:00|01:00|00|05:00|7F:01:00:04:05:60").operations
-    assert operation.full_name == "MEMORY_READ"
-    assert [(it.value, it.encoding) for it in operation.arguments] == [
-        (1, "LC0"),
-        (0, "LC0"),
-        (4, "LC0"),
-        (5, "LC0"),
-        (0, "GV0"),
-    ]
-
-
-def test_program_stop() -> None:
-    (operation,) = direct_command("07:00|01:00|80|00:00|02:01").operations
-    assert operation.full_name == "PROGRAM_STOP"
-    assert [(it.value, it.encoding) for it in operation.arguments] == [(1, "LC0")]
 
 
 def test_an_error_reply_tells_nothing_more() -> None:
@@ -345,6 +276,7 @@ def test_cmd_is_a_parameter_like_any_other(cmd: str) -> None:
         ("5F", "LV0", 31),
         ("C1:FF", "LV1", 255),
         ("C2:00:01", "LV2", 256),
+        ("C3:00:00:01:00", "LV4", 65536),
         ("7F", "GV0", 31),
         ("E1:20", "GV1", 32),
         ("E2:00:01", "GV2", 256),

@@ -1,12 +1,13 @@
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 
 import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 from support.cpu_time import seconds
 from support.effort import effort
+from support.notations import EVERY
 
 from ev3proto.text.paste import Pasted, read_argument, read_text
 
@@ -26,38 +27,17 @@ def only(text: str) -> Pasted:
 
 
 WAYS = {
-    "lesson": r"0x|0E:00|2A:00|80|00:00|94|01|01|82:B8:01|82:E8:03|",
     "lesson, no last bar": "0x|0E:00|2A:00|80|00:00|94|01|01|82:B8:01|82:E8:03",
-    "lesson, lower case": "0x|0e:00|2a:00|80|00:00|94|01|01|82:b8:01|82:e8:03|",
     "lesson, no 0x": "0E:00|2A:00|80|00:00|94|01|01|82:B8:01|82:E8:03|",
     "lesson, blanks": "0x| 0E:00 | 2A:00 | 80 | 00:00 | 94 | 01 | 01 | 82:B8:01 | 82:E8:03 |",
-    "bare": "0E002A0080000094010182B80182E803",
-    "bare, 0x": "0x0e002a0080000094010182b80182e803",
     "bare, quoted": '"0e002a0080000094010182b80182e803"',
-    "blanks": "0e 00 2a 00 80 00 00 94 01 01 82 b8 01 82 e8 03",
-    "groups of four": "0e00 2a00 8000 0094 0101 82b8 0182 e803",
-    "commas": "0e,00,2a,00,80,00,00,94,01,01,82,b8,01,82,e8,03",
-    "commas in brackets": "[0e, 00, 2a, 00, 80, 00, 00, 94, 01, 01, 82, b8, 01, 82, e8, 03]",
-    "dashes": "0E-00-2A-00-80-00-00-94-01-01-82-B8-01-82-E8-03",
-    "colons": "0E:00:2A:00:80:00:00:94:01:01:82:B8:01:82:E8:03",
-    "0x and commas": "0x0E, 0x00, 0x2A, 0x0, 0x80, 0x00, 0x00, 0x94, 0x1, 0x1, 0x82, 0xB8, 0x01, 0x82, 0xE8, 0x03",
     "remark behind": "0e002a0080000094010182b80182e803  # a tone",
-    "escapes": r"\x0e\x00\x2a\x00\x80\x00\x00\x94\x01\x01\x82\xb8\x01\x82\xe8\x03",
-    "escapes and characters": r"\x0e\x00*\x00\x80\x00\x00\x94\x01\x01\x82\xb8\x01\x82\xe8\x03",
     "escapes behind the b that a shell left": r"b\x0e\x00*\x00\x80\x00\x00\x94\x01\x01\x82\xb8\x01\x82\xe8\x03",
-    "C string": r'"\x0e\x00*\x00\x80\x00\x00\x94\x01\x01\x82\xb8\x01\x82\xe8\x03"',
-    "byte string": r"b'\x0e\x00*\x00\x80\x00\x00\x94\x01\x01\x82\xb8\x01\x82\xe8\x03'",
     "byte string, other quotes": r'b"\x0e\x00*\x00\x80\x00\x00\x94\x01\x01\x82\xb8\x01\x82\xe8\x03"',
     "byte string at a prompt": r">>> b'\x0e\x00*\x00\x80\x00\x00\x94\x01\x01\x82\xb8\x01\x82\xe8\x03'",
-    "bytearray": r"bytearray(b'\x0e\x00*\x00\x80\x00\x00\x94\x01\x01\x82\xb8\x01\x82\xe8\x03')",
     "assignment": r"ops = b'\x0e\x00*\x00\x80\x00\x00\x94\x01\x01\x82\xb8\x01\x82\xe8\x03'",
-    "bytes of a list": "bytes([14, 0, 42, 0, 128, 0, 0, 148, 1, 1, 130, 184, 1, 130, 232, 3])",
-    "fromhex": "bytes.fromhex('0e002a00 80000094 010182b8 0182e803')",
     "unhexlify": 'frame = binascii.unhexlify("0e002a0080000094010182b80182e803")',
-    "list": "[14, 0, 42, 0, 128, 0, 0, 148, 1, 1, 130, 184, 1, 130, 232, 3]",
     "JSON": '{"data": [14, 0, 42, 0, 128, 0, 0, 148, 1, 1, 130, 184, 1, 130, 232, 3]}',
-    "decimal in braces": "{14, 0, 42, 0, 128, 0, 0, 148, 1, 1, 130, 184, 1, 130, 232, 3}",
-    "C array in a line": "const uint8_t cmd[16] = {0x0E,0,0x2A,0,0x80,0,0,0x94u,1,1,0x82,0xB8,1,0x82,0xE8,3}; // tone",
     "C array": """unsigned char cmd[] = {
         0x0E, 0x00,             // length
         0x2A, 0x00, 0x80, 0x00, 0x00,
@@ -67,9 +47,6 @@ WAYS = {
     };
     """,
     "list over lines": "frame = [\n  14, 0, 42, 0, 128, 0, 0,  # header\n  148, 1, 1, 130, 184, 1,\n  130, 232, 3]",
-    "Wireshark": "0000   0e 00 2a 00 80 00 00 94 01 01 82 b8 01 82 e8 03   ..*.............\n",
-    "hexdump -C": "00000000  0e 00 2a 00 80 00 00 94  01 01 82 b8 01 82 e8 03  |..*.............|\n00000010\n",
-    "xxd": "00000000: 0e00 2a00 8000 0094 0101 82b8 0182 e803  ..*.............",
     "od": "0000000 0e 00 2a 00 80 00 00 94 01 01 82 b8 01 82 e8 03\n0000020\n",
     "tcpdump": "\t0x0000:  0e00 2a00 8000 0094 0101 82b8 0182 e803  ..*.............",
     "dump of two lines": "0000  0e 00 2a 00 80 00 00 94                            ..*.....\n"
@@ -78,6 +55,7 @@ WAYS = {
     "00000005: 0000 9401 01  .....\n"
     "0000000a: 82b8 0182 e803  ......\n",
 }
+"""Beside the notations of `support.notations`."""
 
 
 @pytest.mark.parametrize("way", WAYS.values(), ids=WAYS.keys())
@@ -320,53 +298,11 @@ def framed(content: bytes) -> bytes:
     return len(content).to_bytes(2, "little") + content
 
 
-def wireshark(data: bytes) -> str:
-    lines = []
-    for offset in range(0, len(data), 16):
-        row = data[offset : offset + 16]
-        shown = "".join(chr(byte) if 32 <= byte < 127 else "." for byte in row)
-        digits = row[:8].hex(" ") + "  " + row[8:].hex(" ")
-        lines.append(f"{offset:04x}  {digits:<48}   {shown}")
-    return "\n".join(lines)
-
-
-def xxd(data: bytes) -> str:
-    lines = []
-    for offset in range(0, len(data), 16):
-        row = data[offset : offset + 16]
-        shown = "".join(chr(byte) if 32 <= byte < 127 else "." for byte in row)
-        lines.append(f"{offset:08x}: {row.hex(' ', -2):<39}  {shown}")
-    return "\n".join(lines)
-
-
-def c_array(data: bytes) -> str:
-    rows = [data[offset : offset + 8] for offset in range(0, len(data), 8)]
-    return (
-        "uint8_t x[] = {\n" + "".join("  " + "".join(f"0x{byte:02X}, " for byte in row) + "\n" for row in rows) + "};"
-    )
-
-
-FORMATS: dict[str, Callable[[bytes], str]] = {
-    "lesson": lambda data: "0x|" + data.hex(":").upper() + "|",
-    "log line": lambda data: "09:12:31.011558 Sent 0x|" + data.hex(":").upper() + "|",
-    "bare": bytes.hex,
-    "blanks": lambda data: data.hex(" "),
-    "colons": lambda data: data.hex(":"),
-    "dashes": lambda data: data.hex("-").upper(),
-    "commas": lambda data: data.hex(","),
-    "0x": lambda data: ", ".join(map(hex, data)),
-    "escapes": lambda data: "".join(f"\\x{byte:02x}" for byte in data),
-    "repr": repr,
-    "printed repr": lambda data: f"Sent {data!r}",
-    "bytearray": lambda data: repr(bytearray(data)),
-    "list": lambda data: repr(list(data)),
-    "bytes of a list": lambda data: f"bytes({list(data)})",
-    "fromhex": lambda data: f"bytes.fromhex('{data.hex()}')",
-    "braces": lambda data: "{" + ",".join(map(str, data)) + "}",
-    "C array": c_array,
-    "Wireshark": wireshark,
-    "xxd": xxd,
-}
+FORMATS = (
+    *("lesson", "hex", "blanks", "colons", "dashes (BitConverter)", "commas without 0x", "0x, unpadded"),
+    *("hex escapes, no quotes", "repr", "bytearray", "Rust {:?}", "bytes()", "fromhex", "Erlang"),
+    *("C rows", "Wireshark's hex and text", "xxd"),
+)
 
 
 @pytest.mark.parametrize("form", FORMATS)
@@ -376,7 +312,7 @@ FORMATS: dict[str, Callable[[bytes], str]] = {
 @example(data=framed(b"ab\x80 cd ef 00 11 22"))
 @example(data=framed(b"\0" * 40))
 def test_any_bytes_in_any_form(form: str, data: bytes) -> None:
-    text = FORMATS[form](data)
+    text = EVERY[form](data)
     pasted = only(text)
     assert (pasted.data, pasted.problem, pasted.cut) == (data, None, False)
     argument = read_argument(text)

@@ -34,13 +34,13 @@ MIB, KIB = 1 << 20, 1 << 10
 
 LIMITS = {
     "Commands of one connection that wait for a reply": f"{conversation.MOST_PENDING}",
-    "Commands with one counter": f"{dialogue.MOST_PER_KEY}",
+    "Commands with the same counter": f"{dialogue.MOST_PER_KEY}",
     "Files of one connection that wait for the reply to their first command": f"{dialogue.MOST_BEGUN}",
     "Segments of one direction of TCP": f"{tcp.MOST_AHEAD // MIB} MiB, {tcp.MOST_SEGMENTS_AHEAD} segments",
-    "IP packets of which parts wait": f"{fragments.MOST_PACKETS}, each {fragments.MOST_SECONDS} seconds",
+    "Incomplete IP packets": f"{fragments.MOST_PACKETS}, each for {fragments.MOST_SECONDS} seconds",
     "TCP connections": f"{connections.MOST_CONNECTIONS}",
-    "Packets in a row without a frame that can be read, before any reply answered a command": f"{STRANGE_PACKETS}",
-    "Bytes of each side of a conversation before it is known to be a brick's": f"{MAX_FRAME:,}",
+    "Consecutive packets without a readable frame, before the first reply to a command": f"{STRANGE_PACKETS}",
+    "Bytes of each side of a conversation before it is recognised as a brick's": f"{MAX_FRAME:,}",
     "Bricks whose beacons are remembered": f"{connections.MOST_BRICKS} addresses and ports",
     "USB devices": f"{reports.MOST_DEVICES}, about 12 MiB",
     "Bluetooth connections, of all adapters": f"{adapters.MOST_CONNECTIONS}, about 8 MiB",
@@ -48,34 +48,30 @@ LIMITS = {
     "Adapters whose own address is remembered": f"{adapters.MOST_ADAPTERS}",
     "Interfaces of a section of a pcapng file": f"{pcapng.MOST_INTERFACES}, names of {pcapng.MOST_NAME:,} bytes",
     "One packet": f"{packets.MOST_PACKET // MIB} MiB",
-    "Messages of records that are kept after they were read": f"{record.MOST_READ}, up to 6 MiB",
+    "Messages that records keep after they were read": f"{record.MOST_READ}, up to 6 MiB",
     "A line of text": f"{MAX_LINE // MIB} MiB",
     "An array or a dump over several lines": f"{MAX_COLLECTED // KIB} KiB",
-    "A file of nothing but frames": f"{reading.MOST_RAW // MIB} MiB",
+    "A file that has only frames": f"{reading.MOST_RAW // MIB} MiB",
     "A program image": f"{MAX_IMAGE // MIB} MiB",
     "A file that `copy` moves, a listing of a folder": f"{file_moves.MOST_FILE // MIB} MiB",
     "Files in a capture": f"{files.MOST_FILES:,}",
-    "`stats`: bricks, files, and unanswered commands, faults, skipped pieces one by one": (
-        f"{statistics.MOST_PEERS}, {statistics.MOST_TRANSFERS}, {statistics.MOST_LISTED}"
+    "`stats`: bricks; files; unanswered commands, faults and skipped bytes listed": (
+        f"{statistics.MOST_PEERS}; {statistics.MOST_TRANSFERS}; {statistics.MOST_LISTED}"
     ),
-    "`timeline`: marks one by one": (
+    "`timeline`: separate marks": (
         f"{collecting.MOST_MARKS:,}, about 150 MiB with the library that draws them, "
         "400 where all their texts are as long as texts may be"
     ),
-    "`check --format sarif`: places that cannot be read, one by one": f"{MOST_COMPLAINTS:,}",
+    "`check --format sarif`: unreadable places listed": f"{MOST_COMPLAINTS:,}",
     "`values`: rows and values together": f"{series.MOST_CELLS:,}, about 160 MiB",
     "`values`: columns of a table, and with `--csv`": f"{values.MOST_SHOWN}, {values.MOST_COLUMNS['csv']:,}",
     "`values`: cells of a table": f"{values.MOST_PRINTED:,}, about 100 MiB",
     "`live`: beacons that are shown only once": f"{live.MOST_BEACONS}",
-    "To show, check or fix a frame": (
-        "10 ms of CPU time; the slowest frame that a search has found takes 9 ms to fix and 7 ms to check"
-    ),
-    "A frame": f"{MAX_FRAME:,} bytes; a longer one is refused and not looked into",
-    "Packets without a byte, of which 300 kB of gzip have ten million": (
-        "a million in 0.7 s from pcap, in 2.3 s from pcapng"
-    ),
-    "Places in one piece of a stream where a frame is tried": (
-        f"{MOST_TRIALS}, as many as in the dissector; then the piece is given up, and reported"
+    "To show, check or fix a frame": ("10 ms of CPU time; the slowest known frame takes 9 ms to fix and 7 ms to check"),
+    "A frame": f"{MAX_FRAME:,} bytes; a longer one is refused without being read",
+    "Empty packets (300 kB of gzip can hold ten million)": ("a million in 0.7 s from pcap, in 2.3 s from pcapng"),
+    "Places in one chunk of a stream where a frame is tried": (
+        f"{MOST_TRIALS}, as in the dissector; then the chunk is skipped, and reported"
     ),
     "A filter": f"{language.MAX_LENGTH:,} characters, {language.MAX_DEPTH} levels deep",
 }

@@ -7587,8 +7587,8 @@ do
     function claiming.judge_split(text, at, accepts, joint, is_last)
         local stop = stop_of(text, at)
         if stop > #text then
-            local least = may_become(text, at, accepts) and 2 or 0
-            local _, following = claiming.find_step(text, at + 1, accepts, least)
+            if may_become(text, at, accepts) then return PART end
+            local _, following = claiming.find_step(text, at + 1, accepts, 0)
             return not following and PART or nil
         end
         local message = read_message(sub(text, at + 1, stop))
@@ -8316,8 +8316,8 @@ do
     local ports = {}
 
     -- By ports: the direction in a connection that was seen last between them. It has what is `pending` of the stream
-    -- that way, the bytes that wait for the next segment; the `step` with them; how many bytes of the buffer were `done` before them;
-    -- the packet `number` that came last, and at which `offset` its data began.
+    -- that way, the bytes that wait for the next segment; the `step` with them; how many bytes of the buffer were
+    -- `done` before them; the packet `number` that came last, and at which `offset` its data began.
     local connections
 
     -- Both ends of a connection, whichever sends, have one key.

@@ -274,8 +274,8 @@ do
     function claiming.judge_split(text, at, accepts, joint, is_last)
         local stop = stop_of(text, at)
         if stop > #text then
-            local least = may_become(text, at, accepts) and 2 or 0
-            local _, following = claiming.find_step(text, at + 1, accepts, least)
+            if may_become(text, at, accepts) then return PART end
+            local _, following = claiming.find_step(text, at + 1, accepts, 0)
             return not following and PART or nil
         end
         local message = read_message(sub(text, at + 1, stop))

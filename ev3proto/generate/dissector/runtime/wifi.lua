@@ -26,8 +26,8 @@ do
     local ports = {}
 
     -- By ports: the direction in a connection that was seen last between them. It has what is `pending` of the stream
-    -- that way, the bytes that wait for the next segment; the `step` with them; how many bytes of the buffer were `done` before them;
-    -- the packet `number` that came last, and at which `offset` its data began.
+    -- that way, the bytes that wait for the next segment; the `step` with them; how many bytes of the buffer were
+    -- `done` before them; the packet `number` that came last, and at which `offset` its data began.
     local connections
 
     -- Both ends of a connection, whichever sends, have one key.

@@ -22,6 +22,14 @@ def test_the_change_log_has_the_version() -> None:
     assert re.findall(r"^## (.*)", text, re.MULTILINE)[0] == VERSION
 
 
+def test_the_change_log_has_a_line_for_each_thing_under_its_area() -> None:
+    text = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
+    for area in text.split("\n## ")[1:]:
+        before, *areas = area.split("\n### ")
+        assert "\n-" not in before
+        assert all(line.startswith("- ") for each in areas for line in each.splitlines()[2:] if line)
+
+
 def test_the_documentation_names_the_files_of_this_version() -> None:
     text = (ROOT / "docs" / "howto" / "install.md").read_text(encoding="utf-8")
     assert set(re.findall(r"ev3proto-(\d+\.\d+\.\d+)", text)) == {VERSION}

@@ -6058,12 +6058,12 @@ do
     local function argument_fault(text, at, name)
         local first = byte(text, at + 1)
         if not first then
-            return at, "the frame ends where the argument " .. name .. " should start", "cut_off"
+            return at, "the frame ends before the argument " .. name, "cut_off"
         elseif not ENCODINGS[first] then
-            local reason = "0x%02X is no identification byte that the firmware defines (argument %s)"
+            local reason = "undefined identification byte 0x%02X (argument %s)"
             return at, format(reason, first, name), "fault"
         elseif ENCODINGS[first].kind == CONSTANT_TEXT then
-            local reason = "the string %s runs past the end of the frame: the zero that ends it is missing"
+            local reason = "the string %s runs past the end of the frame: its terminating zero is missing"
             return at, format(reason, name), "cut_off"
         end
         return at, "the argument " .. name .. " runs past the end of the frame", "cut_off"
@@ -6085,7 +6085,7 @@ do
         local code = byte(text, at + 1)
         local operation, after = instructions[code], at + 1
         if not operation then
-            return nil, at, format("0x%02X is no opcode of the %s firmware", code, dialect), "unknown_opcode"
+            return nil, at, format("unknown opcode 0x%02X for the %s firmware", code, dialect), "unknown_opcode"
         end
         local commands = operation.commands
         if commands then
@@ -6093,7 +6093,7 @@ do
             encoding, value, after = read_argument(text, at + 1)
             if not encoding then return nil, argument_fault(text, at + 1, "CMD") end
             if encoding.kind ~= CONSTANT then
-                local reason = "CMD of %s is %s: it must be a constant to say what follows"
+                local reason = "CMD of %s is %s, but must be a constant"
                 return nil, at + 1, format(reason, operation.name, encoding.name), "unknown_cmd"
             end
             if not commands[value] then
@@ -6108,7 +6108,7 @@ do
     -- Why a list cannot have as many elements as an argument says: the reason, nil where it can.
     local function count_fault(list, encoding, value, room)
         if encoding.kind ~= CONSTANT then
-            return format("%s must be a constant: without it nobody knows how many values follow", list.counter.name)
+            return format("%s must be a constant: it is the number of values that follow", list.counter.name)
         end
         if list.is_count and room > MOST_COUNTED then room = MOST_COUNTED end
         if value < 0 or value > room then
@@ -6167,13 +6167,13 @@ do
         local size = kind == U8 and 1 or kind == U16 and 2 or kind == U32 and 4
         if size then
             if at + size > stop then
-                return nil, at, "the frame ends where the field " .. declared.name .. " should stand"
+                return nil, at, "the frame ends before the field " .. declared.name
             end
             return READ_UNSIGNED[size](text, at), at + size
         elseif kind == TEXT then
             local zero = find(text, "\0", at + 1, true)
             if not zero or zero > stop then
-                local reason = "the text %s runs past the end of the frame: the zero that ends it is missing"
+                local reason = "the text %s runs past the end of the frame: its terminating zero is missing"
                 return nil, at, format(reason, declared.name)
             end
             return sub(text, at + 1, zero - 1), zero
@@ -6186,14 +6186,14 @@ do
             if length > 0 and byte(text, at + length) == 0 then
                 return sub(text, at + 1, at + length - 1), at + length
             elseif at + length >= stop then
-                return nil, at, "the zero that ends a text is missing"
+                return nil, at, "the terminating zero of a text is missing"
             elseif byte(text, at + length + 1) ~= 0 then
-                return nil, at + length, format("a text of %d bytes must end in a zero", length)
+                return nil, at + length, format("a text of %d bytes must end with a zero", length)
             end
             return sub(text, at + 1, at + length), at + length + 1
         end
         if before[declared.name] and before[declared.name] ~= stop - at then
-            local reason = "%d bytes should follow to the end of the frame, here are %d"
+            local reason = "%d bytes should follow to the end of the frame, not %d"
             return nil, at, format(reason, before[declared.name], stop - at)
         end
         return sub(text, at + 1, stop), stop
@@ -6847,7 +6847,7 @@ do
 
     local function show_direct_command(message, view)
         if message.stop < COMMAND_HEADER_SIZE then
-            return cut_off(message, view, "a direct command starts with two bytes that ask for memory")
+            return cut_off(message, view, "the frame ends before the two bytes that request memory")
         end
         if view.item then
             local range = bytes_between(view, HEADER_SIZE, COMMAND_HEADER_SIZE)
@@ -7047,11 +7047,11 @@ do
     local function show_daisy_command(message, view)
         local text, at = message.text, HEADER_SIZE
         if message.stop < at + DAISY_PAYLOAD then
-            return cut_off(message, view, "a daisy command starts with a sub-command and two layers")
+            return cut_off(message, view, "the frame ends before the sub-command and the two layers")
         end
         local number, from, to = byte(text, at + 1, at + 3)
         local name = DAISY.names[number]
-        if not name then set_fault(message, at, format("0x%02X is no daisy sub-command", number), "fault") end
+        if not name then set_fault(message, at, format("unknown daisy sub-command 0x%02X", number), "fault") end
         if view.item then view.item:add(field.daisy_command, bytes_between(view, at, at + 1)) end
         local payload = add_layers(message, view, at + 1)
         local line = format("daisy %s layer %d to %d", name or format("0x%02X", number), from, to)
@@ -7066,7 +7066,7 @@ do
 
     local function show_daisy_reply(message, view)
         local at, stop = HEADER_SIZE, message.stop
-        if stop < at + 2 then return cut_off(message, view, "a daisy reply starts with two layers") end
+        if stop < at + 2 then return cut_off(message, view, "the frame ends before the two layers") end
         local payload = add_layers(message, view, at)
         local line = format("daisy reply layer %d to %d", byte(message.text, at + 1, at + 2))
         at = at + 2
@@ -7083,7 +7083,7 @@ do
     local function show_unknown_message(message, view)
         local code = byte(message.text, HEADER_SIZE)
         add_rest(message, view, HEADER_SIZE)
-        set_fault(message, HEADER_SIZE - 1, format("0x%02X is no message type", code), "fault")
+        set_fault(message, HEADER_SIZE - 1, format("unknown message type 0x%02X", code), "fault")
         return format("message of unknown type 0x%02X", code)
     end
 
@@ -7095,7 +7095,7 @@ do
     local function check_size(message)
         local stop, fault = message.stop, message.fault
         if stop < message.size and not (fault and fault.kind ~= "cut_off") then
-            local reason = "the frame is cut off: its length field says %d bytes follow, %d do"
+            local reason = "the frame is cut off: its length field says that %d bytes follow, but %d do"
             set_fault(message, 0, format(reason, message.size - LENGTH_FIELD, stop - LENGTH_FIELD), "cut_off")
         end
     end
@@ -7136,8 +7136,8 @@ do
         local start = type.is_command and at + 1 or at + 2
         if stop < start then
             message.rest = type.is_command and stop or at
-            local reason = type.is_command and "the frame ends where the system command should stand"
-                or "a system reply starts with the command answered and a status"
+            local reason = type.is_command and "the frame ends before the system command"
+                or "the frame ends before the command answered and the status"
             message.fault = { at = stop, reason = reason, kind = "cut_off" }
             return
         end
@@ -7146,7 +7146,7 @@ do
         message.command = SYSTEM_COMMANDS[number]
         if not message.command then
             message.rest = start
-            message.fault = { at = at, reason = format("0x%02X is no system command", number), kind = "fault" }
+            message.fault = { at = at, reason = format("unknown system command 0x%02X", number), kind = "fault" }
             return
         end
         local declared = type.is_command and message.command.request or message.command.reply
@@ -7738,7 +7738,7 @@ do
         local said = format("no frame (%s)", plural(stop - at, "byte"))
         local reason = "bytes that are in no frame, as after a gap in the capture"
         if length < MIN_LENGTH or length > MAX_LENGTH then
-            reason = "no frame can start here: its length field would say %d, a frame has %d to %d bytes after it"
+            reason = "no frame can start here: the length field says %d, but it can be %d to %d"
             reason = format(reason, length, MIN_LENGTH, MAX_LENGTH)
         end
         return add_faulty(tvb, at, stop, tree, is_shown, said, "no_boundary", reason)
@@ -8674,7 +8674,7 @@ do
                 local head = line.label .. ": "
                 local stop = find(text, "\r\n", at + 1, true)
                 if not stop or sub(text, at + 1, at + #head) ~= head then
-                    complain(item or tree, "fault", format("at offset %d: a line '%s...' should stand here", at, head))
+                    complain(item or tree, "fault", format("at offset %d: expected a line '%s...'", at, head))
                     break
                 end
                 local value = sub(text, at + #head + 1, stop - 1)

@@ -3,10 +3,10 @@
     message = ev3proto.parse(frame)
     message.build() == frame
 
-Everything that people need stands here by name. Beside it stand the constants and encoding functions that programs for
-the EV3 are written with: `ev3proto.opSound`, `ev3proto.TONE`, `ev3proto.LED_RED`, `ev3proto.LCX(440)`.
+All public names are here, together with the constants and encoding functions of programs for
+the EV3: `ev3proto.opSound`, `ev3proto.TONE`, `ev3proto.LED_RED`, `ev3proto.LCX(440)`.
 
-All of it is imported when it is first asked for.
+Everything is imported on first use.
 """
 
 from __future__ import annotations
@@ -99,7 +99,7 @@ if TYPE_CHECKING:
 __version__ = VERSION
 
 _MODULES = ("capture", "enums", "errors", "messages", "ops", "program", "schema", "system", "tables")
-"""Parts that are modules."""
+"""Submodules."""
 
 _NAMES = {
     "ev3proto.checking.checking": ("check",),
@@ -148,7 +148,7 @@ _NAMES = {
     "ev3proto.tables.frame": ("MessageType",),
     "ev3proto.tables.system": ("SystemStatus",),
 }
-"""All other names, by the modules that they are in."""
+"""All other names, by module."""
 
 _HOMES = {name: module for module, names in _NAMES.items() for name in names}
 
@@ -156,12 +156,12 @@ __all__ = sorted({*_HOMES, *(each for each in _MODULES if each not in ("errors",
 
 
 def __getattr__(name: str) -> Any:
-    """What is asked for the first time, and the constants of the instruction set: `opSound`, `TONE`, `LED_RED`, ..."""
+    """Imports a name on first use; also the constants of the instruction set: `opSound`, `TONE`, `LED_RED`, ..."""
     if name in _MODULES:
         return import_module(f"ev3proto.{name}")
     if name in _HOMES:
         if _HOMES[name].startswith("ev3proto.checking."):
-            import_module("ev3proto.text.diagnostics")  # what `str` makes of reports and fixes
+            import_module("ev3proto.text.diagnostics")  # the text of reports and fixes
         value = globals()[name] = getattr(import_module(_HOMES[name]), name)
         return value
     if name.startswith("__"):
@@ -170,7 +170,7 @@ def __getattr__(name: str) -> Any:
     try:
         return names.constant(name)
     except KeyError as error:
-        raise AttributeError(f"ev3proto has no {name}: {error.args[0]}") from None
+        raise AttributeError(error.args[0]) from None
 
 
 def __dir__() -> list[str]:

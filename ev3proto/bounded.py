@@ -1,6 +1,6 @@
-"""The one place where what is kept of a long input has a limit.
+"""Memory limits for long inputs.
 
-`Bounded` is a mapping that drops its oldest entries. `Budget` limits the bytes of all that waits, wherever it waits.
+`Bounded` is a mapping that drops its oldest entries. `Budget` limits the bytes of all pending things together.
 """
 
 from __future__ import annotations
@@ -15,15 +15,15 @@ V = TypeVar("V")
 
 
 DEFAULT_MEMORY = 64 << 20
-"""Bytes that all that waits in one capture may take, unless somebody says otherwise."""
+"""Default limit for the bytes of all pending things in one capture."""
 
 
 class Budget:
-    """A limit on the bytes of all that waits in one input, in however many places. The oldest goes first.
+    """A limit on the total bytes of all pending things of one input. The oldest are evicted first.
 
-    most     bytes in all
-    dropped  how many things had to go, so far
-    given    how many numbers were given, so far: whoever calls `hold` takes the next one
+    most     total bytes
+    dropped  number of evicted things so far
+    given    number of ids given out so far: callers of `hold` take the next one
     """
 
     def __init__(self, most: int = DEFAULT_MEMORY) -> None:
@@ -31,20 +31,20 @@ class Budget:
         self.dropped = 0
         self.given = 0
         self._used = 0
-        # By a number that grows: the size of what waits, what drops it, the number that this knows it by, its identity.
-        # A plain dictionary, as nearly every command of a capture is in it for a while: `pytest benchmarks -k capture`.
+        # By an increasing id: the size, the function that drops it, the owner's number for it, its identity.
+        # A plain dictionary for speed: nearly every command of a capture is in it for a while.
         self._held: dict[int, tuple[int, Callable[[int], object], int, int | None]] = {}
-        self._oldest = 0  # nothing with a lower number waits
-        self._numbers: dict[int, int] = {}  # by the identity of what waits
+        self._oldest = 0  # nothing with a lower id is pending
+        self._numbers: dict[int, int] = {}  # by the identity of the pending thing
 
     def hold(self, given: int, size: int, drop: Callable[[int], object], number: int) -> None:
-        """Something waits from now on, like `add`, but its owner keeps the number that is given to it.
+        """Adds a pending thing like `add`, but its owner keeps the id.
 
         Args:
-            given: The number: `given` and one, which `given` is from now on.
-            size: About how many bytes it takes.
-            drop: Is called with the other number when it has to go.
-            number: What `drop` knows it by.
+            given: The id: `given` plus one, which the caller also stores in `given`.
+            size: Its approximate size in bytes.
+            drop: Called with `number` when it is evicted.
+            number: The owner's number for it.
 
         """
         self._held[given] = size, drop, number, None
@@ -53,19 +53,19 @@ class Budget:
             self._make_room()
 
     def release(self, given: int) -> None:
-        """Something that was held waits no longer. Nothing happens where it did not."""
+        """Removes a held thing; does nothing if it is not pending."""
         held = self._held.pop(given, None)
         if held is not None:
             self._used -= held[0]
 
     def add(self, thing: object, size: int, drop: Callable[[int], object], number: int) -> None:
-        """Something waits from now on.
+        """Adds a pending thing.
 
         Args:
-            thing: What waits; whoever calls this keeps it.
-            size: About how many bytes it takes.
-            drop: Is called with the number when it has to go.
-            number: What `drop` knows it by.
+            thing: The thing; the caller keeps it alive.
+            size: Its approximate size in bytes.
+            drop: Called with `number` when it is evicted.
+            number: The owner's number for it.
 
         """
         self.given += 1
@@ -76,13 +76,13 @@ class Budget:
             self._make_room()
 
     def update(self, thing: object, size: int, drop: Callable[[int], object], number: int = 0) -> None:
-        """Something takes another size from now on, and counts as the newest of all that waits.
+        """Changes the size of a pending thing, which becomes the newest.
 
         Args:
-            thing: What waits; whoever calls this keeps it.
-            size: About how many bytes it takes; 0 where it waits no longer.
-            drop: Is called with the number when it has to go.
-            number: What `drop` knows it by.
+            thing: The thing; the caller keeps it alive.
+            size: Its approximate size in bytes; 0 if it is no longer pending.
+            drop: Called with `number` when it is evicted.
+            number: The owner's number for it.
 
         """
         self.remove(thing)
@@ -90,7 +90,7 @@ class Budget:
             self.add(thing, size, drop, number)
 
     def remove(self, thing: object) -> None:
-        """Something waits no longer. Nothing happens where it did not."""
+        """Removes a pending thing; does nothing if it is not pending."""
         number = self._numbers.pop(id(thing), None)
         if number is not None:
             self.release(number)
@@ -109,14 +109,14 @@ class Budget:
 
 
 class Evictable(Protocol):
-    """What has things that wait, each with a number."""
+    """An owner of pending things, each with a number."""
 
     def forget(self, number: int) -> None:
-        """Keeps the thing of a number no longer, if it still does."""
+        """Drops the thing with a number, if it still exists."""
 
 
 def dropper(owner: Evictable) -> Callable[[int], None]:
-    """What a budget calls. It does not keep the owner, whose things no longer count once nobody refers to it."""
+    """Returns the `drop` function of an owner. It holds only a weak reference to the owner."""
     found = weakref.ref(owner)
 
     def drop(number: int) -> None:
@@ -128,9 +128,9 @@ def dropper(owner: Evictable) -> Callable[[int], None]:
 
 
 class Bounded(OrderedDict[K, V]):
-    """A mapping of at most so many entries. Entries are in the order in which they were added or last used.
+    """A mapping with a maximum number of entries, in the order in which they were added or last used.
 
-    most  how many entries it keeps
+    most  maximum number of entries
     """
 
     def __init__(self, most: int) -> None:
@@ -141,7 +141,7 @@ class Bounded(OrderedDict[K, V]):
         """Adds an entry as the newest one.
 
         Returns:
-            The value of the oldest entry, where that had to go for it; else None.
+            The value of the oldest entry if it was evicted, else None.
 
         """
         self[key] = value
@@ -149,10 +149,10 @@ class Bounded(OrderedDict[K, V]):
         return self.pop_oldest() if len(self) > self.most else None
 
     def use(self, key: K, make: Callable[[], V]) -> tuple[V, V | None]:
-        """An entry, which becomes the newest one; it is made where there is none.
+        """Returns an entry, created if missing, which becomes the newest.
 
         Returns:
-            Its value, and the value of the oldest entry, where that had to go for it.
+            Its value, and the value of the oldest entry if that was evicted.
 
         """
         if key in self:
@@ -168,7 +168,7 @@ class Bounded(OrderedDict[K, V]):
             Its value.
 
         Raises:
-            KeyError: There is none.
+            KeyError: The mapping is empty.
 
         """
         return self.popitem(last=False)[1]

@@ -1,7 +1,7 @@
-"""Commands put together from operations: what is left open (places in memory, sizes, reply type) is worked out here.
+"""Composition of commands from operations. Omitted parts (places in memory, sizes, reply type) are computed.
 
-An operation of `ev3proto.ops` is a `Draft`: its values are checked and encoded, but variables that were omitted, and
-those that are `Local()` or `Global()`, get their place only when `command` knows all that shares the memory.
+An operation of `ev3proto.ops` is a `Draft`: its values are checked and encoded, but omitted variables,
+and `Local()` and `Global()`, get their place only in `command`, which knows all users of the memory.
 """
 
 from __future__ import annotations
@@ -34,31 +34,31 @@ __all__ = ["Draft", "Global", "Label", "Local", "Placeholder", "command"]
 
 
 LIMITS = {LOCAL: MAX_LOCALS, GLOBAL: MAX_FRAME - HEADER_SIZE}
-"""Bytes of each memory: the header has no room for more locals, a reply none for more globals."""
+"""Maximum size of each memory, in bytes: more locals do not fit into the header, more globals not into a reply."""
 
 
 Layout = tuple[list[bytes], int, int, bool]
-"""The bytes of each operation, every variable in its place; how many bytes of global and of local memory the operations
-use; whether one of them stores anything in global memory."""
+"""The bytes of each operation, with all variables placed; the bytes of global and of local memory that the operations
+use; whether any of them writes to global memory."""
 
 
 def layout(drafts: Sequence[Draft], omitted: str) -> Layout:
-    """Finds a place for each variable that has none.
+    """Returns a layout in which every variable has a place.
 
     Args:
         drafts: The operations.
-        omitted: The memory that outputs go to which were omitted.
+        omitted: The memory of omitted outputs.
 
     Raises:
-        BuildError: There is no room, or it is not known how much a variable takes.
+        BuildError: There is no room, or the size of a variable is unknown.
     """
     return _layout_of_omitted(drafts, omitted) or _LayoutOfAll(drafts, omitted).layout()
 
 
 def _layout_of_omitted(drafts: Sequence[Draft], omitted: str) -> Layout | None:
-    """The layout of a command that has no variables but outputs that were omitted, None for all others.
+    """Returns the layout of a command whose only variables are omitted outputs, None for all others.
 
-    Nearly every command is one of these. It takes a tenth of the time that looking at every argument takes.
+    Nearly every command is one of these, and this takes a tenth of the time of the general way.
     """
     size = 0
     encoded = []
@@ -81,12 +81,12 @@ def _layout_of_omitted(drafts: Sequence[Draft], omitted: str) -> Layout | None:
 
 @cache
 def _variable(scope: str, index: int) -> bytes:
-    """A variable of a command, of which there are not many."""
+    """Returns the encoded variable; cached, since commands use few different ones."""
     return encode_variable(Variable(scope, index))
 
 
 class _LayoutOfAll:
-    """The layout of any command: first what has a place by hand is taken, then the others get theirs in order."""
+    """The layout of any command: explicit places are reserved first, then the others are assigned in order."""
 
     def __init__(self, drafts: Sequence[Draft], omitted: str) -> None:
         self._drafts = [(draft, draft.footprints) for draft in drafts]
@@ -101,7 +101,7 @@ class _LayoutOfAll:
                 if place is None:
                     self._take(footprint)
                 elif isinstance(place, Placeholder):
-                    # Marked uses of a variable are uses of it, too.
+                    # Uses of a variable with a handle or address mark count, too.
                     self._shared.setdefault(place.origin, []).append(footprint)
 
     def _take(self, footprint: Footprint) -> None:
@@ -111,7 +111,7 @@ class _LayoutOfAll:
         self._writes_globals |= _is_stored(footprint) and footprint.is_global
 
     def layout(self) -> Layout:
-        """All of it."""
+        """Returns the layout."""
         encoded = [self._placed(draft, found) for draft, found in self._drafts]
         return encoded, self._memories[GLOBAL].size, self._memories[LOCAL].size, self._writes_globals
 
@@ -137,7 +137,7 @@ class _LayoutOfAll:
 
 
 def _need(place: Placeholder, found: Sequence[Footprint]) -> Need:
-    """What a variable needs by all its uses. BuildError where they do not tell, or the size given is too small."""
+    """Returns what a variable needs by all its uses. Raises BuildError if that is unknown or its size too small."""
     known = [each for each in found if each.room is not None]
     vague = [each for each in found if each.room is None and (_is_stored(each) or not known)]
     need = joined(_need_of(each) for each in known or found)
@@ -148,8 +148,7 @@ def _need(place: Placeholder, found: Sequence[Footprint]) -> Need:
         return need._replace(size=place.size)
     if vague:
         raise BuildError(
-            f"it is not known how many bytes {vague[0].full_name} takes: give a size, such as"
-            f" {place.scope.capitalize()}(32)"
+            f"the size of {vague[0].full_name} is unknown: pass one, such as {place.scope.capitalize()}(32)"
         )
     return need
 
@@ -159,12 +158,12 @@ def _need_of(footprint: Footprint) -> Need:
 
 
 def _room(footprint: Footprint) -> int:
-    """Bytes to set aside for a variable, or those that it takes for sure."""
+    """Returns the bytes to reserve for a variable: its maximum size, or else the certain part."""
     return footprint.size if footprint.room is None else footprint.room
 
 
 def _is_stored(footprint: Footprint) -> bool:
-    """Whether a reply would bring something that the operation stores."""
+    """Returns whether a reply would carry a result of the operation."""
     return footprint.is_written or footprint.is_result
 
 
@@ -175,25 +174,25 @@ def command(
     global_size: int | None = None,
     local_size: int | None = None,
 ) -> DirectCommand:
-    """Composes a direct command of operations; what is not given is worked out.
+    """Composes a direct command from operations; omitted parts are computed.
 
-    Outputs that were omitted follow each other in global memory, in their order, each aligned as its type wants it.
-    What has a place by hand stays there. Variables that are `Local()` or `Global()` get a place, too.
+    Omitted outputs follow each other in global memory, in order, each aligned for its type.
+    Explicit places are kept. `Local()` and `Global()` variables get a place, too.
 
     Args:
-        operations: Of `ev3proto.ops`, or of `ev3proto.operation`. A `Label` among them is the place to which those jump
+        operations: From `ev3proto.ops` or `ev3proto.operation`. A `Label` among them is the target of the jumps
             that name it.
         counter: The message counter, 0 to 65535.
-        reply: Whether the brick is to answer; when omitted, it is where anything is written to global memory. With
-            False, outputs that were omitted go to local memory: nobody would read them.
-        global_size: Bytes of global memory, 0 to 1023; when omitted, as many as the operations use.
-        local_size: Bytes of local memory, 0 to 63; when omitted, as many as the operations use.
+        reply: Whether the brick should answer; by default, if anything is written to global memory. With
+            False, omitted outputs go to local memory, since no reply carries them.
+        global_size: Bytes of global memory, 0 to 1023; by default, as many as the operations use.
+        local_size: Bytes of local memory, 0 to 63; by default, as many as the operations use.
 
     Returns:
-        The command. Each operation has the offset that it has in the frame.
+        The command. Each operation has its offset in the frame.
 
     Raises:
-        BuildError: No frame can carry it, or a size given by hand is less than the operations use.
+        BuildError: It does not fit into a frame, or an explicit size is less than the operations use.
     """
     drafts = [each if type(each) is Draft else _drafted(each) for each in operations if type(each) is not Label]
     if not drafts:
@@ -219,14 +218,14 @@ def command(
 
 
 def _places(operations: Sequence[Draft | Operation | Label]) -> dict[Label, int]:
-    """The number of the operation that each label stands in front of. BuildError for one that stands in two places."""
+    """Returns the number of the operation after each label. Raises BuildError for a label that occurs twice."""
     found: dict[Label, int] = {}
     count = 0
     for each in operations:
         if not isinstance(each, Label):
             count += 1
         elif each in found:
-            raise BuildError(f"{each!r} stands in two places, and a jump leads to one")
+            raise BuildError(f"{each!r} occurs twice, but a jump has only one target")
         else:
             found[each] = count
     return found
@@ -237,15 +236,15 @@ def _drafted(operation: Draft | Operation | Label) -> Draft:
         return operation
     if isinstance(operation, Operation):
         return draft_of(operation)
-    raise BuildError(f"{operation!r} is no operation: ev3proto.ops has them all, such as ops.sound.tone(1, 440, 1000)")
+    raise BuildError(f"{operation!r} is not an operation: use ev3proto.ops, for example ops.sound.tone(1, 440, 1000)")
 
 
 def _size(scope: str, needed: int, by_hand: int | None) -> int:
-    """Bytes of a memory to ask for. BuildError where fewer are asked for by hand than are used."""
+    """Returns the size of a memory to request. Raises BuildError if an explicit size is less than used."""
     if by_hand is None:
         if needed > LIMITS[scope]:
             raise BuildError(
-                f"the operations use {scope} memory up to byte {needed}, and there are {LIMITS[scope]} at most"
+                f"the operations use {scope} memory up to byte {needed}, but it has at most {LIMITS[scope]} bytes"
             )
         return needed
     if isinstance(by_hand, int) and by_hand < needed:

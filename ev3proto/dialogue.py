@@ -1,8 +1,8 @@
-"""Dialogues: which reply answers which command, and what the reply therefore says.
+"""Dialogues: the pairing of replies with commands, and the meaning of each reply.
 
-A reply to a direct command is nothing but memory. Every output parameter of the command that names a global variable
-says what stands in it and where, so a `Dialogue` remembers the commands it saw. Replies to system commands have fields
-of their own; there it remembers which file each handle stands for.
+A reply to a direct command is only memory. The command's output parameters that are global variables
+tell what it contains and where, so a `Dialogue` remembers commands. Replies to system commands have fields
+of their own; for these it remembers which file belongs to each handle.
 """
 
 from __future__ import annotations
@@ -20,21 +20,21 @@ from ev3proto.tables.system import SYSTEM_BY_NUMBER, SystemStatus
 T = TypeVar("T")
 
 MOST_PENDING = 65536
-"""Commands without a reply that are remembered: as many as there are counters."""
+"""Maximum number of remembered commands without a reply: one per counter."""
 
 MOST_PER_KEY = 4
-"""Commands with the same counter that are remembered, for senders who never change it."""
+"""Maximum number of remembered commands with the same counter, for senders that never change it."""
 
 
 class Pairing(Generic[T]):
-    """Remembers commands, in whatever form, until their replies come.
+    """Commands, in any form, that are remembered until their replies come.
 
-    Commands whose reply never comes are forgotten when their counter is used again often enough or too many wait.
+    Unanswered commands are forgotten when their counter was reused often enough, or too many are pending.
 
-    key   what a reply has in common with the command that it answers
-    size  what a direct command asks for, and how much its reply carries
+    key   the key that a reply shares with the command it answers
+    size  the reply size that a direct command requests, or that a reply has
 
-    A budget limits the memory of the commands of all pairings that share it; `size_of` says how many bytes one takes.
+    A budget limits the memory of all pairings that share it; `size_of` returns the bytes of a command.
     """
 
     def __init__(
@@ -45,18 +45,18 @@ class Pairing(Generic[T]):
         self._size_of = size_of
         self._drop = dropper(self)
         self._newest: dict[Hashable, int] = {}
-        self._older: dict[Hashable, list[int]] = {}  # where several have the same key, which is rare
-        self._waiting: dict[int, tuple[Hashable, int, T, int]] = {}  # key, size, command, the budget's number
+        self._older: dict[Hashable, list[int]] = {}  # if several have the same key, which is rare
+        self._waiting: dict[int, tuple[Hashable, int, T, int]] = {}  # key, size, command, the budget's id
         self._seen = 0
-        self._oldest = 0  # no command with a lower number waits
+        self._oldest = 0  # no command with a lower number is pending
 
     @property
     def unanswered(self) -> list[T]:
-        """The commands that wait for their reply, oldest first."""
+        """The commands still waiting for their reply, oldest first."""
         return [command for _, _, command, _ in self._waiting.values()]
 
     def remember(self, key: Hashable, size: int, command: T) -> T | None:
-        """Waits for the command's reply. Returns the command that is forgotten for it, if any is."""
+        """Adds a command that waits for its reply. Returns the command forgotten for it, if any."""
         budget = self._budget
         given = budget.given = budget.given + 1
         number = self._seen
@@ -77,10 +77,10 @@ class Pairing(Generic[T]):
         return None
 
     def answered(self, key: Hashable, size: int | None) -> T | None:
-        """The command that a reply answers: the newest that asked for this size, else the newest; None if none waits.
+        """Returns the command that a reply answers: the newest that requested this size, else the newest, else None.
 
-        The newest, because a sender comes back to a counter only after it gave up on the one before. `size` is None
-        for a reply that tells nothing by it.
+        The newest, because a sender reuses a counter only after it gave up on the one before. `size` is None
+        for a reply without a meaningful size.
         """
         newest = self._newest.get(key)
         if newest is None:
@@ -96,7 +96,7 @@ class Pairing(Generic[T]):
             self._budget.release(given)
 
     def forget(self, number: int) -> None:
-        """Waits no longer for the reply to the command of a number, if it still does."""
+        """Forgets the command with a number, if it is still pending."""
         if number in self._waiting:
             self._forget(number)
 
@@ -117,24 +117,24 @@ class Pairing(Generic[T]):
 
 
 MOST_BEGUN = 4096
-"""BEGIN_... commands whose reply is awaited; as many as wait in a conversation."""
+"""Maximum number of unanswered BEGIN_... commands; the same as in a conversation."""
 
 _SIZE = 400
-"""Bytes of memory that a transfer takes besides its path, about."""
+"""Approximate memory of a transfer besides its path, in bytes."""
 
 _HANDLES = 1 << 16
-"""What is added to a handle in the numbers by which a budget knows transfers: below are counters."""
+"""Added to a handle in a budget's numbers for transfers: lower numbers are counters."""
 
 
 @dataclass(slots=True)
 class Transfer:
-    """A file or listing on its way, from its BEGIN_... to its end.
+    """A transfer of a file or listing, from its BEGIN_... to its end.
 
     command      the BEGIN_... command's name
-    path         what is moved
-    size         bytes of it all, None until known
+    path         path of the file or folder
+    size         total bytes, None until known
     handle       the brick's handle, None until known
-    transferred  bytes moved so far
+    transferred  bytes transferred so far
     """
 
     command: str
@@ -145,14 +145,14 @@ class Transfer:
 
     @property
     def is_complete(self) -> bool:
-        """True when everything was moved."""
+        """Whether everything was transferred."""
         return self.size is not None and self.transferred >= self.size
 
 
 class Transfers:
-    """The files and listings between one computer and one brick, kept apart by the handles that the brick gives.
+    """The transfers between one computer and one brick, distinguished by the brick's handles.
 
-    A budget limits the memory of all that share it; a transfer that had to go is not known any more.
+    A budget limits the memory of all that share it; evicted transfers are forgotten.
     """
 
     def __init__(self, budget: Budget | None = None) -> None:
@@ -166,14 +166,14 @@ class Transfers:
             self._remove(begun)
 
     def forget(self, number: int) -> None:
-        """Follows a transfer no longer; its number is the counter of its command, or comes from its handle."""
+        """Forgets a transfer; its number is the counter of its command, or derived from its handle."""
         if number < _HANDLES:
             self._begun.pop(number, None)
         else:
             self._open.pop(number - _HANDLES, None)
 
     def requested(self, message: SystemCommand) -> Transfer | None:
-        """What a command moves, its own data counted in; None for a command that moves nothing that is known."""
+        """Returns the transfer of a command, including its own data; None if it has none that is known."""
         entry = SYSTEM_BY_NUMBER.get(message.number)
         if entry is None or entry.transfer is None:
             return None
@@ -192,7 +192,7 @@ class Transfers:
         return self._moved(self._open.get(number), number, message)
 
     def progress(self, reply: SystemReply, request: Message | None) -> Transfer | None:
-        """The same for a reply, with the command that it answers."""
+        """Returns the transfer of a reply to a command."""
         entry = SYSTEM_BY_NUMBER.get(reply.number)
         if entry is None or entry.transfer is None:
             return None
@@ -204,7 +204,7 @@ class Transfers:
             number = _number(reply.fields["handle"])
             self._remove(self._open.pop(number, None))
             if transfer is None:
-                # The command was not seen: the handle stands for another file than before, nobody knows which.
+                # The command was not seen: the handle now belongs to another, unknown file.
                 return None
             transfer.handle = number
             self._open[number] = transfer
@@ -215,7 +215,7 @@ class Transfers:
                 handle = request.fields.get("handle")
             number = _number(handle)
             transfer = self._open.get(number)
-            # The brick takes a handle back when a file is closed, complete or in trouble.
+            # The brick frees a handle when its file is closed, complete or failed.
             if entry.transfer == "close" or reply.is_error or reply.status is SystemStatus.END_OF_FILE:
                 self._remove(self._open.pop(number, None))
         if transfer is not None:
@@ -225,10 +225,10 @@ class Transfers:
         return self._moved(transfer, number, reply)
 
     def _moved(self, transfer: Transfer | None, number: int, message: SystemCommand | SystemReply) -> Transfer | None:
-        """The transfer under a handle, with what a message has of it counted in.
+        """Returns the transfer of a handle, including the data of a message.
 
-        One that is complete takes no more, as the brick has closed it. Then the handle stands for another one, whose
-        beginning was not seen, and nothing is known of that.
+        A complete transfer takes no more data, since the brick has closed it. The handle then belongs to another one,
+        whose beginning was not seen.
         """
         size = _moved_by(message)
         if transfer is None or not size:
@@ -251,7 +251,7 @@ class Transfers:
 
 
 def _moved_by(message: SystemCommand | SystemReply) -> int:
-    """Bytes of a file or listing that a message carries."""
+    """Returns the number of bytes of a file or listing in a message."""
     pieces = [message.fields.get(name, b"") for name in ("data", "list")]
     return sum(len(piece) for piece in pieces if isinstance(piece, bytes | str))
 
@@ -264,20 +264,20 @@ __all__ = ["Dialogue", "Exchange", "Transfer", "Value", "ValueType", "reply_valu
 
 
 _BYTES_EACH = 130
-"""Bytes of memory that a message takes for each byte of its frame, about: as many where each is an operation."""
+"""Approximate memory of a message per byte of its frame, if each byte is an operation."""
 
 _LEAST = 600
-"""Bytes of memory that it takes besides."""
+"""Further memory of a message, in bytes."""
 
 
 @dataclass(frozen=True, slots=True)
 class Exchange:
-    """What a dialogue makes of one message.
+    """One message of a dialogue with everything known about it.
 
     message   the message itself
-    request   for a reply: the command it answers; None when no such command was seen
-    values    for a reply: what it says, by name
-    transfer  the file that the message is about, None where it is about none
+    request   for a reply: the command it answers, None if it was not seen
+    values    for a reply: its values by name
+    transfer  the file transfer of the message, or None
     """
 
     message: Message
@@ -287,18 +287,18 @@ class Exchange:
 
     @property
     def is_orphan(self) -> bool:
-        """True for a reply to a command that was not seen."""
+        """Whether it is a reply to a command that was not seen."""
         return self.request is None and self.message.type is not None and not self.message.type.is_command
 
 
 class Dialogue:
-    """Follows the messages between one computer and one brick, in order, both directions."""
+    """The conversation between one computer and one brick, followed message by message in both directions."""
 
     def __init__(self, memory: int = DEFAULT_MEMORY) -> None:
-        """Begins a dialogue.
+        """Starts a dialogue.
 
         Args:
-            memory: Bytes that commands without a reply and files on their way may take, about; the oldest goes first.
+            memory: Approximate limit for unanswered commands and transfers, in bytes; the oldest are dropped first.
 
         """
         self._budget = Budget(memory)
@@ -307,16 +307,16 @@ class Dialogue:
 
     @property
     def forgotten(self) -> int:
-        """How many commands and files had to go, because too much waited."""
+        """The number of commands and files dropped because too much was pending."""
         return self._budget.dropped
 
     @property
     def unanswered(self) -> list[Message]:
-        """The commands that wait for their reply, oldest first."""
+        """The commands still waiting for their reply, oldest first."""
         return self._pairing.unanswered
 
     def feed(self, message: Message) -> list[Value]:
-        """What a reply says, by name. Feed or follow each message once, in order, both directions.
+        """Returns the values of a reply by name. Feed or follow each message once, in order, both directions.
 
         Args:
             message: The next message.
@@ -327,16 +327,16 @@ class Dialogue:
         return self.follow(message).values
 
     def follow(self, message: Message) -> Exchange:
-        """The same with all that is known: the command that is answered, the values, the file.
+        """Returns everything known about a message: the command it answers, the values, the file transfer.
 
         Args:
             message: The next message.
 
         Returns:
-            What the messages before make of it.
+            The exchange.
         """
         if not isinstance(message, Message):
-            raise TypeError(f"a dialogue takes messages, not {type(message).__name__}: ev3proto.parse(frame) makes one")
+            raise TypeError(f"a dialogue takes messages, not {type(message).__name__}: use ev3proto.parse(frame)")
         if message.type is None:
             return Exchange(message)
         key, size = _pairing(message)
@@ -355,7 +355,7 @@ def _size_of(message: Message) -> int:
 
 
 def _pairing(message: Message) -> tuple[tuple[str, int, int], int | None]:
-    """What a pairing must know of a message: what command and reply have in common, and the size of the reply."""
+    """Returns a message's key for pairing, and the size of the reply."""
     carries = "" if message.type is None else message.type.carries
     if isinstance(message, SystemCommand | SystemReply):
         return (carries, message.counter, message.number), None

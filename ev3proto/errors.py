@@ -1,4 +1,4 @@
-"""What goes wrong, said in a sentence: while decoding (with the offset), while building (with the parameter)."""
+"""Errors, described in a sentence: of decoding (with the offset) and of building (with the parameter)."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from construct.core import ConstructError
 
 
 class Fault(NamedTuple):
-    """What is wrong with a frame that was read with `strict=False`.
+    """A fault of a frame that was read with `strict=False`.
 
-    offset     of the byte at fault, counted from the frame's first
+    offset     of the faulty byte, from the start of the frame
     reason     one sentence
-    truncated  True when the frame ended before its contents did
+    truncated  whether the frame ended before its contents did
     """
 
     offset: int
@@ -26,7 +26,7 @@ class Fault(NamedTuple):
 
 
 class DecodeError(ConstructError, ValueError):  # type: ignore[misc]
-    """Bytes that are no frame; `offset` says where, counted from the frame's first byte or the stream's."""
+    """Bytes that are not a valid frame; `offset` counts from the start of the frame or stream."""
 
     def __init__(self, offset: int, reason: str, truncated: bool = False) -> None:
         self.fault = Fault(offset, reason, truncated)
@@ -34,7 +34,7 @@ class DecodeError(ConstructError, ValueError):  # type: ignore[misc]
 
     @property
     def offset(self) -> int:
-        """Where the byte at fault is."""
+        """The offset of the faulty byte."""
         return self.fault.offset
 
     @property
@@ -44,7 +44,7 @@ class DecodeError(ConstructError, ValueError):  # type: ignore[misc]
 
     @property
     def truncated(self) -> bool:
-        """True when the bytes ended before their contents did."""
+        """Whether the bytes ended before their contents did."""
         return self.fault.truncated
 
     def __reduce__(self) -> tuple[type[DecodeError], tuple[int, str, bool]]:
@@ -52,39 +52,39 @@ class DecodeError(ConstructError, ValueError):  # type: ignore[misc]
 
 
 class BuildError(ConstructError, ValueError):  # type: ignore[misc]
-    """Values that no frame can carry; the sentence names the parameter, the value and what would be right."""
+    """Values that do not fit into a frame; the message names the parameter, the value and what would be right."""
 
 
 def as_bytes(data: Any, what: str) -> bytes:
-    """What bytes are in a bytes-like object.
+    """Returns the bytes of a bytes-like object.
 
     Args:
         data: The object.
-        what: What it should be, for the sentence.
+        what: Its name in the error message.
 
     Returns:
         The bytes.
 
     Raises:
-        TypeError: There are none in it. For hex in a text, the sentence says how bytes are made of it.
+        TypeError: It is not bytes-like. For a text with hex, the message shows how to convert it.
     """
     try:
         return bytes(memoryview(data))
     except TypeError:
         pass
     if isinstance(data, str):
-        raise TypeError(f"{what} is bytes, not text: bytes.fromhex({shortened(data)}) makes bytes of hex")
-    raise TypeError(f"{what} is bytes, not {type(data).__name__}")
+        raise TypeError(f"{what} must be bytes, not text: convert hex by bytes.fromhex({shortened(data)})")
+    raise TypeError(f"{what} must be bytes, not {type(data).__name__}")
 
 
 def shortened(text: str) -> str:
-    """A text in quotes, of which a sentence shows no more than its first letters."""
+    """Returns a text in quotes, shortened to its first letters."""
     most = 16
     return repr(text) if len(text) <= most else repr(f"{text[:most]}...")
 
 
 def counted(count: int, noun: str) -> str:
-    """`1 byte`, `2 bytes`: a number of things whose plural ends in s."""
+    """Returns a number with its noun, whose plural ends in s: `1 byte`, `2 bytes`."""
     return f"{count} {noun}{'s' * (count != 1)}"
 
 
@@ -100,7 +100,7 @@ def near_misses(name: str, known: Iterable[str]) -> str:
     """
     if len(name) > _MOST_GUESSED:
         return ""
-    import difflib  # it takes a millisecond, which only a misspelt name should cost
+    import difflib  # takes 1 ms, which only a misspelt name should cost
 
     names = list(islice(known, _MOST_KNOWN))
     targets = {full.upper(): full for full in reversed(names)}

@@ -1,7 +1,7 @@
 """How to install an extra: the command that fits how ev3proto itself was installed.
 
-Optional features need packages that ev3proto does not install by itself. `pyproject.toml` groups them as extras.
-Whoever needs one that is missing is shown a single command, which works where they are.
+Optional features need packages that ev3proto does not install by default. `pyproject.toml` groups them as extras.
+If one is missing, the user is shown a single command that works in that environment.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ _SOURCES = Path(__file__).resolve().parents[1]
 
 
 def install_command(extra: str) -> str:
-    """The command that installs an extra into the environment that runs this program.
+    """Returns the command that installs an extra into the environment that runs this program.
 
     Args:
         extra: A name from `optional-dependencies` of pyproject.toml: `usb`, `plot`, `page`, ...
@@ -28,11 +28,11 @@ def install_command(extra: str) -> str:
 
 
 def fitting_command(extra: str, sources: Path, prefix: Path, python: Path, *, is_windows: bool) -> str:
-    """The command for an installation of which everything is known.
+    """Returns the command for a given installation.
 
     Args:
         extra: The name of the extra.
-        sources: The folder that has the package in it.
+        sources: The folder that contains the package.
         prefix: The folder of the Python environment.
         python: The interpreter of that environment.
         is_windows: Whether the command is for the shells of Windows.
@@ -41,7 +41,7 @@ def fitting_command(extra: str, sources: Path, prefix: Path, python: Path, *, is
     if setup.is_file() and prefix.resolve() == (sources / ".venv").resolve() and not is_windows:
         near = Path("bin/setup") if Path.cwd() == sources else setup
         return f"{shlex.quote(str(near))} {extra}"
-    # The shells of Windows have no single quotes that all of them know.
+    # Single quotes do not work in all shells of Windows.
     named = f'"ev3proto[{extra}]"' if is_windows else f"'ev3proto[{extra}]'"
     if (prefix / "pipx_metadata.json").is_file():
         return f"pipx inject ev3proto {named}"
@@ -49,13 +49,13 @@ def fitting_command(extra: str, sources: Path, prefix: Path, python: Path, *, is
 
 
 def _called(python: Path, is_windows: bool) -> str:
-    """An interpreter as the shell finds it: its name where that is enough, else its path."""
+    """Returns the name of an interpreter if the shell finds it by that, else its path."""
     first = next((each for each in _on_the_path() if (each / python.name).is_file()), None)
     if first is not None and first.resolve() == python.parent.resolve():
         return python.stem if is_windows else python.name
     if not is_windows:
         return shlex.quote(str(python))
-    # PowerShell runs what stands in quotes only after an ampersand; a path without spaces needs neither.
+    # PowerShell runs a quoted path only after an ampersand; a path without spaces needs neither.
     return f'& "{python}"' if " " in str(python) else str(python)
 
 

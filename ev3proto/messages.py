@@ -1,7 +1,7 @@
-"""The objects people hold: messages, their operations, the arguments of those. Immutable, typed, printable.
+"""The public objects: messages, their operations, and their arguments. Immutable, typed, printable.
 
-An operation is kept as the bytes that it has on the wire together with its declaration. That is why building what was
-parsed gives the same bytes, whatever encodings it has.
+An operation consists of its bytes on the wire and its declaration. So a parsed message builds
+the same bytes again, in any encoding.
 """
 
 from __future__ import annotations
@@ -52,20 +52,20 @@ def _index(index: int) -> int:
 
 
 def LV(index: int, *, handle: bool = False, address: bool = False) -> Variable:  # noqa: N802 - the field's name
-    """The local variable at an index (bytes, 0 or more). Raises BuildError for what is no number."""
+    """Returns the local variable at an index (bytes, 0 or more). Raises BuildError for any other index."""
     return Variable(LOCAL, _index(index), handle, address)
 
 
 def GV(index: int, *, handle: bool = False, address: bool = False) -> Variable:  # noqa: N802 - the field's name
-    """The global variable at an index (bytes, 0 or more): what the reply carries from offset 5 + index on.
+    """Returns the global variable at an index (bytes, 0 or more), at offset 5 + index of the reply.
 
-    Raises BuildError for what is no number.
+    Raises BuildError for any other index.
     """
     return Variable(GLOBAL, _index(index), handle, address)
 
 
 def _getters(count: int) -> tuple[Any, ...]:
-    """Read-only attributes for the fields of a tuple. Those of a named tuple are the fastest that there are."""
+    """Returns read-only attributes for the fields of a tuple. Those of a named tuple are the fastest."""
     names = [f"field{index}" for index in range(count)]
     fields = namedtuple("fields", names)  # type: ignore[misc]
     return tuple(getattr(fields, name) for name in names)
@@ -74,23 +74,23 @@ def _getters(count: int) -> tuple[Any, ...]:
 _ARGUMENT_PARTS = 5
 _OPERATION_PARTS = 4
 _WITHOUT_CONTENTS = "<{} without contents>"
-"""What is shown of an argument or an operation that somebody made by hand: a debugger shows those, too."""
+"""The repr of an argument or operation created by hand, which a debugger may show."""
 
 ArgumentValue = int | float | str
 """A number, a text, or the index of a variable."""
 
 
 class Argument(tuple[Parameter, Encoding, ArgumentValue, int, bytes]):
-    """What a frame carries for one parameter.
+    """The argument that a frame carries for one parameter.
 
-    parameter  what the tables declare
-    form       how it is encoded: name, kind, width, handle, address
+    parameter  its declaration in the tables
+    form       its encoding: name, kind, width, handle, address
     value      number, text, or the index of a variable
     offset     of its identification byte, in the frame
     """
 
-    # A busy stream makes a great many of these and of operations. Subclasses of a bare tuple, made from one tuple, take
-    # half the time of any other immutable object: `pytest benchmarks` shows it in "parse".
+    # Streams create very many arguments and operations. Subclasses of a bare tuple, created from one tuple, take
+    # half the time of other immutable objects: see "parse" in `pytest benchmarks`.
     __slots__ = ()
 
     if TYPE_CHECKING:
@@ -119,12 +119,12 @@ class Argument(tuple[Parameter, Encoding, ArgumentValue, int, bytes]):
 
     @property
     def is_variable(self) -> bool:
-        """True where the value is the index of a variable."""
+        """Whether the value is the index of a variable."""
         return self.form.kind == GLOBAL or self.form.kind == LOCAL
 
     @property
     def length(self) -> int:
-        """Bytes in the frame."""
+        """Its size in the frame, in bytes."""
         width = self.form.width
         return self._data.index(0, self.offset + 1) + 1 - self.offset if width is None else 1 + width
 
@@ -135,7 +135,7 @@ class Argument(tuple[Parameter, Encoding, ArgumentValue, int, bytes]):
 
     @property
     def symbol(self) -> str | None:
-        """The name of the value in the parameter's enumeration, None where it has none."""
+        """The name of the value in the parameter's enumeration, or None."""
         if self.parameter.enum is None or self.is_variable:
             return None
         return self.parameter.enum.name_of(self.value)
@@ -157,36 +157,36 @@ class Argument(tuple[Parameter, Encoding, ArgumentValue, int, bytes]):
         return f"Argument({self.name}={self._shown()}, {self.encoding}, offset={self.offset})"
 
     def _shown(self) -> str:
-        """The value as Python writes it: a variable as one."""
+        """Returns the repr of the value, or of the variable."""
         if not self.is_variable:
             return repr(self.value)
         return repr(Variable(self.form.kind, int(self.value), self.form.handle, self.form.address))
 
 
 class OperationReader(Protocol):
-    """What an operation needs of its schema."""
+    """The interface of a schema that an operation uses."""
 
     declaration: Declaration
     has_outputs: bool
 
     def __hash__(self) -> int:
-        """Facts about it are kept by it."""
+        """Hashes by identity; facts about a schema are cached by it."""
 
     def selector(self, data: bytes, at: int) -> Argument | None:
-        """The CMD argument of the operation at an offset."""
+        """Returns the CMD argument of the operation at an offset."""
 
     def arguments(self, data: bytes, at: int, end: int) -> tuple[Argument, ...]:
-        """What follows opcode and CMD, up to the end of what can be read."""
+        """Returns the readable arguments after opcode and CMD."""
 
 
 _WITH_ARGUMENTS = _OPERATION_PARTS + 1
-"""Length of an operation that has its arguments with it."""
+"""Length of the tuple of an operation that includes its arguments."""
 
 
 class Operation(tuple[Any, ...]):
     """An opcode, its CMD if it has one, and its arguments.
 
-    Made by `ev3proto.parse` and `ev3proto.operation`, not by hand.
+    Created by `ev3proto.parse` and `ev3proto.operation`, not directly.
     """
 
     __slots__ = ()
@@ -197,14 +197,16 @@ class Operation(tuple[Any, ...]):
         offset: int
         _end: int
     else:
-        _schema, _data, offset, _end = _getters(_OPERATION_PARTS)  # a parsed operation has its arguments as the fifth
+        _schema, _data, offset, _end = _getters(
+            _OPERATION_PARTS
+        )  # the fifth part of a parsed operation is its arguments
 
     is_complete: ClassVar[bool] = True
-    """False for the last operation of a faulty frame, of which only the first arguments could be read."""
+    """False for the last operation of a faulty frame if only its first arguments could be read."""
 
     @property
     def declaration(self) -> Declaration:
-        """What the tables say of it."""
+        """Its declaration in the tables."""
         return self._schema.declaration
 
     @property
@@ -219,7 +221,7 @@ class Operation(tuple[Any, ...]):
 
     @property
     def command(self) -> str | None:
-        """CMD's name, `TONE`; None where the opcode has no CMD."""
+        """The name of its CMD, `TONE`; None if the opcode has no CMD."""
         command = self._schema.declaration.command
         return command.name if command else None
 
@@ -230,17 +232,17 @@ class Operation(tuple[Any, ...]):
 
     @property
     def has_outputs(self) -> bool:
-        """True where any of its parameters takes a value that the brick writes."""
+        """Whether the brick writes any of its parameters."""
         return self._schema.has_outputs
 
     @property
     def cmd(self) -> Argument | None:
-        """CMD as it stands in the frame: a parameter like any other, with an encoding of its own."""
+        """CMD in the frame: an argument like any other, with an encoding of its own."""
         return self._schema.selector(self._data, self.offset)
 
     @property
     def length(self) -> int:
-        """Bytes in the frame."""
+        """Its size in the frame, in bytes."""
         return self._end - self.offset
 
     @property
@@ -250,9 +252,9 @@ class Operation(tuple[Any, ...]):
 
     @property
     def arguments(self) -> tuple[Argument, ...]:
-        """What follows opcode and CMD, in the order of the frame; list elements too, one by one.
+        """The arguments after opcode and CMD, in the order of the frame, including list elements one by one.
 
-        Those of a parsed operation were read when it was. Those of others are read each time they are asked for.
+        A parsed operation has them already; others read them on each access.
         """
         if len(self) == _WITH_ARGUMENTS:
             found: tuple[Argument, ...] = self[-1]
@@ -260,12 +262,12 @@ class Operation(tuple[Any, ...]):
         return self._schema.arguments(self._data, self.offset, self._end)
 
     def placed(self, frame: bytes, offset: int) -> Operation:
-        """The same operation where it stands in a frame."""
+        """Returns the same operation at its offset in a frame."""
         schema, _, start, end = self[:_OPERATION_PARTS]
         return type(self)((schema, frame, offset, offset + end - start))
 
     def __getnewargs__(self) -> tuple[tuple[Any, ...]]:
-        """Copies and pickles have what the operation is made of, and read their arguments again."""
+        """Copies and pickles keep the parts of the operation and read their arguments again."""
         return (self[:_OPERATION_PARTS],)
 
     def __eq__(self, other: object) -> bool:
@@ -287,7 +289,7 @@ class Operation(tuple[Any, ...]):
 
 
 class PartialOperation(Operation):
-    """The last operation of a faulty frame: its opcode and CMD are known, and those arguments that could be read."""
+    """The last operation of a faulty frame: opcode and CMD are known, and the arguments that could be read."""
 
     __slots__ = ()
 
@@ -295,12 +297,12 @@ class PartialOperation(Operation):
 
 
 class Flaw(NamedTuple):
-    """What is kept of a faulty frame so that it builds back byte for byte.
+    """The extra parts of a faulty frame that let it build byte for byte.
 
     fault          what is wrong and where
     rest           the bytes that could not be read
-    stated_length  the length field, where it does not say what the frame has
-    headless       the frame ends before the fixed part of its body does, which is in `rest` then
+    stated_length  the length field if it does not match the frame
+    headless       whether the frame ends inside the fixed part of its body, which is then in `rest`
     """
 
     fault: Fault | None = None
@@ -317,26 +319,26 @@ NO_FLAW = Flaw()
 
 _builder: list[Callable[[Message], bytes]] = []
 _BUILDER = "ev3proto.schema.frame"
-"""What registers the builder when it is loaded. It stands above the messages, so it is known by name alone."""
+"""The module that registers the builder when loaded. It is above this one, so only its name is known here."""
 
 
 def builds_messages(build: Callable[[Message], bytes]) -> Callable[[Message], bytes]:
-    """Registers what builds the frames of messages."""
+    """Registers the function that builds the frames of messages."""
     _builder[:] = [build]
     return build
 
 
 _NOTHING: tuple[object, ...] = (NO_FLAW, None, 0, b"", (), {})
-"""Values of a message's fields that stand there where nobody gives others."""
+"""Default values of a message's fields."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
 class Message:
-    """What every message has. A message that is no subclass is one whose type is not known.
+    """The base of every message, and the class of a message of unknown type.
 
-    type     which of the twelve types; None when the frame is too short or the type is unknown
+    type     one of the twelve types; None if the frame is too short or the type unknown
     counter  the sender's message counter, 0 to 65535, echoed in the reply
-    flaw     what a faulty frame has beside that; NO_FLAW for every frame that parses strictly
+    flaw     the extra parts of a faulty frame; NO_FLAW if it parses strictly
     """
 
     type: MessageType | None = None
@@ -345,17 +347,17 @@ class Message:
 
     @property
     def fault(self) -> Fault | None:
-        """What is wrong with the frame, None when nothing is."""
+        """What is wrong with the frame, or None."""
         return self.flaw.fault
 
     @property
     def rest(self) -> bytes:
-        """Bytes that could not be read: all of them where the type is None, none where nothing is wrong."""
+        """Bytes that could not be read: all if the type is None, none if nothing is wrong."""
         return self.flaw.rest
 
     @property
     def stated_length(self) -> int | None:
-        """The length field where it does not say what the frame has, else None."""
+        """The length field if it does not match the frame, else None."""
         return self.flaw.stated_length
 
     @property
@@ -365,22 +367,22 @@ class Message:
 
     @property
     def wants_reply(self) -> bool:
-        """True for commands that the brick answers."""
+        """Whether the brick answers this command."""
         return self.type is not None and self.type.wants_reply
 
     @property
     def length(self) -> int:
-        """The length field: bytes that follow it."""
+        """The length field: number of bytes that follow it."""
         return len(self.build()) - 2 if self.stated_length is None else self.stated_length
 
     def build(self) -> bytes:
         """Builds the frame.
 
         Returns:
-            The frame. For a message that was parsed these are the bytes that it was parsed from.
+            The frame. A parsed message returns its original bytes.
 
         Raises:
-            BuildError: No frame can carry the message. The sentence names the attribute at fault.
+            BuildError: The message does not fit into a frame. The error names the faulty attribute.
 
         """
         if not _builder:
@@ -388,7 +390,7 @@ class Message:
         return _builder[0](self)
 
     def __repr__(self) -> str:
-        # What is as it is by default says nothing.
+        # Attributes with default values are omitted.
         names = [field.name for field in dataclass_fields(self) if field.name != "type"]
         present = [(name, getattr(self, name)) for name in names]
         shown = [f"{name}={value!r}" for name, value in present if value not in _NOTHING]
@@ -400,9 +402,9 @@ class Message:
 class DirectCommand(Message):
     """Operations for the brick's virtual machine.
 
-    global_size  bytes of global memory asked for, 0 to 1023: the reply's payload
-    local_size   bytes of local memory asked for, 0 to 63
-    operations   what is to be run
+    global_size  bytes of global memory requested, 0 to 1023: the reply's payload
+    local_size   bytes of local memory requested, 0 to 63
+    operations   the operations to run
     """
 
     global_size: int = 0
@@ -412,18 +414,18 @@ class DirectCommand(Message):
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
 class DirectReply(Message):
-    """The answer to a direct command: all of its global memory, or an error that tells nothing more."""
+    """The answer to a direct command: all of its global memory, or an error without details."""
 
     memory: bytes = b""
 
     @property
     def is_error(self) -> bool:
-        """True when the brick refused or failed the command."""
+        """Whether the brick refused the command or it failed."""
         return self.type is MessageType.DIRECT_REPLY_ERROR
 
 
 FieldValue = int | str | bytes
-"""What a system message's field holds."""
+"""The value of a system message's field."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
@@ -447,7 +449,7 @@ class SystemCommand(Message):
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
 class SystemReply(Message):
-    """The answer to a system command: which one, how it went, and what it gives back."""
+    """The answer to a system command: its number, status and fields."""
 
     number: int = 0
     command: str | None = None
@@ -456,7 +458,7 @@ class SystemReply(Message):
 
     @property
     def status(self) -> SystemStatus | None:
-        """The status by name; None for a number that the firmware does not have."""
+        """The status by name; None for a number unknown to the firmware."""
         try:
             return SystemStatus(self.status_code)
         except ValueError:
@@ -464,20 +466,20 @@ class SystemReply(Message):
 
     @property
     def is_error(self) -> bool:
-        """True when the command failed; END_OF_FILE is how an upload ends."""
+        """Whether the command failed; END_OF_FILE, at the end of an upload, is not a failure."""
         return self.status is None or self.status.is_failure or self.type is MessageType.SYSTEM_REPLY_ERROR
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
 class DaisyCommand(Message):
-    """A message from brick to brick over the daisy chain.
+    """A message between bricks over the daisy chain.
 
     number      the sub-command
-    command     its name, None when the number is unknown
+    command     its name, None if the number is unknown
     layer_from  counter of the layer it comes from
     layer_to    counter of the layer it goes to
-    payload     what it carries
-    operations  the payload read as byte code, where the sub-command carries byte code and all of it can be read
+    payload     its contents
+    operations  the payload read as byte code, if the sub-command carries byte code and all of it can be read
     """
 
     number: int = 0
@@ -489,9 +491,9 @@ class DaisyCommand(Message):
 
 
 class SensorReport(NamedTuple):
-    """A sensor of another layer as a daisy reply carries it.
+    """A sensor of another layer, as in a daisy reply.
 
-    layer and port are 0 based; status, type and mode are the firmware's bytes; data is always 32 bytes.
+    layer and port count from 0; status, type and mode are the firmware's bytes; data is always 32 bytes.
     """
 
     layer: int
@@ -506,7 +508,7 @@ class SensorReport(NamedTuple):
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
 class DaisyReply(Message):
-    """The answer over the daisy chain; `report` is the payload read as a sensor's data where it has that shape."""
+    """The answer over the daisy chain; `report` is the payload read as a sensor's data, if it has that shape."""
 
     layer_from: int = 0
     layer_to: int = 0

@@ -1,10 +1,10 @@
-"""Examples of hypothesis strategies by a seed: the same seed gives the same ones in every run and on every machine.
+"""Reproducible examples of hypothesis strategies: a seed gives the same examples in every run on every machine.
 
-Hypothesis by itself looks at the program around it and at what it has tried before. That finds faults, but two people
-would not get the same samples. So random bytes make all choices here, through the entry that hypothesis has for
-fuzzers: `fuzz_one_input`.
+Hypothesis takes the surrounding program and earlier examples into account. That finds faults, but two users
+would not get the same samples. So random bytes make all choices here, through hypothesis's entry for
+fuzzers, `fuzz_one_input`.
 
-Only `ev3proto sample` imports this: it needs hypothesis, which users of ev3proto need not have.
+Only `ev3proto sample` imports this, since it needs hypothesis, an optional package.
 """
 
 from __future__ import annotations
@@ -20,27 +20,27 @@ except ImportError as error:
     from ev3proto.extras import install_command
 
     raise ImportError(
-        f"samples are drawn with hypothesis, which is not installed or too old: {install_command('sample')}"
+        f"samples need hypothesis, which is not installed or too old: {install_command('sample')}"
     ) from error
 
 T = TypeVar("T")
 
 BYTES_OF_AN_EXAMPLE = 8192
-"""All choices of one example are made by so many random bytes; what needs more is no example."""
+"""Number of random bytes for the choices of one example; a draw that needs more fails."""
 
 MOST_FAILURES = 1000
-"""After so many times in a row without an example there is none."""
+"""Give up after this many consecutive failed draws."""
 
 
 def samples(strategy: SearchStrategy[T], seed: int) -> Iterator[T]:
-    """Examples of a strategy.
+    """Yields examples of a strategy.
 
     Args:
-        strategy: What to draw from.
+        strategy: The strategy.
         seed: Any whole number.
 
     Yields:
-        Examples, without end unless the strategy has none.
+        Examples, endlessly unless the strategy has none.
     """
     drawn: list[T] = []
 

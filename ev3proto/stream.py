@@ -1,4 +1,4 @@
-"""A byte stream in any chunks to whole messages. No I/O: somebody else reads the socket, the port or the file."""
+"""The decoder of byte streams: chunks of any size to whole messages. No I/O: the caller reads the socket or file."""
 
 from __future__ import annotations
 
@@ -12,26 +12,26 @@ from ev3proto.tables.frame import LENGTH_FIELD
 
 
 class StreamError(DecodeError):
-    """The stream cannot be cut into frames any more; `offset` counts from the stream's first byte."""
+    """A stream that cannot be split into frames any further; `offset` counts from the start of the stream."""
 
 
 class Decoder:
-    """Cuts a stream into frames and yields their messages.
+    """A decoder that splits a stream into frames and yields their messages.
 
-    It keeps at most one unfinished frame beside the chunk that it was last given. A frame has at most 1024 bytes, those
-    of BEGIN_DOWNLOAD and CONTINUE_DOWNLOAD at most 65537. Two zeros between frames are a poll and are passed over.
+    It keeps at most one unfinished frame besides the last chunk. A frame has at most 1024 bytes, those
+    of BEGIN_DOWNLOAD and CONTINUE_DOWNLOAD at most 65537. Two zeros between frames are a poll and are skipped.
     """
 
     def __init__(self, *, strict: bool = True, dialect: str = "official") -> None:
         """Starts at the beginning of a stream.
 
         Args:
-            strict: False: contents never raise, and `message.fault` says what is wrong. A length that no frame can have
-                raises all the same, because nobody can say where the next frame starts.
-            dialect: "official", "xtended" or "compat": the firmware whose instruction set to read by.
+            strict: If False, contents never raise, and `message.fault` says what is wrong. An impossible length
+                still raises, because the start of the next frame is unknown.
+            dialect: "official", "xtended" or "compat": the firmware whose instruction set is used.
 
         Raises:
-            ValueError: There is no such dialect.
+            ValueError: The dialect is unknown.
         """
         self._schema = frame_schema(dialect)
         self._strict = strict
@@ -41,12 +41,12 @@ class Decoder:
 
     @property
     def position(self) -> int:
-        """Offset in the stream of the first byte that belongs to no message yet."""
+        """The offset in the stream of the first byte that is not yet part of a message."""
         return self._position
 
     @property
     def pending(self) -> bytes:
-        """The bytes of the frame that is not complete yet."""
+        """The bytes of the unfinished frame."""
         return bytes(self._buffer)
 
     def feed(self, chunk: bytes) -> Iterator[Message]:
@@ -56,10 +56,10 @@ class Decoder:
             chunk: Any number of bytes.
 
         Returns:
-            An iterator over the messages that are complete with this chunk. What is not taken from it comes with the
-            next one. The iterator raises StreamError for a length that no frame can have, and does so again whenever
-            the decoder is fed after that. In strict mode it raises DecodeError for a faulty frame. The frames after
-            that one can still be read.
+            An iterator over the messages completed by this chunk. Messages not taken from it come with the
+            next chunk. The iterator raises StreamError for an impossible length, and again whenever
+            the decoder is fed after that. In strict mode it raises DecodeError for a faulty frame; the frames after
+            it can still be read.
         """
         if type(chunk) is not bytes:
             chunk = as_bytes(chunk, "a chunk of a stream")
@@ -73,7 +73,7 @@ class Decoder:
         buffer = self._buffer
         while len(buffer) >= LENGTH_FIELD:
             size = frame_size(buffer)
-            if size == LENGTH_FIELD:  # a poll, which the firmware passes over
+            if size == LENGTH_FIELD:  # a poll, which the firmware skips
                 del buffer[:size]
                 self._position += size
                 continue
@@ -95,10 +95,10 @@ class Decoder:
             raise DecodeError(start + error.offset, reason, error.truncated) from None
 
     def close(self) -> Fault | None:
-        """Says that nothing more will come.
+        """Ends the stream.
 
         Returns:
-            None where the stream ended between two frames. With `strict=False`: what is wrong.
+            None if the stream ended between two frames. With `strict=False`, otherwise what is wrong.
 
         Raises:
             StreamError: The stream ended inside a frame, and the decoder is strict.
@@ -108,7 +108,7 @@ class Decoder:
         left = len(self._buffer)
         error = StreamError(
             self._position,
-            f"the stream ends inside a frame, of which {counted(left, 'byte')} came",
+            f"the stream ends inside a frame, after {counted(left, 'byte')} of it",
             truncated=True,
         )
         if self._strict:

@@ -1,7 +1,7 @@
-"""Folders that are gone when whoever needs them is done, also when a signal's exception comes at a bad moment.
+"""Temporary folders that are removed after use, even if a signal's exception comes at a bad moment.
 
-Between the making of a folder and whatever remembers to remove it, an exception may come. Here a folder has its name
-before it is made, so that there is nothing in between.
+An exception may come between the creation of a folder and the code that remembers to remove it. Here the name is
+chosen before the folder is created, so there is no such gap.
 """
 
 from __future__ import annotations
@@ -13,25 +13,25 @@ from contextlib import contextmanager
 from pathlib import Path
 
 PREFIX = "ev3proto-"
-"""What the names of all of them begin with."""
+"""The prefix of all their names."""
 
 
 @contextmanager
 def temporary_folder(parent: Path | None = None, prefix: str = PREFIX) -> Iterator[Path]:
-    """A folder of one's own, which only this user can look into.
+    """Creates a folder that only this user can read, and removes it at the end of the `with`.
 
     Args:
-        parent: Where it is made; without it, where the system has such things.
-        prefix: What its name begins with.
+        parent: Its parent folder; by default the system's for temporary files.
+        prefix: The prefix of its name.
 
     Yields:
         Its path.
 
     Raises:
-        OSError: It cannot be made.
+        OSError: It cannot be created.
     """
     if parent is None:
-        import tempfile  # takes 9 ms, which only folders of no parent need
+        import tempfile  # takes 9 ms, needed only without a parent
 
         parent = Path(tempfile.gettempdir())
     folder = parent / f"{prefix}{os.urandom(8).hex()}"

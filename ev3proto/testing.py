@@ -1,18 +1,18 @@
-"""Hypothesis strategies for everything that can be on the wire, drawn from the tables.
+"""Hypothesis strategies for everything that can be on the wire, generated from the tables.
 
     from ev3proto.testing import frames, operations
 
     @given(frames())
     def test_my_decoder(frame): ...
 
-For whoever tests a decoder, a brick's emulator or a gateway: a new entry in a table is tested without another word.
-What is made of values (`operations`, `direct_commands`, ...) is built by ev3proto. What is made of bytes
-(`encoded_arguments`, `raw_operations`) is put together here, from the identification bytes alone, because ev3proto
-itself only ever builds the shortest encodings and a decoder has to read all of them.
+For tests of a decoder, an emulator of the brick or a gateway. New entries in the tables are covered automatically.
+Strategies of values (`operations`, `direct_commands`, ...) build with ev3proto. Strategies of bytes
+(`encoded_arguments`, `raw_operations`) are assembled here, from the identification bytes alone, because ev3proto
+only builds the shortest encodings, and a decoder has to read all of them.
 
 `frames`, `accepted_frames` and `mutated_frames` take a `Choice`: only some operations, areas or message types.
 
-Of the project only `ev3proto sample` imports this module: it needs hypothesis, which users of ev3proto need not have.
+In this project only `ev3proto sample` imports this module, since it needs hypothesis, an optional package.
 """
 
 from __future__ import annotations
@@ -63,7 +63,7 @@ except ImportError as error:
     from ev3proto.extras import install_command
 
     raise ImportError(
-        f"ev3proto.testing makes its test data with hypothesis, which is not installed: {install_command('sample')}"
+        f"ev3proto.testing needs hypothesis, which is not installed: {install_command('sample')}"
     ) from error
 
 __all__ = [
@@ -88,12 +88,12 @@ __all__ = [
 
 PlainValue = int | float | str | Variable
 OperationValue = PlainValue | list[PlainValue]
-"""What `ev3proto.operation` takes for one parameter."""
+"""A value that `ev3proto.operation` takes for one parameter."""
 
 MOST_ELEMENTS = 6
 MOST_OPERATIONS = 6
 MOST_TEXT = 12
-"""Enough to meet every case, few enough to be quick and to shrink to something readable."""
+"""Enough for every case, few enough to be quick and to shrink to something readable."""
 
 # Values
 
@@ -101,22 +101,22 @@ _texts = st.text(st.characters(min_codepoint=1, max_codepoint=255), max_size=MOS
 """ISO-8859-1 without the zero that ends a string."""
 
 _quarters = st.integers(-4000, 4000).map(lambda number: number / 4)
-"""Numbers such as people write, which a single has exactly."""
+"""Typical numbers that a single holds exactly."""
 
 _indexes = st.integers(0, 31) | st.integers(32, 1018) | st.integers(0, 0xFFFFFFFF)
-"""Of variables: those with a form of one byte, those of the largest memory, and all that an encoding can hold."""
+"""Indexes of variables: those with a form of one byte, those of the largest memory, and all possible ones."""
 
 _variables = st.builds(Variable, st.sampled_from((LOCAL, GLOBAL)), _indexes) | st.builds(
     Variable, st.sampled_from((LOCAL, GLOBAL)), _indexes, handle=st.booleans(), address=st.booleans()
 )
 
 _EDGES = (-0x8000, -0x7FFF, -129, -128, -127, -33, -32, -1, 0, 31, 32, 127, 128, 0x7FFF, 0x8000)
-"""The numbers on both sides of where the shortest encoding changes."""
+"""The numbers on both sides of each change of the shortest encoding."""
 
 
 @cache
 def _numbers(kind: Type) -> SearchStrategy[int]:
-    """The numbers of a type, its "not a number" included."""
+    """Returns the numbers of a type, including its "not a number"."""
     limits = RANGES[kind]
     edges = [number for number in (*_EDGES, limits.low, limits.high) if limits.low <= number <= limits.high]
     special = [] if kind is Type.COUNT else [limits.nan]
@@ -125,7 +125,7 @@ def _numbers(kind: Type) -> SearchStrategy[int]:
 
 @cache
 def _constants(parameter: Parameter) -> SearchStrategy[PlainValue]:
-    """What stands in place of a variable: numbers, floats, names of an enumeration's members, texts."""
+    """Returns the constants of a parameter: numbers, floats, names of an enumeration's members, texts."""
     if parameter.type is Type.STRING:
         return _texts
     if parameter.type is Type.DATAF:
@@ -134,12 +134,12 @@ def _constants(parameter: Parameter) -> SearchStrategy[PlainValue]:
         numbers = _numbers(parameter.type)
     if parameter.enum is not None:
         numbers = st.sampled_from(list(parameter.enum.members)) | numbers
-    # Bytes of an array may stand in place as a string.
+    # An array may be given as a string in the frame.
     return numbers | _texts if parameter.length is not None else numbers
 
 
 def _element_of(parameter: Parameter, announced: Type | None = None) -> Parameter:
-    """One element of a list as a parameter of its own; `announced` is the type that another argument gives."""
+    """Returns one element of a list as a parameter; `announced` is the type that another argument gives."""
     kind = parameter.element if isinstance(parameter.element, Type) else announced or Type.ARRAY_TYPED
     direction = parameter.elements if parameter.type is Type.COUNT else Direction.IN
     return parameter._replace(type=kind, direction=direction, element=None)
@@ -147,10 +147,10 @@ def _element_of(parameter: Parameter, announced: Type | None = None) -> Paramete
 
 @cache
 def values_for(parameter: Parameter) -> SearchStrategy[OperationValue]:
-    """Values of one parameter, as `ev3proto.operation` takes them.
+    """Returns values of one parameter, as `ev3proto.operation` takes them.
 
-    Inputs get numbers of the type's range, floats, names of the enumeration's members, texts and variables; outputs
-    get variables; lists get a list of these (whole numbers and variables where another argument tells the type).
+    Inputs get numbers in the type's range, floats, names of the enumeration's members, texts and variables; outputs
+    get variables; lists get a list of these (whole numbers and variables if another argument gives the type).
     """
     if parameter.type in LISTS:
         return st.lists(_plain_values(_element_of(parameter)), max_size=MOST_ELEMENTS)
@@ -163,19 +163,19 @@ def _plain_values(parameter: Parameter) -> SearchStrategy[PlainValue]:
 
 
 def _announced(teller: Parameter, value: OperationValue) -> Type | None:
-    """The type of a list's elements that another argument's value tells; None where it is a variable or tells none."""
+    """Returns the type of a list's elements by another argument's value; None if that is a variable or no type."""
     number = teller.enum.members[value] if teller.enum is not None and isinstance(value, str) else value
     return FORMAT_TYPES.get(number) if isinstance(number, int) else None
 
 
 def _teller(declaration: Declaration) -> str | None:
-    """The name of the parameter that tells the type of the list at the end, where there is one."""
+    """Returns the name of the parameter that gives the type of the list at the end, or None."""
     last = declaration.parameters[-1].element if declaration.parameters else None
     return last if isinstance(last, str) else None
 
 
 def _most(element: Parameter) -> int:
-    """A list of strings has one element: the firmware takes a single text as a mailbox's message."""
+    """Returns the maximum length of a list: 1 for strings, since a mailbox's message is a single text."""
     return 1 if element.type is Type.STRING else MOST_ELEMENTS
 
 
@@ -192,7 +192,7 @@ def _declarations(dialect: str, names: Names) -> SearchStrategy[Declaration]:
 
 
 def _values(draw: DrawFn, declaration: Declaration, plain: Callable[[Parameter], SearchStrategy[Any]]) -> list[Any]:
-    """One value for each parameter; `plain` has those of one parameter, or of an element of a list."""
+    """Draws one value for each parameter; `plain` returns those of one parameter, or of an element of a list."""
     values: list[Any] = []
     announced: Type | None = None
     for parameter in declaration.parameters:
@@ -217,7 +217,7 @@ def _operations(draw: DrawFn, dialect: str, names: Names) -> Operation:
 
 @cache
 def operations(dialect: str = "official", name: Names = None) -> SearchStrategy[Operation]:
-    """Operations built from values, each argument in its shortest encoding.
+    """Returns operations built from values, each argument in its shortest encoding.
 
     Args:
         dialect: "official", "xtended" or "compat": the firmware whose operations are drawn.
@@ -230,7 +230,7 @@ def operations(dialect: str = "official", name: Names = None) -> SearchStrategy[
 
 
 def _first_bytes() -> dict[tuple[str, int | None], list[int]]:
-    """The identification bytes of the long forms by kind and width, those with handle and address bits included."""
+    """Returns the identification bytes of long forms by kind and width, with and without handle and address bits."""
     found: dict[tuple[str, int | None], list[int]] = {}
     for byte, encoding in enumerate(ENCODINGS):
         if encoding is not None and encoding.width != 0:
@@ -252,7 +252,7 @@ def _in_width(number: int, width: int, signed: bool) -> bool:
 
 
 def _forms(kind: str, number: int, signed: bool, plain: bool = False) -> SearchStrategy[bytes]:
-    """Every way in which a number can stand for a kind of argument; `plain` omits handle and address bits."""
+    """Returns every encoding of a number for a kind of argument; `plain` omits handle and address bits."""
     ways = [st.just(_SHORT_FORMS[kind, number])] if (kind, number) in _SHORT_FORMS else []
     for width in (1, 2, 4):
         if (kind, width) in _FIRST_BYTES and _in_width(number, width, signed):
@@ -264,7 +264,7 @@ def _forms(kind: str, number: int, signed: bool, plain: bool = False) -> SearchS
 
 @cache
 def _forms_of_text() -> SearchStrategy[bytes]:
-    """Strings in the form of today and in the old one, which differ in the identification byte only."""
+    """Returns strings in the current and the old form, which differ only in the identification byte."""
     heads = [bytes((first,)) for first in _FIRST_BYTES[TEXT, None]]
     return st.builds(
         lambda head, text: head + text.encode(STRING_CODING) + b"\0",
@@ -299,9 +299,9 @@ def _forms_of_constants(parameter: Parameter) -> SearchStrategy[bytes]:
 
 @cache
 def encoded_arguments(parameter: Parameter) -> SearchStrategy[bytes]:
-    """The bytes of one argument in any encoding that can stand there, the shortest or not.
+    """Returns the bytes of one argument in any valid encoding, the shortest or not.
 
-    Handle and address bits, labels and the old string form included. For a count: the number alone, without what it
+    Includes handle and address bits, labels and the old string form. For a count: the number alone, without what it
     counts; for a list of values: one of its elements.
     """
     if parameter.type is Type.COUNT:
@@ -338,7 +338,7 @@ def _raw_operations(draw: DrawFn, dialect: str, names: Names) -> bytes:
 
 @cache
 def raw_operations(dialect: str = "official", name: Names = None) -> SearchStrategy[bytes]:
-    """The bytes of operations, arguments, CMD and counts in any encoding; parameters as for `operations`."""
+    """Returns the bytes of operations, arguments, CMD and counts in any encoding; parameters as for `operations`."""
     return _raw_operations(dialect, name)
 
 
@@ -352,7 +352,7 @@ _memory_sizes = st.fixed_dictionaries(
 
 
 def _that_fit(pieces: Iterable[Any], room: int) -> list[Any]:
-    """As many of the operations, from the first on, as a frame has room for."""
+    """Returns the first operations, as many as fit into a frame."""
     fitting = []
     for piece in pieces:
         room -= len(piece) if isinstance(piece, bytes) else piece.length
@@ -363,7 +363,7 @@ def _that_fit(pieces: Iterable[Any], room: int) -> list[Any]:
 
 
 class Choice(NamedTuple):
-    """What frames are to be about; `choice` makes one from what people say.
+    """The subject of frames; `choice` creates one from names.
 
     types            of messages
     operations       their names; None for all of a dialect, with commands that have none
@@ -375,7 +375,7 @@ class Choice(NamedTuple):
     system_commands: tuple[int, ...] = tuple(SYSTEM_BY_NUMBER)
 
     def of(self, *types: MessageType) -> list[MessageType]:
-        """Those of some types that were chosen."""
+        """Returns those of some types that were chosen."""
         return [member for member in types if member in self.types]
 
 
@@ -384,7 +384,7 @@ ALL = Choice()
 
 
 SYSTEM_AREA = "system"
-"""What `choice` calls all system commands, which are in no area of the firmware."""
+"""The name that `choice` uses for all system commands, which have no area in the firmware."""
 
 _DIRECT_COMMANDS = (MessageType.DIRECT_COMMAND_REPLY, MessageType.DIRECT_COMMAND_NO_REPLY)
 _DIRECT_REPLIES = (MessageType.DIRECT_REPLY, MessageType.DIRECT_REPLY_ERROR)
@@ -401,16 +401,16 @@ def choice(
 
     Args:
         names: Of operations (`SOUND.TONE`), of families (`SOUND`), of system commands (`LIST_FILES`), in any case.
-        areas: Of the firmware (`sound`), or `system`; with names, only what is named and of one of the areas.
-        types: Of messages (`DIRECT_REPLY`), or kinds of them (`direct-command`), in any case; without any, all that can
-            be about what was chosen: direct commands for operations, commands and replies for system commands.
+        areas: Of the firmware (`sound`), or `system`; with names, only named ones in one of the areas.
+        types: Of messages (`DIRECT_REPLY`), or kinds of them (`direct-command`), in any case; by default all that can
+            be about the choice: direct commands for operations, commands and replies for system commands.
         dialect: "official", "xtended" or "compat": the firmware whose operations are drawn.
 
     Returns:
-        What the strategies of this module take as `chosen`.
+        The argument `chosen` of the strategies of this module.
 
     Raises:
-        ValueError: One of them is not known, or no type of message is left.
+        ValueError: A name is unknown, or no type of message is left.
     """
     operations, system = _chosen([*names], [*areas], dialect)
     if operations is None:
@@ -419,19 +419,19 @@ def choice(
         possible = (*_DIRECT_COMMANDS * bool(operations), *(_SYSTEM_COMMANDS + _SYSTEM_REPLIES) * bool(system))
     wanted = [member for each in types for member in _types(each)]
     if operations and not system:
-        # Commands from brick to brick carry operations, too; they are drawn where somebody asks for them.
+        # Commands between bricks carry operations, too; they are drawn only on request.
         possible += tuple(member for member in _DAISY_COMMANDS if member in wanted)
     left = tuple(member for member in possible if not wanted or member in wanted)
     if not left:
         raise ValueError(
-            f"no {' or '.join(member.name for member in wanted)} is about what was chosen: there are"
+            f"no {' or '.join(member.name for member in wanted)} matches the choice: possible are"
             f" {', '.join(member.name for member in possible)}"
         )
     return Choice(left, operations, system)
 
 
 def _chosen(names: list[str], areas: list[str], dialect: str) -> tuple[tuple[str, ...] | None, tuple[int, ...]]:
-    """Operations and system commands by what people say; all of them where nobody says anything."""
+    """Returns the chosen operations and system commands, by default all of them."""
     if not names and not areas:
         return None, ALL.system_commands
     named = _named(names, dialect)
@@ -448,14 +448,14 @@ def _chosen(names: list[str], areas: list[str], dialect: str) -> tuple[tuple[str
         known = operations_of(dialect)
         places = dict.fromkeys([area_of(known[full].opcode) for full in named[0]] + [SYSTEM_AREA] * bool(named[1]))
         raise ValueError(
-            f"nothing that was named is in the area {' or '.join(areas)}: {' and '.join(names)}"
+            f"no given name is in the area {' or '.join(areas)}: {' and '.join(names)}"
             f" {'is' if len(names) == 1 else 'are'} of {', '.join(places)}"
         )
     return left
 
 
 def _named(names: list[str], dialect: str) -> tuple[tuple[str, ...], tuple[int, ...]]:
-    """Operations and system commands by their names, or those of families."""
+    """Returns operations and system commands by their names, or those of families."""
     known = operations_of(dialect)
     operations: dict[str, None] = {}
     system: dict[int, None] = {}
@@ -466,35 +466,35 @@ def _named(names: list[str], dialect: str) -> tuple[tuple[str, ...], tuple[int, 
         if not found and not numbers:
             families = (entry.opcode.name for entry in known.values())
             hint = near_misses(name, [*families, *known, *(entry.name for entry in SYSTEM)])
-            raise ValueError(f"the {dialect} firmware has no operation or system command {name}{hint}")
+            raise ValueError(f"unknown operation or system command {name} for the {dialect} firmware{hint}")
         operations |= dict.fromkeys(found)
         system |= dict.fromkeys(numbers)
     return tuple(operations), tuple(system)
 
 
 def _of_areas(areas: list[str], dialect: str) -> tuple[tuple[str, ...], tuple[int, ...]]:
-    """All operations and system commands of some areas."""
+    """Returns all operations and system commands of some areas."""
     for area in areas:
         if area not in (*AREAS, SYSTEM_AREA):
-            raise ValueError(f"there is no area {area}: it is one of {', '.join(AREAS)} or {SYSTEM_AREA}")
+            raise ValueError(f"unknown area {area}: the areas are {', '.join(AREAS)} and {SYSTEM_AREA}")
     known = operations_of(dialect)
     operations = [full for area in areas for full, entry in known.items() if area_of(entry.opcode) == area]
     return tuple(dict.fromkeys(operations)), ALL.system_commands if SYSTEM_AREA in areas else ()
 
 
 def _types(name: str) -> list[MessageType]:
-    """The types of messages that a name stands for. Raises ValueError."""
+    """Returns the types of messages with a name. Raises ValueError."""
     found = [member for member in MessageType if name.upper() == member.name or name.lower() == member.kind]
     if not found:
         kinds = dict.fromkeys(member.kind for member in MessageType)
-        hint = near_misses(name, [member.name for member in MessageType]) or f": kinds are {', '.join(kinds)}"
-        raise ValueError(f"there is no type of message {name}{hint}")
+        hint = near_misses(name, [member.name for member in MessageType]) or f": the kinds are {', '.join(kinds)}"
+        raise ValueError(f"unknown type of message {name}{hint}")
     return found
 
 
 @cache
 def direct_commands(dialect: str = "official", chosen: Choice = ALL) -> SearchStrategy[DirectCommand]:
-    """Direct commands of a few operations, built from values."""
+    """Returns direct commands of a few operations, built from values."""
     room = MAX_FRAME - HEADER_SIZE - MEMORY_SIZE
     return st.builds(
         lambda found, counter, reply, sizes: constructors.any_direct_command(
@@ -508,17 +508,17 @@ def direct_commands(dialect: str = "official", chosen: Choice = ALL) -> SearchSt
 
 
 def _several(operation: SearchStrategy[Any], chosen: Choice) -> SearchStrategy[list[Any]]:
-    """A few operations; at least one where somebody has chosen which."""
+    """Returns a few operations; at least one if operations were chosen."""
     return st.lists(operation, min_size=chosen.operations is not None, max_size=MOST_OPERATIONS)
 
 
 def _flags(members: Iterable[MessageType], name: str) -> SearchStrategy[bool]:
-    """What a flag can be for messages of these types."""
+    """Returns the possible values of a flag for messages of these types."""
     return st.sampled_from([getattr(member, name) for member in members])
 
 
 def direct_replies(chosen: Choice = ALL) -> SearchStrategy[DirectReply]:
-    """Replies to direct commands, with memory of any size that a frame has room for."""
+    """Returns replies to direct commands, with memory of any size that fits into a frame."""
     return st.builds(
         constructors.direct_reply,
         st.binary(max_size=MAX_FRAME - HEADER_SIZE),
@@ -541,7 +541,7 @@ def _field(field: Field) -> SearchStrategy[FieldValue]:
     if field.kind is Kind.DATA:
         return st.binary(max_size=64 if field.most is None else min(field.most, 64))
     if field.kind is Kind.TEXT and field.most is not None:
-        # The firmware's limit counts the zero too.
+        # The firmware's limit includes the zero.
         room = field.most - 1
         return _texts.map(lambda text: text[:room])
     return _FIELDS[field.kind]
@@ -549,7 +549,7 @@ def _field(field: Field) -> SearchStrategy[FieldValue]:
 
 @st.composite
 def _fields(draw: DrawFn, declared: tuple[Field, ...]) -> dict[str, FieldValue]:
-    """Values of all fields in their order, lengths too; optional ones are sometimes omitted."""
+    """Draws values of all fields in order, including lengths; optional ones are sometimes omitted."""
     values: dict[str, FieldValue] = {}
     for field in declared:
         if field.counts is not None:
@@ -561,14 +561,14 @@ def _fields(draw: DrawFn, declared: tuple[Field, ...]) -> dict[str, FieldValue]:
             counted = values[field.counts]
             is_text = next(it for it in declared if it.name == field.counts).kind is Kind.COUNTED_TEXT
             assert isinstance(counted, str | bytes)
-            # Senders disagree on whether a text's length counts its zero.
+            # Senders disagree on whether a text's length includes its zero.
             values[field.name] = len(counted) + (is_text and draw(st.booleans()))
     return values
 
 
 @st.composite
 def system_commands(draw: DrawFn, chosen: Choice = ALL) -> SystemCommand:
-    """System commands, those of the bootloader included."""
+    """Draws system commands, including those of the bootloader."""
     entry = SYSTEM_BY_NUMBER[draw(st.sampled_from(chosen.system_commands))]
     fields = draw(_fields(entry.request))
     reply = draw(_flags(chosen.of(*_SYSTEM_COMMANDS), "wants_reply"))
@@ -577,7 +577,7 @@ def system_commands(draw: DrawFn, chosen: Choice = ALL) -> SystemCommand:
 
 @st.composite
 def system_replies(draw: DrawFn, chosen: Choice = ALL) -> SystemReply:
-    """Replies to system commands with any status; failed ones end before any of their fields."""
+    """Draws replies to system commands with any status; failed ones may end before any of their fields."""
     entry = SYSTEM_BY_NUMBER[draw(st.sampled_from(chosen.system_commands))]
     error = draw(_flags(chosen.of(*_SYSTEM_REPLIES), "is_error"))
     status = draw(st.just(0) | st.sampled_from(list(SystemStatus)).map(int) | st.integers(0, 0xFF))
@@ -606,7 +606,7 @@ def _daisy_commands(draw: DrawFn, dialect: str, chosen: Choice) -> bytes:
 
 @st.composite
 def _daisy_replies(draw: DrawFn, chosen: Choice) -> bytes:
-    # Layer, port, status, type, mode, 32 bytes of data, checksum, busy flags; or something shorter that is no report.
+    # Layer, port, status, type, mode, 32 bytes of data, checksum, busy flags; or something shorter, not a report.
     report = st.binary(min_size=6 + daisy.SENSOR_DATA_SIZE, max_size=6 + daisy.SENSOR_DATA_SIZE + 4)
     payload = draw(report | st.binary(max_size=20))
     member = draw(st.sampled_from(chosen.of(*_DAISY_REPLIES)))
@@ -614,7 +614,7 @@ def _daisy_replies(draw: DrawFn, chosen: Choice) -> bytes:
 
 
 def daisy_messages(dialect: str = "official", chosen: Choice = ALL) -> SearchStrategy[DaisyCommand | DaisyReply]:
-    """Messages from brick to brick, both ways: operations, sensor reports, and payloads that are neither."""
+    """Returns messages between bricks, both ways: operations, sensor reports, and other payloads."""
 
     def parsed(frame: bytes) -> DaisyCommand | DaisyReply:
         message = parse(frame, dialect=dialect)
@@ -627,7 +627,7 @@ def daisy_messages(dialect: str = "official", chosen: Choice = ALL) -> SearchStr
 
 
 def messages(dialect: str = "official", chosen: Choice = ALL) -> SearchStrategy[Message]:
-    """Messages of every type, or of those that were chosen."""
+    """Returns messages of every type, or of the chosen ones."""
     ways: list[SearchStrategy[Message]] = []
     if chosen.of(*_DIRECT_COMMANDS):
         ways.append(direct_commands(dialect, chosen))
@@ -662,7 +662,7 @@ def _raw_direct_commands(dialect: str, chosen: Choice) -> SearchStrategy[bytes]:
 
 
 def frames(dialect: str = "official", chosen: Choice = ALL) -> SearchStrategy[bytes]:
-    """Frames that are right, of every type and at most 1024 bytes; arguments in any encoding.
+    """Returns valid frames, of every type and at most 1024 bytes, with arguments in any encoding.
 
     Args:
         dialect: "official", "xtended" or "compat": the firmware whose operations are drawn.
@@ -675,7 +675,7 @@ def frames(dialect: str = "official", chosen: Choice = ALL) -> SearchStrategy[by
 # Frames that the brick accepts
 
 _TEXT_ROOM = 32
-"""Bytes of a variable that holds a text or an array."""
+"""Size of a variable that holds a text or an array, in bytes."""
 
 _END = Label("end")
 """The target of all jumps in an accepted command: its end."""
@@ -683,7 +683,7 @@ _END = Label("end")
 
 @cache
 def _accepted_values(parameter: Parameter) -> SearchStrategy[Any]:
-    """Legal constants of a parameter, and variables that `command` places in memory."""
+    """Returns legal constants of a parameter, and variables that `command` places in memory."""
     if parameter.role is Role.JUMP:
         return st.just(_END)
     has_room = parameter.type is Type.STRING or parameter.length is not None or parameter.indexed_by is not None
@@ -707,7 +707,7 @@ def _is_accepted(frame: bytes, dialect: str) -> bool:
 
 
 def _command(operations: list[Draft], counter: int = 0, reply: bool | None = None) -> bytes:
-    """The frame of a direct command; empty where the operations do not fit into one."""
+    """Returns the frame of a direct command; empty if the operations do not fit."""
     try:
         return command(*operations, _END, counter=counter, reply=reply).build()
     except BuildError:
@@ -716,7 +716,7 @@ def _command(operations: list[Draft], counter: int = 0, reply: bool | None = Non
 
 @st.composite
 def _accepted_operations(draw: DrawFn, dialect: str, names: Names) -> Draft | None:
-    """Drafts of operations; None where a command of it alone would not be accepted."""
+    """Draws an operation; None if a command of it alone would be refused."""
     declaration = draw(_declarations(dialect, names))
     try:
         found = drafts(dialect)[declaration.name].draft(_values(draw, declaration, _accepted_values), unchecked=False)
@@ -726,13 +726,13 @@ def _accepted_operations(draw: DrawFn, dialect: str, names: Names) -> Draft | No
 
 
 def accepted_frames(dialect: str = "official", chosen: Choice = ALL) -> SearchStrategy[bytes]:
-    """Commands that the brick accepts: `check` finds no errors in them, warnings and hints at most.
+    """Returns commands that the brick accepts: `check` finds no errors in them, at most warnings and hints.
 
     Jumps lead to the end of the command, arguments have their shortest encoding, variables their place from `command`.
 
     Args:
         dialect: "official", "xtended" or "compat": the firmware whose operations are drawn.
-        chosen: Which frames, as for `frames`; replies are left out.
+        chosen: Which frames, as for `frames`; replies are omitted.
 
     Raises:
         ValueError: Only replies were chosen.
@@ -747,21 +747,21 @@ def accepted_frames(dialect: str = "official", chosen: Choice = ALL) -> SearchSt
     if chosen.of(*_DAISY_COMMANDS):
         ways.append(_daisy_commands(dialect, chosen))
     if not ways:
-        raise ValueError("the brick accepts commands only, and all messages that were chosen are replies")
+        raise ValueError("the brick accepts only commands, but all chosen messages are replies")
     return st.one_of(ways).filter(lambda frame: _is_accepted(frame, dialect))
 
 
-# Frames that are no longer right
+# Faulty frames
 
 
 @st.composite
 def mutated_frames(draw: DrawFn, dialect: str = "official", chosen: Choice = ALL) -> bytes:
-    """Frames that were right until a few of their bytes were changed, added or lost, or their length field was.
+    """Draws valid frames with a few bytes changed, added or removed, or with another length field.
 
-    Half of them get a length field that fits again, so that the fault is somewhere after it. A few are still right.
+    Half of them get a matching length field, so that the fault is after it. A few remain valid.
 
     Args:
-        draw: What hypothesis gives; callers leave it out.
+        draw: Passed by hypothesis; callers omit it.
         dialect: "official", "xtended" or "compat": the firmware whose operations are drawn.
         chosen: Which frames, as for `frames`.
     """
@@ -787,7 +787,7 @@ def mutated_frames(draw: DrawFn, dialect: str = "official", chosen: Choice = ALL
 
 @st.composite
 def _entries(draw: DrawFn, dialect: str) -> Entry:
-    """An object of any kind, whose operations have any encodings."""
+    """Draws an object of any kind, with operations in any encoding."""
     owner, triggers = draw(st.sampled_from(((0, 0), (0, 1), (1, 1), (0, 2))))
     is_subcall = kind_of(owner, triggers) is ObjectKind.SUBCALL
     parameters = draw(st.lists(_program_parameters(), max_size=4)) if is_subcall else []
@@ -808,10 +808,10 @@ _BYTES = st.integers(0, 255)
 
 
 def program_images(dialect: str = "official") -> SearchStrategy[bytes]:
-    """Program images (.rbf) of up to five objects: threads, subcalls, blocks, their arguments in any encoding.
+    """Returns program images (.rbf) of up to five objects: threads, subcalls, blocks, their arguments in any encoding.
 
     Args:
-        dialect: The firmware whose operations there are.
+        dialect: The firmware whose operations are drawn.
     """
     return st.builds(
         image_of, st.integers(0, 0xFFFF), st.integers(0, 1000), st.lists(_entries(check_dialect(dialect)), max_size=5)
@@ -819,5 +819,5 @@ def program_images(dialect: str = "official") -> SearchStrategy[bytes]:
 
 
 def programs(dialect: str = "official") -> SearchStrategy[Program]:
-    """The same as objects. What they hold can be anything: only that it is whole is certain."""
+    """Returns the same as objects. Their contents are arbitrary, but complete."""
     return program_images(dialect).map(lambda image: parse_program(image, strict=False, dialect=dialect))

@@ -1,7 +1,7 @@
-"""Files that are written whole or not at all: made beside their place under another name, and put there at the end.
+"""Files that are written whole or not at all: created under a temporary name beside their place, renamed at the end.
 
-A full disk, a signal or a fault in the middle leaves what was there before, and nothing that looks whole and is not.
-Files that others read while they grow, such as recordings, grow by whole pieces.
+After a full disk, a signal or an error in the middle, the old file remains, and no partial file looks complete.
+Files that are read while they grow, such as recordings, grow by whole pieces.
 """
 
 from __future__ import annotations
@@ -17,30 +17,30 @@ if TYPE_CHECKING:
     from _typeshed import ReadableBuffer
 
 _MOST_NAME = 100
-"""Characters of a file's name that its stand-in has in its own, which must not become too long."""
+"""Characters of a file's name that its temporary name contains, which must not become too long."""
 
 
 def private(path: str, flags: int) -> int:
-    """Opens a file, as an `opener`; a new one can be read by its owner only. Recordings and bricks' files hold PINs."""
+    """Opens a file, as an `opener`; only its owner can read a new one. Recordings and bricks' files contain PINs."""
     return os.open(path, flags, 0o600)
 
 
 @contextmanager
 def whole_file(path: Path, *, is_private: bool = False) -> Iterator[BinaryIO]:
-    """Takes the bytes of a file, which is in its place once the `with` ends without an exception.
+    """Opens a file for writing; it gets its place when the `with` ends without an exception.
 
-    The file keeps the rights of the one that it replaces. A symbolic link stays one, and what it leads to is replaced.
-    What is no file, such as a device or a pipe, is written to as it is.
+    The file keeps the permissions of the one it replaces. A symbolic link is kept, and its target is replaced.
+    Devices and pipes are written to directly.
 
     Args:
-        path: Where the file goes.
-        is_private: A new file can be read by its owner only.
+        path: The path of the file.
+        is_private: Whether only its owner can read a new file.
 
     Yields:
-        What takes the bytes.
+        The open file.
 
     Raises:
-        OSError: It cannot be written. `filename` is the path, and what was there before is unchanged.
+        OSError: It cannot be written. `filename` is the path, and the old file is unchanged.
     """
     target = path.resolve()
     beside = target.with_name(f".{target.name[:_MOST_NAME]}.{os.urandom(4).hex()}")
@@ -58,7 +58,7 @@ def whole_file(path: Path, *, is_private: bool = False) -> Iterator[BinaryIO]:
         finally:
             _remove(beside)
     except OSError as error:
-        # The user knows the path that was named, and not the stand-in.
+        # The user knows the given path, not the temporary one.
         if error.filename in (None, os.fspath(beside)):
             raise OSError(error.errno, error.strerror or str(error), os.fspath(path)) from error
         raise
@@ -79,27 +79,27 @@ def write_whole(path: Path, data: bytes, *, is_private: bool = False) -> None:
 
 
 class GrowingFile:
-    """A recording that grows from flush to flush: what was written between two of them is in it whole, or not at all.
+    """A recording that grows from flush to flush: bytes written between two of them are all in the file or not at all.
 
-    A new one can be read by its owner only.
+    Only its owner can read a new one.
     """
 
     def __init__(self, path: Path) -> None:
-        """Opens the file, and empties it. Raises OSError where it cannot be written."""
+        """Opens the file and truncates it. Raises OSError if it cannot be written."""
         self._file = io.FileIO(path, "wb", opener=private)
         self._waiting: list[bytes] = []
         self._size = 0
 
     def write(self, data: ReadableBuffer, /) -> int:
-        """Takes bytes, which are in the file after the next flush."""
+        """Buffers bytes, which are in the file after the next flush."""
         self._waiting.append(bytes(data))
         return len(self._waiting[-1])
 
     def flush(self) -> None:
-        """Writes what waits.
+        """Writes the buffered bytes.
 
         Raises:
-            OSError: Not all of it can be written. The file has none of it then, and it waits no longer.
+            OSError: Not all of it could be written. Then the file has none of it, and the buffer is discarded.
         """
         data, self._waiting = b"".join(self._waiting), []
         written = 0
@@ -114,7 +114,7 @@ class GrowingFile:
         self._size += written
 
     def close(self) -> None:
-        """Writes what waits, and closes the file."""
+        """Writes the buffered bytes and closes the file."""
         if not self._file.closed:
             try:
                 self.flush()

@@ -2896,7 +2896,7 @@ enum {
 
 enum {
     /*
-     * Reports the type of motor at a port; documented, but not implemented by any firmware (no firmware has it)
+     * Reports the type of motor at a port; documented, but not implemented by any firmware (not in any firmware)
      *   LAYER  DATA8      brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NO     DATA8      port, counted from 0 (0 to 3; 0: A; 1: B; 2: C; 3: D)
      *   TYPE   out DATA8  type of the motor (a member of TYPE)
@@ -2982,7 +2982,7 @@ enum {
     opOUTPUT_READY = 0xAA,
 
     /*
-     * Reports the position of motors; documented, but not implemented by any firmware (no firmware has it)
+     * Reports the position of motors; documented, but not implemented by any firmware (not in any firmware)
      *   LAYER  DATA8       brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NOS    DATA8       ports as a bit mask: A 1, B 2, C 4, D 8 (0 to 15)
      *   POS    out DATA32  position (degrees)

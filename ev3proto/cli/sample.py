@@ -98,7 +98,7 @@ def _frames(
         from ev3proto.testing import accepted_frames, choice, frames, mutated_frames
     except ImportError:
         raise Failure(
-            "samples are drawn with hypothesis, which is not installed or too old: " + install_command("sample")
+            "samples need hypothesis, which is not installed or too old: " + install_command("sample")
         ) from None
     try:
         chosen = choice(names=names, areas=areas, types=types, dialect=dialect)

@@ -139,7 +139,7 @@ def direct(operations: Operations, local_mem: int, global_mem: int, mode: SyncMo
 
 def _direct(body: bytes, has_globals: bool, mode: SyncMode, *, is_named: bool, dialect: str) -> Prepared:
     if len(body) == COMMAND_HEADER_SIZE - HEADER_SIZE:
-        raise BuildError("a command needs an operation: the brick refuses an empty one")
+        raise BuildError("a command needs at least one operation: the brick refuses an empty one")
     asks = has_globals or mode is SyncMode.SYNC
     return Prepared(DIRECT_COMMAND_TYPES[asks], body, asks and mode is not SyncMode.ASYNC, is_named, dialect)
 

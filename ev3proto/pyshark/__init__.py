@@ -1,4 +1,4 @@
-"""Captures that tshark takes apart: `read` runs it; the rest is for programs that read or capture with pyshark.
+"""Captures dissected by tshark: `read` runs it; the rest is for programs that read or capture with pyshark.
 
     import pyshark
     import ev3proto.pyshark
@@ -8,7 +8,7 @@
         for record in ev3proto.pyshark.messages(packet):
             print(packet.number, record.message, record.values)
 
-The same goes for `LiveCapture`. This needs `pip install 'ev3proto[wireshark]'` and tshark; `read` needs tshark only.
+`LiveCapture` works the same way. This needs `pip install 'ev3proto[wireshark]'` and tshark; `read` needs only tshark.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ from ev3proto.temporary import temporary_folder
 __all__ = ["Messages", "messages", "parameters", "read"]
 
 _KEPT = ExitStack()
-"""The dissector's file, which is there as long as the program runs."""
+"""The dissector's file, which exists while the program runs."""
 
 
 def parameters(
@@ -44,21 +44,21 @@ def parameters(
     tshark: str | None = None,
     use_ek: bool = False,
 ) -> list[str]:
-    """What pyshark is to give to tshark, so that it has the dissector, installed or not.
+    """Returns the parameters with which pyshark runs tshark with the dissector, installed or not.
 
     Args:
-        dialect: The firmware whose instruction set to read by.
+        dialect: The firmware whose instruction set is used.
         ports: TCP ports on which bricks listen.
-        tshark: Path of the tshark that pyshark uses (its `tshark_path`), where it is not on the path.
-        use_ek: Whether pyshark uses it, too. By itself it does not know the fields of a dissector in Lua in that
-            mode, and raises when one is asked for. This tells it.
+        tshark: Path of the tshark that pyshark uses (its `tshark_path`), if it is not on PATH.
+        use_ek: Whether pyshark uses that option, too. By default it does not know the fields of a Lua dissector in that
+            mode, and raises when one is requested. This adds them.
 
     Returns:
         Words for `custom_parameters` of `pyshark.FileCapture` and `pyshark.LiveCapture`.
 
     Raises:
-        ev3proto.capture.CaptureError: There is no tshark that can be used.
-        ValueError: The dialect is not known.
+        ev3proto.capture.CaptureError: No usable tshark was found.
+        ValueError: The dialect is unknown.
     """
     program = Tshark(tshark)
     words = _KEPT.enter_context(program.parameters(check_dialect(dialect), ports))
@@ -67,13 +67,13 @@ def parameters(
 
         said = json.loads(program.ask("-G", "elastic-mapping", *words), object_pairs_hook=_merged)
         known = said["mappings"]["properties"]["layers"]["properties"]
-        # There is no public way: pyshark itself asks tshark without the parameters that a capture has.
+        # There is no public way: pyshark asks tshark without the parameters of a capture.
         pyshark.ek_field_mapping.MAPPING._protocol_to_mapping = known
     return words
 
 
 def _merged(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-    """An object of tshark's JSON, in which a protocol may come twice, once without fields."""
+    """Returns an object of tshark's JSON, in which a protocol may occur twice, once without fields."""
     found: dict[str, Any] = {}
     for name, value in pairs:
         if name not in found or value != {"properties": {}}:
@@ -82,7 +82,7 @@ def _merged(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
 
 
 class Messages:
-    """The messages of one capture, packet by packet. Call it with each packet, in their order.
+    """The messages of one capture, packet by packet. Call it with each packet, in order.
 
     Args of a call: a packet of pyshark. It returns the records of the frames that end in that packet.
     """
@@ -91,16 +91,16 @@ class Messages:
         """Starts before the first packet.
 
         Args:
-            dialect: The firmware whose instruction set to read by.
+            dialect: The firmware whose instruction set is used.
 
         Raises:
-            ValueError: The dialect is not known.
+            ValueError: The dialect is unknown.
         """
         self._events = Events(Account(), check_dialect(dialect))
         self.last_packet = 0
 
     def __call__(self, packet: Any) -> list[Record]:
-        """The records of the frames that end in a packet, each with the record of the command that it answers."""
+        """Returns the records of the frames that end in a packet, each with the record of the command it answers."""
         row = row_of(packet)
         self.last_packet = row.packet
         return [event for event in self._events.of(row) if isinstance(event, Record)]
@@ -110,10 +110,10 @@ _default = Messages()
 
 
 def messages(packet: Any) -> list[Record]:
-    """The messages that end in a packet, each linked to its command.
+    """Returns the messages that end in a packet, each linked to its command.
 
-    Give it every packet of one capture after the other, in their order. It starts anew with a packet whose number is
-    not higher than the last one's. For captures at the same time, or another dialect, make a `Messages` for each.
+    Pass every packet of one capture, in order. A packet whose number is not higher than the last one's starts a new
+    capture. For simultaneous captures, or another dialect, create a `Messages` for each.
 
     Args:
         packet: A packet of pyshark, in its XML or EK mode, captured with `parameters()`.
@@ -139,26 +139,26 @@ def read(
     tshark: str | None = None,
     memory: int = DEFAULT_MEMORY,
 ) -> Capture:
-    """A capture file's records, like `ev3proto.capture.read`, for every format and link type that Wireshark knows.
+    """Reads the records of a capture file, like `ev3proto.capture.read`, in all formats and link types of Wireshark.
 
-    tshark is asked for a few fields of each packet. That takes a tenth of the time of pyshark, which asks for all.
+    It requests only a few fields of each packet, which takes a tenth of the time of pyshark.
 
     Args:
         source: A path, a stream at its start, or a CaptureFile. A stream is copied into a temporary file for tshark.
-        dialect: The firmware whose instruction set to read by.
+        dialect: The firmware whose instruction set is used.
         ports: TCP ports on which bricks listen.
-        tshark: Path of the tshark, where it is not on the path.
-        memory: Bytes that commands without a reply may take together.
+        tshark: Path of tshark, if it is not on PATH.
+        memory: Memory limit for unanswered commands, in bytes.
 
     Returns:
-        The capture. A record has the number and time of the packet in which its frame ends. What Wireshark does not
-        take for a frame is counted in `account` as `other`. While it is read it raises CaptureError, after everything
-        readable, with what tshark says.
+        The capture. A record has the number and time of the packet in which its frame ends. Bytes that are not
+        frames to Wireshark are counted in `account` as `other`. Reading raises CaptureError, after everything
+        readable, with tshark's message.
 
     Raises:
         OSError: The file cannot be opened.
-        CaptureError: There is no tshark that can be used.
-        ValueError: The dialect is not known.
+        CaptureError: No usable tshark was found.
+        ValueError: The dialect is unknown.
     """
     account = Account()
     events = Events(account, check_dialect(dialect), memory)
@@ -174,13 +174,13 @@ def read(
 def _events(program: Tshark, words: list[str], events: Events, stack: ExitStack) -> Iterator[Event]:
     with stack, Run(program, *words) as run:
         for line in run.output:
-            if line.startswith(b'{"timestamp"'):  # lines for an index are between them
+            if line.startswith(b'{"timestamp"'):  # between them are lines for an index
                 yield from events.of(Row(json.loads(line.decode("utf-8", "replace"))["layers"]))
         run.check()
 
 
 def _file(source: str | os.PathLike[str] | BinaryIO | CaptureFile, stack: ExitStack) -> Path:
-    """A file that tshark can read: the one that was named, or a copy of a stream, which goes away again."""
+    """Returns a file that tshark can read: the given one, or a temporary copy of a stream."""
     if isinstance(source, CaptureFile):
         stack.callback(source.close)
         source = source.contents

@@ -1,7 +1,7 @@
-"""What tshark and the dissector make of a packet, as events of a capture.
+"""The results of tshark and the dissector for a packet, as events of a capture.
 
-The dissector finds the frames (`ev3.bytes`) and the brick (`ev3.brick`), whatever carries them; Wireshark puts streams
-in order. So a few fields of each packet are enough.
+The dissector finds the frames (`ev3.bytes`) and the brick (`ev3.brick`) on any carrier; Wireshark orders
+the streams. So a few fields of each packet are enough.
 """
 
 from __future__ import annotations
@@ -22,10 +22,10 @@ from ev3proto.schema.header import HEADER_SIZE, may_have_length
 from ev3proto.tables.discovery import ACCEPT, BEACON_LINES, UNLOCK_REQUEST
 
 MOST_CONNECTIONS = 1024
-"""Connections that are remembered; those unused for longest are given up."""
+"""Maximum number of remembered connections; the least recently used are evicted."""
 
 _SENT = {"frame.p2p_dir": 0, "hci_mon.opcode": 4, "usb.endpoint_address.direction": 0}
-"""What headers of USB and Bluetooth have in packets that the host sends."""
+"""Values in headers of USB and Bluetooth of packets from the host."""
 
 FIELDS = (
     "frame.number",
@@ -48,7 +48,7 @@ FIELDS = (
     "ev3.bytes",
     "ev3.expert.bootloader_fault",
 )
-"""What tshark is asked for: five times as fast as all of what it knows of a packet."""
+"""The requested fields: five times as fast as requesting all."""
 
 _CARRIERS = {protocol: carrier for carrier in Carrier for protocol in carrier.facts.protocols}
 _NO_BRACKETS = str.maketrans("", "", "[]")  # the dissector writes none around addresses of IPv6
@@ -59,7 +59,7 @@ _TEXT_ENDS = b"\r\n\0"
 
 
 class Row:
-    """The fields of one packet, each with all its values in their order, innermost last."""
+    """The fields of one packet, each with all its values in order, innermost last."""
 
     def __init__(self, values: dict[str, list[str]]) -> None:
         """Takes the values by the names of the fields, with underscores for dots."""
@@ -67,19 +67,19 @@ class Row:
         self.protocols = (self.text("frame.protocols") or "").split(":")
 
     def all(self, field: str) -> list[str]:
-        """All values of a field."""
+        """Returns all values of a field."""
         return self._values.get(field.replace(".", "_"), [])
 
     def text(self, field: str) -> str | None:
-        """The innermost value of a field."""
+        """Returns the innermost value of a field."""
         return next(reversed(self.all(field)), None)
 
     def number(self, field: str) -> int:
-        """The same as a number, 0 without the field."""
+        """Returns the innermost value as a number, 0 without the field."""
         return int(self.text(field) or "0", 0)
 
     def innermost(self, *protocols: str) -> str | None:
-        """The innermost of some protocols."""
+        """Returns the innermost of some protocols."""
         return next((name for name in reversed(self.protocols) if name in protocols), None)
 
     @property
@@ -89,12 +89,12 @@ class Row:
 
     @property
     def bytes(self) -> list[bytes]:
-        """What the dissector took: whole frames, texts, and what is in a frame's place."""
+        """What the dissector claimed: whole frames, texts, and other bytes in place of a frame."""
         return [bytes.fromhex(text.replace(":", "")) for text in self.all("ev3.bytes")]
 
     @property
     def time_ns(self) -> int:
-        """When it was captured, in nanoseconds since 1970-01-01 UTC."""
+        """The capture time, in nanoseconds since 1970-01-01 UTC."""
         seconds, _, fraction = (self.text("frame.time_epoch") or "0").removesuffix("Z").partition(".")
         if "T" in seconds:  # in pyshark's EK mode
             seconds = f"{datetime.fromisoformat(seconds + '+00:00').timestamp():.0f}"
@@ -103,15 +103,15 @@ class Row:
 
 
 class Events:
-    """Makes events of the packets of one capture, in their order."""
+    """A converter of the packets of one capture, in order, to events."""
 
     def __init__(self, account: Account, dialect: str, memory: int = DEFAULT_MEMORY) -> None:
         """Starts before the first packet.
 
         Args:
             account: Counts the bytes.
-            dialect: The firmware whose instruction set to read by.
-            memory: Bytes that commands without a reply may take together.
+            dialect: The firmware whose instruction set is used.
+            memory: Memory limit for unanswered commands, in bytes.
         """
         self._account = account
         self._schema = frame_schema(dialect)
@@ -120,7 +120,7 @@ class Events:
         self._routes: Bounded[Route, Route] = Bounded(MOST_CONNECTIONS)
 
     def of(self, row: Row) -> Iterator[Event]:
-        """The events of the frames and texts that end in a packet."""
+        """Yields the events of the frames and texts that end in a packet."""
         self._count(row)
         found, carrier = row.bytes, row.innermost(*_CARRIERS)
         if not found or carrier is None or row.innermost("icmp", "icmpv6"):
@@ -161,7 +161,7 @@ class Events:
         return self._routes.use(route, lambda: route)[0]
 
     def _event(self, row: Row, data: bytes, route: Route) -> Event | None:
-        """The event of a piece that the dissector took: a text, a frame, or neither; None for the end of a text."""
+        """Returns the event of a claimed piece: a text, a frame, or neither; None for the end of a text."""
         place = (row.packet,), row.time_ns, route
         said = _text_kind(row, data)
         if said is not None or not data.strip(_TEXT_ENDS):
@@ -185,7 +185,7 @@ class Events:
 
 
 def _text_kind(row: Row, data: bytes) -> TextKind | None:
-    """Which text a piece is, None for frames."""
+    """Returns the kind of text of a piece, None for frames."""
     if row.innermost("tcp", "udp") == "udp":
         return TextKind.BEACON if _is_beacon(row) else TextKind.ANSWER
     if data.startswith(_REQUEST):
@@ -198,7 +198,7 @@ def _is_beacon(row: Row) -> bool:
 
 
 def _parsed(said: TextKind, data: bytes) -> Beacon | Unlock | None:
-    """What a text says; None for answers, and for a text at fault."""
+    """Returns the parsed text; None for answers and faulty texts."""
     with suppress(DecodeError):
         if said is TextKind.BEACON:
             return Beacon.parse(data)
@@ -208,7 +208,7 @@ def _parsed(said: TextKind, data: bytes) -> Beacon | Unlock | None:
 
 
 def _place(row: Row, end: str) -> str:
-    """Address and port of one end: `192.0.2.1:5555`."""
+    """Returns address and port of one end: `192.0.2.1:5555`."""
     address = row.text(f"{row.innermost('ip', 'ipv6')}.{end}") or ""
     port = row.text(f"{row.innermost('tcp', 'udp')}.{end}port")
     return f"[{address}]:{port}" if ":" in address else f"{address}:{port}"

@@ -1,4 +1,4 @@
-"""The fields of a packet of pyshark, by its public ways where there are any."""
+"""Access to the fields of a pyshark packet, by its public interface where possible."""
 
 from __future__ import annotations
 
@@ -8,19 +8,19 @@ from ev3proto.pyshark.events import FIELDS, Row
 
 
 def frame_of(packet: Any) -> Any:
-    """The layer of a packet that says when it came, and which number it has.
+    """Returns the layer with a packet's time and number.
 
     Raises:
         TypeError: It is not a packet of pyshark.
     """
     frame = getattr(packet, "frame_info", None)
     if frame is None:
-        raise TypeError(f"a packet is one that pyshark gives, such as those of a FileCapture, not {packet!r}")
+        raise TypeError(f"expected a packet of pyshark, such as those of a FileCapture, not {packet!r}")
     return frame
 
 
 def row_of(packet: Any) -> Row:
-    """The fields of a packet in pyshark's XML or EK mode.
+    """Returns the fields of a packet in pyshark's XML or EK mode.
 
     Raises:
         TypeError: It is not a packet of pyshark.
@@ -42,7 +42,7 @@ def _xml_values(layer: Any, field: str) -> list[str]:
 
 
 def _ek_values(layer: Any, field: str) -> list[str]:
-    # Its public ways fail where a protocol comes twice in a packet, as RFCOMM does.
+    # The public interface fails if a protocol occurs twice in a packet, as RFCOMM does.
     parts = layer._fields_dict
     name = f"{layer.layer_name}_{field.replace('.', '_')}"
     found = [part[name] for part in (parts if isinstance(parts, list) else [parts]) if name in part]
@@ -50,5 +50,5 @@ def _ek_values(layer: Any, field: str) -> list[str]:
 
 
 def _ek_text(value: Any) -> str:
-    """A value as XML has it: a truth as a number."""
+    """Returns a value as in XML mode: booleans as numbers."""
     return str(int(value in (True, "true"))) if value in (True, False, "true", "false") else str(value)

@@ -1,4 +1,4 @@
-"""The tshark on this computer: found, run, and what it complains of in a sentence."""
+"""tshark on this computer: how it is found and run, and its errors as sentences."""
 
 from __future__ import annotations
 
@@ -20,19 +20,19 @@ OLDEST = (4, 0)
 """The oldest Wireshark that the dissector runs in."""
 
 TIMEOUT = 60
-"""Seconds that a question may take."""
+"""Timeout of a query, in seconds."""
 
 GRACE_PERIOD = 10
-"""Seconds that tshark gets to end by itself, once it was asked to."""
+"""Shutdown grace period of tshark, in seconds."""
 
 _PREFERENCES = (
     "ev3.bytes:TRUE",
     "tcp.desegment_tcp_streams:TRUE",
     "tcp.reassemble_out_of_order:TRUE",
-    "tcp.check_checksum:FALSE",  # which network cards fill in after the packet was captured
+    "tcp.check_checksum:FALSE",  # which network cards fill in after the capture
     "ip.defragment:TRUE",
 )
-"""What must be so, whatever the user's preferences are."""
+"""Required preferences, which override the user's."""
 
 _COMPLAINT = re.compile(r"^(?:\S*[/\\])?tshark(?:\.exe)?: *(\S.*)$", re.MULTILINE)
 _UNKNOWN = re.compile(r"unknown preference|not a valid (protocol|field)|aren't valid", re.IGNORECASE)
@@ -44,46 +44,46 @@ RIGHTS = (
     "on Debian and Ubuntu run sudo dpkg-reconfigure wireshark-common, choose Yes, join the group with"
     " sudo usermod -aG wireshark $USER, and log in again; elsewhere run this as a user who may"
 )
-"""How to get the right to capture."""
+"""Advice on the permission to capture."""
 
 
 class EngineError(CaptureError):
-    """Why tshark cannot be used, and what to do, in a sentence."""
+    """The reason why tshark cannot be used, and what to do."""
 
 
 class Tshark:
     """A tshark on this computer.
 
-    path  where it is
+    path  its path
     """
 
     def __init__(self, name: str | None = None) -> None:
-        """Looks for it.
+        """Finds tshark.
 
         Args:
-            name: Its path; None for the one on the path of programs, or where it usually is.
+            name: Its path; by default it is searched on PATH and in the usual places.
 
         Raises:
-            EngineError: There is none.
+            EngineError: It was not found.
         """
         found = next(filter(None, map(shutil.which, [name] if name else ["tshark", *USUAL_PLACES])), None)
         if found is None:
-            missing = f"there is no program {name}" if name else "there is no tshark on the path"
-            raise EngineError(f"{missing}: install tshark, which is part of Wireshark, or name it with --tshark")
+            missing = f"{name}: no such program" if name else "tshark is not on the path"
+            raise EngineError(f"{missing}: install tshark, which is part of Wireshark, or pass its path by --tshark")
         self.path = found
 
     @contextmanager
     def parameters(self, dialect: str, ports: Collection[int]) -> Iterator[list[str]]:
-        """The arguments with which it reads frames; the files that they name exist as long as the `with`.
+        """Yields the arguments for reading frames; the files that they name exist inside the `with`.
 
-        The dissector that its user has installed is used, because a second one by the same name is refused.
+        An installed dissector is used, since Wireshark refuses a second one of the same name.
 
         Raises:
             EngineError: The dissector does not run in this tshark.
         """
         found = re.search(r"^TShark .*?(\d+)\.(\d+)", self.ask("-v"))
         if found is None:
-            raise EngineError(f"{self.path} is not a tshark: it does not say which Wireshark it belongs to")
+            raise EngineError(f"{self.path} is not tshark: its version output does not name Wireshark")
         if (int(found[1]), int(found[2])) < OLDEST:
             raise EngineError(
                 f"{self.path} is version {found[1]}.{found[2]}: the dissector runs in Wireshark"
@@ -96,14 +96,14 @@ class Tshark:
             yield words
             return
         with temporary_folder() as folder:
-            folder.chmod(0o755)  # another user may run tshark, such as a program that drops the rights of root
+            folder.chmod(0o755)  # tshark may run as another user, after dropping the rights of root
             script = folder / FILE_NAME
             script.write_text(build(), encoding="utf-8")
             script.chmod(0o644)
             yield ["-X", f"lua_script:{script}", *words]
 
     def ask(self, *words: str) -> str:
-        """What it prints when it is run with those arguments.
+        """Returns the output of a run with these arguments.
 
         Raises:
             EngineError: It fails.
@@ -125,8 +125,8 @@ class Tshark:
 class Run:
     """A run of tshark, which ends with the `with`.
 
-    output      what it prints
-    is_stopped  it was asked to stop
+    output      its output
+    is_stopped  whether it was asked to stop
     """
 
     def __init__(self, tshark: Tshark, *words: str) -> None:
@@ -152,10 +152,10 @@ class Run:
         self.output: BinaryIO = self._process.stdout  # type: ignore[assignment]
 
     def stop(self) -> None:
-        """Asks tshark to stop: the output ends after what was captured before. Signal handlers may call it."""
+        """Asks tshark to stop: the output ends after the packets captured so far. Signal handlers may call it."""
         self.is_stopped = True
         with suppress(ProcessLookupError):
-            self._process.terminate()  # it asks the program that captures for it to end, too
+            self._process.terminate()  # it also ends its capturing child
 
     def check(self) -> None:
         """Raises EngineError if tshark failed. Call it when the output has ended."""
@@ -171,11 +171,11 @@ class Run:
                 " version 4.4 or later and runs as root"
             )
         if _NO_RIGHTS.search(said):
-            raise EngineError(f"{self._path} may not capture: {RIGHTS}")
+            raise EngineError(f"{self._path} is not allowed to capture: {RIGHTS}")
         if status < 0:
-            raise EngineError(f"tshark ended by signal {-status} before it had read everything")
+            raise EngineError(f"tshark ended by signal {-status} before the end of the input")
         hint = "; tshark -D lists the interfaces, sudo modprobe usbmon adds USB" if _NO_DEVICE.search(said) else ""
-        raise EngineError(f"tshark says: {_said_last(said, status)}{hint}")
+        raise EngineError(f"tshark: {_said_last(said, status)}{hint}")
 
     def __enter__(self) -> Self:
         return self
@@ -184,7 +184,7 @@ class Run:
         self, kind: type[BaseException] | None, error: BaseException | None, where: TracebackType | None
     ) -> None:
         self.stop()
-        self.output.close()  # what it has not handed over yet is not waited for
+        self.output.close()  # remaining output is not waited for
         try:
             self._process.wait(GRACE_PERIOD)
         except subprocess.TimeoutExpired:
@@ -194,13 +194,13 @@ class Run:
 
 
 def _said_last(said: str, status: int) -> str:
-    """The last complaint in what it printed on standard error, among warnings and remarks."""
+    """Returns the last error on standard error, among warnings and notes."""
     complaints = _COMPLAINT.findall(said)
     return _ANY_FILE.sub("the file", complaints[-1]).strip().rstrip(".") if complaints else f"exit status {status}"
 
 
 def _ranges(ports: Collection[int]) -> str:
-    """Ports as Wireshark's preferences have them, `5555,6000-6003`: a command line has no room for thousands."""
+    """Returns ports as ranges, `5555,6000-6003`, as in Wireshark: a command line cannot list thousands."""
     spans: list[tuple[int, int]] = []
     for port in sorted(set(ports)):
         if spans and spans[-1][1] == port - 1:

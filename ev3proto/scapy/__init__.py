@@ -1,4 +1,4 @@
-"""A layer for scapy: dissects, builds and sends frames, with a packet for every operation and system command.
+"""A layer for Scapy that dissects, builds and sends frames, with a packet for every operation and system command.
 
     from ev3proto import scapy as ev3
     from ev3proto.scapy import EV3, EV3DirectCommand
@@ -10,16 +10,16 @@
     sniff(offline="robot.pcap", session=TCPSession)
     StreamSocket(connected, EV3).sr1(question)
 
-Importing it binds EV3 to TCP port 5555. Operations are called as in the tables, with a _ for the dot (`SOUND_TONE`,
-`UI_FLUSH`), system commands SYS_LIST_FILES, what is answered to them SYS_LIST_FILES_REPLY, and those of the bootloader
+Importing it binds EV3 to TCP port 5555. Operations are named as in the tables, with a _ for the dot (`SOUND_TONE`,
+`UI_FLUSH`), system commands SYS_LIST_FILES, their replies SYS_LIST_FILES_REPLY, and those of the bootloader
 SYS_BOOTLOADER_START_APP. All of them are attributes of this module.
 
-An operation that is put on a frame by itself asks for the memory that it uses, and for a reply if it writes to what the
-reply carries. The fields of a system command get their number in the same way.
+A frame with an operation requests the memory that it uses, and a reply if the operation writes to global memory.
+System commands get their number in the same way.
 
 An argument is a number, a text, the name of an enumeration's member or a variable (`GV(0)`), and is built in its
-shortest encoding. Bytes are one argument that is encoded already: `LC2(1)`. What is dissected is kept so where its
-encoding is not the shortest; building a dissected frame gives the same bytes again.
+shortest encoding. Bytes are one encoded argument: `LC2(1)`. Dissected arguments are kept as bytes if their
+encoding is not the shortest; building a dissected frame gives the same bytes.
 
 Operations are read by the instruction set that `conf.contribs["ev3"]["dialect"]` names.
 """
@@ -29,13 +29,11 @@ from __future__ import annotations
 from typing import Any
 
 try:
-    import scapy  # noqa: F401 - to say it in one place, and first
+    import scapy  # noqa: F401 - one place for the error, and first
 except ImportError as error:
     from ev3proto.extras import install_command
 
-    raise ImportError(
-        f"ev3proto.scapy is a layer for scapy, which is not installed: {install_command('scapy')}"
-    ) from error
+    raise ImportError(f"ev3proto.scapy needs scapy, which is not installed: {install_command('scapy')}") from error
 
 from ev3proto.errors import near_misses
 from ev3proto.scapy.frames import (
@@ -65,14 +63,14 @@ __all__ = [
 
 
 def __getattr__(name: str) -> Any:
-    """The layers of operations and system commands. Those of operations are made when they are first asked for."""
+    """Returns the layer of an operation or system command, created on first use."""
     if name in SYSTEM_LAYERS:
         return SYSTEM_LAYERS[name]
     names = operation_names()
     if name in names:
         return operation_layer(names[name])
     hint = "" if name.startswith("_") else near_misses(name, [*names, *SYSTEM_LAYERS])
-    raise AttributeError(f"ev3proto.scapy has no layer {name}{hint}")
+    raise AttributeError(f"unknown layer {name}{hint}")
 
 
 def __dir__() -> list[str]:

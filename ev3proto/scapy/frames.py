@@ -1,4 +1,4 @@
-"""The frame as a layer, the bodies of all message types, and where a stream of bytes is cut."""
+"""The frame as a layer, the bodies of all message types, and the splitting of streams."""
 
 from __future__ import annotations
 
@@ -40,14 +40,14 @@ _TYPES = {member.value: member.name for member in MessageType}
 
 
 class EV3Text(Packet):
-    """A text that stands around frames on WiFi: beacon, unlock text, what the brick answers to it."""
+    """A text besides frames on WiFi: beacon, unlock text, the brick's answer to it."""
 
     name = "EV3 text"
     fields_desc = [StrField("text", b"")]  # noqa: RUF012 - scapy's way to declare a packet, here and below
 
 
 class EV3(Packet):
-    """A frame: length, which is worked out where it is None, message counter and message type. The body follows."""
+    """A frame: length (computed if None), message counter and message type. The body follows."""
 
     name = "EV3"
     fields_desc = [  # noqa: RUF012
@@ -58,31 +58,31 @@ class EV3(Packet):
 
     @classmethod
     def dispatch_hook(cls, _pkt: bytes | None = None, *args: Any, **kwargs: Any) -> type[Packet]:  # noqa: ARG003
-        """The layer of bytes: WiFi has texts in the place of a connection's first frames."""
+        """Returns the layer of bytes: on WiFi, a connection starts with texts."""
         return EV3Text if _pkt and _pkt.startswith((_REQUEST, ACCEPT)) else cls
 
     @classmethod
     def tcp_reassemble(cls, data: bytes, metadata: Any, session: Any) -> Packet | None:  # noqa: ARG003
-        """The first frame or text of a stream, with what follows it as padding; None while it is not complete."""
+        """Returns the first frame or text of a stream, with the rest as padding; None while it is not complete."""
         if data.startswith((_REQUEST[: len(data)], ACCEPT[: len(data)])):
             return _text(data)
         if len(data) < LENGTH_FIELD:
             return None
         if not may_have_length(data):
-            return Raw(data)  # nobody can say where the next frame starts
+            return Raw(data)  # the start of the next frame is unknown
         return cls(data) if len(data) >= frame_size(data) else None
 
     def extract_padding(self, s: bytes) -> tuple[bytes, bytes]:
-        """The body, and what follows the frame."""
+        """Returns the body, and the bytes after the frame."""
         end = max(int(self.length) + LENGTH_FIELD - HEADER_SIZE, 0)
         return s[:end], s[end:]
 
     def add_payload(self, payload: Any) -> None:
-        """Puts a body into the frame.
+        """Adds a body to the frame.
 
         Args:
-            payload: A body; or an operation, or the fields of a system message, which get the body that they lack. That
-                of operations asks for the memory that they use, and the frame for a reply if they write to it.
+            payload: A body; or an operation or the fields of a system message, which get a body. That
+                of operations requests the memory that they use, and the frame a reply if they write to it.
         """
         if not isinstance(self.payload, NoPayload) or not isinstance(payload, Packet):
             super().add_payload(payload)
@@ -94,7 +94,7 @@ class EV3(Packet):
             super().add_payload(payload if below is None else below() / payload)
 
     def post_build(self, pkt: bytes, pay: bytes) -> bytes:
-        """Fills in the length where none is given.
+        """Fills in the length if it is not given.
 
         Args:
             pkt: The header.
@@ -104,7 +104,7 @@ class EV3(Packet):
             The frame.
 
         Raises:
-            BuildError: The frame is longer than a brick takes. A length that is given is never looked at.
+            BuildError: The frame is longer than a brick accepts. A given length is not checked.
         """
         if self.length is None:
             _, counter, code = Header.read(pkt)
@@ -112,12 +112,12 @@ class EV3(Packet):
         return pkt + pay
 
     def hashret(self) -> bytes:
-        """What command and reply have in common."""
+        """Returns what command and reply have in common."""
         member = _member(self)
         return f"{self.counter} {'' if member is None else member.carries}".encode()
 
     def answers(self, other: Packet) -> int:
-        """Whether this is the reply to that command."""
+        """Returns whether this is the reply to that command."""
         own, others = _member(self), _member(other)
         if own is None or others is None or own.is_command or not others.wants_reply:
             return 0
@@ -131,7 +131,7 @@ def _member(packet: Packet) -> MessageType | None:
 
 
 def _text(data: bytes) -> Packet | None:
-    """The text that a stream starts with."""
+    """Returns the text at the start of a stream, or None."""
     if data.startswith(ACCEPT):
         end = len(ACCEPT) + data[len(ACCEPT) :].startswith(b"\0")
     elif not data.startswith(_REQUEST):
@@ -149,13 +149,13 @@ _MOST = {"local_size": MAX_LOCALS, "global_size": MAX_GLOBALS}
 
 
 class SizeField(BitField):
-    """Bytes of memory, in so many bits."""
+    """A number of bytes of memory, as a bit field."""
 
     def any2i(self, pkt: Packet | None, x: Any) -> Any:
-        """The number itself. Raises BuildError for one that has no room: a plain bit field would cut it off."""
+        """Returns the number. Raises BuildError for one that does not fit; a plain bit field would truncate it."""
         most = _MOST[self.name]
         if isinstance(x, int) and not 0 <= x <= most:
-            raise BuildError(f"{self.name} cannot be {x}: a header can ask for 0 to {most} bytes")
+            raise BuildError(f"{self.name} cannot be {x}: a header can request 0 to {most} bytes")
         return super().any2i(pkt, x)
 
 
@@ -163,7 +163,7 @@ class EV3DirectCommand(Packet):
     """Operations for the brick's virtual machine, and bytes of memory for them: local 0 to 63, global 0 to 1023."""
 
     name = "EV3 direct command"
-    # One number, its lower byte first, which scapy says by a size below 0.
+    # One little-endian number, which scapy expresses by a negative size.
     fields_desc = [  # noqa: RUF012
         SizeField("local_size", 0, LOCAL_BITS, tot_size=-MEMORY_SIZE),
         SizeField("global_size", 0, GLOBAL_BITS, end_tot_size=-MEMORY_SIZE),
@@ -171,7 +171,7 @@ class EV3DirectCommand(Packet):
     ]
 
     def add_payload(self, payload: Any) -> None:
-        """An operation goes after the others, and asks for the memory that it uses. Nothing else follows operations."""
+        """Appends an operation and requests its memory. Nothing else can follow operations."""
         if not isinstance(payload, EV3Operation):
             super().add_payload(payload)
             return
@@ -196,7 +196,7 @@ _CARRIES_OPERATIONS = {member.value for member in DaisyCommand if member.carries
 
 
 class EV3DaisyCommand(Packet):
-    """A message from brick to brick."""
+    """A message between bricks."""
 
     name = "EV3 daisy command"
     fields_desc = [  # noqa: RUF012
@@ -208,7 +208,7 @@ class EV3DaisyCommand(Packet):
 
 
 def _report_field(part: Any) -> Field[Any, Any]:
-    """A part of a sensor report, as its schema declares it."""
+    """Returns the field of a part of a sensor report, from its schema."""
     if part.subcon is GreedyBytes:
         return StrField(part.name, b"")
     if isinstance(part.subcon, Bytes):
@@ -227,13 +227,13 @@ _REPORT_SIZE = sum(part.sizeof() for part in SENSOR_REPORT.subcons if part.subco
 
 
 class EV3DaisyReply(Packet):
-    """The answer from brick to brick."""
+    """The answer between bricks."""
 
     name = "EV3 daisy reply"
     fields_desc = [ByteField("layer_from", 1), ByteField("layer_to", 0)]  # noqa: RUF012
 
     def guess_payload_class(self, payload: bytes) -> type[Packet]:
-        """A sensor's data, where there is room for it."""
+        """Returns the layer of a sensor's data if the payload is long enough."""
         return EV3SensorReport if len(payload) >= _REPORT_SIZE else super().guess_payload_class(payload)
 
 
@@ -254,7 +254,7 @@ _USUAL = (
     MessageType.DAISY_COMMAND_REPLY,
     MessageType.DAISY_REPLY,
 )
-"""The type that a frame gets from its body where nobody gives one."""
+"""The default type of a frame, by its body."""
 
 for _type in MessageType:
     bind_bottom_up(EV3, _BODIES[_type.kind], type=_type.value)

@@ -1,4 +1,4 @@
-"""A packet for every operation of the tables, with its arguments, and which of them byte code starts with."""
+"""A packet for every operation of the tables, with its arguments, and the choice of the packet for byte code."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _HUGE = 10**30
 
 
 class ArgumentField(Field[Any, bytes]):
-    """One argument. Its value is a number, a text, a `Variable`, or bytes where its encoding is not the shortest."""
+    """One argument. Its value is a number, a text, a `Variable`, or bytes if its encoding is not the shortest."""
 
     __slots__ = ["names", "schema"]
 
@@ -36,17 +36,17 @@ class ArgumentField(Field[Any, bytes]):
         super().__init__(schema.parameter.name, default, "s")
 
     def any2i(self, pkt: Packet | None, x: Any) -> Any:  # noqa: ARG002 - scapy's names and arguments, here and below
-        """The value itself. Raises BuildError at once for what the parameter cannot be."""
+        """Returns the value. Raises BuildError at once for a value that the parameter cannot have."""
         if isinstance(x, int | float | str | bytes | Variable):
             self.schema.write(x)
         return x
 
     def i2repr(self, pkt: Packet | None, x: Any) -> str:  # noqa: ARG002
-        """As people write it: with the name of the number and the unit."""
+        """Returns the value with its name and unit."""
         return argument_text(self.schema, x, self.names)
 
     def i2len(self, pkt: Packet, x: Any) -> int:  # noqa: ARG002
-        """Bytes in the frame."""
+        """Returns its size in the frame, in bytes."""
         return len(self.schema.write(x))
 
     def addfield(self, pkt: Packet, s: bytes, val: Any) -> bytes:  # noqa: ARG002
@@ -54,12 +54,12 @@ class ArgumentField(Field[Any, bytes]):
         return s + self.schema.write(val)
 
     def getfield(self, pkt: Packet, s: bytes) -> tuple[bytes, Any]:  # noqa: ARG002
-        """What follows the argument, and its value. Raises DecodeError."""
+        """Returns the bytes after the argument, and its value. Raises DecodeError."""
         argument, end = self.schema.read(s, 0)
         return s[end:], value_of(self.schema, argument)
 
     def randval(self) -> VolatileValue[Any] | None:  # type: ignore[override]
-        """A random number that makes sense; nothing for texts and outputs, which stay as they are."""
+        """Returns a random sensible number; None for texts and outputs, which are kept."""
         parameter = self.schema.parameter
         if parameter.direction is Direction.OUT or parameter.type is Type.STRING:
             return None
@@ -70,7 +70,7 @@ class ArgumentField(Field[Any, bytes]):
 
 
 class CountField(ArgumentField):
-    """How many arguments follow. None, which is the default, stands for as many as there are."""
+    """The number of arguments that follow. The default, None, counts them."""
 
     __slots__ = ["counted"]
 
@@ -80,12 +80,12 @@ class CountField(ArgumentField):
         self.name = name
 
     def addfield(self, pkt: Packet, s: bytes, val: Any) -> bytes:
-        """Appends the number, which is worked out where it is not given."""
+        """Appends the number, computed if not given."""
         return super().addfield(pkt, s, len(pkt.getfieldval(self.counted)) if val is None else val)
 
 
 class ArgumentsField(Field[list[Any], bytes]):
-    """As many arguments as another field says. Their type is declared, or a third field tells it."""
+    """A list of arguments, counted by another field. Their type is declared, or given by a third field."""
 
     __slots__ = ["counter", "parameter"]
     islist = 1
@@ -96,23 +96,23 @@ class ArgumentsField(Field[list[Any], bytes]):
         super().__init__(parameter.name, [], "s")
 
     def any2i(self, pkt: Packet | None, x: Any) -> Any:  # noqa: ARG002
-        """A list, also of a single value."""
+        """Returns a list, also for a single value."""
         return x if x is None or isinstance(x, list | VolatileValue) else [x]
 
     def i2repr(self, pkt: Packet | None, x: Any) -> str:
-        """The arguments as people write them."""
+        """Returns the arguments with names and units."""
         return f"[{', '.join(argument_text(self._schema(pkt, index), value) for index, value in enumerate(x))}]"
 
     def i2count(self, pkt: Packet | None, x: Any) -> int:  # noqa: ARG002
-        """How many there are."""
+        """Returns their number."""
         return len(x)
 
     def addfield(self, pkt: Packet, s: bytes, val: Any) -> bytes:
-        """Appends them all. Raises BuildError."""
+        """Appends all arguments. Raises BuildError."""
         return s + b"".join(self._schema(pkt, index).write(value) for index, value in enumerate(val))
 
     def getfield(self, pkt: Packet, s: bytes) -> tuple[bytes, list[Any]]:
-        """What follows the last argument, and their values. Raises DecodeError."""
+        """Returns the bytes after the last argument, and the values. Raises DecodeError."""
         count = number_of(pkt, self.counter)
         values = []
         for index in range(count or 0):
@@ -123,11 +123,11 @@ class ArgumentsField(Field[list[Any], bytes]):
         return s, values
 
     def randval(self) -> None:  # type: ignore[override]
-        """Lists stay as they are."""
+        """Keeps lists unchanged."""
         return
 
     def _schema(self, pkt: Packet | None, index: int) -> ArgumentSchema:
-        """The schema of an element."""
+        """Returns the schema of an element."""
         element = self.parameter.element
         if isinstance(element, str):
             number = None if pkt is None else number_of(pkt, element)
@@ -139,14 +139,14 @@ class ArgumentsField(Field[list[Any], bytes]):
 
 
 def default_of(parameter: Parameter) -> Any:
-    """What stands in an argument of which nobody says anything."""
+    """Returns the default value of an argument."""
     if parameter.direction is not Direction.IN:
         return GV(0)
     return "" if parameter.type is Type.STRING else 0
 
 
 def value_of(schema: ArgumentSchema, argument: Argument) -> Any:
-    """The value of which the schema makes these bytes again: the bytes themselves where they are not the shortest."""
+    """Returns the value that builds these bytes: the bytes themselves if they are not the shortest encoding."""
     value: Any = argument.value
     if argument.is_variable:
         value = Variable(argument.kind, int(argument.value), argument.form.handle, argument.form.address)
@@ -154,12 +154,12 @@ def value_of(schema: ArgumentSchema, argument: Argument) -> Any:
         if schema.write(value) == argument.raw:
             return value
     except BuildError:
-        pass  # a number or text where the tables have another type, which senders do
+        pass  # a number or text where the tables have another type, as some senders use
     return argument.raw
 
 
 def number_of(pkt: Packet, name: str) -> int | None:
-    """The number that an argument is, however it is given; None for a variable."""
+    """Returns the number of an argument in any form; None for a variable."""
     value = pkt.getfieldval(name)
     field = pkt.get_field(name)
     if value is None or not isinstance(field, ArgumentField):
@@ -169,7 +169,7 @@ def number_of(pkt: Packet, name: str) -> int | None:
 
 
 def argument_text(schema: ArgumentSchema, value: Any, names: dict[int, str] | None = None) -> str:
-    """An argument as people write it: `440 Hz`, `LED_RED (2)`, `GV(0)`, `'myEV3'`, `LC2(1)`."""
+    """Returns an argument as text: `440 Hz`, `LED_RED (2)`, `GV(0)`, `'myEV3'`, `LC2(1)`."""
     if value is None or isinstance(value, VolatileValue):
         return str(value)
     argument, _ = schema.read(schema.write(value), 0)
@@ -189,13 +189,13 @@ def argument_text(schema: ArgumentSchema, value: Any, names: dict[int, str] | No
 
 
 COUNT = "_COUNT"
-"""What is put after the name of a list, for the field that tells how many there are."""
+"""The suffix to the name of a list, for the field that counts it."""
 
 conf.contribs.setdefault("ev3", {"dialect": DIALECTS[0]})
 
 
 class EV3Operation(Packet):
-    """What all operations have: nothing follows one but the next one."""
+    """The base of all operations: only the next operation follows."""
 
     name = "EV3 operation"
 
@@ -203,7 +203,7 @@ class EV3Operation(Packet):
         try:
             super().__init__(*arguments, **fields)
         except AttributeError as error:
-            # scapy says no more than the name.
+            # scapy's error has only the name.
             names = [field.name for field in self.fields_desc]
             if not any(name not in names for name in fields):
                 raise
@@ -211,24 +211,24 @@ class EV3Operation(Packet):
             raise AttributeError(f"{self.name} has no parameter {error}: it has {parameters}") from None
 
     def extract_padding(self, s: bytes) -> tuple[bytes, bytes]:
-        """Everything after an operation is the next one's."""
+        """Leaves everything after an operation to the next one."""
         return b"", s
 
 
 @cache
 def _declarations() -> dict[str, Declaration]:
-    """The operations that any firmware has, by their layers' names."""
+    """Returns the operations of all firmwares, by layer name."""
     return {entry.name.replace(".", "_"): entry for entry in declarations(OPCODES) if entry.dialects}
 
 
 def operation_names() -> dict[str, Declaration]:
-    """Every operation by the name of its layer: `SOUND_TONE`."""
+    """Returns every operation by the name of its layer: `SOUND_TONE`."""
     return _declarations()
 
 
 @cache
 def operation_layer(declaration: Declaration) -> type[EV3Operation]:
-    """The layer of an operation, made once."""
+    """Returns the layer of an operation, created once."""
     opcode, command = declaration.opcode, declaration.command
     fields: list[Field[Any, Any]] = [XByteEnumField("opcode", opcode.number, {opcode.number: opcode.name})]
     if command is not None:
@@ -253,13 +253,13 @@ def operation_layer(declaration: Declaration) -> type[EV3Operation]:
 
 
 class OperationsField(PacketListField):
-    """Operations one after the other. Those that `ev3proto.operation` makes will do, too."""
+    """Operations in a row. Results of `ev3proto.operation` are accepted, too."""
 
     def __init__(self, name: str) -> None:
         super().__init__(name, [], next_cls_cb=next_operation, max_count=MAX_FRAME)
 
     def any2i(self, pkt: Packet | None, x: Any) -> list[Any]:
-        """A list of packets, also of a single one."""
+        """Returns a list of packets, also for a single one."""
         given = x if isinstance(x, list) else [x]
         packets = [operation_layer(one.declaration)(one.raw) if isinstance(one, Operation) else one for one in given]
         found: list[Any] = super().any2i(pkt, packets)
@@ -267,7 +267,7 @@ class OperationsField(PacketListField):
 
 
 def next_operation(pkt: Packet, before: Any, last: Any, remain: bytes) -> type[EV3Operation] | None:  # noqa: ARG001
-    """The layer of the operation that bytes start with, None where the dialect has none such. For PacketListField."""
+    """Returns the layer of the first operation in bytes, None if unknown to the dialect. For PacketListField."""
     if not remain:
         return None
     instructions = instruction_set(conf.contribs["ev3"]["dialect"])
@@ -283,7 +283,7 @@ def next_operation(pkt: Packet, before: Any, last: Any, remain: bytes) -> type[E
 
 
 def in_a_row(packet: Packet) -> list[Packet]:
-    """An operation and those that were put after it with `/`, each by itself."""
+    """Returns an operation and those appended with `/`, each alone."""
     found: list[Packet] = []
     while isinstance(packet, EV3Operation):
         single = packet.copy()
@@ -294,7 +294,7 @@ def in_a_row(packet: Packet) -> list[Packet]:
 
 
 class MemorySizes(NamedTuple):
-    """What operations use of a command's memory, in bytes, and whether they write to what the reply carries."""
+    """The memory that operations use, in bytes, and whether they write to global memory."""
 
     local_size: int
     global_size: int
@@ -302,7 +302,7 @@ class MemorySizes(NamedTuple):
 
 
 def memory_of(packets: Iterable[Packet]) -> MemorySizes:
-    """The memory that operations use; none where they cannot be read as they are."""
+    """Returns the memory that operations use; none if they cannot be read."""
     data = b"".join(bytes(packet) for packet in packets)
     operations, fault = instruction_set(conf.contribs["ev3"]["dialect"]).scan(data, 0, len(data))
     try:

@@ -14,7 +14,7 @@ from ev3proto.tables.system import SYSTEM, Kind, SystemCommand, SystemStatus
 from ev3proto.tables.system import Field as Declared
 
 PREFIX, BOOTLOADER, REPLY = "SYS_", "BOOTLOADER_", "_REPLY"
-"""What stands around the names of layers; the bootloader has names of the firmware's once more."""
+"""Prefixes and suffixes of layer names; the bootloader reuses names of the firmware."""
 
 RENAMED = {
     "name": "mailbox",
@@ -22,7 +22,7 @@ RENAMED = {
     "payload": "message",
     "payload_length": "message_length",
 }
-"""Fields whose names a packet of scapy needs itself, and those that count them."""
+"""Fields whose names are reserved in Scapy packets, and those that count them."""
 
 
 class TextField(Field[str, bytes]):
@@ -35,33 +35,33 @@ class TextField(Field[str, bytes]):
         super().__init__(name, "", "s")
 
     def any2i(self, pkt: Packet | None, x: Any) -> Any:  # noqa: ARG002 - scapy's names and arguments, here and below
-        """A text, also of bytes."""
+        """Returns a text, also for bytes."""
         return x.decode(STRING_CODING) if isinstance(x, bytes) else x
 
     def i2len(self, pkt: Packet, x: Any) -> int:  # noqa: ARG002
-        """Bytes in the frame, the zero counted in."""
+        """Returns its size in the frame in bytes, including the zero."""
         return len(x) + (not self.to_end)
 
     def addfield(self, pkt: Packet, s: bytes, val: Any) -> bytes:  # noqa: ARG002
-        """Appends the text. Raises UnicodeEncodeError for characters that the brick does not have."""
+        """Appends the text. Raises UnicodeEncodeError for characters that the brick lacks."""
         return s + str(val).encode(STRING_CODING) + (b"" if self.to_end else b"\0")
 
     def getfield(self, pkt: Packet, s: bytes) -> tuple[bytes, str]:  # noqa: ARG002
-        """What follows the text, and the text. Raises DecodeError."""
+        """Returns the bytes after the text, and the text. Raises DecodeError."""
         if self.to_end:
             return b"", s.decode(STRING_CODING)
         text, zero, rest = s.partition(b"\0")
         if not zero:
-            raise DecodeError(len(s), f"the zero that ends {self.name} is missing", truncated=True)
+            raise DecodeError(len(s), f"the terminating zero of {self.name} is missing", truncated=True)
         return rest, text.decode(STRING_CODING)
 
     def randval(self) -> None:  # type: ignore[override]
-        """Texts stay as they are."""
+        """Keeps texts unchanged."""
         return
 
 
 class CountedTextField(TextField):
-    """A text whose length stands before it. Some senders count its zero in, some do not."""
+    """A text after its length. Some senders include its zero in the length, some do not."""
 
     __slots__ = ["counter"]
 
@@ -70,13 +70,13 @@ class CountedTextField(TextField):
         super().__init__(name)
 
     def getfield(self, pkt: Packet, s: bytes) -> tuple[bytes, str]:
-        """What follows the text and its zero, and the text. Raises DecodeError."""
+        """Returns the bytes after the text and its zero, and the text. Raises DecodeError."""
         text, end = CountedText(int(pkt.getfieldval(self.counter))).read(s, 0)
         return s[end:], text
 
 
 def layer_name(entry: SystemCommand) -> str:
-    """`SYS_LIST_FILES`, `SYS_BOOTLOADER_START_APP`."""
+    """Returns the name of a layer: `SYS_LIST_FILES`, `SYS_BOOTLOADER_START_APP`."""
     return PREFIX + (BOOTLOADER if entry.bootloader else "") + entry.name
 
 
@@ -85,14 +85,14 @@ STATUSES = {status.value: status.name for status in SystemStatus}
 
 
 class EV3SystemCommand(Packet):
-    """A system command: its number. Its fields follow as a packet of their own."""
+    """A system command: its number. Its fields follow as a separate packet."""
 
     name = "EV3 system command"
     fields_desc = [ByteEnumField("number", SYSTEM[0].number, NAMES)]  # noqa: RUF012 - scapy's way, here and below
 
 
 class EV3SystemReply(Packet):
-    """The answer to a system command: which one, and how it went. Its fields follow as a packet of their own."""
+    """The answer to a system command: its number and status. Its fields follow as a separate packet."""
 
     name = "EV3 system reply"
     fields_desc = [  # noqa: RUF012
@@ -101,14 +101,14 @@ class EV3SystemReply(Packet):
     ]
 
     def guess_payload_class(self, payload: bytes) -> type[Packet]:
-        """The fields, if all of them are there: a command that failed may be answered with less."""
+        """Returns the layer of the fields if they are complete: the answer to a failed command may be shorter."""
         schema = REPLIES.get(self.number)
         if schema is None or schema.read_leniently(payload, 0, complete=True)[2] is not None:
             return Raw
         return super().guess_payload_class(payload)
 
     def answers(self, other: Packet) -> int:
-        """Whether this is the reply to that command."""
+        """Returns whether this is the reply to that command."""
         return int(isinstance(other, EV3SystemCommand) and self.number == other.number)
 
 
@@ -161,4 +161,4 @@ SYSTEM_LAYERS = _layers()
 """The fields of every system command and of every reply, by the names of their layers."""
 
 SYSTEM_BODIES = _bodies()
-"""What each of them stands in."""
+"""The body that contains each of them."""

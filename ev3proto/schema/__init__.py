@@ -1,4 +1,4 @@
-"""Bytes to messages and back, as Construct schemas drawn from the tables.
+"""Bytes to messages and back, as Construct schemas generated from the tables.
 
-One schema serves both directions, and each is a Construct: `instruction_set()["SOUND.TONE"].build([1, 440, 1000])`.
+Each schema is a Construct and works in both directions: `instruction_set()["SOUND.TONE"].build([1, 440, 1000])`.
 """

@@ -1,6 +1,6 @@
-"""One argument of an operation: an identification byte and what it announces, read for one declared parameter.
+"""One argument of an operation: an identification byte and its value, read for one declared parameter.
 
-The byte by itself is a schema, too.
+The byte alone is a schema, too.
 """
 
 from __future__ import annotations
@@ -39,15 +39,15 @@ from ev3proto.tables.encoding import (
 )
 
 _FORM_BITS = 6
-"""The bits after the first two, which select what these stand for."""
+"""Number of bits after the first two, which select their meaning."""
 
 LONG_FORM = Struct(
-    "selector" / Flag,  # of variables: global; of constants: label
+    "selector" / Flag,  # for variables: global; for constants: label
     "handle" / Flag,
     "address" / Flag,
     "width" / BitsInteger(3),
 )
-"""Bits 5 to 0 where the value stands in the bytes that follow."""
+"""Bits 5 to 0 if the value is in the bytes that follow."""
 
 SHORT_CONSTANT = Struct("value" / BitsInteger(_FORM_BITS, signed=True))
 SHORT_VARIABLE = Struct("is_global" / Flag, "value" / BitsInteger(5))
@@ -57,10 +57,10 @@ _BITS = Struct(
     "is_variable" / Flag,
     "form" / IfThenElse(this.is_long, LONG_FORM, IfThenElse(this.is_variable, SHORT_VARIABLE, SHORT_CONSTANT)),
 )
-"""All of it: bit 7 long, bit 6 variable, then what the two select."""
+"""The whole byte: bit 7 long, bit 6 variable, then what the two select."""
 
 IDENTIFICATION = Bitwise(_BITS)
-"""The byte as it stands in a frame."""
+"""The byte in a frame."""
 
 LABEL_BYTE = BitStruct(Const(True, Flag), Const(False, Flag), Const(True, Flag), Const(0, BitsInteger(5))).build(None)[
     0
@@ -75,7 +75,7 @@ def _long_encoding(is_variable: bool, selector: bool, handle: bool, address: boo
         scope, letter = (GLOBAL, "G") if selector else (LOCAL, "L")
         return Encoding(f"{letter}V{WIDTHS[width]}", scope, WIDTHS[width], handle, address)
     if selector:
-        # The firmware looks at no further bit of a label's identification byte.
+        # The firmware ignores the other bits of a label's identification byte.
         return Encoding("LAB1", JUMP, 1, handle, address)
     if width in (STRING_OLD, STRING_ZERO):
         return Encoding("LCS" if width == STRING_ZERO else "LCS_OLD", TEXT, None, handle, address)
@@ -89,9 +89,9 @@ _SHORT_VARIABLE = {False: Encoding("LV0", LOCAL, 0), True: Encoding("GV0", GLOBA
 
 
 def _readings(form: Construct) -> list[tuple[Any, ...]]:
-    """The values of a form's fields, for all that its bits can be, in order.
+    """Returns the values of a form's fields for all combinations of its bits, in order.
 
-    Each field is run over its own bits: the whole byte 256 times takes ten times as long, at each import.
+    Parses each field for its own bits only: parsing the whole byte 256 times takes ten times as long, at each import.
     """
     fields = []
     for field in form.subcons:
@@ -115,18 +115,18 @@ def _survey() -> tuple[tuple[Encoding | None, ...], tuple[int | None, ...]]:
 
 
 ENCODINGS, SHORT_VALUES = _survey()
-"""For each of the 256 bytes: its encoding (None where the firmware defines none); for short forms, the value in it."""
+"""For each of the 256 bytes: its encoding (None if undefined) and, for short forms, the value in it."""
 
 
 Form = tuple[Encoding, Callable[[bytes, int], tuple[Any]] | None, int]
-"""A long form: its encoding, what reads its value (None for a string), its bytes with the identification byte."""
+"""A long form: its encoding, the reader of its value (None for a string), its size with the identification byte."""
 
 Reader = tuple[Parameter, tuple[Form | None, ...]]
 """A parameter, and the long forms of its arguments by their identification byte."""
 
 SIZES = bytes(0 if encoding is None or encoding.width is None else 1 + encoding.width for encoding in ENCODINGS)
-"""Bytes of an argument by its identification byte, that byte included. 0 for strings, which end at their zero, and for
-undefined bytes."""
+"""The size of an argument in bytes by its identification byte, which is included. 0 for strings, which end at their
+zero, and for undefined bytes."""
 
 STRINGS = frozenset(byte for byte, encoding in enumerate(ENCODINGS) if encoding is not None and encoding.kind == TEXT)
 """The identification bytes of strings."""
@@ -159,23 +159,23 @@ INTEGER_FORMS, _FLOAT_FORMS = (
     tuple(_long_form(encoding, size, float_constants=is_float) for encoding, size in zip(ENCODINGS, SIZES, strict=True))
     for is_float in (False, True)
 )
-"""Long forms by their identification byte: constants of four bytes read as whole numbers, and as floats."""
+"""Long forms by their identification byte, with constants of four bytes as whole numbers and as floats."""
 
 
 def reader_of(parameter: Parameter) -> Reader:
-    """Returns what `read_arguments` needs to know of a parameter."""
+    """Returns what `read_arguments` needs to know about a parameter."""
     return parameter, _FLOAT_FORMS if parameter.type is Type.DATAF else INTEGER_FORMS
 
 
 def read_arguments(readers: Iterable[Reader], data: bytes, at: int, end: int, found: list[Argument]) -> int:
-    """Reads one argument for each reader. All arguments are read here, whoever asks for them.
+    """Reads one argument for each reader. All arguments of the package are read here.
 
     Args:
-        readers: What is expected, in this order.
-        data: The bytes that the arguments are in.
+        readers: The readers of the expected arguments, in order.
+        data: The bytes that contain the arguments.
         at: The offset of the first one.
-        end: Where the byte code ends.
-        found: Gets the arguments, those before a fault too.
+        end: The end of the byte code.
+        found: A list to which the arguments are added, even those before a fault.
 
     Returns:
         The offset after the last argument.
@@ -211,16 +211,16 @@ def read_arguments(readers: Iterable[Reader], data: bytes, at: int, end: int, fo
 
 
 def _unreadable(parameter: Parameter, data: bytes, at: int, end: int) -> DecodeError:
-    """Says why there is no argument at an offset."""
+    """Returns the error for a missing or unreadable argument at an offset."""
     name = parameter.name
     if at >= end:
-        return DecodeError(end, f"the frame ends where the argument {name} should start", truncated=True)
+        return DecodeError(end, f"the frame ends before the argument {name}", truncated=True)
     encoding = ENCODINGS[data[at]]
     if encoding is None:
-        reason = f"0x{data[at]:02X} is no identification byte that the firmware defines (argument {name})"
+        reason = f"undefined identification byte 0x{data[at]:02X} (argument {name})"
         return DecodeError(at, reason)
     if encoding.width is None:
-        reason = f"the string {name} runs past the end of the frame: the zero that ends it is missing"
+        reason = f"the string {name} runs past the end of the frame: its terminating zero is missing"
         return DecodeError(at, reason, truncated=True)
     missing = counted(at + 1 + encoding.width - end, "more byte")
     reason = f"the argument {name} runs past the end of the frame: {encoding.name} needs {missing}"
@@ -241,14 +241,14 @@ class ArgumentSchema(Bytewise):
         """Reads the argument at an offset.
 
         Args:
-            data: The bytes that the argument is in.
+            data: The bytes that contain the argument.
             at: The offset of its identification byte.
 
         Returns:
             The argument, and the offset after it.
 
         Raises:
-            DecodeError: No argument can be read there. The error names the parameter and the reason.
+            DecodeError: There is no valid argument. The error names the parameter and the reason.
 
         """
         found: list[Argument] = []
@@ -256,14 +256,14 @@ class ArgumentSchema(Bytewise):
         return found[0], end
 
     def write(self, value: Any) -> bytes:
-        """The shortest encoding of a value.
+        """Returns the shortest encoding of a value.
 
         Args:
-            value: A number, a text, the name of an enumeration's member, a `Variable`, an `Argument` (its bytes as they
-                are), or bytes that are one encoded argument.
+            value: A number, a text, the name of an enumeration's member, a `Variable`, an `Argument` (its bytes are
+                kept), or bytes that are one encoded argument.
 
         Raises:
-            BuildError: The parameter cannot have the value. The sentence names it and what it takes.
+            BuildError: The parameter cannot have the value. The message names it and the valid values.
         """
         if type(value) is int and value in self._numbers:
             return encode_integer(value)
@@ -275,7 +275,7 @@ class ArgumentSchema(Bytewise):
             return encode_variable(value, self.parameter.name)
         if self.parameter.direction is Direction.OUT:
             raise BuildError(
-                f"{self.parameter.name} is an output, so {value!r} cannot stand there: it takes GV(0) or LV(0)"
+                f"{self.parameter.name} is an output and cannot be {value!r}: use a variable such as GV(0) or LV(0)"
             )
         return self._constant(value)
 
@@ -338,7 +338,7 @@ _BY_NAME = {
 """The lowest identification byte of each encoding."""
 
 _NAN_ENCODING = {1: "LC1", 2: "LC2", 4: "LC4"}
-"""By the bytes of a type: the encoding in which its lowest number means "not a number"."""
+"""The encoding in which a type's lowest number means "not a number", by the size of the type."""
 
 _INDEX_LAYOUTS = {0: None, 1: "<B", 2: "<H", 4: "<I"}
 
@@ -348,14 +348,14 @@ _LC1, _LC2, _LC4 = (_BY_NAME[name, False, False] for name in ("LC1", "LC2", "LC4
 
 
 def encode_integer(value: int) -> bytes:
-    """Writes a number as the shortest constant: LC0, LC1, LC2 or LC4.
+    """Returns a number as the shortest constant: LC0, LC1, LC2 or LC4.
 
     Args:
-        value: -2147483648 to 2147483647. The lowest number of 8 and of 16 bits means "not a number" there, so it takes
-            the next width. That of 32 bits has none: it is the pattern for "not a number".
+        value: -2147483648 to 2147483647. The lowest numbers of 8 and of 16 bits mean "not a number", so they take
+            the next width. The lowest of 32 bits always means "not a number".
 
     Returns:
-        The identification byte and what follows it.
+        The identification byte and the value.
 
     Raises:
         BuildError: The number needs more than 32 bits.
@@ -369,22 +369,22 @@ def encode_integer(value: int) -> bytes:
         return _pack_2(_LC2, value)
     if -0x80000000 <= value < 0x80000000:
         return _pack_4(_LC4, value)
-    raise BuildError(f"no constant can be {value}: the largest encoding, LC4, holds -2147483647 to 2147483647")
+    raise BuildError(f"a constant cannot be {value}: the largest encoding, LC4, holds -2147483647 to 2147483647")
 
 
 def encode_float(value: float, name: str = "the value") -> bytes:
-    """A float constant: an LC4 whose four bytes are an IEEE single. BuildError for numbers beyond a single's range."""
+    """Returns a float constant: an LC4 with an IEEE single. Raises BuildError beyond a single's range."""
     head = bytes((_LC4,))
     try:
         if math.isnan(value):
             return head + NAN_FLOAT
         return head + struct.pack("<f", value)
     except OverflowError:
-        raise BuildError(f"{name} cannot be {value}: a DATAF reaches from -3.4028235e38 to 3.4028235e38") from None
+        raise BuildError(f"{name} cannot be {value}: a DATAF is from -3.4028235e38 to 3.4028235e38") from None
 
 
 def encode_string(value: str, name: str = "the string") -> bytes:
-    """A zero-terminated string (LCS). BuildError for a zero in it and for characters that ISO-8859-1 does not have."""
+    """Returns a zero-terminated string (LCS). Raises BuildError for a zero or a character outside ISO-8859-1."""
     try:
         text = value.encode(STRING_CODING)
     except UnicodeEncodeError as error:
@@ -392,12 +392,12 @@ def encode_string(value: str, name: str = "the string") -> bytes:
             f"{name} cannot be {value!r}: the brick's strings are ISO-8859-1, which has no {value[error.start]!r}"
         ) from None
     if 0 in text:
-        raise BuildError(f"{name} cannot be {value!r}: a zero ends a string, so none can stand in it")
+        raise BuildError(f"{name} cannot be {value!r}: a string cannot contain a zero, which ends it")
     return bytes((_BY_NAME["LCS", False, False],)) + text + b"\0"
 
 
 def encode_variable(variable: Variable, name: str = "the variable") -> bytes:
-    """The shortest form of a local or global variable. BuildError for an index below 0 or beyond 32 bits."""
+    """Returns the shortest form of a variable. Raises BuildError for an index below 0 or beyond 32 bits."""
     letter = "G" if variable.scope == GLOBAL else "L"
     for width, indexes in INDEX_RANGES.items():
         key = (f"{letter}V{width}", variable.handle, variable.address)
@@ -411,26 +411,26 @@ def encode_variable(variable: Variable, name: str = "the variable") -> bytes:
 
 
 def encode_label(value: int, name: str = "the label") -> bytes:
-    """A label or short jump (LAB1): a signed byte. BuildError beyond -128 to 127."""
+    """Returns a label or short jump (LAB1): a signed byte. Raises BuildError outside -128 to 127."""
     if not -128 <= value <= 127:
         raise BuildError(f"{name} cannot be {value}: LAB1 holds -128 to 127")
     return bytes((LABEL_BYTE, value & 0xFF))
 
 
 def with_bits(encoded: bytes, *, handle: bool = False, address: bool = False) -> bytes:
-    """An encoded long argument with the handle or address bit set. BuildError for short forms, which have none."""
+    """Returns a long argument with the handle or address bit set. Raises BuildError for short forms."""
     if not encoded or encoded[0] < len(SHORT):
-        raise BuildError(f"{encoded!r} is a short form, which has no room for the handle and address bits")
+        raise BuildError(f"{encoded!r} is a short form, without handle and address bits")
     return bytes((encoded[0] | HANDLE_BIT * handle | ADDRESS_BIT * address,)) + encoded[1:]
 
 
 def encode_as(name: str, value: int | float | str) -> bytes:
-    """A value in the named encoding, shortest or not: `encode_as("LC2", 5)`. BuildError when it does not fit."""
+    """Returns a value in any encoding by name: `encode_as("LC2", 5)`. Raises BuildError if it does not fit."""
     try:
         head = _BY_NAME[name, False, False]
     except KeyError:
         names = ", ".join(sorted({encoding.name for encoding in ENCODINGS if encoding}))
-        raise BuildError(f"there is no encoding {name!r}: it is one of {names}") from None
+        raise BuildError(f"unknown encoding {name!r}: the encodings are {names}") from None
     encoding = ENCODINGS[head]
     assert encoding is not None
     if encoding.kind == TEXT:
@@ -443,7 +443,7 @@ def encode_as(name: str, value: int | float | str) -> bytes:
     if encoding.width == 0:
         numbers = (INDEX_RANGES if is_variable else CONSTANT_RANGES)[0]
         if value not in numbers:
-            raise BuildError(f"{name} cannot hold {value}: it reaches from {numbers[0]} to {numbers[-1]}")
+            raise BuildError(f"{name} cannot hold {value}: it is limited to {numbers[0]} to {numbers[-1]}")
         return bytes((head | value & 0x3F,))
     layout = (_UNSIGNED if is_variable else _SIGNED)[encoding.width or 1]
     try:
@@ -451,4 +451,4 @@ def encode_as(name: str, value: int | float | str) -> bytes:
     except struct.error:
         bits = 8 * (encoding.width or 1)
         low, high = (0, (1 << bits) - 1) if is_variable else (-(1 << bits - 1), (1 << bits - 1) - 1)
-        raise BuildError(f"{name} cannot hold {value}: it reaches from {low} to {high}") from None
+        raise BuildError(f"{name} cannot hold {value}: it is limited to {low} to {high}") from None

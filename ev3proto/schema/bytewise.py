@@ -1,8 +1,8 @@
-"""The Construct node that everything here is made of: it works on bytes where Construct's own work on streams.
+"""The Construct node that all schemas here are made of. It works on bytes; Construct's own nodes work on streams.
 
-Byte code is many small things one after the other. Reading each through a stream, a context and a path costs ten times
-what the reading itself costs. A `Bytewise` node reads from bytes at an offset and writes bytes, and is a full Construct
-all the same: it parses, builds, and stands in anybody's `Struct`. `packed` reads structures of numbers in one go.
+Byte code is many small items in a row. Reading each through a stream, a context and a path takes ten times as long
+as reading its bytes. A `Bytewise` node reads from bytes at an offset and writes bytes, and is still a full Construct:
+it parses, builds, and can be part of any `Struct`. `packed` reads structures of numbers at once.
 """
 
 from __future__ import annotations
@@ -18,17 +18,17 @@ class Bytewise(Construct):  # type: ignore[misc]
     """A schema node that reads `(bytes, offset) -> (object, offset after it)` and writes `object -> bytes`."""
 
     def read(self, data: bytes, at: int) -> tuple[Any, int]:
-        """The object at an offset, and the offset after it. Raises DecodeError."""
+        """Returns the object at an offset, and the offset after it. Raises DecodeError."""
         raise NotImplementedError
 
     def write(self, value: Any) -> bytes:
-        """The bytes of an object. Raises BuildError."""
+        """Returns the bytes of an object. Raises BuildError."""
         raise NotImplementedError
 
     def _parse(self, stream: io.BufferedIOBase, _context: Any, _path: str) -> Any:
         start = stream.tell()
         if type(stream) is io.BytesIO:
-            # Whatever Construct parses from bytes. getvalue() copies nothing, and offsets stay those of all the bytes.
+            # Construct's stream of bytes: getvalue() does not copy, and offsets count from the start of the bytes.
             value, end = self.read(stream.getvalue(), start)
         else:
             value, used = self.read(stream.read(), 0)
@@ -42,16 +42,16 @@ class Bytewise(Construct):  # type: ignore[misc]
 
 
 _LETTERS = {1: "B", 2: "H", 4: "I", 8: "Q"}
-"""How `struct` names unsigned numbers, by their size in bytes."""
+"""The format characters of `struct` for unsigned numbers, by size in bytes."""
 
 
 def packed(schema: Struct, order: str = "<") -> struct.Struct:
-    """Makes one `struct` of a schema.
+    """Returns one `struct` for a schema.
 
     Args:
         schema: Unsigned numbers and bytes of fixed size, one after the other.
-        order: "<" for the least significant byte first, ">" for the most significant. It takes the place of the order
-            that the schema's numbers have.
+        order: "<" for the least significant byte first, ">" for the most significant. It replaces the byte order
+            of the schema's numbers.
 
     Returns:
         A `struct` that reads and writes the fields in the schema's order.

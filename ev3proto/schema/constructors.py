@@ -1,4 +1,4 @@
-"""Messages from values: what people call to make a command or a reply. The schemas say what is allowed."""
+"""Public functions that build commands and replies from values. The schemas define what is allowed."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ from ev3proto.schema.fields import REPLIES, REQUESTS, Fields, system_entry
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, build_frame, write_memory
 from ev3proto.tables.frame import DIRECT_COMMAND_TYPES, SYSTEM_COMMAND_TYPES, MessageType
 
-EMPTY_COMMAND = "a command needs an operation: the brick refuses an empty one"
-"""What is said to who makes a direct command of nothing."""
+EMPTY_COMMAND = "a command needs at least one operation: the brick refuses an empty one"
+"""The error message for an empty direct command."""
 
 
 def direct_command(
@@ -21,20 +21,20 @@ def direct_command(
     global_size: int = 0,
     local_size: int = 0,
 ) -> DirectCommand:
-    """Makes a direct command.
+    """Returns a direct command.
 
     Args:
-        operations: What is to be run, in this order.
+        operations: The operations to run, in order.
         counter: The message counter, 0 to 65535.
-        reply: Whether the brick is to answer.
+        reply: Whether the brick should answer.
         global_size: Bytes of global memory, 0 to 1023.
         local_size: Bytes of local memory, 0 to 63.
 
     Returns:
-        The command. Each operation has the offset that it has in the frame.
+        The command. Each operation has its offset in the frame.
 
     Raises:
-        BuildError: There is no operation, or no frame can carry the command.
+        BuildError: There is no operation, or the command does not fit into a frame.
     """
     made = any_direct_command(operations, counter, reply, global_size, local_size)
     if not operations:
@@ -45,11 +45,11 @@ def direct_command(
 def any_direct_command(
     operations: Sequence[Operation], counter: int, reply: bool, global_size: int, local_size: int
 ) -> DirectCommand:
-    """Makes a direct command, an empty one too, which no brick runs but anybody may send. As `direct_command`."""
+    """Returns a direct command like `direct_command`, but possibly empty, which a brick refuses."""
     for operation in operations:
         if not isinstance(operation, Operation):
             raise BuildError(
-                f"{operation!r} is no operation: ev3proto.operation makes one; what ev3proto.ops makes, and labels, are"
+                f"{operation!r} is not an operation: use ev3proto.operation; results of ev3proto.ops, and labels, are"
                 " for ev3proto.command"
             )
     kind = DIRECT_COMMAND_TYPES[bool(reply)]
@@ -66,10 +66,10 @@ def any_direct_command(
 
 
 def direct_reply(memory: bytes = b"", *, counter: int = 0, error: bool = False) -> DirectReply:
-    """Makes the reply to a direct command.
+    """Returns the reply to a direct command.
 
     Args:
-        memory: The global memory that the command asked for, at most 1019 bytes.
+        memory: The global memory that the command requested, at most 1019 bytes.
         counter: The counter of the command, 0 to 65535.
         error: Whether the command failed.
 
@@ -77,7 +77,7 @@ def direct_reply(memory: bytes = b"", *, counter: int = 0, error: bool = False) 
         The reply.
 
     Raises:
-        BuildError: No frame can carry it.
+        BuildError: It does not fit into a frame.
     """
     if not isinstance(memory, bytes):
         raise BuildError(f"memory takes bytes, not {memory!r}")
@@ -88,7 +88,7 @@ def direct_reply(memory: bytes = b"", *, counter: int = 0, error: bool = False) 
 
 
 def _checked(schema: Fields, data: bytes, *, complete: bool) -> dict[str, FieldValue]:
-    """The fields as a receiver reads them. Raises BuildError where they contradict each other."""
+    """Returns the fields as a receiver reads them. Raises BuildError if they contradict each other."""
     values, _, fault = schema.read_leniently(data, 0, complete=complete)
     if fault is not None:
         raise BuildError(fault.reason)
@@ -98,20 +98,20 @@ def _checked(schema: Fields, data: bytes, *, complete: bool) -> dict[str, FieldV
 def system_command(
     command: int | str, *, counter: int = 0, reply: bool = True, **fields: FieldValue | float
 ) -> SystemCommand:
-    """Makes a system command.
+    """Returns a system command.
 
     Args:
-        command: Name or number. BEGIN_DOWNLOAD of the bootloader, 0xF1, has the name of another one: use its number.
+        command: Name or number. The bootloader's BEGIN_DOWNLOAD (0xF1) shares its name with another: use its number.
         counter: The message counter, 0 to 65535.
-        reply: Whether the brick is to answer.
-        fields: Values by the field's name. Lengths that are omitted are worked out. The message of a mailbox is a text
+        reply: Whether the brick should answer.
+        fields: Values by field name. Omitted lengths are computed. The message of a mailbox is a text
             (its zero is added), a number, True or False, or bytes.
 
     Returns:
         The command.
 
     Raises:
-        BuildError: There is no such command, or no frame can carry it. The error names the field at fault.
+        BuildError: The command is unknown or does not fit into a frame. The error names the faulty field.
     """
     entry = system_entry(command)
     schema = REQUESTS[entry.number]
@@ -130,20 +130,20 @@ def system_command(
 def system_reply(
     command: int | str, *, counter: int = 0, status: int = 0, error: bool = False, **fields: FieldValue
 ) -> SystemReply:
-    """Makes the reply to a system command.
+    """Returns the reply to a system command.
 
     Args:
         command: Name or number of the command.
         counter: The counter of the command, 0 to 65535.
         status: The status byte: 0 for success.
         error: Whether the message type says that the command failed.
-        fields: Values by the field's name. Lengths that are omitted are worked out. After a failure any may be omitted.
+        fields: Values by field name. Omitted lengths are computed. After a failure any field may be omitted.
 
     Returns:
         The reply.
 
     Raises:
-        BuildError: There is no such command, or no frame can carry the reply. The error names the field at fault.
+        BuildError: The command is unknown, or the reply does not fit into a frame. The error names the faulty field.
     """
     entry = system_entry(command)
     schema = REPLIES[entry.number]

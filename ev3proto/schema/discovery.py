@@ -1,6 +1,6 @@
-"""WiFi discovery: the beacon a brick broadcasts, the text that unlocks its TCP port, and what it answers.
+"""WiFi discovery: the beacon a brick broadcasts, the text that unlocks its TCP port, and the answer.
 
-They are lines of text, not frames, and come before any frame does.
+They are lines of text, not frames, and come before the first frame.
 """
 
 from __future__ import annotations
@@ -33,23 +33,23 @@ _LAST_PORT = 0xFFFF
 
 
 class Line(Bytewise):
-    """One line, `label: text`, of which the text is the value."""
+    """One line, `label: text`; its value is the text."""
 
     def __init__(self, label: str) -> None:
         super().__init__()
         self.head = f"{label}: ".encode(STRING_CODING)
 
     def read(self, data: bytes, at: int) -> tuple[str, int]:
-        """The text of the line at an offset, and the offset after the line. Raises DecodeError."""
+        """Returns the text of the line at an offset, and the offset after the line. Raises DecodeError."""
         end = data.find(NEWLINE, at)
         if end < 0 or not data.startswith(self.head, at):
-            raise DecodeError(at, f"a line '{self.head.decode()}...', ended by \\r\\n, should stand here")
+            raise DecodeError(at, f"expected a line '{self.head.decode()}...' that ends with \\r\\n")
         return data[at + len(self.head) : end].decode(STRING_CODING), end + len(NEWLINE)
 
     def write(self, value: Any) -> bytes:
-        """The line. BuildError for a text with a line break or characters outside ISO-8859-1."""
+        """Returns the line. Raises BuildError for a line break or a character outside ISO-8859-1."""
         if not isinstance(value, str) or set(value) & set("\r\n\0") or any(ord(letter) > 0xFF for letter in value):
-            raise BuildError(f"{self.head.decode()[:-2]} cannot be {value!r}: it is one line of ISO-8859-1 text")
+            raise BuildError(f"{self.head.decode()[:-2]} cannot be {value!r}: it must be one line of ISO-8859-1 text")
         return self.head + value.encode(STRING_CODING) + NEWLINE
 
 
@@ -59,18 +59,18 @@ BEACON = Struct(*(name / line for name, line in LINES.items()))
 
 
 def is_beacon(datagram: bytes, *, is_cut: bool = False) -> bool:
-    """Says whether a datagram is a beacon, though perhaps one at fault.
+    """Returns whether a datagram is a beacon, possibly a faulty one.
 
     Args:
-        datagram: What it carries.
-        is_cut: The capture has only the beginning of it.
+        datagram: The datagram's contents.
+        is_cut: The capture has only its beginning.
 
     Returns:
-        True where it begins with the labels of a beacon's first two lines, as far as it is there, and names no other
+        True if it begins with the labels of a beacon's first two lines, as far as captured, and names no other
         protocol.
 
     Raises:
-        TypeError: It is not made of bytes.
+        TypeError: The datagram is not bytes.
     """
     if not isinstance(datagram, bytes):
         datagram = as_bytes(datagram, "a datagram")
@@ -86,7 +86,7 @@ def is_beacon(datagram: bytes, *, is_cut: bool = False) -> bool:
 
 @dataclass(frozen=True, slots=True)
 class Beacon:
-    """A brick that says it is there: serial number (its MAC address in hex), TCP port, name, protocol, all as text."""
+    """The announcement of a brick: serial number (its MAC address in hex), TCP port, name, protocol, all as text."""
 
     serial: str
     port: str = str(TCP_PORT)
@@ -95,7 +95,7 @@ class Beacon:
 
     @property
     def tcp_port(self) -> int | None:
-        """The port as a number, 1 to 65535; None where the text is no such number."""
+        """The port as a number, 1 to 65535; None if the text is not such a number."""
         if not _PORT.fullmatch(self.port):
             return None
         number = int(self.port)
@@ -103,7 +103,7 @@ class Beacon:
 
     @classmethod
     def parse(cls, datagram: bytes) -> Beacon:
-        """The beacon in a datagram. DecodeError names the line at fault."""
+        """Parses a datagram. Raises DecodeError that names the faulty line."""
         stream = io.BytesIO(datagram)
         found = BEACON.parse_stream(stream)
         at = stream.tell()
@@ -112,21 +112,21 @@ class Beacon:
         return cls(**{name: found[name] for name in LINES})
 
     def build(self) -> bytes:
-        """The datagram. BuildError for a text with a line break or characters outside ISO-8859-1."""
+        """Builds the datagram. Raises BuildError for a line break or a character outside ISO-8859-1."""
         built: bytes = BEACON.build(asdict(self))
         return built
 
 
 @dataclass(frozen=True, slots=True)
 class Unlock:
-    r"""What a host sends first on the TCP connection. The brick looks only for `ET /target?sn=`, so senders differ.
+    r"""The first text that a host sends by TCP. The brick checks only for `ET /target?sn=`, so senders differ.
 
-    serial      serial number of the brick, as its beacon gave it, or with colons; empty where the sender knows none
-    space       a space follows the serial number
-    newline     how lines end, "\r\n" or "\n"
-    endings     how many line ends follow the last line, 0 to 2 (2: an empty line ends the text)
-    version     the first line ends with the protocol's version
-    gap         a space precedes the name of the protocol
+    serial      serial number of the brick, as in its beacon or with colons; empty if the sender does not know it
+    space       whether a space follows the serial number
+    newline     line ending, "\r\n" or "\n"
+    endings     number of line ends after the last line, 0 to 2 (2: an empty line ends the text)
+    version     whether the first line ends with the protocol's version
+    gap         whether a space precedes the name of the protocol
     """
 
     serial: str
@@ -138,14 +138,14 @@ class Unlock:
 
     @classmethod
     def parse(cls, text: bytes) -> Unlock:
-        """Exactly one unlock text. DecodeError when it is something else."""
+        """Parses exactly one unlock text. Raises DecodeError for anything else."""
         unlock, end = UNLOCK.read(text, 0)
         if end < len(text):
             raise DecodeError(end, f"{len(text) - end} bytes follow the unlock text")
         return unlock
 
     def build(self) -> bytes:
-        """The text. BuildError for a serial number that is no word."""
+        """Builds the text. Raises BuildError for a serial number that is not a word."""
         return UNLOCK.write(self)
 
 
@@ -158,20 +158,20 @@ class UnlockSchema(Bytewise):
     )
 
     def read(self, data: bytes, at: int) -> tuple[Unlock, int]:
-        """The unlock text at an offset, and the offset after it. Raises DecodeError."""
+        """Returns the unlock text at an offset, and the offset after it. Raises DecodeError."""
         found = self.FORM.match(data, at)
         if found is None:
-            raise DecodeError(at, "an unlock text reads 'GET /target?sn=... VMTP1.0' and, on a line, 'Protocol: EV3'")
+            raise DecodeError(at, "expected an unlock text: 'GET /target?sn=... VMTP1.0' and a line 'Protocol: EV3'")
         serial, space, version, newline, gap, ending = found.groups()
         endings = len(ending) // len(newline)
         return Unlock(serial.decode(), bool(space), newline.decode(), endings, bool(version), bool(gap)), found.end()
 
     def write(self, value: Any) -> bytes:
-        """The text. Raises BuildError."""
+        """Returns the text. Raises BuildError."""
         if isinstance(value, Mapping):
             value = Unlock(**value)
         if not isinstance(value, Unlock):
-            raise BuildError(f"an unlock text is made of an Unlock, not of {type(value).__name__}")
+            raise BuildError(f"expected an Unlock, not {type(value).__name__}")
         if value.endings not in range(UNLOCK_ENDINGS + 1):
             raise BuildError(
                 f"an unlock text has 0 to {UNLOCK_ENDINGS} line ends after its last line, not {value.endings!r}"
@@ -185,11 +185,11 @@ class UnlockSchema(Bytewise):
             found = None
         if found is None:
             raise BuildError(
-                f"no unlock text has the serial number {value.serial!r} and line ends {value.newline!r}: the one is"
-                " letters, digits and colons, the others \\r\\n or \\n"
+                f"an unlock text cannot have the serial number {value.serial!r} and line ends {value.newline!r}: use"
+                " letters, digits and colons for the number, \\r\\n or \\n for line ends"
             )
         return found.group()
 
 
 UNLOCK = UnlockSchema()
-"""The text that a host sends first."""
+"""The schema of the first text that a host sends."""

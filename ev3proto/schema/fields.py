@@ -1,4 +1,4 @@
-"""The fields of a system message: numbers, texts, lengths with what they count, and whatever is left to the end."""
+"""The fields of a system message: numbers, texts, lengths with what they count, and the remaining bytes."""
 
 from __future__ import annotations
 
@@ -24,18 +24,18 @@ KINDS: dict[Kind, Construct] = {
     Kind.DATA: GreedyBytes,
     Kind.LISTING: StringEncoded(GreedyBytes, STRING_CODING),
 }
-"""What each kind of field is in Construct. A counted text needs its length and has a node of its own."""
+"""The Construct of each kind of field. A counted text needs its length and has its own node."""
 
 
 class CountedText(Bytewise):
-    """A text whose length stands before it. Some senders count its zero, some do not; the zero is always there."""
+    """A text after its length. Some senders include its zero in the length, some do not; the zero is always present."""
 
     def __init__(self, length: int) -> None:
         super().__init__()
         self.length = length
 
     def read(self, data: bytes, at: int) -> tuple[str, int]:
-        """The text at an offset, and the offset after its zero. Raises DecodeError."""
+        """Returns the text at an offset, and the offset after its zero. Raises DecodeError."""
         text = data[at : at + self.length]
         end = at + self.length
         if len(text) < self.length:
@@ -43,13 +43,13 @@ class CountedText(Bytewise):
         if text.endswith(b"\0"):
             return text[:-1].decode(STRING_CODING), end
         if end >= len(data):
-            raise DecodeError(at, "the zero that ends a text is missing", truncated=True)
+            raise DecodeError(at, "the terminating zero of a text is missing", truncated=True)
         if data[end]:
-            raise DecodeError(end, f"a text of {self.length} bytes must end in a zero, not in 0x{data[end]:02X}")
+            raise DecodeError(end, f"a text of {self.length} bytes must end with a zero, not with 0x{data[end]:02X}")
         return text.decode(STRING_CODING), end + 1
 
     def write(self, value: str) -> bytes:
-        """The text and its zero. BuildError when it has not the length that was said."""
+        """Returns the text and its zero. Raises BuildError if it does not have the stated length."""
         text = _text(value, "the text", zeros=True)
         if self.length not in (len(text), len(text) + 1):
             raise BuildError(
@@ -68,7 +68,7 @@ def _text(value: Any, name: str, zeros: bool = False) -> bytes:
             f"{name} cannot be {value!r}: the brick's strings are ISO-8859-1, which has no {value[error.start]!r}"
         ) from None
     if 0 in encoded and not zeros:
-        raise BuildError(f"{name} cannot be {value!r}: a zero ends a text, so none can stand in it")
+        raise BuildError(f"{name} cannot be {value!r}: a text cannot contain a zero, which ends it")
     return encoded
 
 
@@ -81,17 +81,17 @@ class Fields(Bytewise):
         self.by_name = {field.name: field for field in fields}
 
     def read(self, data: bytes, at: int) -> tuple[dict[str, FieldValue], int]:
-        """Reads all fields, which go to the end of the bytes.
+        """Reads all fields, up to the end of the bytes.
 
         Args:
-            data: The bytes that the fields are in.
+            data: The bytes that contain the fields.
             at: The offset of the first field.
 
         Returns:
-            The values by the field's name, and the end.
+            The values by field name, and the end.
 
         Raises:
-            DecodeError: A field is faulty, or something is left over.
+            DecodeError: A field is faulty, or bytes are left over.
         """
         values, at, fault = self.read_leniently(data, at, complete=True)
         if fault is not None:
@@ -101,15 +101,15 @@ class Fields(Bytewise):
     def read_leniently(
         self, data: bytes, at: int, *, complete: bool
     ) -> tuple[dict[str, FieldValue], int, DecodeError | None]:
-        """Reads the fields up to the first that is faulty.
+        """Reads the fields up to the first faulty one.
 
         Args:
-            data: The bytes that the fields are in.
+            data: The bytes that contain the fields.
             at: The offset of the first field.
-            complete: False where the frame may end before any field, as replies to failed commands do.
+            complete: False if the frame may end before any field, as in replies to failed commands.
 
         Returns:
-            The values by the field's name, the offset after them, and what is wrong with the next field.
+            The values by field name, the offset after them, and what is wrong with the next field.
         """
         values: dict[str, FieldValue] = {}
         for field in self.fields:
@@ -152,7 +152,7 @@ class Fields(Bytewise):
         """Writes fields.
 
         Args:
-            value: Values by the field's name. Lengths that are omitted are worked out.
+            value: Values by field name. Omitted lengths are computed.
 
         Returns:
             The bytes of all fields.
@@ -171,10 +171,10 @@ class Fields(Bytewise):
         return self.write_present(completed)
 
     def write_present(self, value: Mapping[str, Any]) -> bytes:
-        """Writes the fields that are there, which may be only the first few.
+        """Writes the given fields, possibly only the first few.
 
         Args:
-            value: Values by the field's name.
+            value: Values by field name.
 
         Returns:
             Their bytes.
@@ -186,16 +186,16 @@ class Fields(Bytewise):
         return b"".join(self._piece(field, value[field.name], value) for field in self.fields if field.name in value)
 
     def completed(self, value: Mapping[str, Any]) -> dict[str, Any]:
-        """Works out the lengths that were omitted, and the bytes of a mailbox's message.
+        """Computes omitted lengths, and the bytes of a mailbox's message.
 
         Args:
-            value: Values by the field's name.
+            value: Values by field name.
 
         Returns:
             The same values with those lengths and bytes, in the order of the frame.
 
         Raises:
-            BuildError: A field is unknown, or has no value that can be counted.
+            BuildError: A field is unknown, or its value cannot be counted.
         """
         self._refuse_unknown(value)
         found = {name: _message(name, one) if self.by_name[name].is_message else one for name, one in value.items()}
@@ -207,10 +207,10 @@ class Fields(Bytewise):
     def _refuse_unknown(self, value: Mapping[str, Any]) -> None:
         for name in value:
             if name not in self.by_name:
-                raise BuildError(f"there is no field {name}: the fields are {', '.join(self.by_name) or 'none'}")
+                raise BuildError(f"unknown field {name}: the fields are {', '.join(self.by_name) or 'none'}")
 
     def _size(self, name: str, value: Mapping[str, Any]) -> int:
-        """Bytes of a counted field; a text's zero is counted in, as the firmware itself does."""
+        """Returns the size of a counted field in bytes, including a text's zero, as in the firmware."""
         if self.by_name[name].kind is Kind.COUNTED_TEXT:
             return len(_text(value[name], name)) + 1
         if not isinstance(value[name], bytes):
@@ -235,7 +235,7 @@ class Fields(Bytewise):
 
 
 def _message(name: str, value: Any) -> bytes:
-    """The bytes of a mailbox's message. Raises BuildError for what no message is made of."""
+    """Returns the bytes of a mailbox's message. Raises BuildError for a value of another kind."""
     if isinstance(value, str):
         _text(value, name, zeros=True)
     elif not isinstance(value, bytes | int | float):
@@ -248,8 +248,8 @@ def _message(name: str, value: Any) -> bytes:
 
 def _too_short(field: Field) -> str:
     if field.kind is Kind.TEXT:
-        return f"the text {field.name} runs past the end of the frame: the zero that ends it is missing"
-    return f"the frame ends where the field {field.name} ({field.kind.value}) should stand"
+        return f"the text {field.name} runs past the end of the frame: its terminating zero is missing"
+    return f"the frame ends before the field {field.name} ({field.kind.value})"
 
 
 REQUESTS = {command.number: Fields(command.request) for command in SYSTEM}
@@ -258,15 +258,15 @@ REPLIES = {command.number: Fields(command.reply) for command in SYSTEM}
 
 
 def system_entry(command: Any) -> SystemCommand:
-    """Finds a system command in the tables by its name or number. BuildError for one that they do not have."""
+    """Returns a system command of the tables by its name or number. Raises BuildError for an unknown one."""
     if isinstance(command, int):
         if command in SYSTEM_BY_NUMBER:
             return SYSTEM_BY_NUMBER[command]
-        raise BuildError(f"0x{command:02X} is no system command")
+        raise BuildError(f"unknown system command 0x{command:02X}")
     if not isinstance(command, str):
         raise BuildError(f"the name of a system command is a text, such as LIST_FILES, not {command!r}")
     for entry in SYSTEM:
         if entry.name == command.upper():
             return entry
     hint = near_misses(command, [entry.name for entry in SYSTEM])
-    raise BuildError(f"there is no system command {command}{hint}")
+    raise BuildError(f"unknown system command {command}{hint}")

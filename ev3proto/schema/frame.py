@@ -1,4 +1,4 @@
-"""The frame: length, message counter, type, and a body that the type decides. Parsing and building start here."""
+"""The frame: length, message counter, type, and a body that depends on the type. Parsing and building start here."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ SENSOR_REPORT = Struct(
 
 
 Body = tuple[Message | None, bytes, DecodeError | None]
-"""A message, the bytes at its end that could not be read, and why not; no message where its fixed part is cut."""
+"""A message (None if its fixed part is cut), the unreadable bytes at its end, and the reason."""
 
 BodyReader = Callable[[bytes, int, MessageType], Body]
 
@@ -85,7 +85,7 @@ class FrameSchema(Bytewise):
         self._types = {member.value: (member, *bodies[member.kind]) for member in MessageType}
 
     def __reduce__(self) -> tuple[Callable[[str], FrameSchema], tuple[str]]:
-        """There is one for each dialect, in every process; what was read by it can be pickled."""
+        """Pickles as the schema of its dialect, which is shared within a process."""
         return frame_schema, (self._dialect,)
 
     # Reading
@@ -94,7 +94,7 @@ class FrameSchema(Bytewise):
         """Reads the frame at an offset.
 
         Args:
-            data: The bytes that the frame is in. More frames may follow it.
+            data: The bytes that contain the frame. More frames may follow.
             at: The offset of its length field.
 
         Returns:
@@ -113,21 +113,21 @@ class FrameSchema(Bytewise):
         """Reads exactly one frame.
 
         Args:
-            frame: From its length field to its last byte.
-            strict: False: any bytes give a message, whose `fault` says what is wrong with them.
+            frame: The bytes from the length field to the last one.
+            strict: If False, any bytes give a message, whose `fault` says what is wrong.
 
         Returns:
-            The message, with everything that can be read.
+            The message, with everything that could be read.
 
         Raises:
-            DecodeError: The frame is faulty, and `strict` is true. The error names the offset and the reason.
+            DecodeError: The frame is faulty, and `strict` is true. The error has the offset and the reason.
 
         """
         size = len(frame)
         if size < HEADER_SIZE:
             cut = DecodeError(
                 size,
-                f"a frame has at least {HEADER_SIZE} bytes (length, counter, type), here are {size}",
+                f"a frame has at least {HEADER_SIZE} bytes (length, counter, type), this one has {size}",
                 truncated=True,
             )
             if strict:
@@ -145,7 +145,7 @@ class FrameSchema(Bytewise):
                 stated = length
                 contents = frame[: max(length + LENGTH_FIELD, HEADER_SIZE)]
             elif size > MAX_FRAME and not may_be_long(frame):
-                envelope = DecodeError(0, f"the frame has {size} bytes; no frame has more than {MAX_FRAME}")
+                envelope = DecodeError(0, f"the frame has {size} bytes; the maximum is {MAX_FRAME}")
             if known is None:
                 return Message(counter=counter, flaw=Flaw(envelope.fault, frame, stated))
         member, kind, read_body = known
@@ -162,7 +162,7 @@ class FrameSchema(Bytewise):
         end = len(frame)
         start = COMMAND_HEADER_SIZE
         if end < start:
-            error = DecodeError(end, "a direct command starts with two bytes that ask for memory", truncated=True)
+            error = DecodeError(end, "the frame ends before the two bytes that request memory", truncated=True)
             return None, frame[HEADER_SIZE:], error
         operations, fault = self.instructions.scan(frame, start, end)
         global_size, local_size = read_memory(frame)
@@ -184,12 +184,12 @@ class FrameSchema(Bytewise):
         end = len(frame)
         at = HEADER_SIZE
         if end <= at:
-            error = DecodeError(end, "the frame ends where the system command should stand", truncated=True)
+            error = DecodeError(end, "the frame ends before the system command", truncated=True)
             return None, b"", error
         number = frame[at]
         known = system.SYSTEM_BY_NUMBER.get(number)
         if known is None:
-            error = DecodeError(at, f"0x{number:02X} is no system command")
+            error = DecodeError(at, f"unknown system command 0x{number:02X}")
             return SystemCommand(type=member, counter=counter, number=number), frame[at + 1 :], error
         fields, at, fault = REQUESTS[number].read_leniently(frame, at + 1, complete=True)
         message = SystemCommand(type=member, counter=counter, number=number, command=known.name, fields=fields)
@@ -199,12 +199,12 @@ class FrameSchema(Bytewise):
         end = len(frame)
         at = HEADER_SIZE
         if end < at + 2:
-            error = DecodeError(end, "a system reply starts with the command answered and a status", truncated=True)
+            error = DecodeError(end, "the frame ends before the command answered and the status", truncated=True)
             return None, frame[at:], error
         number, status = frame[at], frame[at + 1]
         known = system.SYSTEM_BY_NUMBER.get(number)
         if known is None:
-            error = DecodeError(at, f"0x{number:02X} is no system command")
+            error = DecodeError(at, f"unknown system command 0x{number:02X}")
             reply = SystemReply(type=member, counter=counter, number=number, status_code=status)
             return reply, frame[at + 2 :], error
         failed = status != system.SystemStatus.SUCCESS or member.is_error
@@ -223,7 +223,7 @@ class FrameSchema(Bytewise):
         end = len(frame)
         at = HEADER_SIZE
         if end < at + 3:
-            error = DecodeError(end, "a daisy command starts with a sub-command and two layers", truncated=True)
+            error = DecodeError(end, "the frame ends before the sub-command and the two layers", truncated=True)
             return None, frame[at:], error
         number, layer_from, layer_to = frame[at : at + 3]
         name: str | None = None
@@ -232,7 +232,7 @@ class FrameSchema(Bytewise):
         try:
             command = daisy.DaisyCommand(number)
         except ValueError:
-            fault = DecodeError(at, f"0x{number:02X} is no daisy sub-command")
+            fault = DecodeError(at, f"unknown daisy sub-command 0x{number:02X}")
         else:
             name = command.name
             if command.carries_operations:
@@ -257,7 +257,7 @@ class FrameSchema(Bytewise):
         end = len(frame)
         at = HEADER_SIZE
         if end < at + 2:
-            error = DecodeError(end, "a daisy reply starts with two layers", truncated=True)
+            error = DecodeError(end, "the frame ends before the two layers", truncated=True)
             return None, frame[at:], error
         payload = frame[at + 2 : end]
         try:
@@ -276,29 +276,29 @@ class FrameSchema(Bytewise):
         """Builds the frame of a message.
 
         Args:
-            value: The message, or its attributes by name: `type` (a `MessageType`, its name or number) and those of the
-                message's class that are not to have their default. Operations may be mappings, too. Of system commands
-                `command` is enough, and the lengths among their fields are worked out.
+            value: The message, or its attributes by name: `type` (a `MessageType`, its name or number) and the
+                attributes of its class without a default. Operations may be mappings, too. System commands need only
+                `command`; lengths among their fields are computed.
 
         Returns:
             The frame.
 
         Raises:
-            BuildError: No frame can carry it.
+            BuildError: The message does not fit into a frame.
 
         """
         return (value if isinstance(value, Message) else self._message(value)).build()
 
     def _message(self, given: Mapping[str, Any]) -> Message:
         if not isinstance(given, Mapping):
-            raise BuildError(f"a frame is made of a message or of its attributes by name, not of {given!r}")
+            raise BuildError(f"expected a message or its attributes by name, not {given!r}")
         member = _member(given.get("type"))
         kind = self._types[member][1]
         known = {one.name for one in dataclass_fields(kind) if one.name != "flaw"}
-        values = {name: value for name, value in given.items() if name != "length"}  # which is worked out
+        values = {name: value for name, value in given.items() if name != "length"}  # which is computed
         for name in values:
             if name not in known:
-                raise BuildError(f"a {kind.__name__} has no {name}: it has {', '.join(sorted(known))}")
+                raise BuildError(f"a {kind.__name__} has no attribute {name}: it has {', '.join(sorted(known))}")
         if "operations" in values:
             values["operations"] = self.instructions.parse(self.instructions.build(values["operations"]))
         if issubclass(kind, SystemCommand | SystemReply):
@@ -310,28 +310,30 @@ class FrameSchema(Bytewise):
 
 
 def _member(given: Any) -> MessageType:
-    """The message type that is given by itself, by name or by number."""
+    """Returns a message type from itself, its name or its number."""
     for member in MessageType:
         if given in (member, member.name):
             return member
-    raise BuildError(f"{given!r} is not a message type: they are {', '.join(member.name for member in MessageType)}")
+    raise BuildError(
+        f"unknown message type {given!r}: the types are {', '.join(member.name for member in MessageType)}"
+    )
 
 
 @builds_messages
 def _build(message: Message) -> bytes:
-    """Builds the frame of a message; of one that was parsed, the bytes that it was parsed from."""
+    """Builds the frame of a message; a parsed message gives its original bytes."""
     flaw = message.flaw
     if message.type is None:
         return flaw.rest
     body = flaw.rest if flaw.headless else _body(message) + flaw.rest
     length = flaw.stated_length
     if length is None and flaw.fault is not None:
-        length = HEADER_SIZE - LENGTH_FIELD + len(body)  # a faulty frame may be longer than the brick takes
+        length = HEADER_SIZE - LENGTH_FIELD + len(body)  # a faulty frame may be longer than the brick accepts
     return build_frame(message.type, message.counter, body, length)
 
 
 def _body(message: Message) -> bytes:
-    """What follows the header, as far as it could be read."""
+    """Returns the body after the header, as far as it could be read."""
     match message:
         case DirectCommand():
             code = b"".join([operation.raw for operation in message.operations])
@@ -364,33 +366,33 @@ def _fields(schemas: Mapping[int, Fields], message: SystemCommand | SystemReply)
     if not message.fields:
         return b""
     if message.number not in schemas:
-        raise BuildError(f"0x{message.number:02X} is no system command, so nobody knows its fields")
+        raise BuildError(f"unknown system command 0x{message.number:02X}: its fields are not known")
     return schemas[message.number].write_present(message.fields)
 
 
 def _envelope_error(frame: bytes, length: int, code: int) -> DecodeError:
-    """What is wrong around the body; the body itself is not looked at."""
+    """Returns what is wrong with the frame outside its body."""
     size = len(frame)
     if not may_have_length(frame):
-        return DecodeError(
-            0, f"the length field says {length}; a frame can have {MIN_LENGTH} to {MAX_LENGTH} bytes after it"
-        )
+        return DecodeError(0, f"the length field says {length}; it can be {MIN_LENGTH} to {MAX_LENGTH}")
     end = length + LENGTH_FIELD
     if size < end:
         return DecodeError(
-            0, f"the frame is cut off: its length field says {length} bytes follow, {size - LENGTH_FIELD} do", True
+            0,
+            f"the frame is cut off: its length field says that {length} bytes follow, but {size - LENGTH_FIELD} do",
+            True,
         )
     if size > end:
         return DecodeError(
             end,
-            f"the frame is longer than its length field says: {length} bytes should follow it,"
+            f"the frame is longer than its length field says: {length} bytes should follow it, but"
             f" {size - LENGTH_FIELD} do{_bootloader_hint(frame, code)}",
         )
-    return DecodeError(HEADER_SIZE - 1, f"0x{code:02X} is no message type")
+    return DecodeError(HEADER_SIZE - 1, f"unknown message type 0x{code:02X}")
 
 
 def _bootloader_hint(frame: bytes, code: int) -> str:
-    """Names the known fault of the brick's bootloader where the bytes look like it."""
+    """Describes a known fault of the brick's bootloader if the bytes match it."""
     known = system.SYSTEM_BY_NUMBER.get(frame[HEADER_SIZE]) if len(frame) > HEADER_SIZE else None
     if code == MessageType.SYSTEM_COMMAND_REPLY and known is not None and known.bootloader:
         return (
@@ -401,7 +403,7 @@ def _bootloader_hint(frame: bytes, code: int) -> str:
 
 
 def _worse(envelope: DecodeError | None, inner: DecodeError | None) -> Fault:
-    """What is wrong with a frame: first what is wrong around it, then what is in it, unless that explains it."""
+    """Joins the faults of a frame: the outer one first, then the inner one, unless the first explains it."""
     if envelope is None:
         assert inner is not None
         return inner.fault
@@ -414,7 +416,7 @@ _SCHEMAS: dict[str, FrameSchema] = {}
 
 
 def frame_schema(dialect: str = "official") -> FrameSchema:
-    """Finds the schema of frames for a dialect, which is made once.
+    """Returns the schema of frames for a dialect, created once.
 
     Args:
         dialect: "official", "xtended" or "compat".
@@ -423,27 +425,27 @@ def frame_schema(dialect: str = "official") -> FrameSchema:
         The schema.
 
     Raises:
-        ValueError: There is no such dialect.
+        ValueError: The dialect is unknown.
     """
     if dialect not in _SCHEMAS:
         _SCHEMAS[dialect] = FrameSchema(dialect)
     return _SCHEMAS[dialect]
 
 
-# What checks a frame and what shows it afterwards read the same one; one more is for the frame that becomes of a fix.
+# Checking and then showing a frame reads it twice; one more entry is for the fixed frame.
 @lru_cache(2)
 def read_last(frame: bytes, dialect: str) -> Message:
-    """Reads a frame, or gives the message again where it is one of the last that were read here.
+    """Reads a frame, or returns the cached message of one of the last frames.
 
     Args:
-        frame: From its length field to its last byte. Nothing in it raises.
-        dialect: "official", "xtended" or "compat": the firmware whose instruction set to read by.
+        frame: The bytes from the length field to the last one. No content raises.
+        dialect: "official", "xtended" or "compat": the firmware whose instruction set is used.
 
     Returns:
         The message.
 
     Raises:
-        ValueError: There is no such dialect.
+        ValueError: The dialect is unknown.
     """
     return frame_schema(dialect).read_frame(frame, strict=False)
 
@@ -471,19 +473,19 @@ def parse(
     """Reads exactly one frame.
 
     Args:
-        frame: From its length field to its last byte, and nothing after it.
-        expect: The class of the message, such as `DirectReply`: type checkers know what is returned, and another
-            message is an error. When omitted, any message will do.
-        strict: False: nothing in the frame's contents raises. `message.fault` says what is wrong and where.
-        dialect: "official", "xtended" or "compat": the firmware whose instruction set to read by.
+        frame: The bytes from the length field to the last one, and nothing after them.
+        expect: The class of the message, such as `DirectReply`: type checkers then know the result, and another
+            message is an error. When omitted, any message is accepted.
+        strict: If False, no content raises; `message.fault` says what is wrong and where.
+        dialect: "official", "xtended" or "compat": the firmware whose instruction set is used.
 
     Returns:
-        The message. `message.build()` gives the same bytes again.
+        The message. `message.build()` returns the same bytes.
 
     Raises:
         DecodeError: The frame is faulty, and `strict` is true. It is a ValueError with `offset` and `reason`.
-        DecodeError: The message is not of the class that is expected.
-        ValueError: There is no such dialect.
+        DecodeError: The message is not of the expected class.
+        ValueError: The dialect is unknown.
         TypeError: The frame is not bytes.
     """
     if type(frame) is not bytes:
@@ -491,5 +493,5 @@ def parse(
     schema = _SCHEMAS.get(dialect) or frame_schema(dialect)
     message = schema.read_frame(frame, strict=strict)
     if expect is not Message and not isinstance(message, expect):
-        raise DecodeError(HEADER_SIZE - 1, f"this is a {type(message).__name__}, and a {expect.__name__} is expected")
+        raise DecodeError(HEADER_SIZE - 1, f"expected a {expect.__name__}, but this is a {type(message).__name__}")
     return message

@@ -1,7 +1,7 @@
-"""The header that every frame starts with, and the memory that a direct command asks for right after it.
+"""The header of every frame, and the memory request of a direct command right after it.
 
-The two Constructs declare the bytes. The functions here are how the whole project reads and writes headers:
-`Header.read` takes one apart, `frame_size` says how long a frame will be, `build_frame` puts a frame together.
+Two Constructs declare the bytes. The whole project reads and writes headers by these functions:
+`Header.read` parses one, `frame_size` returns the length of a frame, `build_frame` builds a frame.
 """
 
 from __future__ import annotations
@@ -30,22 +30,22 @@ from ev3proto.tables.frame import (
 from ev3proto.tables.system import LONG_COMMANDS
 
 HEADER = Struct("length" / Int16ul, "counter" / Int16ul, "type" / Int8ul)
-"""What every frame starts with."""
+"""The start of every frame."""
 
 MEMORY = ByteSwapped(BitStruct("locals" / BitsInteger(LOCAL_BITS), "globals" / BitsInteger(GLOBAL_BITS)))
-"""The two bytes of a direct command that ask for memory, as bits of one little-endian number."""
+"""The memory request of a direct command: the bits of two bytes, read as one little-endian number."""
 
 HEADER_SIZE: int = HEADER.sizeof()
 MEMORY_SIZE: int = MEMORY.sizeof()
 COMMAND_HEADER_SIZE = HEADER_SIZE + MEMORY_SIZE
-"""Where the operations of a direct command start."""
+"""Offset of the first operation of a direct command."""
 
 _header = packed(HEADER)
 _memory = packed(Struct("memory" / Int16ul))
 _length = packed(Struct("length" / Int16ul))
 
 unpack_header = _header.unpack_from
-"""Length field, counter and type number of the header in `(data, offset)`. There must be `HEADER_SIZE` bytes."""
+"""Length field, counter and type number of the header in `(data, offset)`. Needs `HEADER_SIZE` bytes."""
 
 _SYSTEM_COMMANDS = frozenset(map(int, SYSTEM_COMMAND_TYPES.values()))
 
@@ -54,7 +54,7 @@ class Header(NamedTuple):
     """The header of a frame.
 
     Attributes:
-        length: The length field: bytes that follow it.
+        length: The length field: number of bytes that follow it.
         counter: The message counter, 0 to 65535.
         type: The number of the message type, 0 to 255.
 
@@ -73,21 +73,21 @@ class Header(NamedTuple):
             at: The offset of the length field.
 
         Returns:
-            The three numbers as they are. Nothing is checked.
+            The three numbers, unchecked.
 
         """
         return cls(*unpack_header(data, at))
 
 
 def frame_size(data: bytes | bytearray, at: int = 0) -> int:
-    """Works out how long the frame at an offset is by its length field.
+    """Returns the length of the frame at an offset, by its length field.
 
     Args:
         data: At least the two bytes of the length field from the offset on.
         at: The offset of the length field.
 
     Returns:
-        Bytes of the whole frame, its length field included: 2 to 65537. `is_frame_size` says whether that can be.
+        Bytes of the whole frame, including its length field: 2 to 65537. `is_frame_size` says whether that is possible.
 
     """
     length: int = _length.unpack_from(data, at)[0]
@@ -95,15 +95,12 @@ def frame_size(data: bytes | bytearray, at: int = 0) -> int:
 
 
 def impossible_length(length: int) -> str:
-    """Says why no frame can have this length field, as a sentence."""
-    return (
-        f"no frame can start here: its length field would say {length}, a frame has {MIN_LENGTH} to {MAX_LENGTH} bytes"
-        " after it"
-    )
+    """Returns why no frame can have this length field, as a sentence."""
+    return f"no frame can start here: the length field says {length}, but it can be {MIN_LENGTH} to {MAX_LENGTH}"
 
 
 def out_of_step(data: bytes | bytearray, at: int = 0) -> str | None:
-    """Returns why no frame starts at an offset, as a sentence; None where one may, or too little has come to tell."""
+    """Returns why no frame starts at an offset, as a sentence; None if one may, or more bytes are needed to decide."""
     if may_have_length(data, at):
         return None
     size = frame_size(data, at)
@@ -114,16 +111,16 @@ def out_of_step(data: bytes | bytearray, at: int = 0) -> str | None:
 
 _SHOWN = 8
 _TEXT = re.compile(rb"[\x20-\x7E\t\r\n]+")
-"""Bytes that people type: programs that send text where frames are due are the commonest mistake of new libraries."""
+"""Bytes of typed text: sending text instead of frames is the most common mistake of new libraries."""
 
 
 def is_frame_size(size: int) -> bool:
-    """Says whether any frame can have this number of bytes, its length field included. `may_be_long` has exceptions."""
+    """Returns whether a frame can have this length, including its length field. `may_be_long` has the exceptions."""
     return MIN_LENGTH <= size - LENGTH_FIELD <= MAX_LENGTH
 
 
 def may_have_length(data: bytes | bytearray, at: int = 0) -> bool:
-    """Returns whether the length field at an offset can be a frame's; True where too little has come to tell."""
+    """Returns whether the length field at an offset can be a frame's; True if more bytes are needed to decide."""
     size = frame_size(data, at)
     return is_frame_size(size) or (size > MAX_FRAME and may_be_long(data, at) is not False)
 
@@ -132,11 +129,11 @@ def may_be_long(data: bytes | bytearray, at: int = 0) -> bool | None:
     """Returns whether the frame at an offset may have more than `MAX_FRAME` bytes, as downloads may.
 
     Args:
-        data: The bytes that the frame is in.
+        data: The bytes that contain the frame.
         at: The offset of its length field.
 
     Returns:
-        None while the byte that decides it has not come.
+        True or False; None while the byte that decides it is missing.
 
     """
     code = data[at + HEADER_SIZE - 1 : at + HEADER_SIZE]
@@ -151,7 +148,7 @@ def _is_long(code: int, number: bytes | bytearray) -> bool:
 
 
 def read_memory(data: bytes | bytearray, at: int = HEADER_SIZE) -> tuple[int, int]:
-    """Reads how much memory a direct command asks for.
+    """Reads the memory request of a direct command.
 
     Args:
         data: At least `MEMORY_SIZE` bytes from the offset on.
@@ -166,7 +163,7 @@ def read_memory(data: bytes | bytearray, at: int = HEADER_SIZE) -> tuple[int, in
 
 
 def write_memory(global_size: int, local_size: int) -> bytes:
-    """Writes how much memory a direct command asks for.
+    """Returns the bytes of a memory request.
 
     Args:
         global_size: Bytes of global memory, 0 to 1023.
@@ -176,21 +173,21 @@ def write_memory(global_size: int, local_size: int) -> bytes:
         The two bytes.
 
     Raises:
-        BuildError: A size is outside its range.
+        BuildError: A size is out of range.
 
     """
     if not isinstance(global_size, int) or not 0 <= global_size <= MAX_GLOBALS:
-        raise BuildError(f"global_size cannot be {global_size!r}: a header can ask for 0 to {MAX_GLOBALS} bytes")
+        raise BuildError(f"global_size cannot be {global_size!r}: a header can request 0 to {MAX_GLOBALS} bytes")
     if not isinstance(local_size, int) or not 0 <= local_size <= MAX_LOCALS:
-        raise BuildError(f"local_size cannot be {local_size!r}: a header can ask for 0 to {MAX_LOCALS} bytes")
+        raise BuildError(f"local_size cannot be {local_size!r}: a header can request 0 to {MAX_LOCALS} bytes")
     return _memory.pack(local_size << GLOBAL_BITS | global_size)
 
 
 def with_length(contents: bytes) -> bytes:
-    """Puts the length field before what follows it.
+    """Returns a frame from its contents, with a length field that counts them.
 
     Args:
-        contents: All of a frame after its length field. At most 65535 bytes are counted: a longer one has no number.
+        contents: All of a frame after its length field. The length field counts at most 65535 bytes.
 
     Returns:
         The frame.
@@ -200,19 +197,19 @@ def with_length(contents: bytes) -> bytes:
 
 
 def build_frame(code: int, counter: int, body: bytes, length: int | None = None) -> bytes:
-    """Puts a frame together. This is the only place that does.
+    """Builds a frame. All frames of the package are built here.
 
     Args:
         code: The number of the message type, 0 to 255.
         counter: The message counter, 0 to 65535.
-        body: What follows the header.
-        length: What the length field says where it must not say the truth, 0 to 65535. None: it is worked out.
+        body: The bytes after the header.
+        length: A length field that differs from the real length, 0 to 65535. None: computed.
 
     Returns:
         The frame.
 
     Raises:
-        BuildError: The frame would be longer than the brick takes, or the counter is outside its range.
+        BuildError: The frame would be longer than the brick accepts, or the counter is out of range.
 
     """
     if length is None:
@@ -220,7 +217,7 @@ def build_frame(code: int, counter: int, body: bytes, length: int | None = None)
         most = MAX_LONG_FRAME if _is_long(code, body[:1]) else MAX_FRAME
         if length + LENGTH_FIELD > most:
             raise BuildError(
-                f"the frame would have {length + LENGTH_FIELD} bytes; the brick takes at most {most} in one frame"
+                f"the frame would have {length + LENGTH_FIELD} bytes; the brick accepts at most {most} in one frame"
             )
     try:
         return _header.pack(length, counter, code) + body

@@ -1,6 +1,6 @@
 """The instruction set of one dialect: byte code to operations, and operations by name.
 
-`InstructionSet.scan` is how all byte code is read: operations one after the other, each with its arguments.
+`InstructionSet.scan` reads all byte code: operations in a row, each with its arguments.
 """
 
 from __future__ import annotations
@@ -19,8 +19,8 @@ from ev3proto.tables.declaration import DATA8, Command, Declaration, Direction, 
 from ev3proto.tables.encoding import CONSTANT, RANGES
 from ev3proto.tables.enumerations import FORMAT_TYPES
 
-CMD = ArgumentSchema(Parameter("CMD", DATA8, "which of the family's commands it is"))
-"""CMD is a parameter like any other: one byte where it is 31 or less, but senders may encode it longer."""
+CMD = ArgumentSchema(Parameter("CMD", DATA8, "the command of the family"))
+"""CMD is a parameter like any other: one byte if it is 31 or less, but senders may use longer encodings."""
 
 _LISTS = (Type.COUNT, Type.VALUES)
 _IN_ORDER = (tuple, list)
@@ -38,12 +38,12 @@ class OperationSchema(Bytewise):
         has_values = self.list_parameter is not None and self.list_parameter.type is Type.VALUES
         self._parameters = parameters[:-1] if has_values else parameters
         self.readers = tuple([reader_of(parameter) for parameter in self._parameters])
-        """What reads the arguments before the elements of a list."""
+        """The readers of the arguments before the elements of a list."""
         self._elements: dict[Type, list[ArgumentSchema]] = {}
 
     @cached_property
     def has_outputs(self) -> bool:
-        """Whether any of its parameters takes a value that the brick writes."""
+        """Whether the brick writes any of its parameters."""
         parameters = self.declaration.parameters
         return any(parameter.is_output or parameter.elements is not Direction.IN for parameter in parameters)
 
@@ -55,7 +55,7 @@ class OperationSchema(Bytewise):
     # Reading
 
     def read(self, data: bytes, at: int) -> tuple[Operation, int]:
-        """The operation at an offset, and the offset after it. DecodeError when another one or none is there."""
+        """Returns the operation at an offset, and the offset after it. Raises DecodeError for any other bytes."""
         if not data.startswith(self.head[:1], at):
             raise DecodeError(at, f"the opcode of {self.declaration.name} is 0x{self.head[0]:02X}")
         start, end = at, at + 1
@@ -76,25 +76,25 @@ class OperationSchema(Bytewise):
         return at
 
     def elements(self, before: Sequence[Argument], room: int) -> Iterator[Reader]:
-        """Returns what reads the elements of a list.
+        """Returns the readers of the elements of a list.
 
         Args:
             before: The arguments before the elements, the last of which counts them.
-            room: Bytes that there are for the elements.
+            room: Bytes available for the elements.
 
         Raises:
-            DecodeError: The last argument is not a count, or there is not room for so many elements.
+            DecodeError: The last argument is not a count, or not enough bytes are left for the elements.
 
         """
         count = self._count(before[-1], room)
         return (schema.reader for schema in self._listed(self._element_type(before), count))
 
     def _count(self, counter: Argument, room: int) -> int:
-        """How many list elements an argument announces. There are `room` bytes for them."""
+        """Returns the number of list elements that an argument announces. `room` bytes are available for them."""
         assert self.list_parameter is not None
         most = RANGES[Type.COUNT].high
         if counter.kind != CONSTANT or not isinstance(counter.value, int):
-            reason = f"{counter.name} must be a constant: without it nobody knows how many values follow"
+            reason = f"{counter.name} must be a constant: it is the number of values that follow"
             raise DecodeError(counter.offset, reason)
         bound = min(room, most) if self.list_parameter.type is Type.COUNT else room
         if not 0 <= counter.value <= bound:
@@ -106,7 +106,7 @@ class OperationSchema(Bytewise):
         return counter.value
 
     def _listed(self, element: Type | None, count: int) -> Iterator[ArgumentSchema]:
-        """The schemas of a list's elements. Without a type they are read as numbers of the brick's choice."""
+        """Yields the schemas of a list's elements. Without a type they are read as numbers of unknown type."""
         parameter = self.list_parameter
         assert parameter is not None
         if element is None:
@@ -122,7 +122,7 @@ class OperationSchema(Bytewise):
             yield known[index]
 
     def _element_type(self, arguments: Sequence[Argument]) -> Type | None:
-        """The type of the list's elements where another argument says it."""
+        """Returns the type of the list's elements if another argument gives it."""
         parameter = self.list_parameter
         if parameter is None or not isinstance(parameter.element, str):
             return None
@@ -135,11 +135,11 @@ class OperationSchema(Bytewise):
         """Reads CMD.
 
         Args:
-            data: The bytes that the operation is in.
+            data: The bytes that contain the operation.
             at: The offset of its opcode.
 
         Returns:
-            CMD as an argument. None where the opcode has no CMD.
+            CMD as an argument, None if the opcode has no CMD.
 
         """
         if self.declaration.command is None:
@@ -147,15 +147,15 @@ class OperationSchema(Bytewise):
         return CMD.read(data, at + 1)[0]
 
     def arguments(self, data: bytes, at: int, end: int) -> tuple[Argument, ...]:
-        """Reads the arguments of an operation again that was built, copied, or moved into a frame.
+        """Reads the arguments of an operation again after it was built, copied, or moved into a frame.
 
         Args:
-            data: The bytes that the operation is in.
+            data: The bytes that contain the operation.
             at: The offset of its opcode.
-            end: The offset after it, or, where there is a fault in it, after the last argument that can be read.
+            end: The offset after it, or after its last readable argument if it is faulty.
 
         Returns:
-            What follows opcode and CMD, up to `end`.
+            The arguments after opcode and CMD, up to `end`.
 
         """
         found: list[Argument] = []
@@ -171,13 +171,13 @@ class OperationSchema(Bytewise):
 
         Args:
             value: Values in the order of the parameters, or a mapping of parameter names to values. A list parameter
-                takes a list, from which its count is worked out. An `Operation` keeps the bytes that it has.
+                takes a list; its count is computed. An `Operation` keeps its bytes.
 
         Returns:
             Opcode, CMD and arguments.
 
         Raises:
-            BuildError: A value is missing, too many, or none that the parameter takes. The error names the parameter.
+            BuildError: A value is missing, superfluous or invalid. The error names the parameter.
 
         """
         if isinstance(value, Operation):
@@ -208,7 +208,7 @@ class OperationSchema(Bytewise):
             elif name == counted and names[-1] in named:
                 values.append(len(named[names[-1]]))
             else:
-                raise BuildError(f"{self.declaration.name} needs {name} too")
+                raise BuildError(f"{self.declaration.name} also needs {name}")
         return values
 
     def _pieces_with_list(self, values: list[Any]) -> Iterator[bytes]:
@@ -216,7 +216,7 @@ class OperationSchema(Bytewise):
         values = self._flat(values)
         if len(values) < len(self.fixed):
             missing = self.fixed[len(values)].parameter.name
-            raise BuildError(f"{name} needs {missing} too")
+            raise BuildError(f"{name} also needs {missing}")
         arguments: list[Argument] = []
         for schema, value in zip(self.fixed, values, strict=False):
             piece = schema.write(value)
@@ -225,7 +225,7 @@ class OperationSchema(Bytewise):
         elements = values[len(self.fixed) :]
         count = arguments[-1]
         if count.kind != CONSTANT:
-            raise BuildError(f"{count.name} must be a constant: it tells how many values follow; or give it a list")
+            raise BuildError(f"{count.name} must be a constant: it is the number of values that follow; or pass a list")
         if count.value != len(elements):
             raise BuildError(f"{count.name} says {count.value}, but {len(elements)} values follow")
         element = self._element_type(arguments)
@@ -233,7 +233,7 @@ class OperationSchema(Bytewise):
             yield schema.write(value)
 
     def _flat(self, values: list[Any]) -> list[Any]:
-        """The values one by one, with the count that a list at the end stands for."""
+        """Returns the values one by one, with the count of a list at the end."""
         if not values or isinstance(values[-1], str | bytes | Argument) or not isinstance(values[-1], Sequence):
             return values
         elements = list(values[-1])
@@ -243,23 +243,23 @@ class OperationSchema(Bytewise):
         return [*values[:-1], *elements]
 
     def make(self, values: Sequence[Any] | Mapping[str, Any]) -> Operation:
-        """Makes an operation of values.
+        """Returns an operation from values.
 
         Args:
-            values: As `write` takes them.
+            values: As for `write`.
 
         Returns:
-            The operation by itself, at offset 0.
+            The operation alone, at offset 0.
 
         Raises:
-            BuildError: As `write` does.
+            BuildError: As for `write`.
 
         """
         raw = self.write(values)
         return Operation((self, raw, 0, len(raw)))
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Copies and pickles are the same schema again, found by its numbers."""
+        """Copies and pickles are the same schema, found by its numbers."""
         command = self.declaration.command
         return _found, (self.declaration.opcode.name, None if command is None else command.name)
 
@@ -268,17 +268,17 @@ _SCHEMAS: dict[int, OperationSchema] = {}
 
 
 def operation_schema(opcode: Opcode, command: Command | None = None) -> OperationSchema:
-    """Finds the schema of an entry of the tables. Dialects that have the entry share the schema.
+    """Returns the schema of an entry of the tables. Dialects that have the entry share it.
 
     Args:
         opcode: The opcode's entry.
         command: The entry of its CMD. None for an opcode without CMD.
 
     Returns:
-        The schema. It is made when it is first asked for.
+        The schema, created on first use.
 
     """
-    key = id(opcode if command is None else command)  # entries are never dropped, and to hash one takes long
+    key = id(opcode if command is None else command)  # entries are never dropped, and hashing one is slow
     schema = _SCHEMAS.get(key)
     if schema is None:
         schema = _SCHEMAS[key] = OperationSchema(Declaration(opcode, command))
@@ -291,11 +291,11 @@ def _found(opcode: str, command: str | None) -> OperationSchema:
 
 
 class FamilySchema:
-    """An opcode whose CMD decides what follows.
+    """An opcode with CMDs.
 
     opcode    its entry in the tables
-    commands  the schemas of its commands by their number
-    short     the same by the byte that is their number in the shortest encoding, where that is one byte
+    commands  the schemas of its commands by number
+    short     the same by the byte of their number in the shortest encoding, if that is one byte
     """
 
     def __init__(self, opcode: Opcode, dialect: str) -> None:
@@ -309,12 +309,12 @@ class FamilySchema:
 
 
 class InstructionSet(Bytewise):
-    """The schema of byte code: operations one after the other to the end of the bytes.
+    """The schema of byte code: operations in a row up to the end of the bytes.
 
-    dialect   the firmware that it is of
-    opcodes   the schema of each opcode that has no CMD, None for all others
-    families  the schemas of each opcode that has a CMD, None for all others
-    by_name   the schema of each operation: of `SOUND.TONE`, `UI_FLUSH`, ...
+    dialect   its firmware
+    opcodes   the schema of each opcode without CMDs, None for all others
+    families  the schemas of each opcode with CMDs, None for all others
+    by_name   the schema of each operation: `SOUND.TONE`, `UI_FLUSH`, ...
     """
 
     def __init__(self, dialect: str) -> None:
@@ -335,7 +335,7 @@ class InstructionSet(Bytewise):
             self.by_name.update((schema.declaration.name, schema) for schema in schemas)
 
     def __getitem__(self, name: str) -> OperationSchema:
-        """Finds the schema of one operation.
+        """Returns the schema of one operation.
 
         Args:
             name: `SOUND.TONE`, in any case.
@@ -344,7 +344,7 @@ class InstructionSet(Bytewise):
             The schema.
 
         Raises:
-            KeyError: There is no such operation. The error suggests the nearest names.
+            KeyError: The operation is unknown. The error suggests the nearest names.
         """
         if not isinstance(name, str):
             raise KeyError(f"the name of an operation is a text, such as SOUND.TONE, not {name!r}")
@@ -372,16 +372,16 @@ class InstructionSet(Bytewise):
         return tuple(operations), len(data)
 
     def scan(self, data: bytes, at: int, end: int) -> tuple[list[Operation], DecodeError | None]:
-        """Reads the operations from one offset to another, up to the first that is faulty.
+        """Reads the operations from one offset to another, up to the first faulty one.
 
         Args:
-            data: The bytes that the byte code is in.
+            data: The bytes that contain the byte code.
             at: The offset of the first opcode.
-            end: Where the byte code ends.
+            end: The end of the byte code.
 
         Returns:
-            The operations, and what is wrong with the next one. The last operation is a `PartialOperation` where only
-            its first arguments can be read.
+            The operations, and what is wrong with the next one. The last operation is a `PartialOperation` if only
+            its first arguments could be read.
 
         """
         operations: list[Operation] = []
@@ -402,15 +402,15 @@ class InstructionSet(Bytewise):
                 if schema is not None:
                     stop = arguments[-1].offset + arguments[-1].length if arguments else at
                     operations.append(PartialOperation((schema, data, start, stop, tuple(arguments))))
-                return operations, fault.with_traceback(None)  # a traceback keeps what is on the stack
+                return operations, fault.with_traceback(None)  # a traceback keeps the stack alive
             operations.append(Operation((schema, data, start, at, tuple(arguments))))
         return operations, None
 
     def _select(self, data: bytes, at: int, end: int) -> tuple[OperationSchema, int]:
-        """The schema for the opcode and CMD at an offset, and where its arguments start. Raises DecodeError."""
+        """Returns the schema for the opcode and CMD at an offset, and where its arguments start. Raises DecodeError."""
         family = self.families[data[at]]
         if family is None:
-            raise DecodeError(at, f"0x{data[at]:02X} is no opcode of the {self.dialect} firmware")
+            raise DecodeError(at, f"unknown opcode 0x{data[at]:02X} for the {self.dialect} firmware")
         schema = family.short.get(data[at + 1]) if at + 1 < end else None
         if schema is not None:
             return schema, at + 2
@@ -418,9 +418,7 @@ class InstructionSet(Bytewise):
         stop = read_arguments((CMD.reader,), data, at + 1, end, found)
         _, form, number, *_ = found[0]
         if form.kind != CONSTANT:
-            raise DecodeError(
-                at + 1, f"CMD of {family.opcode.name} is {form.name}: it must be a constant to say what follows"
-            )
+            raise DecodeError(at + 1, f"CMD of {family.opcode.name} is {form.name}, but must be a constant")
         schema = family.commands.get(number)
         if schema is None:
             known = ", ".join(f"{number} {found.declaration.command.name}" for number, found in _first(family.commands))
@@ -431,14 +429,14 @@ class InstructionSet(Bytewise):
         """Writes operations as byte code.
 
         Args:
-            value: Operations, one after the other. A mapping is one, too: its `name` and `command`, as an `Operation`
-                has them, and as `arguments` what `OperationSchema.write` takes.
+            value: The operations in order. A mapping is accepted, too: `name` and `command` as in an `Operation`,
+                and `arguments` as for `OperationSchema.write`.
 
         Returns:
             The byte code.
 
         Raises:
-            BuildError: Something is no operation, or an operation cannot have its arguments.
+            BuildError: An item is not an operation, or an operation has invalid arguments.
 
         """
         return b"".join([self._written(operation) for operation in value])
@@ -447,7 +445,7 @@ class InstructionSet(Bytewise):
         if isinstance(operation, Operation):
             return operation.raw
         if not isinstance(operation, Mapping) or "name" not in operation:
-            raise BuildError(f"{operation!r} is no operation: ev3proto.operation makes one")
+            raise BuildError(f"{operation!r} is not an operation: create one with ev3proto.operation")
         name = ".".join(filter(None, (operation["name"], operation.get("command"))))
         return self._named(name).write(operation.get("arguments", ()))
 
@@ -458,23 +456,23 @@ class InstructionSet(Bytewise):
             raise BuildError(error.args[0]) from None
 
     def operation(self, name: str, *values: Any, **named: Any) -> Operation:
-        """Makes an operation of values.
+        """Returns an operation from values.
 
         Args:
             name: `SOUND.TONE`, `UI_FLUSH`, in any case.
             values: Values in the order of the parameters.
-            named: Values by the parameter's name, in place of `values`.
+            named: Values by parameter name, instead of `values`.
 
         Returns:
-            The operation by itself, at offset 0.
+            The operation alone, at offset 0.
 
         Raises:
-            BuildError: There is no such operation, or it cannot have these values.
+            BuildError: The operation is unknown, or cannot have these values.
 
         """
         schema = self._named(name)
         if values and named:
-            raise BuildError(f"{name}: give its values in order or by name, not both")
+            raise BuildError(f"{name}: pass values in order or by name, not both")
         return schema.make(named or values)
 
 
@@ -484,7 +482,7 @@ def _first(commands: dict[int, OperationSchema]) -> list[tuple[int, Any]]:
 
 @cache
 def instruction_set(dialect: str = "official") -> InstructionSet:
-    """Finds the instruction set of a dialect, which is made once.
+    """Returns the instruction set of a dialect, created once.
 
     Args:
         dialect: "official", "xtended" or "compat".
@@ -493,27 +491,27 @@ def instruction_set(dialect: str = "official") -> InstructionSet:
         The instruction set. `instruction_set()["SOUND.TONE"]` is the schema of one operation.
 
     Raises:
-        ValueError: There is no such dialect.
+        ValueError: The dialect is unknown.
     """
     return InstructionSet(dialect)
 
 
 def operation(name: str, *values: Any, dialect: str = "official", **named: Any) -> Operation:
-    """Makes an operation of values, each in its shortest encoding.
+    """Returns an operation from values, each in its shortest encoding.
 
     Args:
         name: `SOUND.TONE`, `UI_FLUSH`, in any case.
         values: Values in the order of the parameters: numbers, texts, names of an enumeration's members, variables
             (`GV(0)`, `LV(4)`), or bytes that are one encoded argument (`LC2(5)`). A list parameter takes a list.
-        dialect: "official", "xtended" or "compat": the firmware whose operation it is.
-        named: Values by the parameter's name, in place of `values`.
+        dialect: "official", "xtended" or "compat": the firmware of the operation.
+        named: Values by parameter name, instead of `values`.
 
     Returns:
-        The operation by itself, at offset 0.
+        The operation alone, at offset 0.
 
     Raises:
-        BuildError: There is no such operation, or it cannot have these values. The error names the parameter, the
-            value and what would be right.
-        ValueError: There is no such dialect.
+        BuildError: The operation is unknown, or cannot have these values. The error names the parameter, the
+            value and valid values.
+        ValueError: The dialect is unknown.
     """
     return instruction_set(dialect).operation(name, *values, **named)

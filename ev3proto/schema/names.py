@@ -1,22 +1,22 @@
-"""The flat names that programs for the EV3 are written with: `opSound`, `TONE`, `LED_RED`, `PORT_A`, `LCX(440)`.
+"""The flat names of EV3 programs: `opSound`, `TONE`, `LED_RED`, `PORT_A`, `LCX(440)`.
 
-Courses and the package ev3_dc join byte code by hand, one constant after the other. So that their programs run here,
-every name of the tables has its value under that spelling:
+Courses and the package ev3_dc write byte code by hand, constant by constant. To run their programs,
+every name of the tables is available in that spelling:
 
     opcodes               one byte; `opUI_Draw`, in any case after the `op`
     CMDs                  the constant that encodes the number (LC0, for TEXTBOX LC1)
     enumerations          the same, also for the name of the number after the last (BUTTONTYPES)
     system commands       one byte
     system statuses       one byte, as SYSTEM_ and the status
-    ports                 PORT_1 and PORT_A_SENSOR encoded; PORT_A is a bit, an int, so that ports can be added up
-    NXTCOLOR, NXT_, EV3_  ints, because programs compare them with what a sensor said
-    CONSTANTS             as they stand in the tables
+    ports                 PORT_1 and PORT_A_SENSOR encoded; PORT_A is a bit, an int, so that ports can be added
+    NXTCOLOR, NXT_, EV3_  ints, because programs compare them with sensor values
+    CONSTANTS             as in the tables
 
-Where two tables have a name, the first in this order keeps it, and the commands of the bootloader come last of all:
-GET_VERSION is UI_READ's, BEGIN_DOWNLOAD is the firmware's 0x92. That is what ev3_dc means by them too.
+If a name is in two tables, the first in this order has it; the commands of the bootloader come last:
+GET_VERSION is UI_READ's, BEGIN_DOWNLOAD is the firmware's 0x92. ev3_dc does the same.
 """
 
-# ruff: noqa: N802 - the functions have the names of LEGO's macros
+# ruff: noqa: N802 - the functions are named like LEGO's macros
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ from ev3proto.tables.system import SYSTEM, SystemStatus
 
 Constant = bytes | int | str
 
-# How ev3_dc spells the words of opcodes that it does not simply capitalise.
+# ev3_dc's spelling of opcode words that are not simply capitalised.
 _SPELLINGS = {"UI": "UI", "READSI": "ReadSI", "READEXT": "ReadExt"}
 
 _OPCODE_ALIASES = {
@@ -57,7 +57,7 @@ _OPCODE_ALIASES = {
     "CP_NEF": "CP_NEQF",
 }
 
-# opEN_LOG is what became of OPEN_LOG when ev3_dc spelled all names that begin with OP as opcodes.
+# ev3_dc spells OPEN_LOG as opEN_LOG, since it takes all names that begin with OP for opcodes.
 _ALIASES = {
     "LED_OFF": "LED_BLACK",
     "SYSTEM_REPLY_OK": "SYSTEM_SUCCESS",
@@ -80,10 +80,10 @@ _DEVICE_ALIASES = {
     "EV3_IR": "TYPE_IR",
 }
 
-# What the EV3's own colour sensor says besides NXTCOLOR; the firmware has no names for these two.
+# Values of the EV3's own colour sensor besides NXTCOLOR; the firmware does not name these two.
 _SENSOR_COLORS = {"NONECOLOR": 0, "BROWNCOLOR": 7}
 
-# No part of the protocol: how a program tells ev3_dc which carrier to use and when to wait for replies.
+# Not part of the protocol: ev3_dc's names for carriers and for when to wait for replies.
 _OPTIONS = {
     "WIFI": "WiFi",
     "BLUETOOTH": "Bluetooth",
@@ -95,27 +95,27 @@ _OPTIONS = {
 
 
 def constant(name: str) -> Constant:
-    """The value of a name.
+    """Returns the value of a name.
 
     Args:
-        name: As `constant_names` has it; opcodes in any case after the `op` (`opUI_Draw`, `opUI_DRAW`).
+        name: A name of `constant_names`; opcodes in any case after the `op` (`opUI_Draw`, `opUI_DRAW`).
 
     Returns:
-        Encoded bytes, an int or a str; the text at the head of this module says which.
+        Encoded bytes, an int or a str; the docstring of this module says which.
 
     Raises:
-        KeyError: There is no such name. The error suggests the nearest ones.
+        KeyError: The name is unknown. The error suggests the nearest ones.
     """
     known = _constants()
     if name in known:
         return known[name]
     if name.startswith("op") and name[2:].upper() in _opcodes():
         return _opcodes()[name[2:].upper()]
-    raise KeyError(f"there is no constant {name}{near_misses(name, known)}")
+    raise KeyError(f"unknown constant {name}{near_misses(name, known)}")
 
 
 def constant_names() -> list[str]:
-    """Every name that `constant` knows, sorted; opcodes once each, as ev3_dc spells them."""
+    """Returns every name that `constant` knows, sorted; opcodes once each, in ev3_dc's spelling."""
     return sorted(_constants())
 
 
@@ -178,73 +178,73 @@ def _ports() -> Iterator[tuple[str, Constant]]:
 
 
 def LCX(value: int) -> bytes:
-    """The shortest constant for a whole number: LC0 for -32 to 31, LC1 to +-127, LC2 to +-32767, LC4 beyond.
+    """Returns the shortest constant for a whole number: LC0 for -32 to 31, LC1 to +-127, LC2 to +-32767, LC4 beyond.
 
     Args:
         value: A whole number, -2147483648 to 2147483647; the lowest one is the 32-bit pattern for "not a number".
 
     Raises:
-        BuildError: It is another number, or no whole number (True and False are none).
+        BuildError: The value is not such a whole number (True and False are not).
     """
     return encode_integer(_whole(value, "LCX"))
 
 
 def LC0(value: int) -> bytes:
-    """A constant in one byte.
+    """Returns a constant of one byte.
 
     Args:
         value: A whole number, -32 to 31.
 
     Raises:
-        BuildError: It is anything else.
+        BuildError: The value is anything else.
     """
     return encode_as("LC0", _whole(value, "LC0"))
 
 
 def LC1(value: int) -> bytes:
-    """A constant in two bytes.
+    """Returns a constant of two bytes.
 
     Args:
         value: A whole number, -128 ("not a number") to 127.
 
     Raises:
-        BuildError: It is anything else.
+        BuildError: The value is anything else.
     """
     return encode_as("LC1", _whole(value, "LC1"))
 
 
 def LC2(value: int) -> bytes:
-    """A constant in three bytes.
+    """Returns a constant of three bytes.
 
     Args:
         value: A whole number, -32768 ("not a number") to 32767.
 
     Raises:
-        BuildError: It is anything else.
+        BuildError: The value is anything else.
     """
     return encode_as("LC2", _whole(value, "LC2"))
 
 
 def LC4(value: int) -> bytes:
-    """A constant in five bytes.
+    """Returns a constant of five bytes.
 
     Args:
         value: A whole number, -2147483648 ("not a number") to 2147483647.
 
     Raises:
-        BuildError: It is anything else.
+        BuildError: The value is anything else.
     """
     return encode_as("LC4", _whole(value, "LC4"))
 
 
 def LCF(value: float) -> bytes:
-    """A float constant: an LC4 whose four bytes are an IEEE single.
+    """Returns a float constant: an LC4 whose four bytes are an IEEE single.
 
     Args:
-        value: A number that a single holds, rounded to the nearest one; NaN becomes the firmware's "not a number".
+        value: A number in the range of a single, to which it is rounded; NaN becomes the firmware's "not a number".
 
     Raises:
-        BuildError: It is beyond +-3.4028235e38, or no number.
+        BuildError: The value is beyond +-3.4028235e38, or not a number.
     """
     if isinstance(value, bool) or not isinstance(value, int | float):
         raise BuildError(f"LCF takes a number, not {value!r}")
@@ -252,13 +252,13 @@ def LCF(value: float) -> bytes:
 
 
 def LCS(value: str) -> bytes:
-    r"""A string with its zero.
+    r"""Returns a string with its zero.
 
     Args:
         value: Text of ISO-8859-1, the brick's character set, without "\0".
 
     Raises:
-        BuildError: It has other characters or a zero, or is no str.
+        BuildError: The value has other characters or a zero, or is not a str.
     """
     if not isinstance(value, str):
         raise BuildError(f"LCS takes a str, not {value!r}")
@@ -266,67 +266,67 @@ def LCS(value: str) -> bytes:
 
 
 def LVX(value: int) -> bytes:
-    """The shortest form of a local variable: LV0 for 0 to 31, LV1 to 255, LV2 to 65535, LV4 beyond.
+    """Returns the shortest form of a local variable: LV0 for 0 to 31, LV1 to 255, LV2 to 65535, LV4 beyond.
 
     Args:
         value: Bytes from the start of local memory, 0 to 4294967295; of direct commands at most 62.
 
     Raises:
-        BuildError: It is anything else.
+        BuildError: The value is anything else.
     """
     return encode_variable(LV(_whole(value, "LVX")), "LVX")
 
 
 def GVX(value: int) -> bytes:
-    """The shortest form of a global variable: GV0 for 0 to 31, GV1 to 255, GV2 to 65535, GV4 beyond.
+    """Returns the shortest form of a global variable: GV0 for 0 to 31, GV1 to 255, GV2 to 65535, GV4 beyond.
 
     Args:
         value: Bytes from the start of global memory, 0 to 4294967295; of direct commands at most 1018.
 
     Raises:
-        BuildError: It is anything else.
+        BuildError: The value is anything else.
     """
     return encode_variable(GV(_whole(value, "GVX")), "GVX")
 
 
 def LAB1(value: int) -> bytes:
-    """A label or a short jump in two bytes.
+    """Returns a label or a short jump of two bytes.
 
     Args:
         value: A whole number, -128 to 127.
 
     Raises:
-        BuildError: It is anything else.
+        BuildError: The value is anything else.
     """
     return encode_label(_whole(value, "LAB1"), "LAB1")
 
 
 def HND(encoded: bytes) -> bytes:
-    """An argument marked as a handle to a memory object.
+    """Returns an argument marked as a handle to a memory object.
 
     Args:
         encoded: One constant or variable in a long form, such as LC1(3) or GVX(40).
 
     Raises:
-        BuildError: It is anything else: a short form (LC0, LV0, GV0) has no bit for the mark.
+        BuildError: The argument is anything else: a short form (LC0, LV0, GV0) has no bit for the mark.
     """
     return with_bits(_one_number(encoded, "HND"), handle=True)
 
 
 def ADR(encoded: bytes) -> bytes:
-    """An argument marked as an absolute address.
+    """Returns an argument marked as an absolute address.
 
     Args:
         encoded: One constant or variable in a long form, such as LC4(0x8000) or GVX(40).
 
     Raises:
-        BuildError: It is anything else: a short form (LC0, LV0, GV0) has no bit for the mark.
+        BuildError: The argument is anything else: a short form (LC0, LV0, GV0) has no bit for the mark.
     """
     return with_bits(_one_number(encoded, "ADR"), address=True)
 
 
 def _whole(value: int, name: str) -> int:
-    # A bool is an int to Python; here it would be the result of a comparison that somebody meant to act on.
+    # In Python a bool is an int; here it would be an unintended result of a comparison.
     if isinstance(value, bool) or not isinstance(value, int):
         raise BuildError(f"{name} takes a whole number, not {value!r}")
     return value

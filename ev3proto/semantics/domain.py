@@ -1,7 +1,7 @@
-"""The legal values of a parameter and what else the tables tell of it, and the one way to say them.
+"""The legal values of a parameter, other facts about it, and their texts.
 
-The tables tell documented ranges, names of numbers, single values with a meaning of their own. Where they tell none of
-these, what the type can hold is legal.
+The tables have documented ranges, names of numbers, and single values with a meaning of their own. Without any of
+these, all values of the type are legal.
 """
 
 from __future__ import annotations
@@ -14,19 +14,19 @@ from ev3proto.tables.declaration import DIALECTS, Enumeration, Parameter, Type
 from ev3proto.tables.encoding import BITS, RANGES
 
 _MOST_NAMES = 12
-"""So many names of an enumeration are listed in a sentence."""
+"""Maximum number of names of an enumeration listed in a sentence."""
 
 
 class Domain:
-    """The numbers that are legal for one parameter.
+    """The legal numbers of one parameter.
 
     Attributes:
         spans: Pairs of lowest and highest number.
         singles: Single numbers besides those.
-        mask: Bits that may be set in any combination, 0 where there are none.
-        is_documented: True where the tables tell the numbers, False where the type alone limits them.
-        has_names: True where the numbers have names.
-        text: The numbers: `0 to 100 %`, `-127 to 127`, `0 LED_BLACK, 1 LED_GREEN, ...`.
+        mask: Bits that may be set in any combination, or 0.
+        is_documented: Whether the tables limit the numbers; False if only the type does.
+        has_names: Whether the numbers have names.
+        text: The text: `0 to 100 %`, `-127 to 127`, `0 LED_BLACK, 1 LED_GREEN, ...`.
     """
 
     __slots__ = ("has_names", "is_documented", "mask", "singles", "spans", "text")
@@ -52,7 +52,7 @@ class Domain:
             numbers = BITS[parameter.type]
             self.spans = ((numbers[0], numbers[-1]),)
             self.is_documented = False
-            self.text = f"0 to {numbers[-1]} (or {numbers[0]} to -1, which are the same bits)"
+            self.text = f"0 to {numbers[-1]} (or {numbers[0]} to -1, the same bits)"
         else:
             low, high, nan = RANGES[parameter.type]
             self.spans = ((low, high),)
@@ -61,11 +61,11 @@ class Domain:
 
     @property
     def choice(self) -> str:
-        """What is legal, after "must be" or "give": `0 to 100 %`, `one of 0 LED_BLACK, 1 LED_GREEN, ...`."""
+        """The legal values, for use after "must be" or "use": `0 to 100 %`, `one of 0 LED_BLACK, 1 LED_GREEN, ...`."""
         return f"one of {self.text}" if self.has_names else self.text
 
     def covers(self, value: float) -> bool:
-        """Whether a number is legal."""
+        """Returns whether a number is legal."""
         if value in self.singles:
             return True
         for low, high in self.spans:
@@ -76,7 +76,7 @@ class Domain:
 
 @cache
 def domain_of(parameter: Parameter) -> Domain | None:
-    """The legal numbers of a parameter; None where every number that can be encoded is legal, and for texts."""
+    """Returns the legal numbers of a parameter; None if every encodable number is legal, and for texts."""
     if parameter.range is None and parameter.enum is None and parameter.type not in RANGES:
         return None
     if parameter.any_type and parameter.type is not Type.COUNT:
@@ -85,7 +85,7 @@ def domain_of(parameter: Parameter) -> Domain | None:
 
 
 def limits(parameter: Parameter) -> str:
-    """`0 to 100 %`, the unit alone where the tables tell no range, and nothing where they tell neither."""
+    """Returns `0 to 100 %`, the unit alone without a range, or an empty text."""
     unit = f" {parameter.unit}" if parameter.unit else ""
     if parameter.range is None:
         return unit.strip()
@@ -94,7 +94,7 @@ def limits(parameter: Parameter) -> str:
 
 
 def _spans(enum: Enumeration) -> Iterator[tuple[int, int]]:
-    """Numbers between two members that name both ends of a span: TYPE_THIRD_PARTY_START and ..._END."""
+    """Yields the spans between two members that name their ends: TYPE_THIRD_PARTY_START and ..._END."""
     for name, low in enum.members.items():
         if name.endswith("_START"):
             high = enum.members.get(f"{name.removesuffix('_START')}_END")
@@ -108,11 +108,11 @@ def _names(enum: Enumeration) -> str:
 
 
 MOST_SPECIAL = 5
-"""So many special values are listed in a comment; more than a handful are those of a mask, bit by bit."""
+"""Maximum number of special values listed in a comment; more than a handful are the bits of a mask."""
 
 
 def facts(parameter: Parameter, *, most_special: int | None = None) -> Iterator[str]:
-    """Legal values and length of a parameter: `0 to 100 %`, `0: silent`, `as many bytes as LENGTH says`.
+    """Yields legal values and length of a parameter: `0 to 100 %`, `0: silent`, `as many bytes as LENGTH says`.
 
     Args:
         parameter: The parameter.
@@ -134,14 +134,14 @@ def facts(parameter: Parameter, *, most_special: int | None = None) -> Iterator[
 
 
 def element(parameter: Parameter) -> str | None:
-    """What each value of a list is: `DATA8`, or `what FORMAT says`; None where there is no list."""
+    """Returns the type of a list's values: `DATA8`, or `what FORMAT says`; None if it is not a list."""
     if isinstance(parameter.element, Type):
         return parameter.element.label
     return None if parameter.element is None else f"what {parameter.element} says"
 
 
 def comment(parameter: Parameter) -> str:
-    """`volume (0 to 100 %; 0: silent)`."""
+    """Returns the text of a comment: `volume (0 to 100 %; 0: silent)`."""
     pieces = list(facts(parameter, most_special=MOST_SPECIAL))
     each = element(parameter)
     if each is not None:
@@ -150,7 +150,7 @@ def comment(parameter: Parameter) -> str:
 
 
 def firmwares(dialects: tuple[str, ...]) -> str:
-    """What follows the text of an entry that not every firmware has: ` (xtended and compat firmware only)`."""
+    """Returns the suffix for an entry that some firmwares lack: ` (xtended and compat firmware only)`."""
     if dialects == DIALECTS:
         return ""
-    return f" ({' and '.join(dialects)} firmware only)" if dialects else " (no firmware has it)"
+    return f" ({' and '.join(dialects)} firmware only)" if dialects else " (not in any firmware)"

@@ -1,7 +1,7 @@
-"""Control flow: which operations can run, from the first one over every jump.
+"""Control flow: which operations can run, starting at the first one and following every jump.
 
-A jump into an operation runs what is there, so it is read there. A jump by a value that is not in the code may lead
-anywhere, and a jump out of the code runs whatever is there: then it is not known what can run.
+A jump into an operation runs the bytes there, so they are read there. A jump by a value outside the code may lead
+anywhere, and a jump out of the code runs unknown bytes: then it is unknown what can run.
 """
 
 from __future__ import annotations
@@ -18,16 +18,16 @@ from ev3proto.tables.encoding import JUMP
 from ev3proto.tables.validation import LABELS
 
 _WINDOWS = (32, 256)
-"""Bytes in which one operation is looked for first, for code has many into which jumps may lead."""
+"""Number of bytes in which an operation is first looked for, since jumps may lead into many places."""
 
 
 @dataclass(slots=True)
 class Flow:
-    """What can run.
+    """The operations that can run.
 
-    operations  that can run, by their offsets; those that jumps into others found among them
-    following   the offsets at which each of them continues; `end` of the code where it ends
-    is_known    whether that is all that can run
+    operations  by offset, including those found by jumps into others
+    following   the offsets at which each of them continues; the end of the code if it ends
+    is_known    whether these are all that can run
     """
 
     operations: dict[int, Operation] = field(default_factory=dict)
@@ -36,7 +36,7 @@ class Flow:
 
 
 def jump_of(operation: Operation) -> Argument | None:
-    """The argument that says where a jump leads; None for all other operations, and for one that is cut off."""
+    """Returns the argument with the target of a jump; None for other operations, and for one that is cut off."""
     if not operation.declaration.is_jump:
         return None
     arguments = operation.arguments
@@ -44,12 +44,12 @@ def jump_of(operation: Operation) -> Argument | None:
 
 
 def is_label(jump: Argument) -> bool:
-    """Whether a jump names a label; other numbers in this encoding are distances."""
+    """Returns whether a jump names a label; other numbers in this encoding are distances."""
     return jump.form.kind == JUMP and isinstance(jump.value, int) and 0 < jump.value < LABELS
 
 
 def labels_of(operations: Sequence[Operation]) -> dict[int | None, int]:
-    """The offsets that labels name: those after LABEL, of several with one number the last."""
+    """Returns the offsets of labels, after LABEL; of several with one number, the last counts."""
     return {
         whole_number(argument): operation.offset + operation.length
         for operation in operations
@@ -59,15 +59,15 @@ def labels_of(operations: Sequence[Operation]) -> dict[int | None, int]:
 
 
 def target_of(operation: Operation, jump: Argument, labels: dict[int | None, int]) -> int | None:
-    """The offset to which a jump leads.
+    """Returns the target offset of a jump.
 
     Args:
         operation: The jump.
-        jump: Its argument that says where to.
+        jump: Its argument with the target.
         labels: The offsets of the labels.
 
     Returns:
-        None where that is not in the code: a variable, a handle, an address, a label that is not set.
+        The offset; None if it is not in the code: a variable, a handle, an address, a missing label.
     """
     if jump.form.handle or jump.form.address or jump.is_variable or not isinstance(jump.value, int):
         return None
@@ -80,11 +80,11 @@ def flow_of(data: bytes, operations: Sequence[Operation], start: int, end: int, 
     """Follows code from its first operation.
 
     Args:
-        data: The bytes that the code is in.
-        operations: Those that are read one after the other.
+        data: The bytes that contain the code.
+        operations: The operations read in a row.
         start: The offset of the first one.
         end: The offset after the last one.
-        dialect: The firmware whose instruction set to read by.
+        dialect: The firmware whose instruction set is used.
     """
     flow = Flow()
     read = {operation.offset: operation for operation in operations if operation.is_complete}
@@ -115,14 +115,14 @@ def flow_of(data: bytes, operations: Sequence[Operation], start: int, end: int, 
 
 
 def reached(operations: Sequence[Operation], flow: Flow) -> set[int]:
-    """The offsets of those operations that can run, or that have code in them that can."""
+    """Returns the offsets of the operations that can run, or that contain code that can."""
     starts = [operation.offset for operation in operations]
     inside = (offset for offset in flow.operations if offset >= starts[0]) if starts else iter(())
     return {starts[bisect_right(starts, offset) - 1] for offset in inside}
 
 
 def _following(operation: Operation, end: int) -> list[int]:
-    """The offsets at which the code continues without a jump."""
+    """Returns the offsets at which the code continues without a jump."""
     effects = operation.declaration.effects
     if Effect.ENDS in effects or Effect.ENDS_CODE in effects:
         return [end]
@@ -132,7 +132,7 @@ def _following(operation: Operation, end: int) -> list[int]:
 
 
 def _read(data: bytes, at: int, end: int, dialect: str) -> dict[int, Operation]:
-    """The operation at an offset, if one can be read there, and some after it."""
+    """Returns the operation at an offset, if readable, and some after it."""
     for limit in (*(at + window for window in _WINDOWS if at + window < end), end):
         found, _ = instruction_set(dialect).scan(data, at, limit)
         if found and found[0].is_complete:

@@ -1,7 +1,7 @@
-"""Which bytes of memory an operation uses: for each argument that is a variable, where they start and how many.
+"""The bytes of memory that an operation uses: start and size for each argument that is a variable.
 
-What the tables tell of a parameter is worked out once for each operation (`memory_facts`). What its arguments add, such
-as the number of bytes in an array, is worked out for each operation in a frame (`footprints`).
+The facts of the tables are computed once for each operation (`memory_facts`). What the arguments add, such
+as the size of an array, is computed for each operation in a frame (`footprints`).
 """
 
 from __future__ import annotations
@@ -18,31 +18,31 @@ from ev3proto.tables.declaration import LISTS, Direction, Parameter, Role, Type
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, TEXT
 
 UNTYPED_SIZE = 4
-"""Bytes of the largest number: what to set aside for a value whose type only the brick knows."""
+"""Bytes of the largest number, reserved for a value whose type only the brick knows."""
 
 NO_LIMIT = -1
-"""The length of a text that stands for as much as there is."""
+"""The length that means "as long as the text is"."""
 
 
 class MemoryFacts(NamedTuple):
-    """What the tables tell of a variable that stands for a parameter.
+    """The facts of the tables about a variable for a parameter.
 
-    size                 bytes of one value, 1 where the type does not tell
-    most                 bytes of one value at most, None where that is not known
-    room                 bytes to set aside for one value where a place is chosen, None where that is not known
-    fixed_length         how many values there are, where the tables tell
-    length               number of the argument that tells how many values there are, None where none does
-    indexed_by           number of the argument that tells which element of an array is used, None where none does
-    is_counted           the operation tells how many values or bytes it has
-    is_array             it is more than one value, or may be
-    is_read              the operation reads it
-    is_written           the operation writes it
-    is_result            a reply carries it under the parameter's name
-    is_text              the values are the bytes of a text
-    is_validated         the validator looks at where it lies
-    validator_alignment  what the validator wants its index to be a multiple of: 1, 2 or 4
-    cpu_alignment        what the processor wants its index to be a multiple of: 1, 2 or 4
-    alignment            what to align it to where a place is chosen: 1, 2 or 4
+    size                 bytes of one value, 1 if the type does not tell
+    most                 maximum bytes of one value, None if unknown
+    room                 bytes to reserve for one value when a place is chosen, None if unknown
+    fixed_length         number of values, if fixed in the tables
+    length               index of the argument with the number of values, or None
+    indexed_by           index of the argument with the index of the element used, or None
+    is_counted           whether the operation gives the number of values or bytes
+    is_array             whether it is or may be more than one value
+    is_read              whether the operation reads it
+    is_written           whether the operation writes it
+    is_result            whether a reply carries it under the parameter's name
+    is_text              whether the values are the bytes of a text
+    is_validated         whether the validator checks its alignment
+    validator_alignment  alignment required by the validator: 1, 2 or 4
+    cpu_alignment        alignment required by the processor: 1, 2 or 4
+    alignment            alignment when a place is chosen: 1, 2 or 4
     """
 
     size: int
@@ -65,22 +65,22 @@ class MemoryFacts(NamedTuple):
 
 @dataclass(slots=True)
 class Footprint:
-    """The memory that an operation uses by one argument that is a variable.
+    """The memory that an operation uses for one argument that is a variable.
 
     operation            the operation
     number               of the argument in the operation, from 0
     argument             the variable
     start                its first byte
-    size                 bytes that it takes for sure
-    most                 bytes that it takes at most, None where that is not known
-    room                 bytes to set aside where a place is chosen, None where that is not known
-    is_array             it is more than one value, or may be
-    is_read              the operation reads it
-    is_written           the operation writes it
-    is_result            a reply carries it under the parameter's name
-    validator_alignment  what the validator wants `start` to be a multiple of: 1, 2 or 4
-    cpu_alignment        what the processor wants `start` to be a multiple of: 1, 2 or 4
-    alignment            what to align it to where a place is chosen: 1, 2 or 4
+    size                 minimum number of bytes
+    most                 maximum number of bytes, None if unknown
+    room                 bytes to reserve when a place is chosen, None if unknown
+    is_array             whether it is or may be more than one value
+    is_read              whether the operation reads it
+    is_written           whether the operation writes it
+    is_result            whether a reply carries it under the parameter's name
+    validator_alignment  alignment required by the validator: 1, 2 or 4
+    cpu_alignment        alignment required by the processor: 1, 2 or 4
+    alignment            alignment when a place is chosen: 1, 2 or 4
     """
 
     operation: Operation
@@ -100,22 +100,22 @@ class Footprint:
 
     @property
     def end(self) -> int:
-        """The first byte after those that it takes for sure."""
+        """The first byte after the minimum size."""
         return self.start + self.size
 
     @property
     def is_open(self) -> bool:
-        """True where that is not known from the operation how many bytes it takes."""
+        """Whether the operation does not tell its maximum size."""
         return self.most is None
 
     @property
     def is_exact(self) -> bool:
-        """True where it takes neither more nor fewer bytes than `size`."""
+        """Whether it takes exactly `size` bytes."""
         return self.most == self.size
 
     @property
     def is_global(self) -> bool:
-        """True for global memory, False for local."""
+        """Whether it is in global memory."""
         return self.argument.form.kind == GLOBAL
 
     @property
@@ -131,20 +131,20 @@ class Footprint:
 
 
 class Taken:
-    """The bytes that some variables of one memory take. It tells at once whether another one has any of them.
+    """The bytes of one memory that some variables take, with a fast test for overlaps.
 
-    A frame may have hundreds of variables, so to ask each of them for each other one takes long.
+    A frame may have hundreds of variables, so comparing each with all others is slow.
     """
 
     def __init__(self, found: Iterable[tuple[int, int]]) -> None:
-        """`found`: where each of them starts and ends."""
+        """`found`: start and end of each variable."""
         places = sorted(found)
         self._starts = [start for start, _ in places]
-        # For each place, where the furthest of those up to it ends.
+        # For each start, the furthest end of those up to it.
         self._ends = list(accumulate([end for _, end in places], max))
 
     def has_some_of(self, start: int, end: int) -> bool:
-        """Whether there is a byte between these two that is taken."""
+        """Returns whether any byte between the two offsets is taken."""
         before = bisect_left(self._starts, end)
         return before > 0 and self._ends[before - 1] > start
 
@@ -168,11 +168,11 @@ def unread(used: Sequence[Footprint]) -> Iterator[Footprint]:
 
 
 def footprints(operation: Operation, arguments: Sequence[Argument] | None = None) -> list[Footprint]:
-    """The memory that an operation uses, in the order of its arguments.
+    """Returns the memory that an operation uses, in the order of its arguments.
 
     Args:
         operation: The operation, whole or cut off.
-        arguments: Its arguments, where the caller has read them already.
+        arguments: Its arguments, if the caller has already read them.
     """
     if arguments is None:
         arguments = operation.arguments
@@ -182,16 +182,16 @@ def footprints(operation: Operation, arguments: Sequence[Argument] | None = None
 
 
 def results(operation: Operation) -> list[Footprint]:
-    """The memory of those arguments alone whose values a reply carries, in their order."""
+    """Returns the memory of the arguments whose values a reply carries, in order."""
     return [found for found in footprints(operation) if found.is_result and found.is_global]
 
 
 def footprint(operation: Operation, number: int, arguments: Sequence[Argument]) -> Footprint:
-    """The memory that an operation uses by one argument, which is a variable.
+    """Returns the memory that an operation uses for one argument, which is a variable.
 
     Args:
         operation: The operation, whole or cut off.
-        number: That of the argument, from 0.
+        number: The number of the argument, from 0.
         arguments: All arguments of the operation.
     """
     schema, *_ = operation
@@ -231,7 +231,7 @@ def footprint(operation: Operation, number: int, arguments: Sequence[Argument]) 
 
 
 def _marked(operation: Operation, number: int, argument: Argument, known: MemoryFacts) -> Footprint:
-    """The memory of a variable that only says where the value is: by a handle or an address."""
+    """Returns the memory of a variable that holds a handle or an address."""
     form = argument.form
     size = Type.HANDLE.size if form.handle else Type.DATA32.size
     validator_alignment = size if form.handle and known.is_validated else known.validator_alignment
@@ -254,7 +254,7 @@ def _marked(operation: Operation, number: int, argument: Argument, known: Memory
 
 
 def _count(known: MemoryFacts, arguments: Sequence[Argument]) -> int | None:
-    """How many values an array has, as far as they are used; None where that is not known."""
+    """Returns the number of values of an array that are used; None if unknown."""
     if known.fixed_length is not None:
         return known.fixed_length
     number = known.length if known.length is not None else known.indexed_by
@@ -262,14 +262,14 @@ def _count(known: MemoryFacts, arguments: Sequence[Argument]) -> int | None:
     if count is None or (count == NO_LIMIT and known.is_text):
         return None
     if known.length is None:
-        # All elements up to the one that is used.
+        # All elements up to the one used.
         return count + 1 if count >= 0 else None
     # Other negative lengths are those of bytes in reverse order.
     return abs(count)
 
 
 def whole_number(argument: Argument | None) -> int | None:
-    """The value of an argument that is a whole number in the frame itself, None for all others."""
+    """Returns the value of an argument that is a constant whole number, else None."""
     if argument is None or argument.form.kind != CONSTANT or argument.form.handle or argument.form.address:
         return None
     return argument.value if isinstance(argument.value, int) else None
@@ -277,7 +277,7 @@ def whole_number(argument: Argument | None) -> int | None:
 
 @cache
 def memory_facts(schema: OperationReader) -> tuple[MemoryFacts, ...]:
-    """What the tables tell of the memory of an operation: one entry for each argument before the elements of a list."""
+    """Returns the memory facts of an operation: one entry for each argument before the elements of a list."""
     parameters = schema.declaration.parameters
     numbers = {parameter.name: number for number, parameter in enumerate(parameters)}
     fixed = parameters[:-1] if parameters and parameters[-1].type is Type.VALUES else parameters
@@ -287,7 +287,7 @@ def memory_facts(schema: OperationReader) -> tuple[MemoryFacts, ...]:
 
 
 def element_facts(parameter: Parameter) -> MemoryFacts:
-    """The same for an element of a list. The validator does not look at where it lies."""
+    """Returns the memory facts of an element of a list. The validator does not check its alignment."""
     return _element_facts(parameter.type, parameter.direction)
 
 
@@ -332,17 +332,17 @@ def _facts(parameter: Parameter, numbers: dict[str, int], *, is_validated: bool,
 
 
 NUMBER_SIZE = 4
-"""Bytes of a number in the operation itself, where the brick reads it as an array."""
+"""Bytes of a constant number that the brick reads as an array."""
 
 
 class InlineArray(NamedTuple):
     """A text or number that the brick reads as an array.
 
     argument  the text or number
-    length    the parameter that tells how many values it has
+    length    the parameter with the number of values
     one       bytes of one value
-    stated    bytes that it has by that parameter
-    present   bytes that it has, the zero of a text included
+    stated    its size by that parameter, in bytes
+    present   its actual size, including the zero of a text
     """
 
     argument: Argument
@@ -353,7 +353,7 @@ class InlineArray(NamedTuple):
 
 
 def inline_arrays(arguments: Sequence[Argument]) -> Iterator[InlineArray]:
-    """The texts and arrays among an operation's arguments whose length another argument tells."""
+    """Yields the constant texts and arrays of an operation whose length another argument gives."""
     for argument in arguments:
         parameter, form, *_ = argument
         length = parameter.length

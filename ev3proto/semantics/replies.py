@@ -1,4 +1,4 @@
-"""What a reply says, by name: its memory read by the outputs of the command it answers, or its own fields."""
+"""The values of a reply by name: its memory, read by the outputs of the command it answers, or its fields."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from ev3proto.tables.encoding import RANGES, STRING_CODING
 from ev3proto.tables.system import SYSTEM_BY_NUMBER, Kind
 
 ValueType = int | float | str | bytes | list[int] | list[float]
-"""What a value from a reply can be."""
+"""The types of values from replies."""
 
 _LAYOUTS = {
     kind: struct.Struct(layout)
@@ -35,12 +35,12 @@ class Value(NamedTuple):
     """One value in a reply.
 
     op       opcode's name, or the system command's
-    command  CMD's name, None where there is none
+    command  CMD's name, or None
     name     the parameter's or field's name
     value    number, text, or list of numbers
-    unit     as people write it, None where it has none
-    type     what it is in memory: DATA8, DATAF, string, u32, ...
-    symbol   name of the number in its enumeration, None where it has none
+    unit     unit as written, or None
+    type     type in memory: DATA8, DATAF, string, u32, ...
+    symbol   name of the number in its enumeration, or None
     offset   of its first byte in the reply's frame
     length   bytes in the reply's frame
     """
@@ -62,28 +62,28 @@ class Value(NamedTuple):
 
     @property
     def number(self) -> float:
-        """The value where it is a number. Raises TypeError for a text, bytes or a list: `value` has those."""
+        """The value as a number. Raises TypeError for a text, bytes or a list; use `value` for those."""
         if isinstance(self.value, int | float):
             return self.value
-        raise TypeError(f"{self.name} is no number: its value is {self.value!r}")
+        raise TypeError(f"{self.name} is not a number: its value is {self.value!r}")
 
     @property
     def is_nan(self) -> bool:
-        """True for the value by which the firmware says that there is none."""
+        """Whether it is the firmware's value for "not a number"."""
         if isinstance(self.value, float):
             return math.isnan(self.value)
         return isinstance(self.value, int) and self.value == _NAN.get(self.type)
 
 
 def values_of(reply: Message, request: Message | None) -> list[Value]:
-    """What a reply says.
+    """Returns the values of a reply.
 
     Args:
-        reply: A direct or a system reply; nothing is known of others.
-        request: The command that it answers; None where that was not seen.
+        reply: A direct or a system reply; others have no values.
+        request: The command that it answers; None if that was not seen.
 
     Returns:
-        Its values in the order of the request's outputs; an empty list where the request is not known or is of another
+        Its values in the order of the request's outputs; an empty list if the request is unknown or of another
         kind.
     """
     if isinstance(reply, SystemReply):
@@ -94,7 +94,7 @@ def values_of(reply: Message, request: Message | None) -> list[Value]:
 
 
 def system_values(reply: SystemReply) -> Iterator[Value]:
-    """The fields of a system reply as values."""
+    """Yields the fields of a system reply as values."""
     entry = SYSTEM_BY_NUMBER.get(reply.number)
     if entry is None:
         return
@@ -113,10 +113,10 @@ _TERMINATED = (Kind.TEXT, Kind.COUNTED_TEXT)
 
 
 def reply_values(command: DirectCommand, reply: DirectReply) -> Iterator[Value]:
-    """What the reply's memory holds, by the output parameters of the command that it answers.
+    """Yields the contents of the reply's memory, by the output parameters of the command that it answers.
 
     Yields:
-        A value for each output in global memory that the reply carries in whole; nothing for an error.
+        A value for each output in global memory that the reply carries completely; nothing for an error.
     """
     if reply.is_error:
         return
@@ -131,7 +131,7 @@ def reply_values(command: DirectCommand, reply: DirectReply) -> Iterator[Value]:
 
 
 def _read(found: Footprint, outputs: list[Footprint], memory: bytes) -> Value | None:
-    """The value of one output, None where the memory does not hold it."""
+    """Returns the value of one output, None if the memory does not hold it."""
     argument, start = found.argument, found.start
     parameter = argument.parameter
     kind = Type.HANDLE if argument.form.handle else parameter.type
@@ -179,12 +179,12 @@ def _read(found: Footprint, outputs: list[Footprint], memory: bytes) -> Value | 
 
 
 def _end(found: Footprint, memory: bytes) -> int:
-    """Where a text or an array ends in the memory: where the operation tells, or as far as there is any."""
+    """Returns the end of a text or an array in memory: by the operation, or else the end of the memory."""
     return len(memory) if found.is_open else min(found.end, len(memory))
 
 
 def _untyped(outputs: list[Footprint], start: int, end: int) -> Type:
-    """The type of an output that has that of the array it comes from: what fits before the next output."""
+    """Returns the type of an output with an array's element type: the one that fits before the next output."""
     end = min((found.start for found in outputs if start < found.start < end), default=end)
     room = max((size for size in _BY_SIZE if size <= end - start), default=UNTYPED_SIZE)
     return _BY_SIZE[room]

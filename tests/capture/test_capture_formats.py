@@ -185,7 +185,7 @@ def test_simple_packets_are_cut_where_their_interface_says() -> None:
     assert [record.frame for record in records] == [*COMMANDS[:2], COMMANDS[2][:6]]
     fault = records[-1].message.fault
     assert fault is not None
-    assert fault.reason == "the frame is cut off: its length field says 8 bytes follow, 4 do"
+    assert fault.reason == "the frame is cut off: its length field says that 8 bytes follow, but 4 do"
     assert (capture.account.captured, capture.account.cut) == (50 + 56, 1)
     assert capture.account.balance == 0
 

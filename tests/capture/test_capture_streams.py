@@ -132,7 +132,7 @@ def test_a_long_frame_that_is_no_download_is_none() -> None:
     events, _ = of(connected(UNLOCK, voltage(1), long, voltage(2)))
     assert [frame for frame, _ in frames(events)] == [voltage(1), voltage(2)]
     ((_, _, _, reason),) = complaints(events)
-    assert reason.startswith("no frame can start here: its length field would say 1100")
+    assert reason.startswith("no frame can start here: the length field says 1100")
 
 
 def test_the_rest_of_a_long_download_that_was_not_captured_is_no_frame() -> None:
@@ -574,7 +574,7 @@ def test_garbage_between_frames_is_skipped_and_told() -> None:
     garbage = b"\xff\xff\xff\xff\xff garbage"
     events, _ = of(connected(voltage(1) + garbage + voltage(2) + voltage(3), voltage(4)))
     assert frames(events) == [(voltage(1), (2,)), (voltage(2), (2,)), (voltage(3), (2,)), (voltage(4), (3,))]
-    sentence = "no frame can start here: its length field would say 65535, a frame has 3 to 1022 bytes after it"
+    sentence = "no frame can start here: the length field says 65535, but it can be 3 to 1022"
     assert complaints(events) == [(garbage, 0, 2, sentence)]
 
 

@@ -118,7 +118,7 @@ def test_packets_that_were_cut(opened: Open) -> None:
     assert captured.account.cut == 40
     assert isinstance(found[0], Record)
     assert str(found[0].message.fault) == (
-        "offset 0: the frame is cut off: its length field says 14 bytes follow, 10 do"
+        "offset 0: the frame is cut off: its length field says that 14 bytes follow, but 10 do"
     )
 
 
@@ -198,13 +198,13 @@ def complaint(captured: Captured) -> tuple[list[Event], str]:
 
 def test_a_file_that_was_cut(opened: Open) -> None:
     found, said = complaint(opened((CAPTURES / "usb-windows.pcap").read_bytes()[:-50]))
-    assert said == "tshark says: the file appears to have been cut short in the middle of a packet"
+    assert said == "tshark: the file appears to have been cut short in the middle of a packet"
     assert len(found) == 14
 
 
 def test_a_file_that_is_not_a_capture(opened: Open) -> None:
     said = complaint(opened(CAPTURES / "README.md"))[1]
-    assert said.startswith("tshark says: the file isn't a capture file in a format TShark understands")
+    assert said.startswith("tshark: the file isn't a capture file in a format TShark understands")
 
 
 def test_a_file_that_is_not_there(tshark: Tshark) -> None:
@@ -295,14 +295,16 @@ def test_streams_are_copied_for_tshark(
 
 
 def test_no_tshark() -> None:
-    with pytest.raises(CaptureError, match=r"^there is no program /no/tshark: install tshark, .* or name it with --ts"):
+    with pytest.raises(
+        CaptureError, match=r"^/no/tshark: no such program: install tshark, .* or pass its path by --ts"
+    ):
         read_by_tshark(CAPTURES / "daisy.pcap", tshark="/no/tshark")
 
 
 @pytest.mark.parametrize(
     ("version", "said"),
     [
-        ("ls (GNU coreutils) 9.1", "is not a tshark: it does not say which Wireshark it belongs to"),
+        ("ls (GNU coreutils) 9.1", "is not tshark: its version output does not name Wireshark"),
         ("TShark (Wireshark) 3.6.2 (Git v3.6.2)", "is version 3.6: the dissector runs in Wireshark 4.0 and later"),
     ],
 )
@@ -314,7 +316,7 @@ def test_another_program(imitation: Callable[..., str], version: str, said: str)
 @pytest.mark.parametrize(
     ("reading", "said"),
     [
-        ("kill -SEGV $$", "tshark ended by signal 11 before it had read everything"),
+        ("kill -SEGV $$", "tshark ended by signal 11 before the end of the input"),
         (
             """echo 'tshark: -o flag "ev3.bytes:TRUE" specifies unknown preference' >&2; exit 1""",
             "or it is version 4.4 or later and runs as root",
@@ -335,7 +337,7 @@ def test_what_came_before_tshark_died_is_given(imitation: Callable[..., str]) ->
     program = imitation(f"printf '%s\\n' '{index}' '{row}'; echo 'tshark: Something went wrong.' >&2; exit 2")
     captured = read_by_tshark(CAPTURES / "daisy.pcap", tshark=program)
     (record,), said = complaint(captured)
-    assert said == "tshark says: Something went wrong"
+    assert said == "tshark: Something went wrong"
     assert isinstance(record, Record)
     assert (record.frame, record.numbers, record.time_ns) == (VOLTAGE, (3,), 1_767_261_600_000_000_123)
     assert captured.account == Account(

@@ -269,7 +269,7 @@ def test_faults() -> None:
     assert FAULTY.message.fault is not None
     assert FAULTY.message.fault.reason.startswith("the frame ends ")
     assert holds('fault contains "the frame ends"', FAULTY)
-    assert not holds('fault contains "is no opcode"', FAULTY)
+    assert not holds('fault contains "unknown opcode"', FAULTY)
     assert holds('fault like "The Frame Ends *"', FAULTY)
     nothing = seen(b"\x01")
     assert holds("fault && kind == unknown && !type && !counter && size == 1", nothing)

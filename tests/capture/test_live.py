@@ -141,7 +141,7 @@ def capturing(tshark: Tshark) -> str | None:
         return program
     status, complaint = refused("-i", LOOPBACK, "--tshark", program)
     assert status == 1
-    assert complaint.startswith(f"{program} may not capture: on Debian and Ubuntu run sudo dpkg-reconfigure")
+    assert complaint.startswith(f"{program} is not allowed to capture: on Debian and Ubuntu run sudo dpkg-reconfigure")
     return None
 
 
@@ -300,7 +300,7 @@ def test_an_interface_that_is_not_there(tshark: Tshark) -> None:
 def test_no_tshark() -> None:
     assert refused("-i", LOOPBACK, "--tshark", "/no/tshark") == (
         1,
-        "there is no program /no/tshark: install tshark, which is part of Wireshark, or name it with --tshark\n",
+        "/no/tshark: no such program: install tshark, which is part of Wireshark, or pass its path by --tshark\n",
     )
 
 
@@ -311,8 +311,9 @@ def test_without_the_right_to_capture(tmp_path: Path, said: str) -> None:
     program.chmod(0o755)
     assert refused("-i", LOOPBACK, "--tshark", str(program)) == (
         1,
-        f"{program} may not capture: on Debian and Ubuntu run sudo dpkg-reconfigure wireshark-common, choose Yes, join"
-        " the group with sudo usermod -aG wireshark $USER, and log in again; elsewhere run this as a user who may\n",
+        f"{program} is not allowed to capture: on Debian and Ubuntu run sudo dpkg-reconfigure wireshark-common, choose"
+        " Yes, join the group with sudo usermod -aG wireshark $USER, and log in again; elsewhere run this as a user"
+        " who may\n",
     )
 
 

@@ -144,7 +144,7 @@ def test_faults_texts_and_what_was_skipped() -> None:
     )
     assert found.whole.faults == 2
     assert [(noted.packet, noted.text[:40]) for noted in found.faults] == [
-        (3, "offset 8: the frame ends where the argum"),
+        (3, "offset 8: the frame ends before the argu"),
         (4, "offset 2: a frame has at least 5 bytes ("),
     ]
     assert found.whole.kinds["unknown"].messages == 1

@@ -247,7 +247,7 @@ def test_what_cannot_be_read() -> None:
     assert (only(frame).code, span(only(frame), frame)) == ("E201", "b5")
     frame = raw("94 01 01 82B801")
     assert (only(frame).code, only(frame).parameter, only(frame).length) == ("E203", "DURATION", 0)
-    assert only(frame).message == "SOUND.TONE: the frame ends where the argument DURATION should start"
+    assert only(frame).message == "SOUND.TONE: the frame ends before the argument DURATION"
     frame = raw("94 01 01 82B801 82E8")
     assert (only(frame).code, span(only(frame), frame)) == ("E203", "82 e8")
     frame = raw("94")

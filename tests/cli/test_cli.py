@@ -138,7 +138,7 @@ def test_a_bad_frame_in_the_middle(tmp_path: Path) -> None:
     entries = [json.loads(line) for line in done.stdout.splitlines()]
     assert [entry["counter"] for entry in entries] == [42, 1, 1, 42]
     assert entries[1]["fault"]["offset"] == 7
-    assert f"{log}, line 2: fault at offset 7: 0xFE is no opcode" in done.stderr
+    assert f"{log}, line 2: fault at offset 7: unknown opcode 0xFE" in done.stderr
     assert f"{log}, line 3: " in done.stderr
 
 

@@ -209,7 +209,7 @@ def test_bad_assembly_is_shown_with_its_place(tmp_path: Path) -> None:
         ('{"kind": 1}\n', "standard input, line 1: not a message: the object has neither type nor hex"),
         ('{"kind": 1\n', "standard input, line 1, column 11: invalid JSON: Expecting ',' delimiter"),
         ('{"type": "DIRECT_REPLY", "hex": "0"}\n', 'standard input, line 1: hex takes bytes in hex, not "0"'),
-        ("06:00|01:00|80|00:00|FE\n", "standard input, line 1: fault at offset 7: 0xFE is no opcode"),
+        ("06:00|01:00|80|00:00|FE\n", "standard input, line 1: fault at offset 7: unknown opcode 0xFE"),
         ("Sent 0x|0E:00|2A:00|80|00:...\n", "standard input, line 1: the text is cut off after 6 bytes"),
         ("\x00\x01\x02", "standard input: neither text nor a capture: it starts with 00 01 02; what can be encoded is"),
     ],
@@ -298,13 +298,13 @@ def test_an_object_written_by_hand() -> None:
         ({"operations": [{"op": "NOP", "args": [1]}]}, "operations[0]: NOP takes 0 values (none), not 1"),
         (
             {"operations": [{"op": "SOUND", "command": "TONE", "args": [{"value": 500, "encoding": "LC1"}, 1, 1]}]},
-            "operations[0]: LC1 cannot hold 500: it reaches from -128 to 127",
+            "operations[0]: LC1 cannot hold 500: it is limited to -128 to 127",
         ),
         (
             {"operations": [{"op": "SOUND", "command": "TONE", "args": [True, 1, 1]}, {"op": "NOP"}]},
             "operations[0]: VOLUME cannot be true: it is a number or a text",
         ),
-        ({"operations": [{"op": "NOP"}] * 1018}, "the frame would have 1025 bytes; the brick takes at most 1024"),
+        ({"operations": [{"op": "NOP"}] * 1018}, "the frame would have 1025 bytes; the brick accepts at most 1024"),
     ],
 )
 def test_objects_at_fault(change: dict[str, Any], sentence: str) -> None:

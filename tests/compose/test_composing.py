@@ -124,8 +124,8 @@ def test_a_text_without_a_length_ends_where_the_next_variable_by_hand_is() -> No
     with pytest.raises(BuildError) as raised:
         command(ops.strings.duplicate("abc", GV(0)), ops.ui_read.get_vbatt())
     assert str(raised.value) == (
-        "it is not known how many bytes DESTINATION of STRINGS.DUPLICATE takes from GV(0) on, so there is no safe place"
-        " for VALUE of UI_READ.GET_VBATT: give it one by hand, too"
+        "the size of DESTINATION of STRINGS.DUPLICATE from GV(0) on is unknown, so there is no safe place"
+        " for VALUE of UI_READ.GET_VBATT: give it an explicit place, too"
     )
 
 
@@ -143,7 +143,7 @@ def test_sizes_and_reply_by_hand() -> None:
         BuildError, match=r"^local_size must be 1 or more, not 0: the operations use that much local memory$"
     ):
         command(ops.or8(1, 2, LV(0)), local_size=0)
-    with pytest.raises(BuildError, match="local_size cannot be 64: a header can ask for 0 to 63 bytes"):
+    with pytest.raises(BuildError, match="local_size cannot be 64: a header can request 0 to 63 bytes"):
         command(ops.sound.break_(), local_size=64)
 
 
@@ -208,11 +208,11 @@ def test_a_handle_is_marked_where_it_is_used_as_one() -> None:
 @pytest.mark.parametrize(
     ("operations", "sentence"),
     [
-        ((), "a command needs an operation: the brick refuses an empty one"),
-        ((b"\x01",), "b'\\x01' is no operation: ev3proto.ops has them all, such as ops.sound.tone(1, 440, 1000)"),
+        ((), "a command needs at least one operation: the brick refuses an empty one"),
+        ((b"\x01",), "b'\\x01' is not an operation: use ev3proto.ops, for example ops.sound.tone(1, 440, 1000)"),
         (
             (ops.strings.add("a", "b", Global()),),
-            "it is not known how many bytes DESTINATION of STRINGS.ADD takes: give a size, such as Global(32)",
+            "the size of DESTINATION of STRINGS.ADD is unknown: pass one, such as Global(32)",
         ),
         (
             (ops.ui_read.get_vbatt(Global(2)),),
@@ -220,15 +220,18 @@ def test_a_handle_is_marked_where_it_is_used_as_one() -> None:
         ),
         (
             (ops.memory_read(1, 0, 0, 1000), ops.memory_read(1, 0, 0, 20)),
-            "there is no room for the 20 bytes of ARRAY of MEMORY_READ: global memory has 1019, of which 1000",
+            "no room for the 20 bytes of ARRAY of MEMORY_READ: global memory has 1019, of which 1000",
         ),
         (
             (ops.ui_read.get_os_vers(64, Local()),),
-            "there is no room for the 64 bytes of DESTINATION of UI_READ.GET_OS_VERS: local memory has 63, of which 0",
+            "no room for the 64 bytes of DESTINATION of UI_READ.GET_OS_VERS: local memory has 63, of which 0",
         ),
-        ((ops.ui_read.get_vbatt(GV(1016)),), "the operations use global memory up to byte 1020, and there are 1019"),
-        ((ops.or8(1, 2, LV(63)),), "the operations use local memory up to byte 64, and there are 63 at most"),
-        ((ops.strings.compare("a" * 500, "b" * 500),) * 2, "the brick takes at most 1024 in one frame"),
+        (
+            (ops.ui_read.get_vbatt(GV(1016)),),
+            "the operations use global memory up to byte 1020, but it has at most 1019",
+        ),
+        ((ops.or8(1, 2, LV(63)),), "the operations use local memory up to byte 64, but it has at most 63"),
+        ((ops.strings.compare("a" * 500, "b" * 500),) * 2, "the brick accepts at most 1024 in one frame"),
     ],
 )
 def test_what_no_command_can_be(operations: tuple[Any, ...], sentence: str) -> None:

@@ -65,10 +65,10 @@ def test_a_draft_says_where_it_jumps_to() -> None:
 @pytest.mark.parametrize(
     ("call", "sentence"),
     [
-        (lambda: ev3proto.command(ops.jr(Label("a"))), "Label('a') has no place: give it to command() in front of"),
-        (lambda: ev3proto.command(Label("a"), Label("a"), ops.nop()), "Label('a') stands in two places"),
-        (lambda: ev3proto.command(Label("a")), "a command needs an operation"),
-        (lambda: ops.jr(Label("a")).raw, "JR: only ev3proto.command knows how far it is to Label('a')"),
+        (lambda: ev3proto.command(ops.jr(Label("a"))), "Label('a') has no place: pass it to command() before"),
+        (lambda: ev3proto.command(Label("a"), Label("a"), ops.nop()), "Label('a') occurs twice"),
+        (lambda: ev3proto.command(Label("a")), "a command needs at least one operation"),
+        (lambda: ops.jr(Label("a")).raw, "JR: the distance to Label('a') is known only in ev3proto.command"),
         (lambda: ops.move8_8(Label("a"), LV(0)), "MOVE8_8: SOURCE cannot be Label('a')"),  # type: ignore[arg-type]
         (lambda: ops.jr("again"), "JR: OFFSET takes a number, a variable or Label('again'), not 'again'"),  # type: ignore[arg-type]
         (lambda: Label(""), "the name of a label must be a text, such as Label('again'), not ''"),

@@ -281,7 +281,7 @@ def test_unknown_constants_suggest_others() -> None:
         constant("LED_RED_FLSH")
     with pytest.raises(KeyError, match="did you mean LED_RED"):
         constant("led_red")
-    with pytest.raises(KeyError, match="there is no constant zzz'"):
+    with pytest.raises(KeyError, match="unknown constant zzz'"):
         constant("zzz")
 
 
@@ -363,7 +363,7 @@ def test_encoding(encoded: bytes, expected: str) -> None:
         (LCX, True, "LCX takes a whole number, not True"),
         (LCX, 1.0, "LCX takes a whole number, not 1.0"),
         (LCX, "1", "LCX takes a whole number, not '1'"),
-        (LCX, 2**31, "no constant can be 2147483648"),
+        (LCX, 2**31, "a constant cannot be 2147483648"),
         (LC0, 32, "LC0 cannot hold 32"),
         (LC1, 128, "LC1 cannot hold 128"),
         (LC2, 32768, "LC2 cannot hold 32768"),
@@ -373,7 +373,7 @@ def test_encoding(encoded: bytes, expected: str) -> None:
         (LCF, False, "LCF takes a number"),
         (LCF, 1e39, "LCF cannot be 1e"),
         (LCS, b"a", "LCS takes a str"),
-        (LCS, "a\0", "a zero ends a string"),
+        (LCS, "a\0", "a string cannot contain a zero"),
         (LCS, "€", "ISO-8859-1"),
         (LVX, -1, "LVX cannot be"),
         (GVX, 2**32, "GVX cannot be"),

@@ -113,8 +113,8 @@ def test_the_flat_constants_stay_what_they_are() -> None:
     [
         ("sound.tone", (1, 440), {}, "tone() missing 1 required positional argument: 'duration'"),
         ("sound.tone", (1,), {"frequncy": 2}, "tone() got an unexpected keyword argument 'frequncy'"),
-        ("init_bytes", (), {}, "INIT_BYTES needs SOURCE, too"),
-        ("init_bytes", (None, 2), {}, "INIT_BYTES needs SOURCE, too"),
+        ("init_bytes", (), {}, "INIT_BYTES also needs SOURCE"),
+        ("init_bytes", (None, 2), {}, "INIT_BYTES also needs SOURCE"),
     ],
 )
 def test_calls_that_are_no_calls(path: str, values: tuple[Any, ...], named: dict[str, Any], sentence: str) -> None:
@@ -147,12 +147,12 @@ UNCHECKED = "; unchecked=True lets it through"
         ("or8", (-128, 1), f'SOURCE1 must be -127 to 127 (-128 means "not a number"), not -128{UNCHECKED}'),
         ("label", (32,), f"NO must be 0 to 31, not 32{UNCHECKED}"),
         ("math.acos", (1.5,), f"X must be -1 to 1, not 1.5{UNCHECKED}"),
-        ("ui_read.get_vbatt", (8,), "VALUE is an output, so 8 cannot stand there: it takes GV(0) or LV(0)"),
+        ("ui_read.get_vbatt", (8,), "VALUE is an output and cannot be 8: use a variable such as GV(0) or LV(0)"),
         ("ui_read.get_vbatt", (GV(2),), "VALUE cannot be GV(2): as DATAF it must be at a multiple of 4"),
         ("ui_draw.notification", (1, 0, 0, 0, 0, 0, "a", 0), "STATE cannot be 0: the brick writes to it, so it takes"),
-        ("ui_read.get_os_vers", (-1,), "DESTINATION cannot be omitted: it is not known how long it becomes"),
-        ("ui_read.get_os_vers", (LV(0),), "DESTINATION cannot be omitted: it is not known how long it becomes"),
-        ("strings.add", ("a", "b"), "Give the bytes that it may take, Global(32), or its place, GV(0)"),
+        ("ui_read.get_os_vers", (-1,), "DESTINATION cannot be omitted: its length is unknown"),
+        ("ui_read.get_os_vers", (LV(0),), "DESTINATION cannot be omitted: its length is unknown"),
+        ("strings.add", ("a", "b"), "Pass its size, Global(32), or its place, GV(0)"),
         ("init_bytes", (LV(0), 3, [1, 2]), "INIT_BYTES: LENGTH says 3, but 2 values follow"),
         ("init_bytes", (LV(0), 3, 1), "INIT_BYTES: SOURCE takes a list, not 1"),
         ("call", (1, "ab"), "CALL: PARAMETERS takes a list, not 'ab'"),
@@ -255,7 +255,9 @@ def test_a_draft_tells_what_is_open() -> None:
     assert (
         repr(ops.strings.add("a", "b", Global(12))) == "<STRINGS.ADD(SOURCE1='a', SOURCE2='b', DESTINATION=Global(12))>"
     )
-    with pytest.raises(BuildError, match=r"^UI_READ\.GET_VBATT: VALUE has no place in memory yet: ev3proto\.command"):
+    with pytest.raises(
+        BuildError, match=r"^UI_READ\.GET_VBATT: VALUE has no place in memory yet: use ev3proto\.command"
+    ):
         _ = open_draft.raw
     assert ops.sound.tone(1, 440, 1000).is_complete
 

@@ -379,7 +379,7 @@ def test_a_beacon_with_another_line(tshark: Tshark) -> None:
     capture = Capture(RAW_IP)
     capture.add(datagram(b"Serial-Number: 06165300000a\r\nPort: 5555\r\nColour: red\r\nProtocol: EV3\r\n"))
     text = tshark.run(tshark.place(capture.data(), "beacon.pcap"), "-V")
-    assert "at offset 41: a line 'Name: ...' should stand here" in text
+    assert "at offset 41: expected a line 'Name: ...'" in text
     assert "    Port: 5555" in text
 
 

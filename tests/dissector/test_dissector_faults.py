@@ -568,25 +568,23 @@ class Told(NamedTuple):
 
 FAULTS = {
     "0C00 0100 80 0000 02 01 F0 60 84 61 00": Told(
-        "unknown_opcode", "at offset 9: 0xF0 is no opcode of the official firmware", "F0 60 84 61 00"
+        "unknown_opcode", "at offset 9: unknown opcode 0xF0 for the official firmware", "F0 60 84 61 00"
     ),
     "0800 0200 80 0000 94 1F 01": Told("unknown_cmd", "at offset 8: SOUND has no CMD 31", "94 1F 01"),
     "0800 0200 80 0000 94 41 01": Told(
-        "unknown_cmd", "at offset 8: CMD of SOUND is LV0: it must be a constant to say what follows", "94 41 01"
+        "unknown_cmd", "at offset 8: CMD of SOUND is LV0, but must be a constant", "94 41 01"
     ),
     "0900 0300 80 0000 94 01 05 82": Told(
         "cut_off", "at offset 10: the argument FREQUENCY runs past the end of the frame", "82"
     ),
-    "0800 0300 80 0000 94 01 05": Told(
-        "cut_off", "at offset 10: the frame ends where the argument FREQUENCY should start"
-    ),
+    "0800 0300 80 0000 94 01 05": Told("cut_off", "at offset 10: the frame ends before the argument FREQUENCY"),
     "0A00 0300 80 0000 D4 08 84 6D 79": Told(
         "cut_off",
-        "at offset 9: the string NAME runs past the end of the frame: the zero that ends it is missing",
+        "at offset 9: the string NAME runs past the end of the frame: its terminating zero is missing",
         "84 6D 79",
     ),
     "0900 0300 80 0000 94 01 85 00": Told(
-        "fault", "at offset 9: 0x85 is no identification byte that the firmware defines (argument VOLUME)", "85 00"
+        "fault", "at offset 9: undefined identification byte 0x85 (argument VOLUME)", "85 00"
     ),
     "0D00 0300 80 0008 2F 40 83 00000080 01": Told(
         "fault", "at offset 9: LENGTH cannot be -2147483648: there is room for 0 to 1 values", "01"
@@ -605,28 +603,26 @@ FAULTS = {
     "0800 0900 00 0400 81 01 60": Told("unanswered", "no reply to this command was seen"),
     "FFFF 0100 80 0000 02 01": Told(
         "no_boundary",
-        "no frame can start here: its length field would say 65535, a frame has 3 to 1022 bytes after it",
+        "no frame can start here: the length field says 65535, but it can be 3 to 1022",
         "FF FF 01 00 80 00 00 02 01",
     ),
-    "0500 0100 77 01 02": Told("fault", "at offset 4: 0x77 is no message type", "01 02"),
+    "0500 0100 77 01 02": Told("fault", "at offset 4: unknown message type 0x77", "01 02"),
     "0600 0100 01 9D 01 02": Told("fault", "at offset 6: 2 bytes left over after the last field", "01 02"),
-    "0600 0100 01 77 01 02": Told("fault", "at offset 5: 0x77 is no system command", "01 02"),
-    "0500 0100 01 94 01": Told("fault", "at offset 6: the frame ends where the field max_bytes should stand", "01"),
+    "0600 0100 01 77 01 02": Told("fault", "at offset 5: unknown system command 0x77", "01 02"),
+    "0500 0100 01 94 01": Told("fault", "at offset 6: the frame ends before the field max_bytes", "01"),
     "0700 0100 01 9B 61 62 63": Told(
         "fault",
-        "at offset 6: the text path runs past the end of the frame: the zero that ends it is missing",
+        "at offset 6: the text path runs past the end of the frame: its terminating zero is missing",
         "61 62 63",
     ),
-    "0300 0100 01": Told("cut_off", "at offset 5: the frame ends where the system command should stand"),
-    "0400 0100 03 92": Told(
-        "cut_off", "at offset 6: a system reply starts with the command answered and a status", "92"
-    ),
-    "0400 0100 00 00": Told("cut_off", "at offset 6: a direct command starts with two bytes that ask for memory", "00"),
+    "0300 0100 01": Told("cut_off", "at offset 5: the frame ends before the system command"),
+    "0400 0100 03 92": Told("cut_off", "at offset 6: the frame ends before the command answered and the status", "92"),
+    "0400 0100 00 00": Told("cut_off", "at offset 6: the frame ends before the two bytes that request memory", "00"),
     "0500 0100 0A A0 00": Told(
-        "cut_off", "at offset 7: a daisy command starts with a sub-command and two layers", "A0 00"
+        "cut_off", "at offset 7: the frame ends before the sub-command and the two layers", "A0 00"
     ),
-    "0600 0100 8A 77 00 01": Told("fault", "at offset 5: 0x77 is no daisy sub-command"),
-    "0400 0100 08 00": Told("cut_off", "at offset 6: a daisy reply starts with two layers", "00"),
+    "0600 0100 8A 77 00 01": Told("fault", "at offset 5: unknown daisy sub-command 0x77"),
+    "0400 0100 08 00": Told("cut_off", "at offset 6: the frame ends before the two layers", "00"),
 }
 
 
@@ -690,7 +686,7 @@ def test_a_frame_is_shown_up_to_its_fault(tshark: Tshark) -> None:
         tree(tshark, one_frame(tshark, frame))
         == """\
 EV3: PROGRAM_STOP prgid=USER_SLOT (+1 operation) [fault at offset 15: the string DURATION runs past the end of the \
-frame: the zero that ends it is missing]
+frame: its terminating zero is missing]
     [Brick: 192.0.2.10:5555]
     Length: 15
     Message counter: 1
@@ -708,9 +704,9 @@ frame: the zero that ends it is missing]
         FREQUENCY: 440 Hz
             Encoding: LC2
     Not read: 84 61
-    [Expert Info (Error/Malformed): at offset 15: the string DURATION runs past the end of the frame: the zero that \
-ends it is missing]
-        [at offset 15: the string DURATION runs past the end of the frame: the zero that ends it is missing]
+    [Expert Info (Error/Malformed): at offset 15: the string DURATION runs past the end of the frame: its \
+terminating zero is missing]
+        [at offset 15: the string DURATION runs past the end of the frame: its terminating zero is missing]
         [Severity level: Error]
         [Group: Malformed]
 """
@@ -780,9 +776,8 @@ def test_no_frame(tshark: Tshark) -> None:
 EV3: no frame (8 bytes)
     [Brick: 192.0.2.10:5555]
     Not read: 6e 6f 20 66 72 61 6d 65
-    [Expert Info (Error/Malformed): no frame can start here: its length field would say 28526, a frame has 3 to 1022 \
-bytes after it]
-        [no frame can start here: its length field would say 28526, a frame has 3 to 1022 bytes after it]
+    [Expert Info (Error/Malformed): no frame can start here: the length field says 28526, but it can be 3 to 1022]
+        [no frame can start here: the length field says 28526, but it can be 3 to 1022]
         [Severity level: Error]
         [Group: Malformed]
 """
@@ -807,7 +802,7 @@ def test_a_brick_that_is_known_as_such_has_its_faulty_reports_shown(tshark: Tsha
     assert [said for _, said in lines] == [
         "SOUND.TONE volume=1 % frequency=440 Hz duration=1000 ms",
         "no frame (1024 bytes)",
-        "message of unknown type 0x77 [fault at offset 4: 0x77 is no message type]",
+        "message of unknown type 0x77 [fault at offset 4: unknown message type 0x77]",
     ]
     assert tshark.run(path, "-Y", "ev3.expert.no_boundary", "-T", "fields", "-e", "frame.number").split() == [
         str(sent[1])

@@ -226,7 +226,7 @@ def test_a_folder_and_a_tshark(home: Home, tmp_path: Path) -> None:
 
 def test_a_tshark_that_is_not_there(tmp_path: Path) -> None:
     advice = (
-        "install tshark, which is part of Wireshark, or name it with --tshark, or name the folder for Lua plugins with "
+        "install tshark, which is part of Wireshark, or pass its path by --tshark, or the folder for Lua plugins with "
         "--dir (Wireshark shows it under Help, About, Folders)\n"
     )
     done = run("--tshark", "no-such-program")

@@ -177,12 +177,12 @@ def test_a_conversation_without_frames() -> None:
 @pytest.mark.parametrize(
     ("frame", "reason"),
     [
-        (b"", "its length field says that 0 bytes follow, 0 do"),
+        (b"", "its length field says that 0 bytes follow, but 0 do"),
         (bytes.fromhex("0300010080"), None),
-        (bytes.fromhex("0400010080"), "its length field says that 4 bytes follow, 3 do"),
+        (bytes.fromhex("0400010080"), "its length field says that 4 bytes follow, but 3 do"),
         (
             bytes.fromhex("ff03010080") + bytes(1020),
-            "its length field says 1023; a frame has 3 to 1022 bytes after it",
+            "its length field says 1023, but it can be 3 to 1022",
         ),
     ],
 )

@@ -145,8 +145,8 @@ def test_filtered(tmp_path: Path) -> None:
     ("given", "sentence"),
     [
         ("hello", "'hello' is neither a file nor a frame: column 1: 'hello' is not hex"),
-        (TONE[:-2], f"'{TONE[:-2]}': it cannot be carried: its length field says that 14 bytes follow, 13 do"),
-        (TONE + "00 01", f"'{TONE}00 01': it cannot be carried: its length field says that 14 bytes follow, 16 do"),
+        (TONE[:-2], f"'{TONE[:-2]}': it cannot be carried: its length field says that 14 bytes follow, but 13 do"),
+        (TONE + "00 01", f"'{TONE}00 01': it cannot be carried: its length field says that 14 bytes follow, but 16 do"),
     ],
 )
 def test_what_cannot_be_carried(given: str, sentence: str, tmp_path: Path) -> None:

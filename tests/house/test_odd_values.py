@@ -22,9 +22,9 @@ ODD = "odd"
 @pytest.mark.parametrize(
     ("call", "error", "sentence"),
     [
-        (lambda: instruction_set().write([b"\x01"]), BuildError, r"b'\x01' is no operation"),
+        (lambda: instruction_set().write([b"\x01"]), BuildError, r"b'\x01' is not an operation"),
         (lambda: Brick(stretch=-1), ValueError, "stretch must be seconds, 0 or more, or None, not -1"),
-        (lambda: UNLOCK.write(b"001653"), BuildError, "an unlock text is made of an Unlock, not of bytes"),
+        (lambda: UNLOCK.write(b"001653"), BuildError, "expected an Unlock, not bytes"),
         (lambda: Unlock("001653", endings=1 << 70).build(), BuildError, "has 0 to 2 line ends after its last line"),
     ],
 )

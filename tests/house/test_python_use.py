@@ -31,8 +31,8 @@ def test_what_is_expected_is_returned() -> None:
 def test_another_message_than_expected_raises() -> None:
     with pytest.raises(DecodeError) as caught:
         ev3proto.parse(VOLTAGE, expect=SystemReply)
-    assert str(caught.value) == "offset 4: this is a DirectReply, and a SystemReply is expected"
-    with pytest.raises(DecodeError, match="offset 4: this is a Message, and a DirectReply is expected"):
+    assert str(caught.value) == "offset 4: expected a SystemReply, but this is a DirectReply"
+    with pytest.raises(DecodeError, match="offset 4: expected a DirectReply, but this is a Message"):
         ev3proto.parse(b"\x00", expect=DirectReply, strict=False)
 
 
@@ -44,25 +44,24 @@ def wrong(call: Callable[[Any], object], value: object) -> str:
 
 def test_wrong_types_get_a_sentence() -> None:
     assert wrong(ev3proto.parse, "0e002a00") == (
-        "a frame is bytes, not text: bytes.fromhex('0e002a00') makes bytes of hex"
+        "a frame must be bytes, not text: convert hex by bytes.fromhex('0e002a00')"
     )
     assert wrong(ev3proto.parse, TONE.hex()) == (
-        "a frame is bytes, not text: bytes.fromhex('0e002a0080000094...') makes bytes of hex"
+        "a frame must be bytes, not text: convert hex by bytes.fromhex('0e002a0080000094...')"
     )
-    assert wrong(ev3proto.parse, 14) == "a frame is bytes, not int"
+    assert wrong(ev3proto.parse, 14) == "a frame must be bytes, not int"
     for call in (ev3proto.check, ev3proto.fix, Brick().receive):
-        assert wrong(call, "0e002a00") == "a frame is bytes, not text: bytes.fromhex('0e002a00') makes bytes of hex"
-        assert wrong(call, 14) == "a frame is bytes, not int"
+        assert wrong(call, "0e002a00") == "a frame must be bytes, not text: convert hex by bytes.fromhex('0e002a00')"
+        assert wrong(call, 14) == "a frame must be bytes, not int"
     for image_call in (program.parse, program.check_program):
         assert (
-            wrong(image_call, "4c45474f") == "an image is bytes, not text: bytes.fromhex('4c45474f') makes bytes of hex"
+            wrong(image_call, "4c45474f")
+            == "an image must be bytes, not text: convert hex by bytes.fromhex('4c45474f')"
         )
     assert wrong(ev3proto.Decoder().feed, "0e") == (
-        "a chunk of a stream is bytes, not text: bytes.fromhex('0e') makes bytes of hex"
+        "a chunk of a stream must be bytes, not text: convert hex by bytes.fromhex('0e')"
     )
-    assert wrong(ev3proto.Dialogue().feed, TONE) == (
-        "a dialogue takes messages, not bytes: ev3proto.parse(frame) makes one"
-    )
+    assert wrong(ev3proto.Dialogue().feed, TONE) == ("a dialogue takes messages, not bytes: use ev3proto.parse(frame)")
 
 
 @pytest.mark.parametrize("index", ["a", 1.5, None, True])
@@ -79,7 +78,7 @@ def test_a_variable_is_shown_whatever_it_is_made_of(index: int) -> None:
 
 
 def test_nobody_makes_a_command_of_nothing() -> None:
-    sentence = "a command needs an operation: the brick refuses an empty one"
+    sentence = "a command needs at least one operation: the brick refuses an empty one"
     for make in (ev3proto.command, ev3proto.direct_command):
         with pytest.raises(BuildError, match=sentence):
             make()
@@ -96,8 +95,8 @@ def test_what_is_printed() -> None:
     assert repr(command.operations[0].arguments) == "(Argument(VALUE=GV(0), GV0, offset=9),)"
     assert repr(ev3proto.parse(VOLTAGE)) == r"DirectReply(DIRECT_REPLY, counter=1000, memory=b'\xa4p\xfd@')"
     assert repr(ev3proto.parse(TONE[:3], strict=False)) == (
-        "Message(flaw=Flaw(fault=Fault(offset=3, reason='a frame has at least 5 bytes (length, counter, type), here are"
-        r" 3', truncated=True), rest=b'\x0e\x00*'))"
+        "Message(flaw=Flaw(fault=Fault(offset=3, reason='a frame has at least 5 bytes (length, counter, type), this one"
+        r" has 3', truncated=True), rest=b'\x0e\x00*'))"
     )
 
 

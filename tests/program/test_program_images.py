@@ -161,7 +161,7 @@ def test_one_header_that_says_offset_0() -> None:
         ),
         (lambda image: image[:16] + b"\xff" + image[17:], 16, "object 1 should be at offset 255, after the end"),
         (lambda image: image[:16] + b"\x01" + image[17:], 16, "object 1 should be at offset 1, in the header"),
-        (lambda image: image[:0x2B] + b"\xdf" + image[0x2C:], 0x2B, "0xDF is no opcode"),
+        (lambda image: image[:0x2B] + b"\xdf" + image[0x2C:], 0x2B, "unknown opcode 0xDF"),
         (lambda image: image[:0x51] + b"\xff" + image[0x52:], 0x51, "it should declare 255 parameters"),
     ],
 )

@@ -93,15 +93,15 @@ def test_operations_up_to_a_fault(code: str, end: int, expected: str, fault: tup
 
 
 def test_an_argument_by_itself_needs_its_end() -> None:
-    with pytest.raises(ev3proto.BuildError, match="the zero that ends it is missing"):
+    with pytest.raises(ev3proto.BuildError, match="its terminating zero is missing"):
         ev3proto.operation("SOUND.PLAY", 1, b"\x84a")
 
 
 def test_a_frame_that_is_too_long_whatever_its_length_field_says() -> None:
     frame = (1100).to_bytes(2, "little") + b"\x01\0\x80\0\0" + b"\x01" * 1095
     message = ev3proto.parse(frame, strict=False)
-    assert message.fault == ev3proto.Fault(0, "the frame has 1102 bytes; no frame has more than 1024")
-    with pytest.raises(ev3proto.DecodeError, match="the length field says 1100; a frame can have 3 to 1022 bytes"):
+    assert message.fault == ev3proto.Fault(0, "the frame has 1102 bytes; the maximum is 1024")
+    with pytest.raises(ev3proto.DecodeError, match="the length field says 1100; it can be 3 to 1022"):
         ev3proto.parse(frame)
 
 

@@ -192,16 +192,19 @@ def test_a_frame_is_built_from_a_mapping(values: Mapping[str, Any], expected: st
 @pytest.mark.parametrize(
     ("values", "reason"),
     [
-        ({}, "None is not a message type: they are DIRECT_COMMAND_REPLY, "),
-        ({"type": 0x77}, "119 is not a message type"),
-        (5, "a frame is made of a message or of its attributes by name, not of 5"),
-        ({"type": "DIRECT_REPLY", "globals": 1}, "a DirectReply has no globals: it has counter, memory, type"),
-        ({"type": "DIRECT_COMMAND_REPLY", "operations": [5]}, "5 is no operation"),
+        ({}, "unknown message type None: the types are DIRECT_COMMAND_REPLY, "),
+        ({"type": 0x77}, "unknown message type 119"),
+        (5, "expected a message or its attributes by name, not 5"),
+        (
+            {"type": "DIRECT_REPLY", "globals": 1},
+            "a DirectReply has no attribute globals: it has counter, memory, type",
+        ),
+        ({"type": "DIRECT_COMMAND_REPLY", "operations": [5]}, "5 is not an operation"),
         ({"type": "DIRECT_COMMAND_REPLY", "operations": [{"name": "SOUND.TON"}]}, "did you mean SOUND.TONE"),
         ({"type": "DIRECT_COMMAND_REPLY", "operations": [{"name": "SOUND.TONE"}]}, "SOUND.TONE takes 3 values"),
         ({"type": "SYSTEM_COMMAND_REPLY"}, "the name of a system command is a text, such as LIST_FILES, not None"),
         ({"type": "SYSTEM_COMMAND_REPLY", "command": "LIST_FILE"}, "did you mean LIST_FILES"),
-        ({"type": "SYSTEM_COMMAND_REPLY", "command": "LIST_FILES", "fields": {"x": 1}}, "there is no field x"),
+        ({"type": "SYSTEM_COMMAND_REPLY", "command": "LIST_FILES", "fields": {"x": 1}}, "unknown field x"),
         ({"type": "DIRECT_REPLY", "counter": -1}, "counter cannot be -1"),
     ],
 )

@@ -202,7 +202,7 @@ def test_a_list_whose_counter_is_missing() -> None:
     message = ev3proto.parse(frame_of("07:00|01:00|80|00:14|2F:40"), strict=False)
     assert message.fault is not None
     assert (message.fault.offset, message.fault.truncated) == (9, True)
-    assert "where the argument LENGTH should start" in message.fault.reason
+    assert "the frame ends before the argument LENGTH" in message.fault.reason
 
 
 def test_a_long_list_is_read_whole() -> None:
@@ -514,38 +514,38 @@ def test_daisy_sensor_report() -> None:
         ("03:00|2A:00|02|FF", 5, "longer than its length field says"),
         ("02:00|2A:00|02", 0, "length field says 2"),
         ("FF:04|2A:00|02", 0, "length field says 1279"),
-        ("03:00|2A:00|77", 4, "0x77 is no message type"),
+        ("03:00|2A:00|77", 4, "unknown message type 0x77"),
         # Direct commands
-        ("04:00|2A:00|00|00", 6, "two bytes that ask for memory"),
-        ("06:00|2A:00|00|00:00|FE", 7, "0xFE is no opcode"),
+        ("04:00|2A:00|00|00", 6, "ends before the two bytes that request memory"),
+        ("06:00|2A:00|00|00:00|FE", 7, "unknown opcode 0xFE"),
         ("07:00|2A:00|00|00:00|94:1F", 8, "SOUND has no CMD 31"),
         ("07:00|2A:00|00|00:00|94:60", 8, "CMD of SOUND is GV0"),
         ("06:00|2A:00|00|00:00|94", 8, "CMD"),
-        ("08:00|2A:00|00|00:00|A4:00:01", 10, "argument POWER should start"),
+        ("08:00|2A:00|00|00:00|A4:00:01", 10, "the frame ends before the argument POWER"),
         ("0A:00|2A:00|00|00:00|A4:00:01:82:14", 10, "POWER runs past the end of the frame"),
-        ("0B:00|2A:00|00|00:00|96|94:02:01:84:41", 11, "the zero that ends it is missing"),
+        ("0B:00|2A:00|00|00:00|96|94:02:01:84:41", 11, "its terminating zero is missing"),
         # A count that would keep a careless decoder busy for minutes
         ("0C:00|2A:00|00|00:00|2F:40:83:FF:FF:FF:7F", 9, "LENGTH cannot be 2147483647"),
         ("08:00|2A:00|00|00:00|2F:40:3F", 9, "LENGTH cannot be -1"),
         ("09:00|2A:00|00|00:00|2F:40:41:01", 9, "LENGTH must be a constant"),
         ("0A:00|2A:00|00|00:00|C1:0A:40:00:3F", 11, "ELEMENTS cannot be -1"),
         # Identification bytes that the firmware does not define
-        ("09:00|2A:00|00|00:00|A3:00:01:85", 10, "0x85 is no identification byte"),
-        ("09:00|2A:00|00|00:00|A3:00:01:86", 10, "0x86 is no identification byte"),
-        ("09:00|2A:00|00|00:00|A3:00:01:87", 10, "0x87 is no identification byte"),
-        ("09:00|2A:00|00|00:00|A3:00:01:C0", 10, "0xC0 is no identification byte"),
-        ("09:00|2A:00|00|00:00|A3:00:01:C4", 10, "0xC4 is no identification byte"),
+        ("09:00|2A:00|00|00:00|A3:00:01:85", 10, "undefined identification byte 0x85"),
+        ("09:00|2A:00|00|00:00|A3:00:01:86", 10, "undefined identification byte 0x86"),
+        ("09:00|2A:00|00|00:00|A3:00:01:87", 10, "undefined identification byte 0x87"),
+        ("09:00|2A:00|00|00:00|A3:00:01:C0", 10, "undefined identification byte 0xC0"),
+        ("09:00|2A:00|00|00:00|A3:00:01:C4", 10, "undefined identification byte 0xC4"),
         # System messages
-        ("03:00|2A:00|01", 5, "system command should stand"),
-        ("04:00|2A:00|01|77", 5, "0x77 is no system command"),
+        ("03:00|2A:00|01", 5, "ends before the system command"),
+        ("04:00|2A:00|01|77", 5, "unknown system command 0x77"),
         ("06:00|2A:00|01|9B|61:62", 6, "path runs past the end"),
         ("06:00|2A:00|01|95|02:E8", 7, "max_bytes"),
         ("05:00|2A:00|01|9D|00", 6, "1 byte left over"),
         ("0C:00|2A:00|81|9E|03:61:62:00:03:00:31:00", 12, "payload_length says 3 bytes, but 2 follow"),
-        ("04:00|2A:00|03|92", 6, "a status"),
+        ("04:00|2A:00|03|92", 6, "ends before the command answered and the status"),
         # The daisy chain
         ("05:00|2A:00|0A|A0:00", 7, "two layers"),
-        ("06:00|2A:00|0A|77:00:01", 5, "0x77 is no daisy sub-command"),
+        ("06:00|2A:00|0A|77:00:01", 5, "unknown daisy sub-command 0x77"),
         ("04:00|2A:00|08|00", 6, "two layers"),
     ],
 )
@@ -561,7 +561,7 @@ def test_faults(text: str, offset: int, reason: str) -> None:
 
 
 def test_a_fault_is_a_value_error() -> None:
-    with pytest.raises(ValueError, match=r"^offset 7: 0xFE is no opcode of the official firmware$"):
+    with pytest.raises(ValueError, match=r"^offset 7: unknown opcode 0xFE for the official firmware$"):
         ev3proto.parse(frame_of("06:00|2A:00|00|00:00|FE"))
 
 
@@ -666,11 +666,11 @@ def test_every_beginning_of_a_frame_is_a_message_of_its_kind(frame: str) -> None
 @pytest.mark.parametrize(
     ("make", "complaint"),
     [
-        (lambda: ev3proto.operation("MOVEF_F", 10**400, GV(0)), "a DATAF reaches from"),
+        (lambda: ev3proto.operation("MOVEF_F", 10**400, GV(0)), "a DATAF is from"),
         (lambda: ev3proto.operation("SOUND.TONE", 10**400, 1, 1), "VOLUME cannot be 1000"),
         (lambda: ev3proto.operation("MOVEF_F", 1.0, GV("x")), "the index of a variable must be"),  # type: ignore[arg-type]
         (lambda: ev3proto.direct_reply("abc"), "memory takes bytes"),  # type: ignore[arg-type]
-        (lambda: ev3proto.direct_command(b"\x01"), "is no operation"),  # type: ignore[arg-type]
+        (lambda: ev3proto.direct_command(b"\x01"), "is not an operation"),  # type: ignore[arg-type]
         (lambda: ev3proto.system_command("CONTINUE_DOWNLOAD", handle=0, data=5), "data takes bytes"),
     ],
 )

@@ -112,11 +112,11 @@ def test_the_help_of_a_function() -> None:
         ("list_files", (), {}, TypeError, "list_files() missing 1 required positional argument: 'path'"),
         ("list_files", (3,), {}, BuildError, "path takes a text, not 3"),
         ("list_files", ("a", 65536), {}, BuildError, "max_bytes cannot be 65536: it is a whole number from 0 to 65535"),
-        ("list_files", ("a\0b",), {}, BuildError, "a zero ends a text, so none can stand in it"),
+        ("list_files", ("a\0b",), {}, BuildError, "a text cannot contain a zero, which ends it"),
         ("list_files", ("a",), {"counter": -1}, BuildError, "counter cannot be -1"),
         ("setbundleid", ("a" * 24,), {}, BuildError, "id would have 25 bytes; the firmware takes at most 24"),
-        ("writemailbox", ("a", bytes(1014)), {}, BuildError, "the brick takes at most 1024 in one frame"),
-        ("continue_download", (0, bytes(65_531)), {}, BuildError, "the brick takes at most 65537 in one frame"),
+        ("writemailbox", ("a", bytes(1014)), {}, BuildError, "the brick accepts at most 1024 in one frame"),
+        ("continue_download", (0, bytes(65_531)), {}, BuildError, "the brick accepts at most 65537 in one frame"),
         ("writemailbox", ("a", b"x"), {"payload_length": 2}, BuildError, "payload_length says 2 bytes, but 1 follow"),
     ],
 )
@@ -193,7 +193,9 @@ def test_files_that_cannot_be_cut(named: dict[str, Any], sentence: str) -> None:
 
 def test_a_download_that_is_cut_is_cut_however_long() -> None:
     frame = system.continue_download(0, bytes(1100)).build()
-    with pytest.raises(DecodeError, match=r"the frame is cut off: its length field says 1105 bytes follow, 898 do"):
+    with pytest.raises(
+        DecodeError, match=r"the frame is cut off: its length field says that 1105 bytes follow, but 898 do"
+    ):
         parse(frame[:900])
 
 

@@ -197,7 +197,7 @@ def test_a_jump_in_an_encoding_that_is_named() -> None:
     assert code("Start: opJR, LC2(Start), opJR, LAB1(Start)") == "40 82 FC FF 40 A0 F9"
     error = wrong("JR_FALSE(0, End)\nopJR, LC0(End)\n" + "NOP\n" * 40 + "End:")
     assert (error.line, error.column) == (2, 11)
-    assert error.reason == "End is 40 bytes away: LC0 cannot hold 40: it reaches from -32 to 31"
+    assert error.reason == "End is 40 bytes away: LC0 cannot hold 40: it is limited to -32 to 31"
 
 
 # Lists
@@ -288,7 +288,7 @@ ERRORS = [
     ("SOUND(TONE,1.5,440,1)", 1, 12, "VOLUME cannot be 1.5: a DATA8 is a whole number from -127 to 127"),
     ("SOUND(TONE,'abc',440,1)", 1, 12, "VOLUME takes a number or a variable, not 'abc'"),
     ("SOUND(TONE,VOLUM=1,FREQUENCY=2,DURATION=3)", 1, 12, "SOUND.TONE has no parameter VOLUM: did you mean VOLUME?"),
-    ("opSOUND, LC0(TONE), LC0(32), LC0(1), LC0(1)", 1, 21, "LC0 cannot hold 32: it reaches from -32 to 31"),
+    ("opSOUND, LC0(TONE), LC0(32), LC0(1), LC0(1)", 1, 21, "LC0 cannot hold 32: it is limited to -32 to 31"),
     ("opNOP, LC3(1)", 1, 8, "unknown macro LC3: there are LC0, LC1, "),
     ("UI_WRITE(LED,LED_GREN)", 1, 14, "unknown value of PATTERN (LEDPATTERN): LED_GREN: did you mean LED_"),
     ("UI_WRITE(LED,RED)", 1, 14, "unknown value of PATTERN (LEDPATTERN): RED: it has LED_BLACK"),
@@ -311,7 +311,7 @@ ERRORS = [
         20,
         "unknown variable volts: `DATAF volts` in front of it declares a variable",
     ),
-    ("UI_READ(GET_VBATT, 4)", 1, 20, "VALUE is an output, so 4 cannot stand there: it takes GV(0) or LV(0)"),
+    ("UI_READ(GET_VBATT, 4)", 1, 20, "VALUE is an output and cannot be 4: use a variable such as GV(0) or LV(0)"),
     (
         "DATA8 small\nUI_READ(GET_VBATT, small)",
         2,
@@ -351,7 +351,7 @@ ERRORS = [
     ("NOP\nbytes 0", 2, 7, "expected bytes in hex, two digits each, found 0"),
     ("vmthread MAIN { NOP", 1, 1, "the thread that begins here has no } at its end"),
     ("subcall A { }", 1, 1, "a direct command has no subroutines: it is one piece, as a vmthread is"),
-    ("NOP\n" * 1018, 1, 1, "the frame would have 1025 bytes; the brick takes at most 1024 in one frame"),
+    ("NOP\n" * 1018, 1, 1, "the frame would have 1025 bytes; the brick accepts at most 1024 in one frame"),
     (
         "MOVE8_8(1, GV2(2000))",
         1,
@@ -569,7 +569,7 @@ def test_what_is_written_can_be_read_by_people() -> None:
             "opUI_WRITE, LC0(LED), LC1(LED_RED_FLASH)",
             "opNOP",
             "bytes FE",
-            "// fault at offset 15: 0xFE is no opcode of the official firmware",
+            "// fault at offset 15: unknown opcode 0xFE for the official firmware",
         ],
         "07 00 09 00 02 A4 70 FD 40": ["message DIRECT_REPLY counter 9", "bytes A4 70 FD 40"],
         "0B 00 02 00 01 98 05 01 02 03 04 05 06": [
@@ -579,7 +579,7 @@ def test_what_is_written_can_be_read_by_people() -> None:
         "03 00 02": [
             "frame",
             "bytes 03 00 02",
-            "// fault at offset 3: a frame has at least 5 bytes (length, counter, type), here are 3",
+            "// fault at offset 3: a frame has at least 5 bytes (length, counter, type), this one has 3",
         ],
     }
     for frame, expected in texts.items():

@@ -132,7 +132,7 @@ def test_the_tree_of_a_faulty_frame() -> None:
     lines = shown(bytes.fromhex("0B 00 2A 00 80 00 00 94 01 01 82 B8 01"))
     assert lines[-2:] == [
         "    10    FREQUENCY = 440 Hz  LC2: pitch; the driver clamps it to the range",
-        "  fault at offset 13: the frame ends where the argument DURATION should start",
+        "  fault at offset 13: the frame ends before the argument DURATION",
     ]
 
 
@@ -256,7 +256,7 @@ def test_json_of_variables_handles_and_replies() -> None:
 
 def test_json_of_a_fault() -> None:
     (entry,) = as_json(UNKNOWN)
-    assert entry["fault"] == {"offset": 7, "reason": "0xFE is no opcode of the official firmware"}
+    assert entry["fault"] == {"offset": 7, "reason": "unknown opcode 0xFE for the official firmware"}
     assert entry["rest"] == "fe"
 
 

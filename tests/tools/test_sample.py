@@ -252,21 +252,21 @@ def test_decode_reads_them() -> None:
 @pytest.mark.parametrize(
     ("words", "sentence"),
     [
-        (("--op", "SOND"), "the official firmware has no operation or system command SOND: did you mean SOUND?"),
+        (("--op", "SOND"), "unknown operation or system command SOND for the official firmware: did you mean SOUND?"),
         (("--op", "SOUND.TOEN"), "did you mean SOUND.TONE"),
-        (("--type", "foo"), "there is no type of message foo: kinds are direct-command, system-command, direct-reply"),
-        (("--type", "DIRECT_REPLAY"), "there is no type of message DIRECT_REPLAY: did you mean DIRECT_REPLY"),
+        (("--type", "foo"), "unknown type of message foo: the kinds are direct-command, system-command, direct-reply"),
+        (("--type", "DIRECT_REPLAY"), "unknown type of message DIRECT_REPLAY: did you mean DIRECT_REPLY"),
         (
             ("--op", "SOUND", "--type", "system-reply"),
-            "no SYSTEM_REPLY or SYSTEM_REPLY_ERROR is about what was chosen: there are DIRECT_COMMAND_REPLY",
+            "no SYSTEM_REPLY or SYSTEM_REPLY_ERROR matches the choice: possible are DIRECT_COMMAND_REPLY",
         ),
         (
             ("--op", "SOUND", "--op", "LIST_FILES", "--area", "timer", "--area", "output"),
-            "nothing that was named is in the area timer or output: SOUND and LIST_FILES are of sound, system",
+            "no given name is in the area timer or output: SOUND and LIST_FILES are of sound, system",
         ),
         (("--area", "none"), "'none' is not one of"),
         (("--accepted", "--mutate"), "--accepted draws frames without errors, and --mutate adds some"),
-        (("--accepted", "--type", "direct-reply"), "the brick accepts commands only"),
+        (("--accepted", "--type", "direct-reply"), "the brick accepts only commands"),
         (("--count", "0"), "0 is not in the range x>=1"),
         (("--seed", "-1"), "-1 is not in the range"),
     ],
@@ -283,9 +283,7 @@ def test_without_hypothesis() -> None:
     )
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False, cwd=ROOT)
     assert (done.returncode, done.stdout) == (1, "")
-    assert done.stderr == (
-        f"samples are drawn with hypothesis, which is not installed or too old: {install_command('sample')}\n"
-    )
+    assert done.stderr == (f"samples need hypothesis, which is not installed or too old: {install_command('sample')}\n")
 
 
 def test_strategies_take_a_choice() -> None:
@@ -296,5 +294,5 @@ def test_strategies_take_a_choice() -> None:
         assert isinstance(message, DirectCommand)
         assert message.wants_reply
         assert {AREA[operation.name] for operation in message.operations} == {"sound"}
-    with pytest.raises(ValueError, match=r"^there is no area sond: it is one of vm, math"):
+    with pytest.raises(ValueError, match=r"^unknown area sond: the areas are vm, math"):
         choice(areas=["sond"])

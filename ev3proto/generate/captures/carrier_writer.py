@@ -51,11 +51,10 @@ def check_frame(frame: bytes) -> None:
     length = frame_size(frame) - LENGTH_FIELD if len(frame) >= LENGTH_FIELD else 0
     if len(frame) < HEADER_SIZE or length + LENGTH_FIELD != len(frame):
         raise BuildError(
-            f"it cannot be carried: its length field says that {length} bytes follow,"
+            f"it cannot be carried: its length field says that {length} bytes follow, but"
             f" {max(len(frame) - LENGTH_FIELD, 0)} do"
         )
     if length > MAX_LENGTH and not may_be_long(frame):
         raise BuildError(
-            f"it cannot be carried: its length field says {length}; a frame has {MIN_LENGTH} to {MAX_LENGTH} bytes"
-            " after it"
+            f"it cannot be carried: its length field says {length}, but it can be {MIN_LENGTH} to {MAX_LENGTH}"
         )

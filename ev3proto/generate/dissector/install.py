@@ -283,7 +283,7 @@ def _find(name: str | None) -> str:
             return found
     missing = f"{name}: no such program" if name else "tshark is not on the path"
     raise NoTsharkError(
-        f"{missing}: install tshark, which is part of Wireshark, or name it with --tshark, or name the folder for Lua "
+        f"{missing}: install tshark, which is part of Wireshark, or pass its path by --tshark, or the folder for Lua "
         "plugins with --dir (Wireshark shows it under Help, About, Folders)"
     )
 

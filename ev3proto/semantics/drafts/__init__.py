@@ -1,1 +1,1 @@
-"""Drafts of operations: values checked and encoded, variables that may still be without a place in memory."""
+"""Drafts of operations: checked and encoded values, and variables that may not have a place in memory yet."""

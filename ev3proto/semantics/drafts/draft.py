@@ -1,4 +1,4 @@
-"""Operations whose values are checked and encoded, with places in memory that may still be open."""
+"""Operations whose values are checked and encoded, while variables may not have a place in memory yet."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from ev3proto.semantics.footprint import Footprint, footprints
 from ev3proto.tables.declaration import Declaration
 
 STAND_IN = encode_variable(GV(0))
-"""What stands in a draft for an output that was omitted: the shortest variable that there is."""
+"""The stand-in for an omitted output in a draft: the shortest variable."""
 
 
 class Open:
-    """An output that was omitted: `command` makes a variable of it, in each command that has it."""
+    """An omitted output, for which `command` creates a variable in each command."""
 
     __slots__ = ()
 
@@ -28,17 +28,17 @@ OMITTED = Open()
 
 
 class Draft:
-    """An operation that was asked for: what `ev3proto.ops` makes and `ev3proto.command` takes.
+    """A requested operation: the result of `ev3proto.ops`, the input of `ev3proto.command`.
 
-    Its values are checked and encoded. What is open are the places of its outputs that were omitted and of variables
-    that are `Local()` or `Global()`; a command gives them theirs.
+    Its values are checked and encoded. Still open are the places of omitted outputs and of
+    `Local()` and `Global()` variables, which a command assigns.
 
     Attributes:
-        schema: The operation's.
+        schema: The schema of the operation.
         encoded: Its bytes, opcode first, with a stand-in for each variable whose place is open.
-        label: The place that it jumps to, where that is a label.
-        needs: What each of its variables needs, where they are its last arguments and were omitted, all of them. None
-            where that has to be found out by the footprints.
+        label: The label that it jumps to, or None.
+        needs: What each of its variables needs, if they are its last arguments and all omitted; else None,
+            and the footprints tell.
     """
 
     __slots__ = ("_places", "encoded", "label", "needs", "schema")
@@ -59,7 +59,7 @@ class Draft:
 
     @property
     def declaration(self) -> Declaration:
-        """What the tables say of the operation."""
+        """Its declaration in the tables."""
         return self.schema.declaration
 
     @property
@@ -69,23 +69,23 @@ class Draft:
 
     @property
     def is_complete(self) -> bool:
-        """True when no place is open."""
+        """Whether all places are assigned."""
         return not self._places and self.label is None
 
     @property
     def footprints(self) -> list[Footprint]:
-        """The memory that it uses; variables whose place is open start at 0 here."""
+        """Returns the memory that it uses; variables without a place start at 0."""
         return footprints(self._standing)
 
     @property
     def operation(self) -> Operation:
-        """The operation, by itself at offset 0. Raises BuildError while a place is open."""
+        """Returns the operation, alone at offset 0. Raises BuildError while a place is open."""
         if self.label is not None:
-            raise BuildError(f"{self.name}: only ev3proto.command knows how far it is to {self.label!r}")
+            raise BuildError(f"{self.name}: the distance to {self.label!r} is known only in ev3proto.command")
         if self._places:
             names = ", ".join(found.argument.name for found in self.footprints if found.number in self._places)
             raise BuildError(
-                f"{self.name}: {names} has no place in memory yet: ev3proto.command gives it one, or GV(0) and the like"
+                f"{self.name}: {names} has no place in memory yet: use ev3proto.command, or a variable such as GV(0)"
             )
         return self._standing
 
@@ -99,11 +99,11 @@ class Draft:
         return Operation((self.schema, self.encoded, 0, len(self.encoded)))
 
     def place_of(self, footprint: Footprint) -> Placeholder | Open | None:
-        """What stands in the place of a variable that is open; None for one that has an index."""
+        """Returns the stand-in of a variable without a place; None if it has an index."""
         return self._places.get(footprint.number)
 
     def placed(self, variables: Mapping[int, Variable]) -> bytes:
-        """Its bytes with variables, by the number of the argument, in the places that are open."""
+        """Returns its bytes with variables, by number of the argument, in the open places."""
         if not self._places:
             return self.encoded
         arguments = self._standing.arguments
@@ -125,6 +125,6 @@ class Draft:
 
 
 def draft_of(operation: Operation) -> Draft:
-    """An operation that was made otherwise, as a draft in which nothing is open."""
+    """Returns any operation as a draft without open places."""
     schema, *_ = operation
     return Draft(schema, operation.raw, {})

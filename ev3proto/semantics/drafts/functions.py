@@ -1,8 +1,8 @@
-"""Drafts of operations from one value for each parameter: what the functions of `ev3proto.ops` call.
+"""Drafts of operations from one value for each parameter: the implementation of the functions of `ev3proto.ops`.
 
-Every kind of value is known here, and every mistake named. Most calls give plain numbers and names and omit all
-outputs, or have none. For those the bytes of each value are looked up, once it was checked and encoded. All other calls
-go the careful way, value by value, which takes five times as long (`pytest benchmarks -k composing`).
+All kinds of values and mistakes are handled here. Most calls pass plain numbers and names and omit all
+outputs, or have none. For those, the bytes of each value are cached once it was checked and encoded. All other calls
+go value by value, which takes five times as long (`pytest benchmarks -k composing`).
 """
 
 from __future__ import annotations
@@ -24,14 +24,14 @@ from ev3proto.tables.declaration import LISTS, Declaration, Direction, Parameter
 from ev3proto.tables.encoding import CONSTANT, RANGES, TEXT
 
 HOW_TO_MEAN_IT = "unchecked=True lets it through"
-"""Ends the sentences of Python calls about values that can be encoded, but mean nothing to the brick."""
+"""The end of Python's error messages about values that can be encoded but have no meaning for the brick."""
 
 
 class MeaningError(BuildError):
-    """A value that can be encoded, but means nothing to the brick.
+    """A value that can be encoded but has no meaning for the brick.
 
     Attributes:
-        sentence: What is wrong, without how to let it through.
+        sentence: What is wrong, without how to allow it.
     """
 
     def __init__(self, sentence: str) -> None:
@@ -40,10 +40,10 @@ class MeaningError(BuildError):
 
 
 def objections(operation: Operation) -> Iterator[tuple[int, BuildError]]:
-    """What is not legal in an operation that is encoded: constants, variables that are misaligned.
+    """Yields what is illegal in an encoded operation: constants, misaligned variables.
 
     Args:
-        operation: The operation, by itself or in a frame.
+        operation: The operation, alone or in a frame.
 
     Yields:
         The number of the argument, from 0, and an error that names its parameter and what would be right.
@@ -59,7 +59,7 @@ def objections(operation: Operation) -> Iterator[tuple[int, BuildError]]:
 
 
 def _check_meaning(argument: Argument) -> None:
-    """Refuses a constant that is not legal, in an argument that is encoded.
+    """Refuses an illegal constant in an encoded argument.
 
     Raises:
         BuildError: Names the parameter and what would be right.
@@ -76,7 +76,7 @@ def _check_meaning(argument: Argument) -> None:
 
 
 def _wrong_places(used: Iterable[Footprint]) -> Iterator[tuple[int, BuildError]]:
-    """Variables that are misaligned, for which the brick refuses the whole command."""
+    """Yields misaligned variables, for which the brick refuses the whole command."""
     for footprint in used:
         multiple = footprint.validator_alignment
         if footprint.start % multiple:
@@ -89,10 +89,10 @@ def _wrong_places(used: Iterable[Footprint]) -> Iterator[tuple[int, BuildError]]
 
 
 def check_number(parameter: Parameter, value: float) -> None:
-    """Refuses a number that is not legal.
+    """Refuses an illegal number.
 
     Args:
-        parameter: What the tables declare.
+        parameter: Its declaration in the tables.
         value: The number.
 
     Raises:
@@ -105,10 +105,10 @@ def check_number(parameter: Parameter, value: float) -> None:
 
 
 def check_text(parameter: Parameter, value: str) -> None:
-    """Refuses a text that is longer than the firmware takes.
+    """Refuses a text that is too long for the firmware.
 
     Args:
-        parameter: What the tables declare.
+        parameter: Its declaration in the tables.
         value: The text.
 
     Raises:
@@ -117,25 +117,25 @@ def check_text(parameter: Parameter, value: str) -> None:
     size = len(value) + 1
     if parameter.most is not None and size > parameter.most:
         raise MeaningError(
-            f"{parameter.name} has {size - 1} characters, and the firmware takes {parameter.most - 1} at most"
+            f"{parameter.name} has {size - 1} characters; the firmware accepts at most {parameter.most - 1}"
         )
 
 
 def _wrong_arrays(arguments: Sequence[Argument]) -> Iterator[tuple[int, BuildError]]:
-    """Arrays that stand in the operation itself and have fewer bytes than their length says."""
+    """Yields arrays inside the operation that have fewer bytes than their length says."""
     for array in inline_arrays(arguments):
         if array.stated > array.present:
             argument = array.argument
-            has = f"a text of {array.present} bytes with its zero" if argument.kind == TEXT else "one number"
+            has = f"a text of {array.present} bytes, including its zero" if argument.kind == TEXT else "one number"
             sentence = (
                 f"{argument.name} cannot be {argument.value!r}: {array.length} says that it has {array.stated} bytes,"
-                f" and this is {has}"
+                f" but this is {has}"
             )
             yield arguments.index(argument), MeaningError(sentence)
 
 
 def _can_be(parameter: Parameter, value: float) -> bool:
-    """Whether there is an encoding for it."""
+    """Returns whether the value can be encoded."""
     limits = RANGES.get(parameter.type)
     if limits is None or value == limits.nan or (isinstance(value, float) and math.isnan(value)):
         return True
@@ -143,14 +143,14 @@ def _can_be(parameter: Parameter, value: float) -> bool:
 
 
 def no_variable(parameter: Parameter, value: object) -> BuildError:
-    """The error for a constant where the brick writes."""
+    """Returns the error for a constant where the brick writes."""
     return MeaningError(
         f"{parameter.name} cannot be {value!r}: the brick writes to it, so it takes a variable, GV(0) or Local()"
     )
 
 
 def wrong_name(parameter: Parameter, name: str) -> BuildError:
-    """The error for a text where the name of an enumeration's member should stand."""
+    """Returns the error for a text that is not a name of the enumeration."""
     domain = domain_of(parameter)
     assert parameter.enum is not None
     assert domain is not None
@@ -161,7 +161,7 @@ def wrong_name(parameter: Parameter, name: str) -> BuildError:
 
 
 class _Required:
-    """The default of a parameter that has to be given, where another before it may be omitted."""
+    """The default of a required parameter after an optional one."""
 
     def __repr__(self) -> str:
         return "required"
@@ -174,7 +174,7 @@ _ENUMS = "ev3proto.enums"
 
 
 def may_be_omitted(declaration: Declaration, number: int) -> bool:
-    """Whether a parameter, by its number from 0, is an output, or the count of the list after it."""
+    """Returns whether a parameter, by its number from 0, is an output or the count of the list after it."""
     parameters = declaration.parameters
     parameter = parameters[number]
     if parameter.type is Type.COUNT:
@@ -185,13 +185,13 @@ def may_be_omitted(declaration: Declaration, number: int) -> bool:
 
 
 def draft(schema: OperationSchema, values: Sequence[Any], *, unchecked: bool = False) -> Draft:
-    """A draft from one value for each parameter, in their order.
+    """Returns a draft from one value for each parameter, in order.
 
     Args:
         schema: The operation.
-        values: As `ev3proto.operation` takes them, a `Placeholder`, or None for an output or a count that is omitted. A
-            list parameter takes a list, one of outputs their number, too.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        values: As for `ev3proto.operation`; also a `Placeholder`, or None for an omitted output or count. A
+            list parameter takes a list, a list of outputs also their number.
+        unchecked: Allow values without a meaning for the brick, if they can be encoded.
 
     Raises:
         BuildError: Names operation, parameter, and what would be right.
@@ -220,17 +220,17 @@ def _standing(value: Any) -> Any:
     if isinstance(value, Open):
         return STAND_IN
     if isinstance(value, Placeholder):
-        # The scope is kept for messages; the index is the shortest that there is.
+        # The scope is kept for messages; the index has the shortest encoding.
         return Variable(value.scope, 0, value.handle, value.address)
     return value
 
 
 def _flat(declaration: Declaration, values: Sequence[Any], unchecked: bool) -> list[Any]:
-    """One value for each argument: lists drawn out, their counts put in, what was omitted marked."""
+    """Returns one value for each argument: lists expanded, counts inserted, omitted ones marked."""
     flat: list[Any] = []
     for parameter, value in zip(declaration.parameters, values, strict=True):
         if value is REQUIRED:
-            raise TypeError(f"{declaration.name} needs {parameter.name}, too")
+            raise TypeError(f"{declaration.name} also needs {parameter.name}")
         if parameter.type in LISTS:
             elements = _elements(parameter, value)
             if parameter.type is Type.COUNT:
@@ -265,12 +265,12 @@ def _elements(parameter: Parameter, value: Any) -> list[Any]:
 
 
 def check_constant(parameter: Parameter, value: Any, *, unchecked: bool = False) -> None:
-    """Refuses a value by itself that is not legal for a parameter; variables and encoded arguments are.
+    """Refuses an illegal constant for a parameter; variables and encoded arguments are accepted.
 
     Args:
-        parameter: What the tables declare.
+        parameter: Its declaration in the tables.
         value: Anything.
-        unchecked: Refuse only what names no member of the parameter's enumeration.
+        unchecked: Refuse only unknown names of the parameter's enumeration.
 
     Raises:
         BuildError: Names the parameter and what would be right.
@@ -291,7 +291,7 @@ def check_constant(parameter: Parameter, value: Any, *, unchecked: bool = False)
 
 
 def _check_name(parameter: Parameter, value: Any) -> None:
-    """Refuses what names no member of the parameter's enumeration, or a member of another one."""
+    """Refuses a name that is not in the parameter's enumeration, or a member of another one."""
     assert parameter.enum is not None
     if isinstance(value, str) and parameter.number_of(value) is None and parameter.length is None:
         raise wrong_name(parameter, value)
@@ -305,20 +305,20 @@ def _refuse_unknown_size(used: Iterable[Footprint], places: Mapping[int, Placeho
     for found in used:
         if found.room is None and isinstance(places.get(found.number), Open):
             raise BuildError(
-                f"{found.argument.name} cannot be omitted: it is not known how long it becomes. Give the bytes that it"
-                " may take, Global(32), or its place, GV(0)"
+                f"{found.argument.name} cannot be omitted: its length is unknown. Pass its size,"
+                " Global(32), or its place, GV(0)"
             )
 
 
 _MOST_KEPT = 4096
-"""Values of one parameter whose bytes are kept."""
+"""Maximum number of cached values of one parameter."""
 
 _KEPT_TYPES = frozenset({int, str, type(None)})
-"""Types of the values that are looked up. A member of an enumeration is none: it equals the members of all others."""
+"""Types of the cached values. Members of enumerations are not cached: they equal the members of other enumerations."""
 
 
 class _Constants(dict[Any, bytes]):
-    """The bytes of legal constants for one parameter. KeyError for a value that is none."""
+    """A cache of the encoded legal constants of one parameter. Raises KeyError for other values."""
 
     def __init__(self, schema: ArgumentSchema) -> None:
         super().__init__()
@@ -335,14 +335,14 @@ class _Constants(dict[Any, bytes]):
             encoded = self._schema.write(value)
         except BuildError:
             raise KeyError(value) from None
-        # Texts of any length and number are not kept, names are.
+        # Names are cached, arbitrary texts are not.
         if len(self) < _MOST_KEPT and (is_number or self._schema.parameter.enum is not None):
             self[value] = encoded
         return encoded
 
 
 _OMITTED_OUTPUT = {None: STAND_IN}
-"""The same for an output."""
+"""The cache of an output."""
 
 
 class OperationDrafts:
@@ -363,7 +363,7 @@ class OperationDrafts:
             self._places = {len(inputs) + number: OMITTED for number in range(len(needs))}
 
     def draft(self, values: Sequence[Any], unchecked: bool) -> Draft:
-        """A draft from one value for each parameter, as `ev3proto.semantics.drafts.functions.draft` makes it."""
+        """Returns a draft from one value for each parameter, like `ev3proto.semantics.drafts.functions.draft`."""
         if self._known is not None and not unchecked:
             encoded = self._head
             try:
@@ -374,12 +374,12 @@ class OperationDrafts:
                 else:
                     return Draft(self._schema, encoded, self._places, self._needs)
             except KeyError:
-                pass  # The careful way says what is wrong.
+                pass  # The general way reports what is wrong.
         return draft(self._schema, values, unchecked=unchecked)
 
 
 def _needs(schema: OperationSchema) -> tuple[Need, ...] | None:
-    """What the outputs of an operation need when all are omitted; None where the arguments have a say in it."""
+    """Returns what the outputs of an operation need if all are omitted; None if that depends on the arguments."""
     if schema.list_parameter is not None:
         return None
     found: list[Need] = []
@@ -397,7 +397,7 @@ def _needs(schema: OperationSchema) -> tuple[Need, ...] | None:
 
 
 class Drafts(dict[str, OperationDrafts]):
-    """Drafts of the operations of one dialect by name (`SOUND.TONE`); each is prepared when it is first asked for."""
+    """Drafts of the operations of one dialect by name (`SOUND.TONE`); each is prepared on first use."""
 
     def __init__(self, dialect: str) -> None:
         super().__init__()
@@ -410,5 +410,5 @@ class Drafts(dict[str, OperationDrafts]):
 
 @cache
 def drafts(dialect: str) -> Drafts:
-    """The drafts of one dialect's operations."""
+    """Returns the drafts of one dialect's operations."""
     return Drafts(dialect)

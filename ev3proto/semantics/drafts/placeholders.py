@@ -1,10 +1,10 @@
-"""Variables whose place in memory is not chosen by the one who writes them down, but by `command`.
+"""Variables whose place in memory is chosen by `command`.
 
     speed = ev3proto.Local()
     ev3proto.command(ops.output_read(0, 0, speed=speed), ops.output_power(0, 2, speed), ops.output_start(0, 2))
 
-The same object is the same variable in every operation of a command. Its size and alignment follow from what the
-operations do with it; where the size does not follow from them (texts without a length), it must be given.
+The same object is the same variable in every operation of a command. Its size and alignment follow from the
+operations that use it; if the size does not (texts without a length), it must be given.
 """
 
 from __future__ import annotations
@@ -21,13 +21,13 @@ from ev3proto.tables.encoding import GLOBAL, LOCAL
 
 
 class Placeholder:
-    """A variable without an index yet; made by `Local` and `Global`.
+    """A variable without an index, created by `Local` and `Global`.
 
     scope    "local" or "global"
-    size     bytes it takes, None where the operations tell
-    handle   this use of it is marked: it holds a handle to a memory object
-    address  this use of it is marked: it holds an absolute address
-    origin   the variable that this is a marked use of; itself where it has no mark
+    size     its size in bytes, None if the operations tell
+    handle   this use is marked as a handle to a memory object
+    address  this use is marked as an absolute address
+    origin   the variable of this marked use; itself if unmarked
     """
 
     __slots__ = ("address", "handle", "origin", "scope", "size")
@@ -50,11 +50,11 @@ class Placeholder:
         self.origin = self if origin is None else origin
 
     def as_handle(self) -> Placeholder:
-        """The same variable where an operation is to take it as a handle to a memory object, as `HND(...)` does."""
+        """Returns the variable marked as a handle to a memory object, like `HND(...)`."""
         return Placeholder(self.scope, self.size, handle=True, origin=self.origin)
 
     def as_address(self) -> Placeholder:
-        """The same variable where an operation is to take it as an absolute address, as `ADR(...)` does."""
+        """Returns the variable marked as an absolute address, like `ADR(...)`."""
         return Placeholder(self.scope, self.size, address=True, origin=self.origin)
 
     def __repr__(self) -> str:
@@ -63,47 +63,47 @@ class Placeholder:
         return f"{'Global' if self.scope == GLOBAL else 'Local'}({size}){mark}"
 
 
-def Local(size: int | None = None) -> Placeholder:  # noqa: N802 - stands beside LV
-    """A new local variable, for what one operation hands to another.
+def Local(size: int | None = None) -> Placeholder:  # noqa: N802 - named like LV
+    """Returns a new local variable, to pass a value from one operation to another.
 
     Args:
-        size: Bytes, 1 or more; omitted where the operations tell, as all do but those with texts without a length.
+        size: Bytes, 1 or more; needed only for texts without a length.
 
     Raises:
-        BuildError: It is another size.
+        BuildError: The size is not a number of 1 or more.
     """
     return Placeholder(LOCAL, size)
 
 
-def Global(size: int | None = None) -> Placeholder:  # noqa: N802 - stands beside GV
-    """A new global variable: the reply carries it.
+def Global(size: int | None = None) -> Placeholder:  # noqa: N802 - named like GV
+    """Returns a new global variable, which the reply carries.
 
     Args:
-        size: Bytes, 1 or more; omitted where the operations tell, as all do but those with texts without a length.
+        size: Bytes, 1 or more; needed only for texts without a length.
 
     Raises:
-        BuildError: It is another size.
+        BuildError: The size is not a number of 1 or more.
     """
     return Placeholder(GLOBAL, size)
 
 
 NO_DISTANCE = encode_integer(0)
-"""What a draft has for the distance to a label: the shortest that there is."""
+"""The stand-in for the distance to a label in a draft: the shortest."""
 
 FORM_OF_SIZE = {1: "LC0", 2: "LC1", 3: "LC2", 5: "LC4"}
-"""The encoding of a distance by its bytes."""
+"""The encoding of a distance by its size."""
 
 _MOST_PASSES = 1000
 
 
 @dataclass(frozen=True, slots=True)
 class Label:
-    """A place in a command: what stands after it in the call of `command`, or the command's end.
+    """A place in a command: before the next argument of `command`, or at the command's end.
 
     Labels of the same name are the same.
 
     Attributes:
-        name: For messages.
+        name: Its name in messages.
     """
 
     name: str
@@ -119,23 +119,23 @@ class Label:
 def settle(
     sizes: list[int], goals: Mapping[int, int], width: Callable[[int], int], *, is_shrinking: bool = False
 ) -> None:
-    """Gives every jump as many bytes as the distance to its goal needs.
+    """Gives every jump the number of bytes that its distance needs.
 
-    A distance counts from the end of the jump, so it depends on all jumps between, and on itself. Jumps only grow, or
-    only shrink, which comes to an end.
+    A distance counts from the end of the jump, so it depends on all jumps between, and on itself. Jumps only grow or
+    only shrink, so this ends.
 
     Args:
-        sizes: Bytes of every part of the code; those of jumps are changed.
-        goals: By the number of the part that is a jump: the number of the part that it leads to.
-        width: Bytes of a distance in its shortest encoding.
-        is_shrinking: Jumps start long and become shorter, as EV3-G makes them.
+        sizes: The size of every part of the code in bytes; those of jumps are changed.
+        goals: The target of each jump, both as numbers of parts.
+        width: Returns the size of a distance in its shortest encoding.
+        is_shrinking: Jumps start long and become shorter, as in EV3-G.
     """
     for _ in range(_MOST_PASSES):
         starts = list(accumulate(sizes, initial=0))
         is_settled = True
         for place, goal in goals.items():
             if is_shrinking:
-                # What it would be if it were as short: one that leads forwards brings its goal nearer.
+                # The distance if the jump were that short: a shorter jump forwards brings its target nearer.
                 size = next(
                     size
                     for size in (*(size for size in FORM_OF_SIZE if size < sizes[place]), sizes[place])
@@ -151,23 +151,23 @@ def settle(
 
 
 def with_jumps(encoded: Sequence[bytes], jumps: Mapping[int, Label], places: Mapping[Label, int]) -> list[bytes]:
-    """Puts the distances to labels into operations.
+    """Returns operations with the distances to their labels filled in.
 
     Args:
         encoded: The bytes of each operation, with NO_DISTANCE at the end of those that jump to a label.
-        jumps: The label by the number of the operation.
+        jumps: The label by number of the operation.
         places: The number of the operation that a label precedes; for the end of the command, their number.
 
     Returns:
         The bytes of each operation.
 
     Raises:
-        BuildError: A label has no place, or is further away than a frame is long.
+        BuildError: A label has no place, or is too far away for a frame.
     """
     for label in jumps.values():
         if label not in places:
-            raise BuildError(f"{label!r} has no place: give it to command() in front of the operation to jump to")
-    # Two parts an operation: what precedes the distance, and the distance.
+            raise BuildError(f"{label!r} has no place: pass it to command() before the operation to jump to")
+    # Two parts per operation: the bytes before the distance, and the distance.
     sizes = [
         size
         for number, code in enumerate(encoded)
@@ -185,11 +185,11 @@ def with_jumps(encoded: Sequence[bytes], jumps: Mapping[int, Label], places: Map
 
 
 class Need(NamedTuple):
-    """What a variable without a place needs.
+    """The requirements of a variable without a place.
 
-    name       who needs it, for messages: `VALUE of UI_READ.GET_VBATT`
-    size       bytes
-    alignment  what its index must be a multiple of
+    name       its user, for messages: `VALUE of UI_READ.GET_VBATT`
+    size       in bytes
+    alignment  its index must be a multiple of this
     """
 
     name: str
@@ -198,11 +198,11 @@ class Need(NamedTuple):
 
 
 class Allocator:
-    """The bytes of local or of global memory, given out from the lowest on.
+    """An allocator of local or global memory, from the lowest byte on.
 
     scope  "local" or "global"
-    limit  bytes that there are
-    size   bytes up to the last that is used
+    limit  total bytes
+    size   bytes up to the last used one
     """
 
     def __init__(self, scope: str, limit: int) -> None:
@@ -213,19 +213,19 @@ class Allocator:
         self._taken: list[tuple[int, int, str]] = []
 
     def take(self, index: int, size: int, name: str, *, is_open: bool) -> None:
-        """Bytes that were given to a variable by hand.
+        """Reserves bytes for a variable with an explicit place.
 
         Args:
-            index: The first of them.
-            size: How many they are.
-            name: What sentences call the variable.
-            is_open: Whether it may take more than these, as far as the next variable that was given a place by hand.
+            index: The first byte.
+            size: Number of bytes.
+            name: The variable's name in messages.
+            is_open: Whether it may take more bytes, up to the next variable with an explicit place.
         """
         self._taken.append((index, index + size, name if is_open else ""))
         self.size = max(self.size, index + size)
 
     def give(self, need: Need) -> Variable:
-        """The next place that is free and aligned. BuildError where there is none."""
+        """Returns the next free and aligned place. Raises BuildError if there is none."""
         index = aligned(self._next, need.alignment)
         for start, end, who in sorted(self._taken):
             if who:
@@ -235,32 +235,32 @@ class Allocator:
         self._next = index + need.size
         if self._next > self.limit:
             raise BuildError(
-                f"there is no room for the {need.size} bytes of {need.name}: {self.scope} memory has {self.limit}, of"
+                f"no room for the {need.size} bytes of {need.name}: {self.scope} memory has {self.limit}, of"
                 f" which {index} are taken"
             )
         self.size = max(self.size, self._next)
         return Variable(self.scope, index)
 
     def _end(self, start: int, who: str, index: int, need: Need) -> int:
-        """Where a variable ends that may take more bytes than it says. BuildError where that is in the way."""
+        """Returns the end of a variable that may take more bytes. Raises BuildError if that is in the way."""
         following = [other for other, _, _ in self._taken if other > start]
         if following:
             return min(following)
         if index + need.size > start:
             raise BuildError(
-                f"it is not known how many bytes {who} takes from {Variable(self.scope, start)} on, so there is no safe"
-                f" place for {need.name}: give it one by hand, too"
+                f"the size of {who} from {Variable(self.scope, start)} on is unknown, so there is no safe"
+                f" place for {need.name}: give it an explicit place, too"
             )
         return start
 
 
 def joined(needs: Iterable[Need]) -> Need:
-    """What one variable needs that is used in several places: the most of each."""
+    """Returns the requirements of a variable with several uses: the maximum of each."""
     found = list(needs)
     widest = max(found, key=lambda need: need.size)
     return Need(widest.name, widest.size, max(need.alignment for need in found))
 
 
 def aligned(index: int, alignment: int) -> int:
-    """The next multiple of the alignment, from the index on."""
+    """Returns the first multiple of the alignment from the index on."""
     return -(-index // alignment) * alignment

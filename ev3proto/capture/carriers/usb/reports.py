@@ -65,8 +65,8 @@ class Reports:
         if not is_length:
             self._account.skipped += len(found.data)
             reason = (
-                f"the report holds no frame: its length field would say {size - LENGTH_FIELD}, a frame has {MIN_LENGTH}"
-                f" to {MAX_LENGTH} bytes after it"
+                f"the report holds no frame: the length field says {size - LENGTH_FIELD}, but it can be {MIN_LENGTH}"
+                f" to {MAX_LENGTH}"
             )
             return (Skipped(found.data, 0, reason, packet.number, packet.time_ns, route),)
         self._account.frames += len(frame)

@@ -42,7 +42,7 @@ do
 
     local function show_direct_command(message, view)
         if message.stop < COMMAND_HEADER_SIZE then
-            return cut_off(message, view, "a direct command starts with two bytes that ask for memory")
+            return cut_off(message, view, "the frame ends before the two bytes that request memory")
         end
         if view.item then
             local range = bytes_between(view, HEADER_SIZE, COMMAND_HEADER_SIZE)
@@ -242,11 +242,11 @@ do
     local function show_daisy_command(message, view)
         local text, at = message.text, HEADER_SIZE
         if message.stop < at + DAISY_PAYLOAD then
-            return cut_off(message, view, "a daisy command starts with a sub-command and two layers")
+            return cut_off(message, view, "the frame ends before the sub-command and the two layers")
         end
         local number, from, to = byte(text, at + 1, at + 3)
         local name = DAISY.names[number]
-        if not name then set_fault(message, at, format("0x%02X is no daisy sub-command", number), "fault") end
+        if not name then set_fault(message, at, format("unknown daisy sub-command 0x%02X", number), "fault") end
         if view.item then view.item:add(field.daisy_command, bytes_between(view, at, at + 1)) end
         local payload = add_layers(message, view, at + 1)
         local line = format("daisy %s layer %d to %d", name or format("0x%02X", number), from, to)
@@ -261,7 +261,7 @@ do
 
     local function show_daisy_reply(message, view)
         local at, stop = HEADER_SIZE, message.stop
-        if stop < at + 2 then return cut_off(message, view, "a daisy reply starts with two layers") end
+        if stop < at + 2 then return cut_off(message, view, "the frame ends before the two layers") end
         local payload = add_layers(message, view, at)
         local line = format("daisy reply layer %d to %d", byte(message.text, at + 1, at + 2))
         at = at + 2
@@ -278,7 +278,7 @@ do
     local function show_unknown_message(message, view)
         local code = byte(message.text, HEADER_SIZE)
         add_rest(message, view, HEADER_SIZE)
-        set_fault(message, HEADER_SIZE - 1, format("0x%02X is no message type", code), "fault")
+        set_fault(message, HEADER_SIZE - 1, format("unknown message type 0x%02X", code), "fault")
         return format("message of unknown type 0x%02X", code)
     end
 
@@ -290,7 +290,7 @@ do
     local function check_size(message)
         local stop, fault = message.stop, message.fault
         if stop < message.size and not (fault and fault.kind ~= "cut_off") then
-            local reason = "the frame is cut off: its length field says %d bytes follow, %d do"
+            local reason = "the frame is cut off: its length field says that %d bytes follow, but %d do"
             set_fault(message, 0, format(reason, message.size - LENGTH_FIELD, stop - LENGTH_FIELD), "cut_off")
         end
     end
@@ -331,8 +331,8 @@ do
         local start = type.is_command and at + 1 or at + 2
         if stop < start then
             message.rest = type.is_command and stop or at
-            local reason = type.is_command and "the frame ends where the system command should stand"
-                or "a system reply starts with the command answered and a status"
+            local reason = type.is_command and "the frame ends before the system command"
+                or "the frame ends before the command answered and the status"
             message.fault = { at = stop, reason = reason, kind = "cut_off" }
             return
         end
@@ -341,7 +341,7 @@ do
         message.command = SYSTEM_COMMANDS[number]
         if not message.command then
             message.rest = start
-            message.fault = { at = at, reason = format("0x%02X is no system command", number), kind = "fault" }
+            message.fault = { at = at, reason = format("unknown system command 0x%02X", number), kind = "fault" }
             return
         end
         local declared = type.is_command and message.command.request or message.command.reply

@@ -108,12 +108,12 @@ do
     local function argument_fault(text, at, name)
         local first = byte(text, at + 1)
         if not first then
-            return at, "the frame ends where the argument " .. name .. " should start", "cut_off"
+            return at, "the frame ends before the argument " .. name, "cut_off"
         elseif not ENCODINGS[first] then
-            local reason = "0x%02X is no identification byte that the firmware defines (argument %s)"
+            local reason = "undefined identification byte 0x%02X (argument %s)"
             return at, format(reason, first, name), "fault"
         elseif ENCODINGS[first].kind == CONSTANT_TEXT then
-            local reason = "the string %s runs past the end of the frame: the zero that ends it is missing"
+            local reason = "the string %s runs past the end of the frame: its terminating zero is missing"
             return at, format(reason, name), "cut_off"
         end
         return at, "the argument " .. name .. " runs past the end of the frame", "cut_off"
@@ -135,7 +135,7 @@ do
         local code = byte(text, at + 1)
         local operation, after = instructions[code], at + 1
         if not operation then
-            return nil, at, format("0x%02X is no opcode of the %s firmware", code, dialect), "unknown_opcode"
+            return nil, at, format("unknown opcode 0x%02X for the %s firmware", code, dialect), "unknown_opcode"
         end
         local commands = operation.commands
         if commands then
@@ -143,7 +143,7 @@ do
             encoding, value, after = read_argument(text, at + 1)
             if not encoding then return nil, argument_fault(text, at + 1, "CMD") end
             if encoding.kind ~= CONSTANT then
-                local reason = "CMD of %s is %s: it must be a constant to say what follows"
+                local reason = "CMD of %s is %s, but must be a constant"
                 return nil, at + 1, format(reason, operation.name, encoding.name), "unknown_cmd"
             end
             if not commands[value] then
@@ -158,7 +158,7 @@ do
     -- Why a list cannot have as many elements as an argument says: the reason, nil where it can.
     local function count_fault(list, encoding, value, room)
         if encoding.kind ~= CONSTANT then
-            return format("%s must be a constant: without it nobody knows how many values follow", list.counter.name)
+            return format("%s must be a constant: it is the number of values that follow", list.counter.name)
         end
         if list.is_count and room > MOST_COUNTED then room = MOST_COUNTED end
         if value < 0 or value > room then
@@ -217,13 +217,13 @@ do
         local size = kind == U8 and 1 or kind == U16 and 2 or kind == U32 and 4
         if size then
             if at + size > stop then
-                return nil, at, "the frame ends where the field " .. declared.name .. " should stand"
+                return nil, at, "the frame ends before the field " .. declared.name
             end
             return READ_UNSIGNED[size](text, at), at + size
         elseif kind == TEXT then
             local zero = find(text, "\0", at + 1, true)
             if not zero or zero > stop then
-                local reason = "the text %s runs past the end of the frame: the zero that ends it is missing"
+                local reason = "the text %s runs past the end of the frame: its terminating zero is missing"
                 return nil, at, format(reason, declared.name)
             end
             return sub(text, at + 1, zero - 1), zero
@@ -236,14 +236,14 @@ do
             if length > 0 and byte(text, at + length) == 0 then
                 return sub(text, at + 1, at + length - 1), at + length
             elseif at + length >= stop then
-                return nil, at, "the zero that ends a text is missing"
+                return nil, at, "the terminating zero of a text is missing"
             elseif byte(text, at + length + 1) ~= 0 then
-                return nil, at + length, format("a text of %d bytes must end in a zero", length)
+                return nil, at + length, format("a text of %d bytes must end with a zero", length)
             end
             return sub(text, at + 1, at + length), at + length + 1
         end
         if before[declared.name] and before[declared.name] ~= stop - at then
-            local reason = "%d bytes should follow to the end of the frame, here are %d"
+            local reason = "%d bytes should follow to the end of the frame, not %d"
             return nil, at, format(reason, before[declared.name], stop - at)
         end
         return sub(text, at + 1, stop), stop

@@ -107,7 +107,7 @@ do
         local said = format("no frame (%s)", plural(stop - at, "byte"))
         local reason = "bytes that are in no frame, as after a gap in the capture"
         if length < MIN_LENGTH or length > MAX_LENGTH then
-            reason = "no frame can start here: its length field would say %d, a frame has %d to %d bytes after it"
+            reason = "no frame can start here: the length field says %d, but it can be %d to %d"
             reason = format(reason, length, MIN_LENGTH, MAX_LENGTH)
         end
         return add_faulty(tvb, at, stop, tree, is_shown, said, "no_boundary", reason)

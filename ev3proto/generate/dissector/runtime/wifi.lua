@@ -384,7 +384,7 @@ do
                 local head = line.label .. ": "
                 local stop = find(text, "\r\n", at + 1, true)
                 if not stop or sub(text, at + 1, at + #head) ~= head then
-                    complain(item or tree, "fault", format("at offset %d: a line '%s...' should stand here", at, head))
+                    complain(item or tree, "fault", format("at offset %d: expected a line '%s...'", at, head))
                     break
                 end
                 local value = sub(text, at + #head + 1, stop - 1)

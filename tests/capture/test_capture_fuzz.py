@@ -123,7 +123,7 @@ def in_blocks(order: str) -> bytes:
     blocks = Blocks(order)
     blocks.interface(101, name="wlan0", resolution=9)
     for number, data in enumerate(packets_of(wifi())):
-        (blocks.packet if number % 3 else blocks.old_packet)(number, data)
+        blocks.packet(number, data)
     blocks.section("<" if order == ">" else ">")
     blocks.interface(201)
     for data in packets_of(bluetooth()):

@@ -8,17 +8,14 @@ from __future__ import annotations
 import io
 import random
 import struct
-import tracemalloc
 from pathlib import Path
 
 import pytest
-from support.effort import effort
 from support.files import pcap, timed
 from support.packets import USBMON, Device, cut, packets_of
 from support.packets import Capture as Packets
 from support.unlikely_reports import FROM_HOST, UNLIKELY
 
-import ev3proto
 from ev3proto.capture import Capture, Event, Record, Skipped, read
 
 CAPTURES = Path(__file__).parents[2] / "captures"
@@ -87,14 +84,6 @@ def test_a_brick_is_known_by_its_product(product: int) -> None:
     (record,) = records(packets)
     assert (record.number, record.peer) == (sent, "1.7")
     assert record.message.fault is not None
-
-
-def test_of_another_product_frames_are_recognised_all_the_same() -> None:
-    packets = Packets(USBMON)
-    device = Device(packets)
-    device.enumerate(0x1234, EV3)
-    sent = [device.send(VOLTAGE), device.receive(VOLTS)]
-    assert [record.number for record in records(packets)] == sent
 
 
 def test_another_device_gets_the_number() -> None:
@@ -236,44 +225,3 @@ def test_random_reports_are_hardly_ever_taken_for_frames() -> None:
             device.send(rng.randbytes(size))
             device.receive(rng.randbytes(size))
     assert len(records(packets)) <= 1
-
-
-def test_devices_without_end() -> None:
-    """Memory does not grow with the devices that a capture claims to have."""
-    count = effort(8_000, 20_000)
-    packets = Packets(USBMON)
-    Device(packets).send(VOLTAGE)
-    (packet,) = packets_of(packets.data())
-    found = [packet[:11] + struct.pack("<BH", at % 128, at // 128) + packet[14:80] for at in range(count)]
-    data = pcap(USBMON, [one._replace(size=len(packet)) for one in timed(found)])
-    tracemalloc.start()
-    capture = read(io.BytesIO(data))
-    count = sum(1 for _ in capture)
-    _, peak = tracemalloc.get_traced_memory()
-    tracemalloc.stop()
-    assert (count, capture.account.balance) == (count, 0)
-    assert peak < 10_000_000
-
-
-def test_the_captures_of_the_repository() -> None:
-    """Every frame in them, and no more."""
-    counts = {
-        "usb.pcapng": 25,
-        "usb-windows.pcap": 15,
-        "usb-plugged.pcap": 9,
-        "usb-bootloader.pcapng": 16,
-        "daisy.pcap": 8,
-    }
-    for name, count in counts.items():
-        with read(CAPTURES / name) as capture:
-            assert len(list(capture)) == count, name
-        assert capture.account.balance == 0
-
-
-def test_frames_of_ev3proto_itself() -> None:
-    frame = ev3proto.system_command("CONTINUE_DOWNLOAD", counter=1, handle=0, data=bytes(1017)).build()
-    packets = Packets(USBMON)
-    Device(packets).send(frame)
-    events, capture = opened(packets.data())
-    assert [event.frame for event in events if isinstance(event, Record)] == [frame]
-    assert (capture.account.frames, capture.account.padding) == (1024, 0)

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 from support.cli import run_ev3proto
-from support.cpu_time import Work, assert_linear, milliseconds, seconds
+from support.cpu_time import Work, assert_linear, milliseconds
 from support.effort import effort
 from support.files import RAW_IP, pcap, timed
 from support.packets import SYN, segment
@@ -122,13 +122,6 @@ def test_reading(packets: Callable[[int], Iterator[bytes]]) -> None:
     assert_linear(reading, PACKETS)
 
 
-def test_a_stream_out_of_step_takes_hardly_longer_than_one_in_step() -> None:
-    """Packets of 98 bytes in each of which twelve frames may start, against packets of one frame."""
-    right, wrong = (pcap(RAW_IP, timed(list(made(PACKETS)))) for made in (in_step, frames_that_never_fit))
-    factors = [seconds(lambda: messages(wrong)) / seconds(lambda: messages(right)) for _ in range(5)]
-    assert min(factors) < 12
-
-
 @pytest.mark.parametrize(
     "words",
     [("decode",), ("decode", "--json"), ("decode", "--dialogues"), ("stats",), ("check",), ("timeline",), ("files",)],
@@ -149,12 +142,6 @@ def test_showing(words: tuple[str, ...], tmp_path: Path) -> None:
         return show
 
     assert_linear(showing, PACKETS // 5)
-
-
-def test_connections_that_never_go_on_take_no_time() -> None:
-    """In absolute terms, with a wide margin: 20,000 of them take a second or two where nothing else runs."""
-    data = pcap(RAW_IP, timed(list(connections(effort(5_000, 20_000)))))
-    assert seconds(lambda: messages(data)) < effort(6, 24)
 
 
 def test_packets_without_a_byte_are_only_counted() -> None:

@@ -6,18 +6,11 @@ import io
 import itertools
 import random
 import struct
-import time
-import tracemalloc
 from collections.abc import Iterable, Iterator
-from itertools import product
-from typing import Any
 
 import pytest
-from support.cases import each
-from support.cpu_time import seconds
-from support.effort import effort
 from support.files import BEGIN_NS, RAW_IP, Blocks, Timed, btsnoop, pcap, timed
-from support.packets import FIN, HCI_WITH_DIRECTION, HOST_PORT, RST, SYN, SerialPort, packets_of, segment
+from support.packets import FIN, HCI_WITH_DIRECTION, HOST_PORT, RST, SYN, SerialPort, segment
 from support.packets import Capture as Packets
 
 import ev3proto
@@ -100,12 +93,6 @@ def test_a_stream_is_cut_anywhere(size: int) -> None:
     assert [frame for frame, _ in frames(events)] == [voltage(1), tone(2), led(3), voltage(4)]
     assert not complaints(events)
     assert capture.account.frames == len(stream)
-
-
-def test_a_long_frame_in_many_segments() -> None:
-    frame = struct.pack("<HHBH", 1022, 5, 0x80, 0) + b"\x01" * 1017
-    events, _ = of(connected(*(bytes((byte,)) for byte in frame)))
-    assert frames(events) == [(frame, tuple(range(2, 1026)))]
 
 
 def download(size: int) -> bytes:
@@ -195,13 +182,6 @@ def test_an_unlock_text_is_cut_anywhere(text: bytes, frame: bytes) -> None:
         (unlock,) = (event for event in events if isinstance(event, Announcement))
         assert unlock.facts == {"serial": "0016530f0f0f"}
         assert capture.account.texts == len(text)
-
-
-@each("cut, frame", product(range(len(UNLOCK)), [voltage(1), tone(2), led(3)]))
-def test_an_unlock_text_in_two_segments(cut: int, frame: bytes) -> None:
-    events, _ = of(connected(UNLOCK[:cut], UNLOCK[cut:] + frame + frame))
-    assert [frame for frame, _ in frames(events)] == [frame, frame]
-    assert not complaints(events)
 
 
 @pytest.mark.parametrize("zero", [b"", b"\0"])
@@ -587,28 +567,6 @@ def test_a_stream_of_nothing_but_garbage() -> None:
     assert account.other == 200_000
 
 
-@pytest.mark.parametrize(
-    "garbage",
-    [
-        b"\xfc\x03\0\0\0",  # a header of a frame that is not whole, again and again
-        b"\xfe\x03\0\0\x80\0\0\x01",
-        b"GET /target?sn=",
-        b"Accept:EV34",
-        b"\0",
-        b"\xff",
-    ],
-)
-def test_garbage_that_looks_like_something_takes_no_longer(garbage: bytes) -> None:
-    piece = (garbage * 60_000)[:60_000]
-    packets = [segment(True, 1000 + at * len(piece), piece) for at in range(20)]
-
-    def work() -> None:
-        _, capture = of(packets)
-        assert capture.account.captured == 20 * 60_040
-
-    assert seconds(work) < 10
-
-
 def test_a_connection_kept_alive_when_the_capture_begins() -> None:
     """The byte before the next one is sent again, with which nothing begins though it may look so."""
     events, _ = of([segment(True, 999, b"\0"), segment(True, 1000, voltage(1)), segment(True, 1010, voltage(2))])
@@ -634,47 +592,6 @@ def test_a_frame_at_fault_is_a_frame_all_the_same() -> None:
 
 
 # Bounds
-
-
-def test_a_million_bytes_that_never_fit() -> None:
-    """Every other byte of a stream, each in a segment of its own."""
-    count = effort(9_000, 500_000)
-    start = 1001 + len(UNLOCK)
-    packets = [segment(True, 999, flags=SYN), segment(True, 1000, UNLOCK)]
-    packets += [segment(True, start + 2 * at, b"\xff") for at in range(count)]
-    data = pcap(RAW_IP, timed(packets))
-    begin = time.thread_time()
-    tracemalloc.start()
-    capture = read(io.BytesIO(data))
-    skipped = sum(event.missing for event in capture.events() if isinstance(event, Skipped))
-    _, peak = tracemalloc.get_traced_memory()
-    tracemalloc.stop()
-    assert capture.account.balance == 0
-    assert (capture.account.skipped, skipped) == (count, count)
-    assert peak < 3_500_000
-    assert time.thread_time() - begin < effort(30, 300)
-
-
-def test_connections_without_end() -> None:
-    """Only some connections are remembered."""
-    count = effort(2_500, 60_000)
-
-    def packets() -> Iterator[bytes]:
-        for port in range(1024, 1024 + count):
-            yield segment(True, 1000, voltage(1) + voltage(2)[:3], port=port)
-            yield segment(False, 5000, volts(1), port=port, acknowledged=1013)
-
-    data = pcap(RAW_IP, timed(list(packets())))
-    list(read(io.BytesIO(pcap(RAW_IP, timed([segment(True, 1000, voltage(1))])))))  # what is made once in a process
-    tracemalloc.start()
-    capture = read(io.BytesIO(data))
-    answered = sum(isinstance(event, Record) and event.request is not None for event in capture.events())
-    _, peak = tracemalloc.get_traced_memory()
-    tracemalloc.stop()
-    assert answered == count
-    assert capture.account.balance == 0
-    assert capture.account.frames == count * 19
-    assert peak < 9_000_000
 
 
 # RFCOMM
@@ -935,32 +852,6 @@ def test_garbage_in_a_serial_port() -> None:
     assert capture.account.skipped == 123
 
 
-def test_connections_of_bluetooth_without_end() -> None:
-    """Handles given again and again, channels asked for without end, events that nobody needs: memory stays flat."""
-
-    count = effort(2000, 20_000)
-
-    def packets() -> Iterator[bytes]:
-        for number in range(count):
-            link = Link(handle=number % 5000)
-            link.connect()
-            link.l2cap(True, 1, struct.pack("<BBHHH", 2, number % 256, 4, 3, 0x40 + number % 60_000))
-            link.rfcomm(True, voltage(1) + voltage(2)[:6])
-            link.acl(True, struct.pack("<HH", 1000, 0x41) + bytes(50))
-            yield from link.packets
-            link.disconnect()
-            yield link.packets[-1]
-
-    data = pcap(HCI, timed(list(packets())))
-    tracemalloc.start()
-    capture = read(io.BytesIO(data))
-    records = sum(isinstance(event, Record) for event in capture.events())
-    _, peak = tracemalloc.get_traced_memory()
-    tracemalloc.stop()
-    assert (records, capture.account.balance, capture.account.skipped) == (count, 0, count * 6)
-    assert peak < 3_000_000
-
-
 def test_direction_is_guessed_where_the_file_does_not_tell() -> None:
     """H4 alone has none; RFCOMM says who opened the connection, which a brick does not."""
     link = Link()
@@ -975,36 +866,6 @@ def test_direction_is_guessed_where_the_file_does_not_tell() -> None:
     flags = [packet[3] for packet in link.packets]
     events, _ = opened(btsnoop(1002, timed([packet[4:] for packet in link.packets]), flags))
     assert [event.direction for event in events if isinstance(event, Record)] == ["sent", "received"] * 2
-
-
-def test_the_same_port_made_by_others() -> None:
-    """`packets.py` builds the same bytes for Wireshark, which has its own opinion of them."""
-    packets = Packets(HCI)
-    port = SerialPort(packets)
-    port.send(voltage(1))
-    link = Link()
-    link.rfcomm(True, voltage(1))
-    assert list(packets_of(packets.data()))[2] == link.packets[0]
-
-
-def directions() -> list[Any]:
-    return list(product((True, False), repeat=3))
-
-
-@pytest.mark.parametrize("ways", directions())
-def test_streams_of_both_directions_do_not_mix(ways: tuple[bool, ...]) -> None:
-    link = Link()
-    link.ask()
-    expected = [voltage(9)]
-    link.rfcomm(True, voltage(9))
-    for number, from_host in enumerate(ways):
-        link.rfcomm(from_host, voltage(number)[:3])
-        link.rfcomm(not from_host, volts(number)[:3])
-        link.rfcomm(from_host, voltage(number)[3:])
-        link.rfcomm(not from_host, volts(number)[3:])
-        expected += [voltage(number), volts(number)]
-    events, _ = link_events(link)
-    assert [frame for frame, _ in frames(events)] == expected
 
 
 # What had to go, because there are too many connections, or too much waits

@@ -23,8 +23,6 @@ MAGICS = {
     bytes.fromhex("d4c3b2a1"): "pcap",
     bytes.fromhex("a1b23c4d"): "pcap",
     bytes.fromhex("4d3cb2a1"): "pcap",
-    bytes.fromhex("a1b2cd34"): "pcap",
-    bytes.fromhex("34cdb2a1"): "pcap",
     bytes.fromhex("0a0d0d0a"): "pcapng",
     b"btsnoop\0": "btsnoop",
 }

@@ -8,15 +8,14 @@ from __future__ import annotations
 import io
 from collections.abc import Iterator
 
-from construct import Bytes, Int16ul, Int32ul, Struct
+from construct import Int16ul, Int32ul, Struct
 
 from ev3proto.capture.packets import MOST_PACKET, Interface, Packet, new_packet
 from ev3proto.capture.record import CaptureError
 from ev3proto.schema.bytewise import packed
 
-MICROSECONDS, NANOSECONDS, MODIFIED = 0xA1B2C3D4, 0xA1B23C4D, 0xA1B2CD34
-"""What the first four bytes say, read in the byte order of the file: the unit of times, or an early Linux's format, in
-which packets have a longer header."""
+MICROSECONDS, NANOSECONDS = 0xA1B2C3D4, 0xA1B23C4D
+"""What the first four bytes say, read in the byte order of the file: the unit of times."""
 
 HEADER = Struct(
     "magic" / Int32ul,
@@ -28,7 +27,6 @@ HEADER = Struct(
     "link" / Int32ul,
 )
 PACKET_HEAD = Struct("seconds" / Int32ul, "fraction" / Int32ul, "length" / Int32ul, "size" / Int32ul)
-MODIFIED_HEAD = Struct(*PACKET_HEAD.subcons, "more" / Bytes(8))
 
 # The upper bits of the field say whether Ethernet packets have their check sum.
 _LINK_MASK = 0xFFFF
@@ -49,12 +47,12 @@ def packets(stream: io.BufferedIOBase) -> Iterator[Packet]:
     head = stream.read(size)
     if len(head) < size:
         raise CaptureError("the file is cut off in its header")
-    order = "<" if int.from_bytes(head[:4], "little") in (MICROSECONDS, NANOSECONDS, MODIFIED) else ">"
+    order = "<" if int.from_bytes(head[:4], "little") in (MICROSECONDS, NANOSECONDS) else ">"
     magic, *_, link = packed(HEADER, order).unpack(head)
     unit = 1 if magic == NANOSECONDS else 1000
     interface = Interface(link & _LINK_MASK, None, order)
-    size = packed(MODIFIED_HEAD if magic == MODIFIED else PACKET_HEAD, order).size
-    unpack_from = packed(PACKET_HEAD, order).unpack_from
+    head_layout = packed(PACKET_HEAD, order)
+    size, unpack_from = head_layout.size, head_layout.unpack_from
     # Packets are cut out of large pieces: to ask the stream for each and for its head takes twice as long.
     number, offset, piece, at = 0, len(head), b"", 0
     while True:

@@ -18,7 +18,7 @@ from ev3proto.capture.packets import MOST_PACKET, Interface, Packet
 from ev3proto.capture.record import CaptureError
 from ev3proto.schema.bytewise import packed
 
-SECTION, INTERFACE, OLD_PACKET, SIMPLE_PACKET, PACKET = 0x0A0D0D0A, 1, 2, 3, 6
+SECTION, INTERFACE, SIMPLE_PACKET, PACKET = 0x0A0D0D0A, 1, 3, 6
 """The blocks that are read; all others are passed over."""
 
 _MAGIC = SECTION.to_bytes(4, "big")
@@ -28,20 +28,12 @@ _ORDERS = {_ORDER_MARK.to_bytes(4, "little"): "<", _ORDER_MARK.to_bytes(4, "big"
 BLOCK = Struct("type" / Int32ul, "length" / Int32ul)
 INTERFACE_HEAD = Struct("link" / Int16ul, "reserved" / Int16ul, "most" / Int32ul)
 PACKET_HEAD = Struct("interface" / Int32ul, "high" / Int32ul, "low" / Int32ul, "captured" / Int32ul, "size" / Int32ul)
-OLD_PACKET_HEAD = Struct(
-    "interface" / Int16ul,
-    "drops" / Int16ul,
-    "high" / Int32ul,
-    "low" / Int32ul,
-    "captured" / Int32ul,
-    "size" / Int32ul,
-)
 OPTION = Struct("code" / Int16ul, "length" / Int16ul)
 
 END_OF_OPTIONS, NAME, RESOLUTION, TIME_OFFSET = 0, 2, 9, 14
 """Options of an interface."""
 
-_PACKETS = (PACKET, SIMPLE_PACKET, OLD_PACKET)
+_PACKETS = (PACKET, SIMPLE_PACKET)
 _LEAST_BLOCK = 12
 
 MOST_INTERFACES = 4096
@@ -72,7 +64,6 @@ class _Section:
         self.block = packed(BLOCK, order)
         self.interface = packed(INTERFACE_HEAD, order)
         self.packet = packed(PACKET_HEAD, order)
-        self.old_packet = packed(OLD_PACKET_HEAD, order)
         self.option = packed(OPTION, order)
         self.number = packed(Struct("value" / Int64ul), order)
         self.size = packed(Struct("size" / Int32ul), order)
@@ -106,7 +97,7 @@ class _Section:
             at += length + -length % 4
 
     def read(self, kind: int, body: bytes, number: int, *, is_cut: bool = False) -> Packet:
-        """The packet in a block of one of the three kinds that have one; with `is_cut` what there is of it.
+        """The packet in a block of one of the kinds that have one; with `is_cut` what there is of it.
 
         Raises CaptureError.
         """
@@ -115,14 +106,9 @@ class _Section:
             clock = self._clock(0, number)
             captured = min(size, clock.most) if clock.most else size
             return Packet(number, 0, self._data(body, self.size.size, captured, number, is_cut), size, clock.interface)
-        if kind == OLD_PACKET:
-            interface, _, high, low, captured, size = self.old_packet.unpack_from(body)
-            start = self.old_packet.size
-        else:
-            interface, high, low, captured, size = self.packet.unpack_from(body)
-            start = self.packet.size
+        interface, high, low, captured, size = self.packet.unpack_from(body)
         clock = self._clock(interface, number)
-        data = self._data(body, start, captured, number, is_cut)
+        data = self._data(body, self.packet.size, captured, number, is_cut)
         return Packet(number, clock.time_ns(high, low), data, size, clock.interface)
 
     def _clock(self, interface: int, number: int) -> _InterfaceTime:

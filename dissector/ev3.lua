@@ -7223,35 +7223,26 @@ do
 end
 
 -- The columns of a packet. TCP hands a packet over in pieces when frames are split over several; what is said of each
--- is collected piece by piece, and the info column has at most so many bytes of it, then how much is left out.
+-- is added to the info column, which Wireshark cuts where it is full.
 local start_line, say, show
 do
-    local MOST_INFO = 4000
-    local pieces, count, shown, size, omitted = {}, 0, 0, 0, 0
-    local last_number, last_offset = 0, 0
+    local pieces, shown, last_number, last_offset = {}, 0, 0, 0
 
     -- A buffer of a packet is read: the first one, or a further one of the packet before.
     function start_line(number, offset)
-        if number ~= last_number or offset <= last_offset then count, shown, size = 0, 0, 0 end
-        last_number, last_offset, omitted = number, offset, 0
+        if number ~= last_number or offset <= last_offset then pieces, shown = {}, 0 end
+        last_number, last_offset = number, offset
     end
 
     function say(said)
-        local longer = size + #said + 2
-        if longer > MOST_INFO and count > 0 then
-            omitted = omitted + 1
-            return
-        end
-        count = count + 1
-        pieces[count], size = said, longer
+        pieces[#pieces + 1] = said
     end
 
     function show(pinfo)
-        local columns = pinfo.cols
+        local columns, count = pinfo.cols, #pieces
         columns.protocol = "EV3"
-        if count == shown and omitted == 0 then return end
-        local text = count == shown + 1 and pieces[count] or concat(pieces, "; ", shown + 1, count)
-        if omitted > 0 then text = format("%s; and %d more", text, omitted) end
+        if count == shown then return end
+        local text = concat(pieces, "; ", shown + 1, count)
         if shown > 0 then
             columns.info:append("; " .. text)
         else
@@ -7483,9 +7474,8 @@ do
         while at < #text do
             local operation, after, _, reason, kind = read_operation(text, at)
             -- Of a list that goes on in the next packet the dissector says that it is too long.
-            if reason then
-                return kind == "cut_off" or kind == "fault" and operation ~= nil and operation.list ~= nil
-            end
+            local is_list = kind == "fault" and operation ~= nil and operation.list ~= nil
+            if reason then return kind == "cut_off" or is_list end
             at = after
         end
         return true
@@ -8046,24 +8036,19 @@ end
 
 -- Bluetooth ---------------------------------------------------------------------------------------------------------
 --
--- RFCOMM hands over one piece of the stream after the other, and nobody but us joins them: a frame that is not whole
--- waits here for its rest. The first pass remembers, packet by packet, what was waiting before it.
+-- RFCOMM hands over one piece of the stream after the other, and does not join them: a frame that is not whole waits
+-- here for its rest. The first pass keeps of each packet what was waiting before it.
 
 do
-    -- The packets that a frame came in are one list, which they all share; once the frame is whole, it has the packet
-    -- with the last piece as `complete_in`. By packet, of those that are ours: `continued` is the list of the frame
-    -- that goes on in it, of which `earlier` packets came before, `waiting` the bytes of those where the frame becomes
-    -- whole, and `begun` the list of the frame that begins in it and is not whole. `is_ours` tells of a packet that is
-    -- ours which types go its way, `steps` is "lost" where the stream was out of step before it, and "sure" where the
-    -- claim begins with it: after `starts` bytes that are others'.
-    local streams, is_ours, continued, earlier, waiting, begun, steps, starts
-
-    -- Methods that each packet needs: looking them up takes longer than what they do.
-    local bytes_of, offset_of = Tvb.raw, Tvb.offset
+    -- By number, of the packets that are ours: which types each `accepts`; the `step` of the stream, "lost" where it
+    -- was out of step before, "sure" where the claim begins, after `start` bytes of others; of a frame that continues in
+    -- it the `list` of packets that it came in, of which this number were `earlier`, and where it becomes whole the
+    -- bytes `before`; and the list of the frame that has `begun` in it and is not whole. A frame's packets share its
+    -- list, which has the one with the last piece as `complete_in`.
+    local packets, streams
 
     local function forget_streams()
-        streams, is_ours, continued, earlier, waiting = {}, {}, {}, {}, {}
-        begun, steps, starts = {}, {}, {}
+        packets, streams = {}, {}
     end
     forget_streams()
 
@@ -8126,8 +8111,8 @@ do
         stream.left, stream.list, stream.starts = sub(text, place + 1), list, starts
     end
 
-    -- A packet of a channel that is not known to be ours: all of the command that makes it ours, nil where none does.
-    -- What may still become a command is kept: whoever types a text sends it letter by letter.
+    -- A packet of a channel that is not known to be ours, nil unless a command makes it ours. What may still become a
+    -- command is kept: whoever types a text sends it letter by letter.
     local function claim(conversation, stream, piece, missing, number)
         local left = stream.left
         local text = left .. piece
@@ -8139,139 +8124,135 @@ do
         keep(stream, text, place, number)
         if not is_whole then return nil end
         claiming.begin(conversation)
-        local list, joint = stream.list, #left
+        local list, packet = stream.list, { accepts = is_command, step = "sure" }
         clear_sides(conversation)
-        if place >= joint then
-            starts[number] = place - joint
-            return piece
+        if place >= #left then
+            packet.start = place - #left
+            return packet
         end
         list[#list] = nil
         for index, before in ipairs(list) do
-            is_ours[before] = is_command
-            if index == 1 then begun[before] = list end
-            if index > 1 then continued[before], earlier[before] = list, index - 1 end
+            packets[before] = { accepts = is_command, list = list, earlier = index - 1, begun = index == 1 and list }
         end
         list.complete_in = number
-        continued[number], earlier[number], waiting[number] = list, #list, sub(left, place + 1)
-        return waiting[number] .. piece
+        packet.list, packet.earlier, packet.before = list, #list, sub(left, place + 1)
+        return packet
     end
 
     -- Whether all of a text waits for more; the newest packet starts at `joint`.
-    local function waits(stream, text, joint)
+    local function waits(stream, text, accepts, joint)
         if stream.step ~= "lost" then
             local part = is_part(text)
             if #text < HEADER_SIZE or part and #text < stream.look_at then return part end
             -- A frame that comes byte by byte is not looked at with each of them.
             stream.look_at = floor(#text * 1.25) + 1
             if not is_length(text, 0) then return false end
-            return claiming.judge_split(text, 0, stream.accepts, joint) == PART
+            return claiming.judge_split(text, 0, accepts, joint) == PART
         end
-        local place, following = claiming.find_step(text, 0, stream.accepts, 0, 0)
+        local place, following = claiming.find_step(text, 0, accepts, 0, 0)
         return place == 0 and not following
     end
 
-    -- The first time that a packet is seen: joins it with what waits for it. Returns all of that, and whether some of
-    -- it may be whole.
-    local function join(stream, piece, number)
+    -- Joins a packet that is seen for the first time with what waits for it.
+    local function join(stream, piece, packet, number)
         local left = stream.left
         if left ~= "" and is_part(left .. piece) then
-            local place, following = claiming.find_step(piece, 0, stream.accepts, 1)
+            -- Where whole frames begin with the packet, what waits is not a frame.
+            local place, following = claiming.find_step(piece, 0, packet.accepts, 1)
             if place == 0 and following then
-                -- Where whole frames begin with the packet, what waits is none.
                 clear(stream)
                 left = ""
             end
         end
-        local text = left .. piece
-        if left == "" then return text, true end
-        continued[number], earlier[number] = stream.list, #stream.list
-        if waits(stream, text, #left) then
-            stream.left = text
+        if left == "" then return end
+        packet.list, packet.earlier = stream.list, #stream.list
+        if waits(stream, left .. piece, packet.accepts, #left) then
+            stream.left = left .. piece
             table.insert(stream.list, number)
-            return text, false
+        else
+            packet.before = left
+            stream.list.complete_in = number
+            clear(stream)
         end
-        waiting[number] = left
-        stream.list.complete_in = number
-        clear(stream)
-        return text, true
     end
 
-    local function add_joined(tree, tvb, before, number)
-        local said = "EV3: joined with " .. plural(#before, "byte") .. " of earlier packets"
+    local function add_joined(tree, tvb, packet)
+        local said = "EV3: joined with " .. plural(#packet.before, "byte") .. " of earlier packets"
         local item = tree:add(ev3, tvb(), said)
-        for index = 1, earlier[number] do
-            item:add(field.fragments, continued[number][index]):set_generated()
+        for index = 1, packet.earlier do
+            item:add(field.fragments, packet.list[index]):set_generated()
         end
     end
 
     -- The part of a frame at the end of a packet.
-    local function add_part(tree, tvb, size, number)
+    local function add_part(tree, tvb, size, packet)
         local range = tvb(math.max(tvb:len() - size, 0))
         local item = tree:add(ev3, range, "EV3: part of a frame")
         item:add(field.brick, brick):set_generated()
         item:add(field.fragment, range)
-        local list = begun[number] or continued[number]
-        if not begun[number] and list then item:add(field.fragments, list[1]):set_generated() end
+        local list = packet.begun or packet.list
+        if not packet.begun and list then item:add(field.fragments, list[1]):set_generated() end
         if list and list.complete_in then item:add(field.fragment_of, list.complete_in):set_generated() end
     end
 
-    local function dissect_rfcomm(tvb, pinfo, tree)
-        local piece, number = bytes_of(tvb), pinfo.number
-        if piece == "" then return 0 end
-        local is_first = not pinfo.visited
-        local conversation, stream, text, may_be_whole
-        if is_first then
-            conversation, stream = channel_of(pinfo)
-            local is_begun = not conversation.is_claimed
-            if is_begun then
-                text, may_be_whole = claim(conversation, stream, piece, tvb:reported_len() - #piece, number), true
-                if not text then return 0 end
-                -- It is claimed by a command, so this packet goes to the brick.
-                conversation.name, conversation.to_brick = tostring(pinfo.dl_dst), stream
-                steps[number] = "sure"
-            end
-            stream.accepts = stream == conversation.to_brick and is_command or is_from_brick
-            if not is_begun then text, may_be_whole = join(stream, piece, number) end
-            is_ours[number] = stream.accepts
-            if stream.step == "lost" then steps[number] = "lost" end
-        elseif is_ours[number] then
-            text = (waiting[number] or "") .. piece
-            may_be_whole = waiting[number] or not continued[number]
-        else
-            return 0
+    -- What is known of a packet that is seen for the first time, nil where it is not ours.
+    local function first_look(conversation, stream, piece, missing, pinfo)
+        local number = pinfo.number
+        if conversation.is_claimed then
+            local accepts = stream == conversation.to_brick and is_command or is_from_brick
+            local packet = { accepts = accepts, step = stream.step == "lost" and "lost" or nil }
+            join(stream, piece, packet, number)
+            return packet
         end
-        local is_shown, whole, size, offset = has_tree(tree), tvb, #piece, offset_of(tvb)
-        brick = is_shown and tostring(is_ours[number] == is_command and pinfo.dl_dst or pinfo.dl_src)
-        start_line(number, offset)
-        if may_be_whole then
-            local before = waiting[number]
+        local packet = claim(conversation, stream, piece, missing, number)
+        -- It is claimed by a command, so this packet goes to the brick.
+        if packet then conversation.name, conversation.to_brick = tostring(pinfo.dl_dst), stream end
+        return packet
+    end
+
+    local function dissect_rfcomm(tvb, pinfo, tree)
+        local piece, number, missing = tvb:raw(), pinfo.number, tvb:reported_len() - tvb:len()
+        if piece == "" then return 0 end
+        local conversation, stream
+        if not pinfo.visited then
+            conversation, stream = channel_of(pinfo)
+            packets[number] = first_look(conversation, stream, piece, missing, pinfo)
+        end
+        local packet = packets[number]
+        if not packet then return 0 end
+        local is_shown, size, before = has_tree(tree), #piece, packet.before
+        brick = is_shown and tostring(packet.accepts == is_command and pinfo.dl_dst or pinfo.dl_src)
+        start_line(number, tvb:offset())
+        -- Of a frame that continues in it, some packets only have more to wait for.
+        if before or not packet.list then
+            local text, whole = (before or "") .. piece, tvb
             if before then
                 whole = ByteArray.new(text, true):tvb("EV3 frames")
-                if is_shown then add_joined(tree, tvb, before, number) end
+                if is_shown then add_joined(tree, tvb, packet) end
             end
             local state = {
                 reported = #text,
-                is_last = #piece < tvb:reported_len(),
-                step = steps[number] or "likely",
-                start = starts[number],
+                is_last = missing > 0,
+                step = packet.step or "likely",
+                start = packet.start,
                 joint = before and #before or 0,
                 first = not before and 0,
                 may_gap = true,
-                accepts = is_ours[number],
+                accepts = packet.accepts,
             }
             local after, _, lost, step = dissect_stream(whole, text, state, conversation, number, pinfo, tree, is_shown)
             size = #text - after
-            if is_first and size > 0 then
-                stream.left, stream.list = sub(text, after + 1), { number }
-                begun[number] = stream.list
-            end
-            if is_first then
+            if stream then
+                if size > 0 then
+                    stream.left, stream.list = sub(text, after + 1), { number }
+                    packet.begun = stream.list
+                end
                 stream.step = step
                 if not claiming.count(conversation, lost, number) then clear_sides(conversation) end
             end
         end
         if size > 0 then
-            if is_shown then add_part(tree, tvb, size, number) end
+            if is_shown then add_part(tree, tvb, size, packet) end
             say("part of a frame")
         end
         show(pinfo)
@@ -8308,9 +8289,9 @@ do
     -- The ports that the preference names.
     local listened = tostring(CARRIERS.tcp_port)
 
-    -- By buffer: how the stream stands with it, where that is not what one sees; where in it is what was not done yet;
-    -- from where on more was asked for, before it was ours.
-    local steps, starts, asked
+    -- By buffer: the `step` of the stream and how many bytes were `done`, where they are not as usual; from where on
+    -- more was asked for, before it was ours.
+    local steps, asked
 
     -- The ports on which connections are looked at.
     local ports = {}
@@ -8343,8 +8324,7 @@ do
 
     local function forget_wifi()
         bricks, answers, announced, declined, has_found = {}, {}, {}, {}, false
-        steps, starts, asked = {}, {}, {}
-        connections = {}
+        steps, asked, connections = {}, {}, {}
     end
     forget_wifi()
 
@@ -8393,12 +8373,6 @@ do
                 return may_start(text, 0) or UNLOCK.starts[byte(text, 1)] ~= nil
             end
 
-            -- TCP puts segments together where that was asked for: such a buffer begins anew, others after their
-            -- headers.
-            local function usual_step(offset)
-                return offset == 0 and "sure" or "likely"
-            end
-
             -- The step of a buffer that is seen for the first time, how many bytes of it were there before, and how
             -- many of these are done: TCP hands some over again where a frame that begins in them is not whole yet.
             local function first_step(known, text, offset, number, pinfo)
@@ -8426,29 +8400,22 @@ do
             end
 
             -- How a stream stands with a buffer, how many bytes of it were there before, and how many are done; `known`
-            -- is what is known of the stream, when the buffer is seen for the first time.
+            -- is what is known of the stream, when the buffer is seen for the first time. TCP puts segments together
+            -- where that was asked for: such a buffer begins anew, others after their headers.
             function step_of(known, text, offset, number, pinfo, start)
-                -- Nearly always it goes on as it went.
-                if known and offset == known.offset and number ~= known.number and not known.pending
-                    and known.step ~= "lost" then
-                    known.number = number
-                    return "likely", 0, 0
-                end
-                local usual = usual_step(offset)
+                local place, usual = place_of(number, offset), offset == 0 and "sure" or "likely"
                 if not known then
-                    if not next(steps) and not next(starts) then return usual, 0, 0 end
-                    local place = place_of(number, offset)
-                    return steps[place] or usual, 0, starts[place] or 0
+                    local found = steps[place]
+                    if found then return found.step, 0, found.done end
+                    return usual, 0, 0
                 end
-                local step, joint, done
+                local step, joint, done = "sure", 0, start
                 if start then
                     known.number, known.offset = number, offset > 0 and offset or nil
-                    step, joint, done = "sure", 0, start
                 else
                     step, joint, done = first_step(known, text, offset, number, pinfo)
                 end
-                if step ~= usual then steps[place_of(number, offset)] = step end
-                if done > 0 then starts[place_of(number, offset)] = done end
+                if step ~= usual or done > 0 then steps[place] = { step = step, done = done } end
                 return step, joint, done
             end
         end
@@ -8462,17 +8429,15 @@ do
             end
             local step, joint, done = step_of(known, text, offset, number, pinfo, start)
             brick = is_shown and (conversation or connection_of(pinfo)).name
+            start_line(number, offset)
             -- Nearly always one frame is all there is.
             local low, high, _, _, code = byte(text, 1, HEADER_SIZE)
+            local lost = 0
             if step ~= "lost" and done == 0 and code and LENGTH_FIELD + low + high * 0x100 == captured
                 and is_usual_length(low, high) and MESSAGE_TYPES[code] then
                 local place = place_of(number, offset)
-                start_line(number, offset)
                 say((dissect_message(tvb, 0, read_message(text), conversation, place, pinfo, tree, is_shown)))
-                show(pinfo)
-                if known then claiming.count(conversation, 0, number) end
             else
-                start_line(number, offset)
                 local reported = tvb:reported_len()
                 local stream = {
                     reported = reported,
@@ -8483,10 +8448,11 @@ do
                     first = 0,
                     accepts = types_of(pinfo, conversation),
                 }
-                local after, wanted, lost, step_after =
+                local after, wanted
+                after, wanted, lost, step =
                     dissect_stream(tvb, text, stream, conversation, number, pinfo, tree, is_shown)
                 if after < captured then
-                    if not wanted and known and after == 0 and step_after == "likely" then
+                    if not wanted and known and after == 0 and step == "likely" then
                         wanted = rest_of(text, joint, known.offset, pinfo)
                     end
                     pinfo.desegment_offset = after
@@ -8494,11 +8460,11 @@ do
                 end
                 if known then
                     known.pending = after < captured and sub(text, after + 1) or nil
-                    known.step, known.done = step_after, after
-                    claiming.count(conversation, lost, number)
+                    known.step, known.done = step, after
                 end
-                show(pinfo)
             end
+            if known then claiming.count(conversation, lost, number) end
+            show(pinfo)
             return captured
         end
     end

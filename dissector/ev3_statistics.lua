@@ -19,8 +19,6 @@ set_plugin_info({
 local format, gsub, sub = string.format, string.gsub, string.sub
 local concat = table.concat
 
--- Limits on rows, files and bytes that are kept: a capture may hold any number of names.
-local MOST_ROWS, MOST_FILES, MOST_BYTES = 1000, 256, 64 * 1024 * 1024
 -- Bytes of the name of an exported file, and of its extension: file systems take 143, and a number may be added.
 local MOST_NAME, MOST_EXTENSION = 100, 25
 -- Characters to which a column is widened for a long name.
@@ -96,19 +94,13 @@ end
 -- transferred now, by brick and path.
 local function new_survey()
     return {
-        operations = { count = 0, rows = {} }, bricks = { count = 0, rows = {} },
-        waiting = {}, wanted = 0, answered = 0, open = {}, files = {}, kept_bytes = 0, omitted = 0,
+        operations = {}, bricks = {}, waiting = {}, wanted = 0, answered = 0, open = {}, files = {},
     }
 end
 
-local function row_of(group, name)
-    if not group.rows[name] and group.count >= MOST_ROWS then name = "(others)" end
-    local row = group.rows[name]
-    if not row then
-        row = { uses = 0, messages = 0, bytes = 0, answers = 0, total = 0, most = 0 }
-        group.rows[name], group.count = row, group.count + 1
-    end
-    return row
+local function row_of(rows, name)
+    rows[name] = rows[name] or { uses = 0, messages = 0, bytes = 0, answers = 0, total = 0, most = 0 }
+    return rows[name]
 end
 
 local function count_message(row, message)
@@ -163,20 +155,8 @@ local function keep_piece(survey, message)
     if (message.names[1] or ""):find("LIST_FILES", 1, true) then return end
     local file, data = file_of(survey, message), message.data or ""
     file.size, file.done = message.size, message.done
-    if file.is_dropped or data == "" and file.size ~= 0 then return end
-    if not file.is_listed and #survey.files >= MOST_FILES then
-        file.is_dropped, survey.omitted = true, survey.omitted + 1
-        return
-    end
-    if not file.is_listed then
-        file.is_listed = true
-        table.insert(survey.files, file)
-    end
-    if survey.kept_bytes + #data > MOST_BYTES then
-        file.is_dropped = true
-        return
-    end
-    survey.kept_bytes = survey.kept_bytes + #data
+    if data == "" and file.size ~= 0 then return end
+    if #file.pieces == 0 then table.insert(survey.files, file) end
     table.insert(file.pieces, data)
 end
 
@@ -258,25 +238,19 @@ local function table_text(heading, rows, has_uses)
     return columns_text(lines)
 end
 
--- A text about files, and how many more there were.
-local function with_omitted(survey, text)
-    if survey.omitted == 0 then return text end
-    return format("%s\nand %s not kept", text, plural(survey.omitted, "more file"))
-end
-
 local function files_text(survey)
     local lines = { { "File", "transferred", "size" } }
     for _, file in ipairs(survey.files) do
         local size = file.size and format("%d", file.size) or ""
         lines[#lines + 1] = { on_one_line(file.path), format("%d", file.done), size }
     end
-    return with_omitted(survey, columns_text(lines))
+    return columns_text(lines)
 end
 
 local function survey_text(survey)
     local unanswered = survey.wanted - survey.answered
     return concat({
-        table_text("Operation", survey.operations.rows, true), "", table_text("Brick", survey.bricks.rows), "",
+        table_text("Operation", survey.operations, true), "", table_text("Brick", survey.bricks), "",
         files_text(survey), "",
         format("%d of %s that wanted a reply got none", unanswered, plural(survey.wanted, "command")),
     }, "\n") .. "\n"
@@ -358,7 +332,7 @@ local function export_files(survey, folder)
         local path = folder .. "/" .. safe_name(file.path, taken)
         lines[#lines + 1] = path .. ": " .. export_file(file, path)
     end
-    return lines[1] and with_omitted(survey, concat(lines, "\n")) or "no files were transferred in this capture"
+    return lines[1] and concat(lines, "\n") or "no files were transferred in this capture"
 end
 
 -- Windows, and the end of a run -------------------------------------------------------------------------------------

@@ -175,15 +175,6 @@ def test_a_complete_file_takes_no_more(tshark: Tshark) -> None:
     assert (folder / "first.rtf").read_bytes() == b"ab"
 
 
-def test_how_many_files_are_not_kept(tshark: Tshark) -> None:
-    """256 are."""
-    folder = export_folder(tshark, "many")
-    messages = [sent for number in range(258) for sent in download(10 * number, f"{number}.rtf", 1, b"x")]
-    said = moved(tshark, messages, "-o", f"ev3_statistics.export:{folder}", "-o", "ev3_statistics.print:TRUE")
-    assert said.count("and 2 more files not kept") == 2
-    assert len(list(folder.iterdir())) == 256
-
-
 def test_one_command_is_counted_in_the_singular(tshark: Tshark) -> None:
     said = moved(tshark, list(download(0, "x.rtf", 1))[:1], "-o", "ev3_statistics.print:TRUE")
     assert "1 of 1 command that wanted a reply got none" in said
@@ -219,14 +210,12 @@ def test_long_names_of_exported_files_keep_their_extension(tshark: Tshark) -> No
 
 
 def test_the_info_column_is_bounded(tshark: Tshark) -> None:
-    """One packet of many frames: 4 kB of them, and how many more."""
+    """One packet of many frames: as many as Wireshark shows."""
     capture = Capture(RAW_IP)
     Connection(capture).send(b"".join(tone(number) for number in range(4000)))
     path = tshark.place(capture.data(), "many.pcap")
     (said,) = tshark.run(path, "-T", "fields", "-e", "_ws.col.Info").splitlines()
-    assert len(said) < 4096
-    shown = said.count("SOUND.TONE")
-    assert said.endswith(f"; and {4000 - shown} more")
+    assert 4000 < len(said) < 4096
 
 
 def answered_commands(tshark: Tshark, commands: Iterable[int], replies: Iterable[int]) -> list[str]:

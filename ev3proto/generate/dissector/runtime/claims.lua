@@ -170,9 +170,8 @@ do
         while at < #text do
             local operation, after, _, reason, kind = read_operation(text, at)
             -- Of a list that goes on in the next packet the dissector says that it is too long.
-            if reason then
-                return kind == "cut_off" or kind == "fault" and operation ~= nil and operation.list ~= nil
-            end
+            local is_list = kind == "fault" and operation ~= nil and operation.list ~= nil
+            if reason then return kind == "cut_off" or is_list end
             at = after
         end
         return true

@@ -16,35 +16,26 @@ do
 end
 
 -- The columns of a packet. TCP hands a packet over in pieces when frames are split over several; what is said of each
--- is collected piece by piece, and the info column has at most so many bytes of it, then how much is left out.
+-- is added to the info column, which Wireshark cuts where it is full.
 local start_line, say, show
 do
-    local MOST_INFO = 4000
-    local pieces, count, shown, size, omitted = {}, 0, 0, 0, 0
-    local last_number, last_offset = 0, 0
+    local pieces, shown, last_number, last_offset = {}, 0, 0, 0
 
     -- A buffer of a packet is read: the first one, or a further one of the packet before.
     function start_line(number, offset)
-        if number ~= last_number or offset <= last_offset then count, shown, size = 0, 0, 0 end
-        last_number, last_offset, omitted = number, offset, 0
+        if number ~= last_number or offset <= last_offset then pieces, shown = {}, 0 end
+        last_number, last_offset = number, offset
     end
 
     function say(said)
-        local longer = size + #said + 2
-        if longer > MOST_INFO and count > 0 then
-            omitted = omitted + 1
-            return
-        end
-        count = count + 1
-        pieces[count], size = said, longer
+        pieces[#pieces + 1] = said
     end
 
     function show(pinfo)
-        local columns = pinfo.cols
+        local columns, count = pinfo.cols, #pieces
         columns.protocol = "EV3"
-        if count == shown and omitted == 0 then return end
-        local text = count == shown + 1 and pieces[count] or concat(pieces, "; ", shown + 1, count)
-        if omitted > 0 then text = format("%s; and %d more", text, omitted) end
+        if count == shown then return end
+        local text = concat(pieces, "; ", shown + 1, count)
         if shown > 0 then
             columns.info:append("; " .. text)
         else

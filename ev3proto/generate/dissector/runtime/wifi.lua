@@ -18,9 +18,9 @@ do
     -- The ports that the preference names.
     local listened = tostring(CARRIERS.tcp_port)
 
-    -- By buffer: how the stream stands with it, where that is not what one sees; where in it is what was not done yet;
-    -- from where on more was asked for, before it was ours.
-    local steps, starts, asked
+    -- By buffer: the `step` of the stream and how many bytes were `done`, where they are not as usual; from where on
+    -- more was asked for, before it was ours.
+    local steps, asked
 
     -- The ports on which connections are looked at.
     local ports = {}
@@ -53,8 +53,7 @@ do
 
     local function forget_wifi()
         bricks, answers, announced, declined, has_found = {}, {}, {}, {}, false
-        steps, starts, asked = {}, {}, {}
-        connections = {}
+        steps, asked, connections = {}, {}, {}
     end
     forget_wifi()
 
@@ -103,12 +102,6 @@ do
                 return may_start(text, 0) or UNLOCK.starts[byte(text, 1)] ~= nil
             end
 
-            -- TCP puts segments together where that was asked for: such a buffer begins anew, others after their
-            -- headers.
-            local function usual_step(offset)
-                return offset == 0 and "sure" or "likely"
-            end
-
             -- The step of a buffer that is seen for the first time, how many bytes of it were there before, and how
             -- many of these are done: TCP hands some over again where a frame that begins in them is not whole yet.
             local function first_step(known, text, offset, number, pinfo)
@@ -136,29 +129,22 @@ do
             end
 
             -- How a stream stands with a buffer, how many bytes of it were there before, and how many are done; `known`
-            -- is what is known of the stream, when the buffer is seen for the first time.
+            -- is what is known of the stream, when the buffer is seen for the first time. TCP puts segments together
+            -- where that was asked for: such a buffer begins anew, others after their headers.
             function step_of(known, text, offset, number, pinfo, start)
-                -- Nearly always it goes on as it went.
-                if known and offset == known.offset and number ~= known.number and not known.pending
-                    and known.step ~= "lost" then
-                    known.number = number
-                    return "likely", 0, 0
-                end
-                local usual = usual_step(offset)
+                local place, usual = place_of(number, offset), offset == 0 and "sure" or "likely"
                 if not known then
-                    if not next(steps) and not next(starts) then return usual, 0, 0 end
-                    local place = place_of(number, offset)
-                    return steps[place] or usual, 0, starts[place] or 0
+                    local found = steps[place]
+                    if found then return found.step, 0, found.done end
+                    return usual, 0, 0
                 end
-                local step, joint, done
+                local step, joint, done = "sure", 0, start
                 if start then
                     known.number, known.offset = number, offset > 0 and offset or nil
-                    step, joint, done = "sure", 0, start
                 else
                     step, joint, done = first_step(known, text, offset, number, pinfo)
                 end
-                if step ~= usual then steps[place_of(number, offset)] = step end
-                if done > 0 then starts[place_of(number, offset)] = done end
+                if step ~= usual or done > 0 then steps[place] = { step = step, done = done } end
                 return step, joint, done
             end
         end
@@ -172,17 +158,15 @@ do
             end
             local step, joint, done = step_of(known, text, offset, number, pinfo, start)
             brick = is_shown and (conversation or connection_of(pinfo)).name
+            start_line(number, offset)
             -- Nearly always one frame is all there is.
             local low, high, _, _, code = byte(text, 1, HEADER_SIZE)
+            local lost = 0
             if step ~= "lost" and done == 0 and code and LENGTH_FIELD + low + high * 0x100 == captured
                 and is_usual_length(low, high) and MESSAGE_TYPES[code] then
                 local place = place_of(number, offset)
-                start_line(number, offset)
                 say((dissect_message(tvb, 0, read_message(text), conversation, place, pinfo, tree, is_shown)))
-                show(pinfo)
-                if known then claiming.count(conversation, 0, number) end
             else
-                start_line(number, offset)
                 local reported = tvb:reported_len()
                 local stream = {
                     reported = reported,
@@ -193,10 +177,11 @@ do
                     first = 0,
                     accepts = types_of(pinfo, conversation),
                 }
-                local after, wanted, lost, step_after =
+                local after, wanted
+                after, wanted, lost, step =
                     dissect_stream(tvb, text, stream, conversation, number, pinfo, tree, is_shown)
                 if after < captured then
-                    if not wanted and known and after == 0 and step_after == "likely" then
+                    if not wanted and known and after == 0 and step == "likely" then
                         wanted = rest_of(text, joint, known.offset, pinfo)
                     end
                     pinfo.desegment_offset = after
@@ -204,11 +189,11 @@ do
                 end
                 if known then
                     known.pending = after < captured and sub(text, after + 1) or nil
-                    known.step, known.done = step_after, after
-                    claiming.count(conversation, lost, number)
+                    known.step, known.done = step, after
                 end
-                show(pinfo)
             end
+            if known then claiming.count(conversation, lost, number) end
+            show(pinfo)
             return captured
         end
     end

@@ -6380,8 +6380,8 @@ do
         return transfers[place]
     end
 
-    -- All that is known of the messages between one computer and one brick, who have that key: the newest commands that
-    -- wait for replies, by counter, and those `before` them; transfers `begun` by counter, and `open` by handle.
+    -- All that is known of the messages between one computer and one brick, who have that key: the commands that
+    -- wait for replies, by counter, each list oldest first, and what waited `before` those; transfers `begun` by counter, and `open` by handle.
     function conversation_of(key)
         local conversation = conversations[key]
         if not conversation then
@@ -6401,36 +6401,20 @@ do
         return CARRIES[message.type.carries] + message.counter
     end
 
-    -- The newest command that waits under a key; each knows the one before it.
-    local function newest(conversation, key)
-        return conversation.waiting[key] or conversation.waiting_before[key]
-    end
-
-    -- `command` is the newest one now, if there is any.
-    local function put_newest(conversation, key, command)
-        if not command then
-            conversation.waiting[key], conversation.waiting_before[key] = nil, nil
-            return
-        end
-        if not conversation.waiting[key] then
-            if conversation.waiting_count == MOST_WAITING then
-                conversation.waiting_before = conversation.waiting
-                conversation.waiting, conversation.waiting_count = {}, 0
-            end
-            conversation.waiting_count = conversation.waiting_count + 1
-        end
-        conversation.waiting[key] = command
-    end
-
     local function remember(conversation, place, message, pinfo)
         local key = pending_key(message)
-        local command = { place = place, time = pinfo.rel_ts, message = message, earlier = newest(conversation, key) }
-        local oldest = command
-        for _ = 2, MOST_PER_COUNTER do
-            oldest = oldest and oldest.earlier
+        local commands = conversation.waiting[key]
+        if not commands then
+            if conversation.waiting_count == MOST_WAITING then
+                conversation.waiting, conversation.waiting_before = {}, conversation.waiting
+                conversation.waiting_count = 0
+            end
+            commands = conversation.waiting_before[key] or {}
+            conversation.waiting[key] = commands
+            conversation.waiting_count = conversation.waiting_count + 1
         end
-        if oldest then oldest.earlier = nil end
-        put_newest(conversation, key, command)
+        if #commands == MOST_PER_COUNTER then table.remove(commands, 1) end
+        commands[#commands + 1] = { place = place, time = pinfo.rel_ts, message = message }
     end
 
     local function can_answer(message, command)
@@ -6457,24 +6441,18 @@ do
     -- The command that a reply answers: of those with its counter the newest of the right size, else the newest. The
     -- newest, because a sender comes back to a counter only after it gave up on the one before.
     local function answered(conversation, message)
-        local key = pending_key(message)
-        local command, later = newest(conversation, key), nil
-        local best, later_than_best
-        while command do
-            if can_answer(message, command) then
-                local is_right = not command.earlier and not best or fits(message, command)
-                if is_right or not best then best, later_than_best = command, later end
-                if is_right then break end
+        local key, best = pending_key(message), nil
+        local commands = conversation.waiting[key] or conversation.waiting_before[key] or {}
+        for index = #commands, 1, -1 do
+            if can_answer(message, commands[index]) then
+                best = best or index
+                if fits(message, commands[index]) then
+                    best = index
+                    break
+                end
             end
-            command, later = command.earlier, command
         end
-        if not best then return nil end
-        if later_than_best then
-            later_than_best.earlier = best.earlier
-        else
-            put_newest(conversation, key, best.earlier)
-        end
-        return best
+        return best and table.remove(commands, best)
     end
 
     -- Adds a piece to a file and returns that. One that is complete takes no more, as the brick has closed it: then the
@@ -7639,37 +7617,30 @@ do
         return after - 1, serial
     end
 
-    local function dissect_unlock(tvb, text, at, tree, is_shown)
-        local after, serial = match_unlock(text, at)
-        if not after then return nil end
-        local said = "unlock " .. serial
-        if is_shown then
-            local range = tvb(at, after - at)
-            local item = add_item(tree, range, said)
-            item:add(field.unlock, range)
-            item:add(field.unlock_serial, tvb(at + #UNLOCK.request, #serial))
-        end
-        return said, after
+    -- Adds bytes that are not a frame. Returns their item, nil without a tree.
+    local function add_bytes(tvb, at, stop, tree, is_shown, said, declared)
+        if not is_shown then return nil end
+        local range = tvb(at, stop - at)
+        local item = add_item(tree, range, said)
+        item:add(declared, range)
+        return item
     end
 
-    -- What the brick answers to it. The firmware sends the text's zero, too: it is one where it cannot be the start of
-    -- a frame's length.
-    local function dissect_accept(tvb, text, at, tree, is_shown)
-        local after = at + #UNLOCK.answer
+    -- One of the texts: the line on it, and the offset after it. After the answer the firmware sends the text's zero, too:
+    -- it is one where it cannot be the start of a frame's length.
+    local function dissect_text(tvb, text, at, tree, is_shown)
+        local after, serial = match_unlock(text, at)
+        if after then
+            local item = add_bytes(tvb, at, after, tree, is_shown, "unlock " .. serial, field.unlock)
+            if item then item:add(field.unlock_serial, tvb(at + #UNLOCK.request, #serial)) end
+            return "unlock " .. serial, after
+        end
+        after = at + #UNLOCK.answer
         if sub(text, at + 1, after) ~= UNLOCK.answer then return nil end
         local zero, next = byte(text, after + 1, after + 2)
         if zero == 0 and not (next and is_length(text, after)) then after = after + 1 end
-        if is_shown then
-            local range = tvb(at, after - at)
-            add_item(tree, range, "accepted"):add(field.accept, range)
-        end
+        add_bytes(tvb, at, after, tree, is_shown, "accepted", field.accept)
         return "accepted", after
-    end
-
-    local function dissect_text(tvb, text, at, tree, is_shown)
-        local said, after = dissect_unlock(tvb, text, at, tree, is_shown)
-        if said then return said, after end
-        return dissect_accept(tvb, text, at, tree, is_shown)
     end
 
     local function starts_with(text, start)
@@ -7704,22 +7675,8 @@ do
         return next == #text and at or nil
     end
 
-    local function dissect_end_of_text(tvb, at, after, tree, is_shown)
-        if is_shown then
-            local range = tvb(at, after - at)
-            add_item(tree, range, "end of the text before"):add(field.rest, range)
-        end
-        return "end of the text before", after
-    end
-
     local function add_faulty(tvb, at, stop, tree, is_shown, said, kind, reason)
-        local item
-        if is_shown then
-            local range = tvb(at, stop - at)
-            item = add_item(tree, range, said)
-            item:add(field.rest, range)
-        end
-        complain(item or tree, kind, reason)
+        complain(add_bytes(tvb, at, stop, tree, is_shown, said, field.rest) or tree, kind, reason)
         return said, stop
     end
 
@@ -7781,14 +7738,6 @@ do
         return following ~= nil and place < stop
     end
 
-    local function dissect_polls(tvb, at, after, tree, is_shown)
-        if is_shown then
-            local range = tvb(at, after - at)
-            add_item(tree, range, "poll"):add(field.padding, range)
-        end
-        return "poll", after
-    end
-
     -- The frames and texts in a piece of a stream: the offset after the last one that is whole; how many bytes the
     -- next one wants, nil where its length is not known yet; how many bytes are in no frame; and the step at the
     -- end. `stream` is how it stands:
@@ -7815,7 +7764,8 @@ do
             end
             local polled = low == 0 and high == 0 and step ~= "lost" and after_polls(text, at)
             if polled and (polled == captured or may_start(text, polled)) then
-                said, after = dissect_polls(tvb, at, polled, tree, is_shown)
+                said, after = "poll", polled
+                add_bytes(tvb, at, after, tree, is_shown, said, field.padding)
             end
             if not said then
                 local size = high and LENGTH_FIELD + low + high * 0x100
@@ -7832,7 +7782,8 @@ do
                 if not is_frame then
                     after = step ~= "lost" and end_of_text(text, at)
                     if after then
-                        said, after = dissect_end_of_text(tvb, at, after, tree, is_shown)
+                        said = "end of the text before"
+                        add_bytes(tvb, at, after, tree, is_shown, said, field.rest)
                     else
                         local from, is_open = at, false
                         if step ~= "lost" then from = at + 1 end

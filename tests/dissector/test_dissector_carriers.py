@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import io
 import random
-import re
 import struct
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 
 import pytest
@@ -693,33 +692,6 @@ def test_a_frame_of_which_less_was_captured_hides_none_behind_it(ask: Ask) -> No
     port.send(tone(3))
     assert counters(ask(capture, "ev3", "ev3.msg_num")) == [1, 2, 3]
     assert ask(capture, "ev3.expert.cut_off", "ev3.msg_num") == ["2"]
-
-
-# Passes
-
-WORDS = {
-    "bluetooth.pcapng": ("-d", "btl2cap.cid==0x41,btrfcomm", "-d", "btl2cap.cid==0x51,btrfcomm"),
-    "wifi-reordered.pcap": ("-o", "tcp.reassemble_out_of_order:TRUE"),
-}
-LATER = re.compile(r"^ *\[(Response in: \d+|Frame complete in: \d+)\]$|no reply to this command was seen|SEQUENCE")
-"""What is known only when all was read once."""
-
-
-@pytest.mark.parametrize("name", [*sorted(path.name for path in CAPTURES.glob("*.pcap*")), "bluetooth.log"])
-def test_one_pass_and_two_show_the_same(tshark: Tshark, name: str) -> None:
-    once, twice = (
-        [line for line in shown(tshark.run(CAPTURES / name, "-O", "ev3", *WORDS.get(name, ()), *passes)) if line]
-        for passes in ((), ("-2",))
-    )
-    assert "EV3: " in "\n".join(once)
-    assert [line for line in twice if not LATER.search(line)] == once
-
-
-def shown(text: str) -> Iterator[str]:
-    """The lines on messages, without what is folded away in an expert information."""
-    for line in text.splitlines():
-        if line.startswith(("EV3: ", "    ")) and not re.match(r" *\[(Severity level|Group|no reply)", line):
-            yield line
 
 
 def test_downloads_are_longer_than_all_other_frames(tshark: Tshark) -> None:

@@ -46,8 +46,8 @@ do
         return transfers[place]
     end
 
-    -- All that is known of the messages between one computer and one brick, who have that key: the newest commands that
-    -- wait for replies, by counter, and those `before` them; transfers `begun` by counter, and `open` by handle.
+    -- All that is known of the messages between one computer and one brick, who have that key: the commands that
+    -- wait for replies, by counter, each list oldest first, and what waited `before` those; transfers `begun` by counter, and `open` by handle.
     function conversation_of(key)
         local conversation = conversations[key]
         if not conversation then
@@ -67,36 +67,20 @@ do
         return CARRIES[message.type.carries] + message.counter
     end
 
-    -- The newest command that waits under a key; each knows the one before it.
-    local function newest(conversation, key)
-        return conversation.waiting[key] or conversation.waiting_before[key]
-    end
-
-    -- `command` is the newest one now, if there is any.
-    local function put_newest(conversation, key, command)
-        if not command then
-            conversation.waiting[key], conversation.waiting_before[key] = nil, nil
-            return
-        end
-        if not conversation.waiting[key] then
-            if conversation.waiting_count == MOST_WAITING then
-                conversation.waiting_before = conversation.waiting
-                conversation.waiting, conversation.waiting_count = {}, 0
-            end
-            conversation.waiting_count = conversation.waiting_count + 1
-        end
-        conversation.waiting[key] = command
-    end
-
     local function remember(conversation, place, message, pinfo)
         local key = pending_key(message)
-        local command = { place = place, time = pinfo.rel_ts, message = message, earlier = newest(conversation, key) }
-        local oldest = command
-        for _ = 2, MOST_PER_COUNTER do
-            oldest = oldest and oldest.earlier
+        local commands = conversation.waiting[key]
+        if not commands then
+            if conversation.waiting_count == MOST_WAITING then
+                conversation.waiting, conversation.waiting_before = {}, conversation.waiting
+                conversation.waiting_count = 0
+            end
+            commands = conversation.waiting_before[key] or {}
+            conversation.waiting[key] = commands
+            conversation.waiting_count = conversation.waiting_count + 1
         end
-        if oldest then oldest.earlier = nil end
-        put_newest(conversation, key, command)
+        if #commands == MOST_PER_COUNTER then table.remove(commands, 1) end
+        commands[#commands + 1] = { place = place, time = pinfo.rel_ts, message = message }
     end
 
     local function can_answer(message, command)
@@ -123,24 +107,18 @@ do
     -- The command that a reply answers: of those with its counter the newest of the right size, else the newest. The
     -- newest, because a sender comes back to a counter only after it gave up on the one before.
     local function answered(conversation, message)
-        local key = pending_key(message)
-        local command, later = newest(conversation, key), nil
-        local best, later_than_best
-        while command do
-            if can_answer(message, command) then
-                local is_right = not command.earlier and not best or fits(message, command)
-                if is_right or not best then best, later_than_best = command, later end
-                if is_right then break end
+        local key, best = pending_key(message), nil
+        local commands = conversation.waiting[key] or conversation.waiting_before[key] or {}
+        for index = #commands, 1, -1 do
+            if can_answer(message, commands[index]) then
+                best = best or index
+                if fits(message, commands[index]) then
+                    best = index
+                    break
+                end
             end
-            command, later = command.earlier, command
         end
-        if not best then return nil end
-        if later_than_best then
-            later_than_best.earlier = best.earlier
-        else
-            put_newest(conversation, key, best.earlier)
-        end
-        return best
+        return best and table.remove(commands, best)
     end
 
     -- Adds a piece to a file and returns that. One that is complete takes no more, as the brick has closed it: then the

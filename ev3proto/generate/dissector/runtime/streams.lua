@@ -18,37 +18,30 @@ do
         return after - 1, serial
     end
 
-    local function dissect_unlock(tvb, text, at, tree, is_shown)
-        local after, serial = match_unlock(text, at)
-        if not after then return nil end
-        local said = "unlock " .. serial
-        if is_shown then
-            local range = tvb(at, after - at)
-            local item = add_item(tree, range, said)
-            item:add(field.unlock, range)
-            item:add(field.unlock_serial, tvb(at + #UNLOCK.request, #serial))
-        end
-        return said, after
+    -- Adds bytes that are not a frame. Returns their item, nil without a tree.
+    local function add_bytes(tvb, at, stop, tree, is_shown, said, declared)
+        if not is_shown then return nil end
+        local range = tvb(at, stop - at)
+        local item = add_item(tree, range, said)
+        item:add(declared, range)
+        return item
     end
 
-    -- What the brick answers to it. The firmware sends the text's zero, too: it is one where it cannot be the start of
-    -- a frame's length.
-    local function dissect_accept(tvb, text, at, tree, is_shown)
-        local after = at + #UNLOCK.answer
+    -- One of the texts: the line on it, and the offset after it. After the answer the firmware sends the text's zero, too:
+    -- it is one where it cannot be the start of a frame's length.
+    local function dissect_text(tvb, text, at, tree, is_shown)
+        local after, serial = match_unlock(text, at)
+        if after then
+            local item = add_bytes(tvb, at, after, tree, is_shown, "unlock " .. serial, field.unlock)
+            if item then item:add(field.unlock_serial, tvb(at + #UNLOCK.request, #serial)) end
+            return "unlock " .. serial, after
+        end
+        after = at + #UNLOCK.answer
         if sub(text, at + 1, after) ~= UNLOCK.answer then return nil end
         local zero, next = byte(text, after + 1, after + 2)
         if zero == 0 and not (next and is_length(text, after)) then after = after + 1 end
-        if is_shown then
-            local range = tvb(at, after - at)
-            add_item(tree, range, "accepted"):add(field.accept, range)
-        end
+        add_bytes(tvb, at, after, tree, is_shown, "accepted", field.accept)
         return "accepted", after
-    end
-
-    local function dissect_text(tvb, text, at, tree, is_shown)
-        local said, after = dissect_unlock(tvb, text, at, tree, is_shown)
-        if said then return said, after end
-        return dissect_accept(tvb, text, at, tree, is_shown)
     end
 
     local function starts_with(text, start)
@@ -83,22 +76,8 @@ do
         return next == #text and at or nil
     end
 
-    local function dissect_end_of_text(tvb, at, after, tree, is_shown)
-        if is_shown then
-            local range = tvb(at, after - at)
-            add_item(tree, range, "end of the text before"):add(field.rest, range)
-        end
-        return "end of the text before", after
-    end
-
     local function add_faulty(tvb, at, stop, tree, is_shown, said, kind, reason)
-        local item
-        if is_shown then
-            local range = tvb(at, stop - at)
-            item = add_item(tree, range, said)
-            item:add(field.rest, range)
-        end
-        complain(item or tree, kind, reason)
+        complain(add_bytes(tvb, at, stop, tree, is_shown, said, field.rest) or tree, kind, reason)
         return said, stop
     end
 
@@ -160,14 +139,6 @@ do
         return following ~= nil and place < stop
     end
 
-    local function dissect_polls(tvb, at, after, tree, is_shown)
-        if is_shown then
-            local range = tvb(at, after - at)
-            add_item(tree, range, "poll"):add(field.padding, range)
-        end
-        return "poll", after
-    end
-
     -- The frames and texts in a piece of a stream: the offset after the last one that is whole; how many bytes the
     -- next one wants, nil where its length is not known yet; how many bytes are in no frame; and the step at the
     -- end. `stream` is how it stands:
@@ -194,7 +165,8 @@ do
             end
             local polled = low == 0 and high == 0 and step ~= "lost" and after_polls(text, at)
             if polled and (polled == captured or may_start(text, polled)) then
-                said, after = dissect_polls(tvb, at, polled, tree, is_shown)
+                said, after = "poll", polled
+                add_bytes(tvb, at, after, tree, is_shown, said, field.padding)
             end
             if not said then
                 local size = high and LENGTH_FIELD + low + high * 0x100
@@ -211,7 +183,8 @@ do
                 if not is_frame then
                     after = step ~= "lost" and end_of_text(text, at)
                     if after then
-                        said, after = dissect_end_of_text(tvb, at, after, tree, is_shown)
+                        said = "end of the text before"
+                        add_bytes(tvb, at, after, tree, is_shown, said, field.rest)
                     else
                         local from, is_open = at, false
                         if step ~= "lost" then from = at + 1 end

@@ -6380,8 +6380,9 @@ do
         return transfers[place]
     end
 
-    -- All that is known of the messages between one computer and one brick, who have that key: the commands that
-    -- wait for replies, by counter, each list oldest first, and what waited `before` those; transfers `begun` by counter, and `open` by handle.
+    -- All that is known of the messages between one computer and one brick, who have that key: the commands that wait
+    -- for replies, by counter, each list oldest first, and what waited `before` those; transfers `begun` by counter,
+    -- and `open` by handle.
     function conversation_of(key)
         local conversation = conversations[key]
         if not conversation then
@@ -7626,8 +7627,8 @@ do
         return item
     end
 
-    -- One of the texts: the line on it, and the offset after it. After the answer the firmware sends the text's zero, too:
-    -- it is one where it cannot be the start of a frame's length.
+    -- One of the texts: the line on it, and the offset after it. After the answer the firmware sends the text's zero,
+    -- too: it is one where it cannot be the start of a frame's length.
     local function dissect_text(tvb, text, at, tree, is_shown)
         local after, serial = match_unlock(text, at)
         if after then
@@ -7992,8 +7993,8 @@ end
 
 do
     -- By number, of the packets that are ours: which types each `accepts`; the `step` of the stream, "lost" where it
-    -- was out of step before, "sure" where the claim begins, after `start` bytes of others; of a frame that continues in
-    -- it the `list` of packets that it came in, of which this number were `earlier`, and where it becomes whole the
+    -- was out of step before, "sure" where the claim begins, after `start` bytes of others; of a frame that continues
+    -- in it the `list` of packets that it came in, of which this number were `earlier`, and where it becomes whole the
     -- bytes `before`; and the list of the frame that has `begun` in it and is not whole. A frame's packets share its
     -- list, which has the one with the last piece as `complete_in`.
     local packets, streams

@@ -30,7 +30,7 @@ CASES.remove(("a read filter", CAPTURES[0].with_name("wifi-reordered.pcap")))
 
 READ = r"EV3|LEGO|    +[^\s\[]"
 GENERATED = rf"{READ}|    +\[(?:Brick|Request in|Response time|File:|Moved so far|Size|Began in)"
-"""Lines of a tree: what was read, and what every pass knows of it. That a reply is missing only the second one knows."""
+"""Lines of a tree: what was read, and what every pass knows. That a reply is missing only the second one knows."""
 
 
 def shown(tshark: Tshark, capture: Path, lines: str, *words: str) -> list[tuple[str, list[str]]]:

@@ -5,8 +5,8 @@
 
 do
     -- By number, of the packets that are ours: which types each `accepts`; the `step` of the stream, "lost" where it
-    -- was out of step before, "sure" where the claim begins, after `start` bytes of others; of a frame that continues in
-    -- it the `list` of packets that it came in, of which this number were `earlier`, and where it becomes whole the
+    -- was out of step before, "sure" where the claim begins, after `start` bytes of others; of a frame that continues
+    -- in it the `list` of packets that it came in, of which this number were `earlier`, and where it becomes whole the
     -- bytes `before`; and the list of the frame that has `begun` in it and is not whole. A frame's packets share its
     -- list, which has the one with the last piece as `complete_in`.
     local packets, streams

@@ -46,8 +46,9 @@ do
         return transfers[place]
     end
 
-    -- All that is known of the messages between one computer and one brick, who have that key: the commands that
-    -- wait for replies, by counter, each list oldest first, and what waited `before` those; transfers `begun` by counter, and `open` by handle.
+    -- All that is known of the messages between one computer and one brick, who have that key: the commands that wait
+    -- for replies, by counter, each list oldest first, and what waited `before` those; transfers `begun` by counter,
+    -- and `open` by handle.
     function conversation_of(key)
         local conversation = conversations[key]
         if not conversation then

@@ -27,8 +27,8 @@ do
         return item
     end
 
-    -- One of the texts: the line on it, and the offset after it. After the answer the firmware sends the text's zero, too:
-    -- it is one where it cannot be the start of a frame's length.
+    -- One of the texts: the line on it, and the offset after it. After the answer the firmware sends the text's zero,
+    -- too: it is one where it cannot be the start of a frame's length.
     local function dissect_text(tvb, text, at, tree, is_shown)
         local after, serial = match_unlock(text, at)
         if after then

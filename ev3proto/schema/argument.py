@@ -385,15 +385,29 @@ def encode_float(value: float, name: str = "the value") -> bytes:
 
 def encode_string(value: str, name: str = "the string") -> bytes:
     """Returns a zero-terminated string (LCS). Raises BuildError for a zero or a character outside ISO-8859-1."""
+    return bytes((_BY_NAME["LCS", False, False],)) + text_bytes(value, name) + b"\0"
+
+
+def text_bytes(value: str, name: str, *, zeros: bool = False) -> bytes:
+    """Returns the bytes of a text.
+
+    Args:
+        value: The text.
+        name: Its name in messages.
+        zeros: Whether it may contain zeros.
+
+    Raises:
+        BuildError: It has a character outside ISO-8859-1, or a zero.
+    """
     try:
-        text = value.encode(STRING_CODING)
+        encoded = value.encode(STRING_CODING)
     except UnicodeEncodeError as error:
         raise BuildError(
             f"{name} cannot be {value!r}: the brick's strings are ISO-8859-1, which has no {value[error.start]!r}"
         ) from None
-    if 0 in text:
-        raise BuildError(f"{name} cannot be {value!r}: a string cannot contain a zero, which ends it")
-    return bytes((_BY_NAME["LCS", False, False],)) + text + b"\0"
+    if 0 in encoded and not zeros:
+        raise BuildError(f"{name} cannot be {value!r}: a text cannot contain a zero, which ends it")
+    return encoded
 
 
 def encode_variable(variable: Variable, name: str = "the variable") -> bytes:

@@ -11,6 +11,7 @@ from construct.core import ConstructError
 
 from ev3proto.errors import BuildError, DecodeError, counted, near_misses
 from ev3proto.messages import FieldValue
+from ev3proto.schema.argument import text_bytes
 from ev3proto.schema.bytewise import Bytewise
 from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.mailboxes import message_of
@@ -61,15 +62,7 @@ class CountedText(Bytewise):
 def _text(value: Any, name: str, zeros: bool = False) -> bytes:
     if not isinstance(value, str):
         raise BuildError(f"{name} takes a text, not {value!r}")
-    try:
-        encoded = value.encode(STRING_CODING)
-    except UnicodeEncodeError as error:
-        raise BuildError(
-            f"{name} cannot be {value!r}: the brick's strings are ISO-8859-1, which has no {value[error.start]!r}"
-        ) from None
-    if 0 in encoded and not zeros:
-        raise BuildError(f"{name} cannot be {value!r}: a text cannot contain a zero, which ends it")
-    return encoded
+    return text_bytes(value, name, zeros=zeros)
 
 
 class Fields(Bytewise):

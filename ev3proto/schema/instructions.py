@@ -203,17 +203,14 @@ class OperationSchema(Bytewise):
         counted = names[-2] if self.list_parameter and self.list_parameter.type is Type.VALUES else None
         values = []
         for name in names:
-            if name in named:
-                values.append(named[name])
-            elif name == counted and names[-1] in named:
-                values.append(len(named[names[-1]]))
-            else:
+            if name not in named and not (name == counted and names[-1] in named):
                 raise BuildError(f"{self.declaration.name} also needs {name}")
+            values.append(named.get(name))
         return values
 
     def _pieces_with_list(self, values: list[Any]) -> Iterator[bytes]:
         name = self.declaration.name
-        values = self._flat(values)
+        values = self.one_by_one(values)
         if len(values) < len(self.fixed):
             missing = self.fixed[len(values)].parameter.name
             raise BuildError(f"{name} also needs {missing}")
@@ -232,15 +229,23 @@ class OperationSchema(Bytewise):
         for schema, value in zip(self._listed(element, len(elements)), elements, strict=True):
             yield schema.write(value)
 
-    def _flat(self, values: list[Any]) -> list[Any]:
-        """Returns the values one by one, with the count of a list at the end."""
-        if not values or isinstance(values[-1], str | bytes | Argument) or not isinstance(values[-1], Sequence):
+    def one_by_one(self, values: list[Any]) -> list[Any]:
+        """Returns one value for each argument.
+
+        Args:
+            values: Values in the order of the parameters. If the last one is a list, its elements follow one by one;
+                an omitted count (None, or none at all) is theirs.
+        """
+        parameter = self.list_parameter
+        is_list = values and isinstance(values[-1], Sequence) and not isinstance(values[-1], str | bytes | Argument)
+        if parameter is None or not is_list:
             return values
-        elements = list(values[-1])
-        assert self.list_parameter is not None
-        if self.list_parameter.type is Type.COUNT and len(values) == len(self.fixed):
-            return [*values[:-1], len(elements), *elements]
-        return [*values[:-1], *elements]
+        *before, elements = values
+        if parameter.type is Type.COUNT and len(values) == len(self.fixed):
+            before.append(len(elements))
+        elif before and before[-1] is None:
+            before[-1] = len(elements)
+        return [*before, *elements]
 
     def make(self, values: Sequence[Any] | Mapping[str, Any]) -> Operation:
         """Returns an operation from values.

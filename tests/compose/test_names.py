@@ -373,7 +373,7 @@ def test_encoding(encoded: bytes, expected: str) -> None:
         (LCF, False, "LCF takes a number"),
         (LCF, 1e39, "LCF cannot be 1e"),
         (LCS, b"a", "LCS takes a str"),
-        (LCS, "a\0", "a string cannot contain a zero"),
+        (LCS, "a\0", "a text cannot contain a zero"),
         (LCS, "€", "ISO-8859-1"),
         (LVX, -1, "LVX cannot be"),
         (GVX, 2**32, "GVX cannot be"),

@@ -199,7 +199,7 @@ def draft(schema: OperationSchema, values: Sequence[Any], *, unchecked: bool = F
     """
     declaration = schema.declaration
     try:
-        flat = _flat(declaration, values, unchecked)
+        flat = schema.one_by_one(_in_order(declaration, values, unchecked))
         places = {number: value for number, value in enumerate(flat) if isinstance(value, Placeholder | Open)}
         label = flat[-1] if flat and isinstance(flat[-1], Label) and declaration.is_jump else None
         operation = schema.make([_standing(value) for value in flat] if places or label is not None else flat)
@@ -225,27 +225,22 @@ def _standing(value: Any) -> Any:
     return value
 
 
-def _flat(declaration: Declaration, values: Sequence[Any], unchecked: bool) -> list[Any]:
-    """Returns one value for each argument: lists expanded, counts inserted, omitted ones marked."""
-    flat: list[Any] = []
-    for parameter, value in zip(declaration.parameters, values, strict=True):
+def _in_order(declaration: Declaration, values: Sequence[Any], unchecked: bool) -> list[Any]:
+    """Returns one value for each parameter: a list is a list, omitted outputs are marked, an omitted count is None."""
+    found: list[Any] = []
+    for number, (parameter, value) in enumerate(zip(declaration.parameters, values, strict=True)):
         if value is REQUIRED:
             raise TypeError(f"{declaration.name} also needs {parameter.name}")
         if parameter.type in LISTS:
-            elements = _elements(parameter, value)
-            if parameter.type is Type.COUNT:
-                flat.append(len(elements))
-            elif flat[-1] is OMITTED:
-                flat[-1] = len(elements)
-            flat += elements
-        elif value is None:
-            if not may_be_omitted(declaration, len(flat)):
-                raise BuildError(f"{parameter.name} cannot be omitted: {parameter.text}")
-            flat.append(OMITTED)
-        else:
+            found.append(_elements(parameter, value))
+        elif value is not None:
             check_constant(parameter, value, unchecked=unchecked)
-            flat.append(value)
-    return flat
+            found.append(value)
+        elif may_be_omitted(declaration, number):
+            found.append(OMITTED if parameter.direction is Direction.OUT else None)
+        else:
+            raise BuildError(f"{parameter.name} cannot be omitted: {parameter.text}")
+    return found
 
 
 def _elements(parameter: Parameter, value: Any) -> list[Any]:

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from ev3proto.errors import BuildError, near_misses
 from ev3proto.messages import DaisyCommand as DaisyMessage
 from ev3proto.messages import DaisyReply, DirectCommand, FieldValue, Flaw, Message, Operation
+from ev3proto.schema.argument import text_bytes
 from ev3proto.schema.fields import NUMBERS, REPLIES, REQUESTS, Fields
 from ev3proto.schema.frame import parse
 from ev3proto.schema.header import HEADER_SIZE
@@ -297,9 +298,6 @@ def _value(field: Field, argument: WrittenArgument, encoder: Encoder) -> FieldVa
     if field.kind is not Kind.DATA:
         return found
     try:
-        return found.encode(STRING_CODING)
-    except UnicodeEncodeError as error:
-        raise SourceError(
-            value.at,
-            f"{field.name} cannot be {found!r}: the brick's texts are ISO-8859-1, which has no {found[error.start]!r}",
-        ) from None
+        return text_bytes(found, field.name, zeros=True)
+    except BuildError as error:
+        raise SourceError(value.at, str(error)) from None

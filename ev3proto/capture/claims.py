@@ -145,20 +145,24 @@ class Claim:
         self.is_claimed, self.is_sure, self.is_answered = True, is_sure, False
         self._strange = self._unread = 0
 
-    def count(self, *, is_good: bool, has_frame: bool, size: int) -> None:
+    def is_ours(self, record: Record) -> bool:
+        """Whether a frame keeps the claim: one without a fault; any, once a reply came as its command asked for."""
+        self.is_answered = self.is_answered or answers(record)
+        return self.is_answered or is_sensible(record.message)
+
+    def count(self, *, is_good: bool, unread: int = 0) -> None:
         """Counts a packet of a claimed conversation, which may end the claim.
 
         Args:
-            is_good: It has a frame without a fault.
-            has_frame: It has a frame, or completes one, whatever is wrong with it.
-            size: Bytes in it that are in no frame.
+            is_good: It has, or completes, a frame that keeps the claim.
+            unread: Bytes in it that are in no frame.
 
         """
-        if is_good or (self.is_answered and has_frame):
+        if is_good:
             self._strange = self._unread = 0
             return
         self._strange += 1
-        self._unread += size
+        self._unread += unread
         # Of a dialogue what is left of a frame may come in many packets.
         is_over = self._strange >= STRANGE_PACKETS and (not self.is_answered or self._unread > MAX_FRAME)
         if is_over and not self.is_sure:

@@ -428,19 +428,19 @@ def test_sequence_numbers_wrap(at: int) -> None:
 
 def test_a_stream_longer_than_its_numbers() -> None:
     """Positions count on where sequence numbers start again."""
-    from ev3proto.capture.carriers.wifi.tcp import Hole, Reassembly, Segment
+    from ev3proto.capture.carriers.streams import Piece
+    from ev3proto.capture.carriers.wifi.tcp import Hole, Reassembly
 
     stream = Reassembly()
     at, big = 2**32 - 100, bytes(1 << 20)
     for number in range(5000):
-        (found,) = stream.add((at + number * len(big)) % 2**32, big, number, 0)
-        assert isinstance(found, Segment)
-        assert found.at == number * len(big)
+        piece = Piece(big, number, 0)
+        assert stream.add((at + number * len(big)) % 2**32, piece) == [piece]
     position = 5000 * len(big)
-    assert stream.add((at + position + 7) % 2**32, b"later", 1, 0) == []
-    assert stream.add((at + position - len(big)) % 2**32, big, 2, 0) == []
+    assert stream.add((at + position + 7) % 2**32, Piece(b"later", 1, 0)) == []
+    assert stream.add((at + position - len(big)) % 2**32, Piece(big, 2, 0)) == []
     assert stream.repeated == len(big)
-    assert stream.acknowledge((at + position + 12) % 2**32) == [Hole(7), Segment(position + 7, b"later", 1, 0)]
+    assert stream.acknowledge((at + position + 12) % 2**32) == [Hole(7), Piece(b"later", 1, 0)]
 
 
 def test_a_port_is_used_again() -> None:

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
-from ev3proto.capture.carriers.streams import Context, Stream
-from ev3proto.capture.claims import Claim, answers, is_complete_reply, is_sensible
+from ev3proto.capture.carriers.streams import Context, Piece, Stream
+from ev3proto.capture.claims import Claim, is_complete_reply
 from ev3proto.capture.finding import Accepts
 from ev3proto.capture.framing import MARK_SIZE
-from ev3proto.capture.record import Announcement, Direction, Event, Record, Skipped
+from ev3proto.capture.record import Direction, Event, Record, Skipped
 from ev3proto.schema.header import HEADER_SIZE, frame_size
 from ev3proto.tables.claims import REPLIES
 from ev3proto.tables.discovery import UNLOCK_REQUEST
@@ -16,21 +14,6 @@ from ev3proto.tables.frame import MessageType
 
 _REQUEST = UNLOCK_REQUEST.encode()
 _ENDED = "what came after these bytes is none of ours"
-
-
-class Piece(NamedTuple):
-    """Bytes of a stream.
-
-    data     the bytes
-    number   the packet they came in
-    time_ns  when that was captured
-    missing  bytes that came after them in this packet and were not captured
-    """
-
-    data: bytes
-    number: int
-    time_ns: int
-    missing: int = 0
 
 
 class StreamClaim(Claim):
@@ -109,23 +92,22 @@ class StreamClaim(Claim):
             may_start = self._finder.may_start(piece.data, 0)
             may_go = may_start and (not self._has_texts or not code or accepts(MessageType(code[0])))
             stream.cutter.begin(in_step=may_go)
-        return self._counted(stream, _fed(stream, [piece]))
+        return self._counted(stream, stream.feed(piece))
 
     def _counted(self, stream: Stream, events: list[Event]) -> list[Event]:
         """Counts what is complete with a packet. Where the claim ends, what waited for more is told, too."""
-        if self.is_sure or not (events or stream.cutter.passed):
+        unread, is_good = stream.cutter.passed, False
+        if self.is_sure or not (events or unread):
             return events
-        if self.is_answered and type(events[-1] if events else None) is Record:
-            self.count(is_good=True, has_frame=True, size=0)  # nearly every packet of a dialogue
-            return events
-        if any(isinstance(event, Announcement) for event in events):
-            self.begin(is_sure=True)
-            return events
-        records = [event for event in events if isinstance(event, Record)]
-        self.is_answered = self.is_answered or any(map(answers, records))
-        is_good = not self.is_answered and any(is_sensible(each.message) for each in records)
-        size = stream.cutter.passed + sum(len(event.data) for event in events if isinstance(event, Skipped))
-        self.count(is_good=is_good, has_frame=bool(records), size=size)
+        for event in events:
+            if isinstance(event, Record):
+                is_good = self.is_ours(event) or is_good
+            elif isinstance(event, Skipped):
+                unread += len(event.data)
+            else:
+                self.begin(is_sure=True)
+                return events
+        self.count(is_good=is_good, unread=unread)
         if self.is_claimed:
             return events
         self._joins = True
@@ -218,22 +200,12 @@ class StreamClaim(Claim):
         self._account.other += place
         stream.cutter.accepts = self._goes_out if side is self.to_brick else self._comes_back
         stream.cutter.begin(in_step=True)
-        return self._counted(stream, _fed(stream, _after(pieces, place)))
+        return self._counted(stream, [event for piece in _after(pieces, place) for event in stream.feed(piece)])
 
 
 def _side(stream: Stream) -> Direction:
     assert stream.route.direction is not None
     return stream.route.direction
-
-
-def _fed(stream: Stream, pieces: list[Piece]) -> list[Event]:
-    """What is complete with some pieces of a direction."""
-    events: list[Event] = []
-    for data, number, time_ns, missing in pieces:
-        events += stream.feed(data, number, time_ns)
-        if missing:
-            events += stream.cut_off(missing)
-    return events
 
 
 def _starts(pieces: list[Piece]) -> set[int]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from typing import NamedTuple
 
 from ev3proto.bounded import Budget
 from ev3proto.capture.byte_account import Account
@@ -18,6 +19,21 @@ from ev3proto.schema.header import HEADER_SIZE, frame_size
 
 TOO_MUCH = "the rest of the frame was no longer waited for: too much waits"
 """Why bytes are given up where too much waits in the capture."""
+
+
+class Piece(NamedTuple):
+    """Bytes of a stream.
+
+    data     the bytes
+    number   the packet they came in
+    time_ns  when that was captured
+    missing  bytes that came after them in this packet and were not captured
+    """
+
+    data: bytes
+    number: int
+    time_ns: int
+    missing: int = 0
 
 
 class Context:
@@ -65,20 +81,17 @@ class Stream:
         self.route = route
         self.packet = packet
 
-    def feed(self, data: bytes, number: int, time_ns: int) -> list[Event]:
-        """The events that are complete with the next bytes, and the packet in which they came."""
-        if self.cutter.takes_whole(data):
+    def feed(self, piece: Piece) -> list[Event]:
+        """The events that are complete with the next bytes."""
+        data, number, time_ns, missing = piece
+        if not missing and self.cutter.takes_whole(data):
             # Nearly every packet has one frame and nothing else: no pieces, no waiting.
             self._account.frames += len(data)
             return [self._conversation.record(data, (number,), time_ns, self.route)]
-        times = self.times
-        times[number] = time_ns
-        pieces = self.cutter.feed(data, number)
-        if not pieces:
-            return []
-        events = self._events(pieces)
-        self.times = {number: times[number] for number in self.cutter.waiting}
-        return events
+        self.times[number] = time_ns
+        events = self._events(self.cutter.feed(data, number))
+        self.times = {number: self.times[number] for number in self.cutter.waiting}
+        return events + self._cut_off(missing) if missing else events
 
     @property
     def size(self) -> int:
@@ -91,7 +104,7 @@ class Stream:
         self.times.clear()
         return events
 
-    def cut_off(self, missing: int) -> list[Event]:
+    def _cut_off(self, missing: int) -> list[Event]:
         """Says that of the newest packet so many bytes were not captured. A frame that is cut says so by itself."""
         left = self.cutter.left
         lacking = frame_size(left) - len(left) if len(left) >= HEADER_SIZE else 0

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from ev3proto.capture.carriers.bluetooth.adapters import Bluetooth, Carried, Closed
-from ev3proto.capture.carriers.claims import Piece, StreamClaim
-from ev3proto.capture.carriers.streams import Context, Stream
+from ev3proto.capture.carriers.claims import StreamClaim
+from ev3proto.capture.carriers.streams import Context, Piece, Stream
 from ev3proto.capture.conversation import Conversation
 from ev3proto.capture.framing import Cutter
 from ev3proto.capture.packets import Packet

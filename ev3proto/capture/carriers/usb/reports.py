@@ -7,10 +7,10 @@ from collections.abc import Iterable
 from ev3proto.bounded import Bounded
 from ev3proto.capture.carriers.streams import Context
 from ev3proto.capture.carriers.usb.requests import IN, INTERRUPT, Urb, urb
-from ev3proto.capture.claims import Claim, answers, is_plausible, is_sensible
+from ev3proto.capture.claims import Claim, is_plausible, is_sensible
 from ev3proto.capture.conversation import Conversation
 from ev3proto.capture.packets import Packet
-from ev3proto.capture.record import HOST, Direction, Event, Record, Route, Skipped
+from ev3proto.capture.record import HOST, Direction, Event, Route, Skipped
 from ev3proto.schema.header import HEADER_SIZE, frame_size, is_frame_size
 from ev3proto.tables import system
 from ev3proto.tables.carriers import USB_PRODUCTS, Carrier
@@ -77,8 +77,8 @@ class Reports:
             record.note = OVERWRITTEN
             return (record,)
         record = conversation.record(frame, (packet.number,), packet.time_ns, route)
-        if claim is not None:
-            self._count(claim, record)
+        if claim is not None and claim.is_claimed:
+            claim.count(is_good=claim.is_ours(record))
         return (record,)
 
     def end(self) -> Iterable[Event]:
@@ -108,25 +108,18 @@ class Reports:
         member = _TYPES.get(frame[HEADER_SIZE - 1]) if is_whole else None
         is_big = reported == _BIG_REPORT
         if member is None or not (is_big or member.carries == "daisy"):
-            claim.count(is_good=False, has_frame=False, size=len(found.data))
+            claim.count(is_good=False, unread=len(found.data))
             return False
         message = self._context.schema.read_frame(frame, strict=False)
         # Bricks in a chain send commands both ways. They are no computers, whose reports are larger.
         if not is_big or _is_overwritten(frame, is_from_host):
             return is_sensible(message)
         if member.is_command != is_from_host:
-            claim.count(is_good=False, has_frame=False, size=len(found.data))
+            claim.count(is_good=False, unread=len(found.data))
             return False
         if not claim.is_claimed and is_plausible(message, self._context.schema):
             claim.begin()
         return claim.is_claimed
-
-    def _count(self, claim: Claim, record: Record) -> None:
-        """Counts a report that is taken."""
-        if not claim.is_claimed:
-            return
-        claim.is_answered = claim.is_answered or answers(record)
-        claim.count(is_good=is_sensible(record.message), has_frame=True, size=0)
 
 
 def _is_overwritten(frame: bytes, is_from_host: bool) -> bool:

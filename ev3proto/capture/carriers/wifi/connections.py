@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from ev3proto.bounded import Bounded
-from ev3proto.capture.carriers.claims import Piece, StreamClaim
-from ev3proto.capture.carriers.streams import Context, Stream
+from ev3proto.capture.carriers.claims import StreamClaim
+from ev3proto.capture.carriers.streams import Context, Piece, Stream
 from ev3proto.capture.carriers.wifi import layers
 from ev3proto.capture.carriers.wifi.fragments import Fragment, Fragments
 from ev3proto.capture.carriers.wifi.internet import (
@@ -28,7 +28,7 @@ from ev3proto.capture.carriers.wifi.internet import (
     target_port,
     usual_transport,
 )
-from ev3proto.capture.carriers.wifi.tcp import Hole, Late, Reassembly, Segment
+from ev3proto.capture.carriers.wifi.tcp import Hole, Late, Reassembly
 from ev3proto.capture.carriers.wifi.ways import (
     frame_goes_to_brick,
     may_come_from_brick,
@@ -227,11 +227,12 @@ class Connections:
         missing = _missing(packet) if len(packet.data) < packet.size else 0
         if data:
             stream.packet = packet
-            if reassembly.takes_next(sequence, len(data) + missing):
-                events = half.claim.feed(stream, Piece(data, packet.number, packet.time_ns, missing))
+            piece = Piece(data, packet.number, packet.time_ns, missing)
+            if reassembly.takes_next(sequence, piece):
+                events = half.claim.feed(stream, piece)
                 is_waiting = not half.claim.is_claimed or bool(stream.times)
             else:
-                events = self._given(half, reassembly.add(sequence, data, packet.number, packet.time_ns, missing))
+                events = self._given(half, reassembly.add(sequence, piece))
                 is_waiting = True
         if is_waiting or half.size:
             self._weigh(half)
@@ -261,7 +262,7 @@ class Connections:
         self._weigh(back)
         return events
 
-    def _given(self, half: _Half, pieces: list[Segment | Hole | Late]) -> list[Event]:
+    def _given(self, half: _Half, pieces: list[Piece | Hole | Late]) -> list[Event]:
         """The events in what the reassembly gave; what it found to be repeated meanwhile stands in the account."""
         repeated = half.reassembly.repeated
         self._account.repeated += repeated - half.repeated
@@ -270,13 +271,12 @@ class Connections:
             return self._piece(half, pieces[0])
         return [event for piece in pieces for event in self._piece(half, piece)]
 
-    def _piece(self, half: _Half, piece: Segment | Hole | Late) -> list[Event]:
+    def _piece(self, half: _Half, piece: Piece | Hole | Late) -> list[Event]:
         stream, claim = half.stream, half.claim
-        if type(piece) is Segment:
-            return claim.feed(stream, Piece(*piece[1:]))
-        if type(piece) is Hole:
+        if isinstance(piece, Piece):
+            return claim.feed(stream, piece)
+        if isinstance(piece, Hole):
             return claim.leave_hole(stream, piece.missing)
-        assert type(piece) is Late
         reason = f"{counted(len(piece.data), 'byte')} came too late to be put in order"
         return claim.take(stream.skip(piece.data, reason))
 

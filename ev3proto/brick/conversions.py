@@ -24,6 +24,12 @@ def wrap16(value: int) -> int:
     return (value + 0x8000 & 0xFFFF) - 0x8000
 
 
+def quotient(dividend: int, divisor: int) -> int:
+    """A division as in C: towards zero. The divisor is not 0."""
+    result = abs(dividend) // abs(divisor)
+    return result if (dividend < 0) == (divisor < 0) else -result
+
+
 def single(value: float) -> float:
     """The nearest single to a number; infinity beyond their range."""
     try:

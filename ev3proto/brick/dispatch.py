@@ -9,6 +9,8 @@ from typing import Any
 import ev3proto.brick.operations  # noqa: F401 - registers the handlers
 from ev3proto.brick.handlers import HANDLERS, UNKNOWN_COMMANDS, Dispatch, Entry, Family, Function, Handler
 from ev3proto.brick.machine import Machine
+from ev3proto.brick.operations.without_effect import fail
+from ev3proto.brick.places import WRITERS
 from ev3proto.tables import operations
 from ev3proto.tables.declaration import Declaration, Direction, Parameter, Type
 
@@ -28,9 +30,10 @@ def dispatch_table(dialect: str) -> Dispatch:
             unknown[number] = UNKNOWN_COMMANDS.get(declaration.opcode.name)
         handler = HANDLERS.get(name)
         if handler is None:
-            entry = Entry(_missing, None)
+            entry = Entry(fail, None)
         else:
-            entry = Entry(handler.function, None if handler.raw else _readers(declaration, handler))
+            function = _computing(declaration, handler.function) if handler.computes else handler.function
+            entry = Entry(function, None if handler.raw else _readers(declaration, handler))
         if declaration.command is None:
             plain[number] = entry
         else:
@@ -40,9 +43,19 @@ def dispatch_table(dialect: str) -> Dispatch:
     )
 
 
-def _missing(vm: Machine) -> None:
-    """What an operation without a handler does."""
-    vm.fail()
+def _computing(declaration: Declaration, function: Function) -> Function:
+    """A handler that writes what a function of the inputs returns to the outputs, which follow the inputs."""
+    writers = [WRITERS[each.type] for each in declaration.parameters if each.is_output]
+    count = len(declaration.parameters) - len(writers)
+
+    def compute(vm: Machine, *parameters: Any) -> None:
+        found = function(vm, *parameters[:count])
+        if writers:
+            values = found if isinstance(found, tuple) else (found,)
+            for write, place, value in zip(writers, parameters[count:], values, strict=True):
+                write(place, value)
+
+    return compute
 
 
 def _readers(declaration: Declaration, handler: Handler) -> tuple[Reader, ...]:

@@ -59,10 +59,6 @@ class Equipment:
         self.inputs = Inputs(self.outputs)
         self.parts: list[Part] = [self.display, self.buttons, self.panel, self.sound, self.outputs, self.inputs]
 
-    def used_kilobytes(self) -> int:
-        """KB of the flash memory that users' files take."""
-        return -(-self.files.used // 1024)
-
     def program_started(self, program: Program) -> None:
         """What happens when a program, no direct command, has been started."""
         for part in self.parts:

@@ -30,6 +30,11 @@ def fixed(value: float, decimals: int) -> str:
     return f"{value:.{decimals if decimals >= 0 else 6}f}"
 
 
+def padded(text: str, figures: int) -> str:
+    """A number's text filled up with blanks to some figures: on the left, or on the right for a negative number."""
+    return text.rjust(figures) if figures >= 0 else text.ljust(-figures)
+
+
 def formatted(pattern: bytes, value: int | float) -> bytes:
     """One number in a format of C's printf.
 

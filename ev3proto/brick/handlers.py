@@ -1,4 +1,4 @@
-"""The register of handlers: which function does which operation. Handlers are registered by name, never by number.
+"""The register of handlers: which function executes which operation. Handlers are registered by name, never by number.
 
 How to add one. Write a function in a file of `ev3proto.brick.operations` (and import a new file in that package's
 `__init__`):
@@ -7,7 +7,7 @@ How to add one. Write a function in a file of `ev3proto.brick.operations` (and i
     def add(vm: Machine, first: bytes, second: bytes, destination: Place) -> None:
         vm.write_text(destination, first + second)
 
-The machine reads the parameters as the tables declare them and hands them over in their order:
+The machine reads the parameters as the tables declare them and passes them in their order:
 
     an input number     DATA8, DATA16, DATA32 and handles as int, DATAF as float
     an input text       bytes, without the zero
@@ -18,14 +18,18 @@ The machine reads the parameters as the tables declare them and hands them over 
 `@handles("WRITE8", places=("DESTINATION",))` asks for the place of a parameter that would be a number or a text.
 `@handles("JR", raw=True)` asks for nothing: the function reads its parameters itself (`vm.int8()`, `vm.place()`, ...).
 
+Where all outputs are numbers, a function of the inputs is enough: what it returns, one number or a tuple of them, is
+written to the outputs. One line registers it:
+
+    computes({"STRINGS.COMPARE": lambda vm, first, second: first == second})
+
 A handler raises `Busy` to be called again at the program's next turn, with its parameters read anew, and `Failure`
-to end the program (a direct command is answered with DIRECT_REPLY_ERROR). What it returns does not matter.
+to end the program (a direct command is answered with DIRECT_REPLY_ERROR). `vm.brick` is the brick with display,
+inputs, files; `vm.program` the running program; `vm.milliseconds` the clock.
 
-`vm.brick` is the brick with display, inputs, files; `vm.program` the program that runs; `vm.milliseconds` the clock.
-
-An opcode whose CMD is not known does nothing, and what were its parameters is executed as operations, as the firmware
-does. Where the firmware does something else, a function registered by `@handles_unknown("FILE")` does it. An operation
-without a handler fails, as those do that the firmware's tables have and its machine has not:
+An opcode with an unknown CMD does nothing, and its intended parameters are executed as operations, as in the firmware.
+Where the firmware does something else, a function registered by `@handles_unknown("FILE")` does it. An operation
+without a handler fails, as those do that are in the firmware's tables but not in its machine:
 `ev3proto.brick.dispatch.coverage` lists them.
 """
 
@@ -41,16 +45,18 @@ Function = Callable[..., Any]
 
 
 class Handler(NamedTuple):
-    """A function that does an operation.
+    """The implementation of one operation.
 
     function  called with the machine and the parameters
     places    names of the inputs that it gets as places
     raw       it reads its parameters itself
+    computes  it gets the inputs only and returns the outputs
     """
 
     function: Function
     places: frozenset[str]
     raw: bool
+    computes: bool
 
 
 HANDLERS: dict[str, Handler] = {}
@@ -62,19 +68,27 @@ UNKNOWN_COMMANDS: dict[str, Function] = {}
 _NAMES = {name for dialect in DIALECTS for name in operations(dialect)}
 
 
-def handles(*names: str, places: tuple[str, ...] = (), raw: bool = False) -> Callable[[Function], Function]:
+def handles(
+    *names: str, places: tuple[str, ...] = (), raw: bool = False, computes: bool = False
+) -> Callable[[Function], Function]:
     """Registers a function as the handler of one or several operations. ValueError for a name that no table has."""
 
     def register(function: Function) -> Function:
         for name in names:
             if name not in _NAMES:
-                raise ValueError(f"there is no operation {name}")
+                raise ValueError(f"unknown operation {name}")
             if name in HANDLERS:
                 raise ValueError(f"{name} has a handler already")
-            HANDLERS[name] = Handler(function, frozenset(places), raw)
+            HANDLERS[name] = Handler(function, frozenset(places), raw, computes)
         return function
 
     return register
+
+
+def computes(functions: Mapping[str, Function]) -> None:
+    """Registers functions of the inputs by the names of their operations. What they return goes to the outputs."""
+    for name, function in functions.items():
+        handles(name, computes=True)(function)
 
 
 def handles_unknown(*opcodes: str) -> Callable[[Function], Function]:

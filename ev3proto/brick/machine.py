@@ -17,7 +17,7 @@ from ev3proto.brick.handles import ROOM, Array, Closable
 from ev3proto.brick.images import Image, Images, load
 from ev3proto.brick.operation_exits import Busy, Failure, Leave, NoOperation, Sleep, WildAccess
 from ev3proto.brick.places import Place
-from ev3proto.brick.running_programs import CMD_SLOT, FAIL, OK, SLOTS, STOPPED, Program, ProgramObject
+from ev3proto.brick.running_programs import CMD_SLOT, CURRENT_SLOT, FAIL, OK, SLOTS, STOPPED, Program, ProgramObject
 from ev3proto.schema.argument import ENCODINGS, SHORT_VALUES, SIZES, STRINGS
 from ev3proto.tables.declaration import Type
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL, TEXT
@@ -177,14 +177,6 @@ class Machine:
         self.brick.program_started(program)
         return True
 
-    def fail(self) -> None:
-        """Ends the running program: the operation failed."""
-        raise Failure
-
-    def wait(self) -> None:
-        """Has the operation executed again at the program's next turn."""
-        raise Busy
-
     def end_program(self, program: Program, result: int) -> None:
         """Stops a program and frees what it holds."""
         if program.status == STOPPED:
@@ -339,7 +331,9 @@ class Machine:
     # Slots and handles
 
     def program_in(self, slot: int) -> Program | None:
-        """The program that runs in a slot or ran there last; None where there is no such slot."""
+        """The program that runs in a slot or ran there last; None where there is none."""
+        if slot == CURRENT_SLOT:
+            return self.program
         return self.slots[slot] if 0 <= slot < SLOTS else None
 
     def release(self, program: Program, handle: int) -> bool:

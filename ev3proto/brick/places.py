@@ -7,6 +7,7 @@ A place is one of these and an offset. Nothing is read or written outside of it:
 from __future__ import annotations
 
 import struct
+from collections.abc import Callable
 from typing import Any
 
 from ev3proto.brick.operation_exits import WildAccess
@@ -127,28 +128,12 @@ class Place:
         if room:
             self.write_text(text[: room - 1] if room > 0 else text)
 
-    # By type
 
-    def read(self, type: Type) -> Any:
-        """The value that stands there, as one of the types with a size; of DATAF its bits are kept where it is NaN."""
-        return _READERS[type](self)
-
-    def write(self, type: Type, value: Any) -> None:
-        """Writes a value as one of the types with a size."""
-        _WRITERS[type](self, value)
-
-
-_READERS = {
-    Type.DATA8: Place.read8,
-    Type.DATA16: Place.read16,
-    Type.HANDLE: Place.read16,
-    Type.DATA32: Place.read32,
-    Type.DATAF: Place.read_float,
-}
-_WRITERS: dict[Type, Any] = {
+WRITERS: dict[Type, Callable[[Place, Any], None]] = {
     Type.DATA8: Place.write8,
     Type.DATA16: Place.write16,
     Type.HANDLE: Place.write16,
     Type.DATA32: Place.write32,
     Type.DATAF: Place.write_float,
 }
+"""How a value of each type with a size is written."""

@@ -42,7 +42,7 @@ class ProgramObject:
     """An object of a program: a thread, a subroutine, or a block that runs in its owner's memory.
 
     number        counted from 1
-    start         offset of its first operation, or of a subroutine's table of parameters
+    begin         offset of its first operation, or of a subroutine's table of parameters
     local_memory  its variables; those of its owner for a block
     local_size    bytes of them that its header asks for
     kind          thread, subcall or block
@@ -56,7 +56,7 @@ class ProgramObject:
     """
 
     number: int
-    start: int
+    begin: int
     local_memory: bytearray
     local_size: int
     kind: ObjectKind = ObjectKind.THREAD
@@ -70,8 +70,13 @@ class ProgramObject:
 
     def reset(self) -> None:
         """Back to its beginning."""
-        self.ip = self.start
+        self.ip = self.begin
         self.pending = self.triggers
+
+    def start(self) -> None:
+        """Runs from its beginning."""
+        self.reset()
+        self.status = RUNNING
 
 
 @dataclass(eq=False)
@@ -118,7 +123,7 @@ class Program:
 
     def _find_labels(self) -> dict[int, int]:
         found: dict[int, int] = {}
-        starts = sorted({entry.start for entry in self.objects.values()})
+        starts = sorted({entry.begin for entry in self.objects.values()})
         for begin, stop in zip(starts, [*starts[1:], self.end], strict=True):
             code = bytes(self.code[begin:stop])
             for offset in operation_offsets(code):

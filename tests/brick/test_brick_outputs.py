@@ -156,6 +156,6 @@ class TestMoves:
     def test_a_day_passes_at_once(self) -> None:
         motor = Motor()
         motor.plug(8, 0, 0, 0, is_held=False)
-        motor.move(50, (10**8, 10**8, 10**8), False, True, 1)
+        motor.move(50, (10**8, 10**8, 10**8), False, 1)
         motor.advance(86400.0 * 365)
         assert motor.sensor_count == 3 * 10**8

@@ -185,6 +185,11 @@ class Buttons(Part):
         """Whether a button, or any, was released; for 0 whether none was."""
         return self._flag(number, "bumped", True)
 
+    def take_click(self) -> bool:
+        """Whether a press was found since this was asked last."""
+        click, self.click = self.click, False
+        return click
+
     def axis(self, negative: str, positive: str) -> int:
         """Which of two buttons was pressed: -1, 1, or 0 for none; the positive one wins, both are forgotten."""
         result = -1 if self.short_press(BUTTONS[negative]) else 0

@@ -71,21 +71,17 @@ class Motor:
     is_running   whether START made it run for ever
     phases       what is left of a move; the first is under way
     owner        object whose move is under way; 0 without one
-    is_braked    what holds it at rest
     is_held      its values are as they were plugged in, until a command moves it
     """
 
     def __init__(self) -> None:
         self.type = TYPE.members["TYPE_NONE"]
-        self.declared_type = self.type
         self.wanted = 0
         self.polarity = 1
         self.is_running = False
-        self.is_braked = False
         self.is_held = False
         self.is_moving_by_angle = False
         self.phases: list[Phase] = []
-        self.brakes_at_end = False
         self.owner = 0
         self.partner: Motor | None = None
         self._target = 0.0
@@ -138,7 +134,7 @@ class Motor:
             speed: Percent.
             is_held: Whether it shows these values until a command moves it.
         """
-        self.stop(is_braked=False)
+        self.stop()
         self.type = type
         self.is_held = is_held
         self._held = (tacho, count, speed)
@@ -160,10 +156,9 @@ class Motor:
         """The count of the present move is 0 from here."""
         self._move_from = self._position
 
-    def stop(self, is_braked: bool) -> None:
-        """Stands still at once."""
+    def stop(self) -> None:
+        """Stops at once, whether it brakes or floats."""
         self._leave()
-        self.is_braked = is_braked
         self._speed = 0.0
 
     def _leave(self) -> None:
@@ -171,7 +166,7 @@ class Motor:
         partner, self.partner = self.partner, None
         if partner is not None:
             partner.partner = None
-            partner.stop(is_braked=False)
+            partner.stop()
         self.phases = []
         self.is_running = self.is_moving_by_angle = False
         self.owner = 0
@@ -212,14 +207,13 @@ class Motor:
         for phase in self.phases:
             phase.start, phase.end = -phase.start, -phase.end
 
-    def move(self, percent: int, amounts: Sequence[float], is_time: bool, is_braked: bool, owner: int) -> None:
+    def move(self, percent: int, amounts: Sequence[float], is_time: bool, owner: int) -> None:
         """A move with an end: ramp up, constant, ramp down.
 
         Args:
             percent: Power or speed.
             amounts: Degrees or seconds of the three phases; those of length 0 are omitted.
             is_time: Which of the two.
-            is_braked: Whether it brakes at the end.
             owner: Object that began it.
         """
         goal = max(-_MOST, min(percent, _MOST)) * self.polarity
@@ -227,18 +221,16 @@ class Motor:
         speeds = ((self._speed, goal), (goal, goal), (goal, 0.0))
         self._follow(
             [Phase(abs(amount), is_time, *ends) for amount, ends in zip(amounts, speeds, strict=True) if amount],
-            is_braked,
             owner,
             is_angle=not is_time,
         )
 
-    def _follow(self, phases: list[Phase], is_braked: bool, owner: int, *, is_angle: bool) -> None:
+    def _follow(self, phases: list[Phase], owner: int, *, is_angle: bool) -> None:
         self.phases = phases
-        self.brakes_at_end = is_braked
         self.is_moving_by_angle = is_angle
         self.owner = owner
         if not phases:
-            self.stop(is_braked)
+            self.stop()
 
     def follow_together(self, other: Motor, share: float, percent: int, phase: Phase | None, owner: int) -> None:
         """A synchronous move: this motor is the master, the other one runs at a share of its speed.
@@ -260,7 +252,7 @@ class Motor:
                 continue
             amount = phase.amount if phase.is_time else phase.amount * abs(part)
             own = Phase(amount, phase.is_time or not amount, speed, speed)
-            motor._follow([own], motor.brakes_at_end, owner, is_angle=not phase.is_time)
+            motor._follow([own], owner, is_angle=not phase.is_time)
         self.partner, other.partner = other, self
 
     # Time
@@ -325,7 +317,6 @@ class Motor:
     def _end_move(self) -> None:
         """Stands still, its count kept. The other motor of a synchronous move comes to its own end by itself."""
         self.owner = 0
-        self.is_braked = self.brakes_at_end
         self._target = self._speed = 0.0
         partner, self.partner = self.partner, None
         if partner is not None:
@@ -370,7 +361,7 @@ class Outputs(Part):
     def stop_all(self) -> None:
         """All float, with polarity 1 again."""
         for motor in self.motors:
-            motor.stop(is_braked=False)
+            motor.stop()
             motor.polarity = 1
 
     def advance(self, microseconds: int) -> None:

@@ -17,7 +17,7 @@ _ORANGE = {
 _BUSY = WARNING.members["WARNING_BUSY"]
 _BATTERY_LOW = WARNING.members["WARNING_BATTLOW"]
 _EMPTY, _SPAN = 6200, 1300
-_EMPTY_PACK, _SPAN_PACK = 7100, 400
+"""Millivolts of six empty cells, and from there to full ones."""
 _SHOWN = (WARNING.end[1] if WARNING.end else 0) | _BATTERY_LOW
 
 
@@ -35,26 +35,17 @@ class Versions:
 
 @dataclass
 class Battery:
-    """Six good cells, or the rechargeable pack, that do not run down."""
+    """Six good cells, which do not run down."""
 
     voltage: float = 7.5
     """Volt."""
     current: float = 0.2
     """Ampere."""
-    motor_current: float = 0.0
-    """Ampere; sold bricks do not measure it."""
-    integrated: float = 0.0
-    """Ampere seconds."""
-    warming: float = 0.0
-    """Degrees above the start."""
-    is_pack: bool = False
-    """Whether it is the rechargeable pack."""
 
     @property
     def percent(self) -> int:
         """How full it is, 0 to 100."""
-        empty, span = (_EMPTY_PACK, _SPAN_PACK) if self.is_pack else (_EMPTY, _SPAN)
-        return max(0, min(100, int((self.voltage * 1000 - empty) * 100 / span)))
+        return max(0, min(100, int((self.voltage * 1000 - _EMPTY) * 100 / _SPAN)))
 
 
 @dataclass
@@ -67,8 +58,6 @@ class Panel(Part):
     """The light's pattern as it was set."""
     warnings: int = 0
     """Bits of WARNING."""
-    event: int = 0
-    wants_shutdown: int = 0
     address: bytes = b""
     """IP address of the cable's network interface."""
 

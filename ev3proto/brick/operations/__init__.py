@@ -1,9 +1,9 @@
-"""What every operation does, one function an operation, in files by the firmware's areas.
+"""The operations, one function each, in files by the firmware's areas.
 
-Importing this package registers them all. A new file is imported here.
+Importing this package registers all of them. A new file is imported here.
 """
 
-from ev3proto.brick.operations import (
+from ev3proto.brick.operations import (  # noqa: F401 - registers the handlers
     arrays,
     branch,
     buttons,
@@ -28,31 +28,5 @@ from ev3proto.brick.operations import (
     sound,
     strings,
     timers,
+    without_effect,
 )
-
-__all__ = [
-    "arrays",
-    "branch",
-    "buttons",
-    "com",
-    "compare",
-    "dialogues",
-    "drawing",
-    "factory_tests",
-    "filenames",
-    "files",
-    "info",
-    "inputs",
-    "interface",
-    "logs",
-    "mailboxes",
-    "math",
-    "memory",
-    "move",
-    "outputs",
-    "ports",
-    "programs",
-    "sound",
-    "strings",
-    "timers",
-]

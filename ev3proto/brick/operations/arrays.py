@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from ev3proto.brick.handlers import handles, handles_unknown
+from ev3proto.brick.handlers import computes, handles
 from ev3proto.brick.handles import NO_HANDLE, Array
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.operation_exits import Busy, Failure
 from ev3proto.brick.places import Place
-from ev3proto.brick.running_programs import CURRENT_SLOT, Program
 from ev3proto.tables.declaration import Type
 from ev3proto.tables.move import SIZES
 
@@ -22,12 +21,10 @@ def _array(vm: Machine, handle: int) -> Array:
     return array
 
 
-def _program(vm: Machine, slot: int) -> Program:
-    """The program of a slot; Failure where there is none."""
-    program = vm.program if slot == CURRENT_SLOT else vm.program_in(slot)
-    if program is None:
-        raise Failure
-    return program
+def _array_of(vm: Machine, slot: int, handle: int) -> Array | None:
+    """The array of a handle in a slot; None where there is none."""
+    program = vm.program_in(slot)
+    return None if program is None else program.handles.get(handle, Array)
 
 
 def _resize(vm: Machine, array: Array, elements: int) -> None:
@@ -36,15 +33,9 @@ def _resize(vm: Machine, array: Array, elements: int) -> None:
 
 
 def _put(array: Array, offset: int, data: bytes) -> None:
-    """Writes what is within the array: the firmware writes over what lies after it."""
+    """Writes what is within the array, where the firmware overwrites the memory behind it."""
     data = data[: max(0, len(array.data) - offset)]
     array.data[offset : offset + len(data)] = data
-
-
-@handles_unknown("ARRAY")
-def unknown(vm: Machine) -> None:
-    """The firmware executes it again and again, for ever."""
-    vm.wait()
 
 
 def _create(kind: Type) -> Callable[[Machine, int, Place], None]:
@@ -86,21 +77,15 @@ for _suffix, _kind, _ in SIZES:
     handles(f"ARRAY.INIT{_suffix}", raw=True)(_init(_kind))
 
 
-@handles("ARRAY.DELETE", "ARRAY.DESTROY")
-def delete(vm: Machine, handle: int) -> None:
-    """No failure where there is none."""
-    vm.release(vm.program, handle)
-
-
 @handles("ARRAY.RESIZE")
 def resize(vm: Machine, handle: int, elements: int) -> None:
-    """The contents are kept as far as they fit."""
+    """Resizes an array; the contents are kept as far as they fit."""
     _resize(vm, _array(vm, handle), elements)
 
 
 @handles("ARRAY.FILL")
 def fill(vm: Machine, handle: int, value: Place) -> None:
-    """All elements. Without such an array the firmware tries again and again, for ever."""
+    """Sets all elements. Without such an array it waits for ever, as the firmware does."""
     array = vm.program.handles.get(handle, Array)
     if array is None:
         raise Busy
@@ -109,7 +94,7 @@ def fill(vm: Machine, handle: int, value: Place) -> None:
 
 @handles("ARRAY.COPY")
 def copy(vm: Machine, source: int, destination: int) -> None:
-    """The destination, of the same type, takes the source's size."""
+    """Copies an array into another one of the same type, which gets its size."""
     origin, target = _array(vm, source), _array(vm, destination)
     if origin.type is not target.type:
         raise Failure
@@ -117,25 +102,34 @@ def copy(vm: Machine, source: int, destination: int) -> None:
     target.data[:] = origin.data
 
 
-@handles("ARRAY.SIZE", "ARRAY.SET_SIZE")
-def size(vm: Machine, handle: int, elements: Place) -> None:
-    """In elements; 0 where there is none."""
+def _elements(vm: Machine, handle: int) -> int:
+    """The size of an array in elements; 0 where there is none."""
     array = vm.program.handles.get(handle, Array)
-    elements.write32(array.elements if array is not None else 0)
+    return 0 if array is None else array.elements
 
 
-@handles("ARRAY.READ_SIZE")
-def read_size(vm: Machine, slot: int, handle: int, size: Place) -> None:
-    """In bytes; 0 where there is none."""
-    program = vm.program if slot == CURRENT_SLOT else vm.program_in(slot)
-    array = program.handles.get(handle, Array) if program is not None else None
-    size.write32(len(array.data) if array is not None else 0)
+def _bytes(vm: Machine, slot: int, handle: int) -> int:
+    """The size of an array in bytes; 0 where there is none."""
+    array = _array_of(vm, slot, handle)
+    return 0 if array is None else len(array.data)
+
+
+computes(
+    {
+        "ARRAY.SIZE": _elements,
+        "ARRAY.SET_SIZE": _elements,
+        "ARRAY.READ_SIZE": _bytes,
+        # No failure where there is none.
+        "ARRAY.DELETE": lambda vm, handle: vm.release(vm.program, handle),
+        "ARRAY.DESTROY": lambda vm, handle: vm.release(vm.program, handle),
+    }
+)
 
 
 @handles("ARRAY.READ_CONTENT")
 def read_content(vm: Machine, slot: int, handle: int, index: int, count: int, destination: Place) -> None:
-    """Bytes from a byte on, zeros after the end."""
-    array = _program(vm, slot).handles.get(handle, Array)
+    """Reads bytes from an index on, zeros after the end."""
+    array = _array_of(vm, slot, handle)
     if array is None or index < 0 or (count >= 0 and not vm.resize(destination, count)):
         raise Failure
     if count > 0:
@@ -145,8 +139,8 @@ def read_content(vm: Machine, slot: int, handle: int, index: int, count: int, de
 
 @handles("ARRAY.WRITE_CONTENT")
 def write_content(vm: Machine, slot: int, handle: int, index: int, count: int, source: Place) -> None:
-    """Bytes from a byte on; the array ends with them, rounded up to whole elements."""
-    array = _program(vm, slot).handles.get(handle, Array)
+    """Writes bytes from an index on; the array ends with them, rounded up to whole elements."""
+    array = _array_of(vm, slot, handle)
     if array is None or index < 0 or count < 0:
         raise Failure
     data = source.read_bytes(count)
@@ -156,7 +150,7 @@ def write_content(vm: Machine, slot: int, handle: int, index: int, count: int, s
 
 @handles("ARRAY_WRITE")
 def write_element(vm: Machine, handle: int, index: int, value: Place) -> None:
-    """The array grows where needed."""
+    """Writes an element; the array grows where needed."""
     array = _array(vm, handle)
     if index < 0:
         raise Failure
@@ -168,7 +162,7 @@ def write_element(vm: Machine, handle: int, index: int, value: Place) -> None:
 
 @handles("ARRAY_READ")
 def read_element(vm: Machine, handle: int, index: int, value: Place) -> None:
-    """The array's type is the value's."""
+    """Reads an element, in the array's type."""
     array = _array(vm, handle)
     if not 0 <= index < array.elements:
         raise Failure
@@ -178,7 +172,7 @@ def read_element(vm: Machine, handle: int, index: int, value: Place) -> None:
 
 @handles("ARRAY_APPEND")
 def append(vm: Machine, handle: int, value: Place) -> None:
-    """After the last element."""
+    """Appends an element."""
     array = _array(vm, handle)
     data = value.read_bytes(array.type.size)
     end = len(array.data)

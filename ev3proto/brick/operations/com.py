@@ -1,8 +1,11 @@
-"""COM: what the brick says of its radios and its name, and what of them can be changed. There are no radios here."""
+"""COM: the brick's name and its radios, of which there are none here, and the settings of both."""
 
 from __future__ import annotations
 
-from ev3proto.brick.handlers import handles, handles_unknown
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from ev3proto.brick.handlers import computes, handles
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.operation_exits import Failure
 from ev3proto.brick.places import Place
@@ -14,7 +17,7 @@ from ev3proto.tables.enumerations import HWTYPE
 USB, BLUETOOTH, WIFI = (HWTYPE.members[name] for name in ("HW_USB", "HW_BT", "HW_WIFI"))
 _RADIOS = (BLUETOOTH, WIFI)
 _HARDWARE = 4
-"""Numbers of hardware, 0 among them, which is none."""
+"""Numbers of hardware, including 0, which means none."""
 
 PIN = b"1234"
 NO_NETWORK, UNKNOWN = b"NONE", b"??"
@@ -26,96 +29,57 @@ _NAME = frozenset(b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz01234567
 
 
 def _must_be(hardware: int, *allowed: int) -> None:
-    """Fails for hardware that has not got the property; what has been written stays."""
+    """Fails for hardware without the property; what was already written stays."""
     if hardware not in allowed:
         raise Failure
-
-
-@handles_unknown("COM_GET", "COM_SET")
-def unknown(_: Machine) -> None:
-    """Fails."""
-    raise Failure
-
-
-@handles("COM_READY")
-def ready(_: Machine, hardware: int, name: bytes) -> None:
-    """At once."""
-
-
-@handles("COM_TEST")
-def test(_: Machine, hardware: int, name: bytes, busy: Place) -> None:  # noqa: ARG001
-    """Never busy."""
-    busy.write8(0)
-
-
-@handles("COM_REMOVE", "COM_WRITEFILE")
-def nothing(_: Machine, *__: object) -> None:
-    """There is no other device."""
 
 
 # COM_GET
 
 
-@handles("COM_GET.GET_ON_OFF")
-def get_on_off(vm: Machine, hardware: int, active: Place) -> None:
-    """Of Bluetooth and WiFi; others are off, and it fails."""
-    settings = vm.brick.settings
-    active.write8({BLUETOOTH: settings.bluetooth, WIFI: settings.wifi}.get(hardware, False))
-    if hardware not in _RADIOS:
-        raise Failure
+def _reports(name: str, value: Callable[[Machine, int], int], *allowed: int) -> None:
+    """Registers a command that writes a number for any hardware, and then fails for all but some."""
+
+    @handles(f"COM_GET.{name}")
+    def report(vm: Machine, hardware: int, *rest: Any) -> None:
+        rest[-1].write8(value(vm, hardware))
+        _must_be(hardware, *allowed)
 
 
-@handles("COM_GET.GET_VISIBLE")
-def get_visible(vm: Machine, hardware: int, visible: Place) -> None:
-    """Of Bluetooth, whichever hardware is meant."""
+_reports("GET_ON_OFF", lambda vm, hardware: bool(_radio(vm, hardware)), *_RADIOS)
+_reports("GET_MODE2", lambda vm, hardware: hardware == BLUETOOTH and vm.brick.settings.mode2, BLUETOOTH)
+# Nothing is in progress, found, paired, connected or encrypted.
+_reports("GET_RESULT", lambda *_: OK, *_RADIOS)
+_reports("SEARCH_ITEMS", lambda *_: 0, *_RADIOS)
+_reports("FAVOUR_ITEMS", lambda *_: 0, BLUETOOTH)
+_reports("CONNEC_ITEMS", lambda *_: 0, USB, *_RADIOS)
+_reports("GET_ENCRYPT", lambda *_: 0, WIFI)
+
+computes({"COM_GET.GET_PRESENT": lambda _, hardware: hardware in (USB, BLUETOOTH)})
+
+
+def _radio(vm: Machine, hardware: int) -> bool | None:
+    """Whether a radio is on; None for other hardware."""
+    return {BLUETOOTH: vm.brick.settings.bluetooth, WIFI: vm.brick.settings.wifi}.get(hardware)
+
+
+@handles("COM_GET.GET_VISIBLE", computes=True)
+def get_visible(vm: Machine, hardware: int) -> bool:
+    """Returns the visibility of Bluetooth, for any hardware that exists."""
     if hardware >= _HARDWARE:
         raise Failure
-    visible.write8(vm.brick.settings.visible)
-
-
-@handles("COM_GET.GET_RESULT")
-def get_result(_: Machine, hardware: int, item: int, result: Place) -> None:  # noqa: ARG001
-    """Nothing is under way."""
-    result.write8(OK)
-    _must_be(hardware, *_RADIOS)
+    return vm.brick.settings.visible
 
 
 @handles("COM_GET.GET_PIN")
 def get_pin(vm: Machine, hardware: int, name: bytes, length: int, pin: Place) -> None:  # noqa: ARG001
-    """Always the same."""
+    """Writes the PIN that every brick is delivered with."""
     vm.write_limited(pin, PIN, length)
-
-
-@handles("COM_GET.LIST_STATE")
-def list_state(_: Machine, hardware: int, state: Place) -> None:  # noqa: ARG001
-    """No list ever changes."""
-    state.write16(0)
-
-
-@handles("COM_GET.SEARCH_ITEMS")
-def count_found(_: Machine, hardware: int, items: Place) -> None:
-    """None."""
-    items.write8(0)
-    _must_be(hardware, *_RADIOS)
-
-
-@handles("COM_GET.FAVOUR_ITEMS")
-def count_favourites(_: Machine, hardware: int, items: Place) -> None:
-    """None; only Bluetooth has some."""
-    items.write8(0)
-    _must_be(hardware, BLUETOOTH)
-
-
-@handles("COM_GET.CONNEC_ITEMS")
-def count_connections(_: Machine, hardware: int, items: Place) -> None:
-    """None."""
-    items.write8(0)
-    _must_be(hardware, USB, *_RADIOS)
 
 
 @handles("COM_GET.SEARCH_ITEM", "COM_GET.FAVOUR_ITEM", "COM_GET.CONNEC_ITEM")
 def describe_item(vm: Machine, hardware: int, item: int, length: int, name: Place, *flags: Place) -> None:  # noqa: ARG001
-    """There is none: no name, nothing that holds."""
+    """Writes an empty name and zeros: no list has an item."""
     vm.write_limited(name, b"", length)
     for flag in flags:
         flag.write8(0)
@@ -123,24 +87,16 @@ def describe_item(vm: Machine, hardware: int, item: int, length: int, name: Plac
 
 @handles("COM_GET.GET_INCOMING")
 def get_incoming(vm: Machine, hardware: int, length: int, name: Place, kind: Place) -> None:
-    """Nobody asks for a connection."""
+    """Writes an empty name and a zero: no device asks for a connection."""
     _must_be(hardware, BLUETOOTH)
     _write(vm, name, b"", length)
     kind.write8(0)
 
 
-@handles("COM_GET.GET_ENCRYPT")
-def get_encryption(_: Machine, hardware: int, item: int, kind: Place) -> None:  # noqa: ARG001 - there is no item
-    """None; only of WiFi."""
-    kind.write8(0)
-    _must_be(hardware, WIFI)
-
-
 @handles("COM_GET.GET_ID")
 def get_id(vm: Machine, hardware: int, length: int, destination: Place) -> None:
-    """Bluetooth's address, filled up with zeros; no zero follows where there is no room for one."""
-    if hardware != BLUETOOTH:
-        raise Failure
+    """Writes Bluetooth's address, filled up with zeros; no zero follows where there is no room for one."""
+    _must_be(hardware, BLUETOOTH)
     address = vm.brick.settings.bluetooth_address.encode(STRING_CODING)
     if length < 0:
         length = len(address) + 1
@@ -150,14 +106,14 @@ def get_id(vm: Machine, hardware: int, length: int, destination: Place) -> None:
 
 @handles("COM_GET.GET_BRICKNAME")
 def get_brick_name(vm: Machine, length: int, name: Place) -> None:
-    """Cut to what there is room for."""
+    """Writes the name, cut to the room for it."""
     _write(vm, name, vm.brick.settings.name.encode(STRING_CODING), length)
 
 
 def _room(vm: Machine, place: Place, length: int) -> int | None:
     """Makes an array as long as was asked for, or as the longest name for -1.
 
-    Returns the room that there is; None where there is no such array.
+    Returns the room; None where there is no such array.
     """
     if place.handle >= 0 and length == -1:
         length = int(CONSTANTS["BRICKNAMESIZE"])
@@ -171,36 +127,18 @@ def _write(vm: Machine, place: Place, text: bytes, length: int) -> None:
 
 
 @handles("COM_GET.GET_NETWORK")
-def get_network(vm: Machine, hardware: int, length: int, name: Place, mac: Place, ip: Place) -> None:
-    """Of WiFi; nothing is written for others."""
-    places = (name, mac, ip)
+def get_network(vm: Machine, hardware: int, length: int, *places: Place) -> None:
+    """Writes name, MAC and IP address of WiFi; nothing for other hardware."""
     rooms = [_room(vm, place, length) for place in places]
-    if hardware != WIFI or None in rooms:
+    if hardware != WIFI or rooms[0] is None or None in rooms:
         return
     settings = vm.brick.settings
     is_connected = settings.wifi and settings.network is not None
-    texts = (
-        settings.network.encode(STRING_CODING) if is_connected and settings.network else NO_NETWORK,
-        settings.mac.encode(STRING_CODING) if settings.wifi else UNKNOWN,
-        settings.ip.encode(STRING_CODING) if is_connected and settings.ip else UNKNOWN,
-    )
-    name.write_cut(texts[0], length if rooms[0] is None else rooms[0])
+    name = settings.network.encode(STRING_CODING) if is_connected and settings.network else NO_NETWORK
+    places[0].write_cut(name, rooms[0])
     # The firmware does not cut addresses.
-    for place, text in zip(places[1:], texts[1:], strict=True):
-        place.write_text(text)
-
-
-@handles("COM_GET.GET_PRESENT")
-def get_present(_: Machine, hardware: int, present: Place) -> None:
-    """USB and Bluetooth always are."""
-    present.write8(hardware in (USB, BLUETOOTH))
-
-
-@handles("COM_GET.GET_MODE2")
-def get_mode2(vm: Machine, hardware: int, active: Place) -> None:
-    """Of Bluetooth; of others 0, and it fails."""
-    active.write8(hardware == BLUETOOTH and vm.brick.settings.mode2)
-    _must_be(hardware, BLUETOOTH)
+    places[1].write_text(settings.mac.encode(STRING_CODING) if settings.wifi else UNKNOWN)
+    places[2].write_text(settings.ip.encode(STRING_CODING) if is_connected and settings.ip else UNKNOWN)
 
 
 # COM_SET
@@ -208,7 +146,7 @@ def get_mode2(vm: Machine, hardware: int, active: Place) -> None:
 
 @handles("COM_SET.SET_BRICKNAME", places=("NAME",))
 def set_brick_name(vm: Machine, name: Place) -> None:
-    """Other characters than letters, digits, _ and - become _ in the caller's own text, and it fails."""
+    """Sets the name. Other characters than letters, digits, _ and - become _ in the caller's own text, and it fails."""
     text = name.read_text()
     if not _NAME.issuperset(text):
         name.write_bytes(bytes(byte if byte in _NAME else ord("_") for byte in text))
@@ -218,54 +156,27 @@ def set_brick_name(vm: Machine, name: Place) -> None:
     vm.brick.settings.name = text.decode(STRING_CODING)
 
 
-@handles("COM_SET.SET_ON_OFF")
-def set_on_off(vm: Machine, hardware: int, active: int) -> None:
-    """Of Bluetooth and WiFi."""
-    if hardware == BLUETOOTH:
-        vm.brick.settings.bluetooth = active != 0
-    elif hardware == WIFI:
-        vm.brick.settings.wifi = active != 0
-    else:
-        raise Failure
+def _switches(name: str, settings: Mapping[int, str], *, fails: bool = True) -> None:
+    """Registers a command that sets a flag of some hardware; for other hardware it fails or does nothing."""
+
+    @handles(f"COM_SET.{name}")
+    def switch(vm: Machine, hardware: int, value: int) -> None:
+        if hardware in settings:
+            setattr(vm.brick.settings, settings[hardware], value != 0)
+        elif fails:
+            raise Failure
 
 
-@handles("COM_SET.SET_VISIBLE")
-def set_visible(vm: Machine, hardware: int, visible: int) -> None:
-    """Of Bluetooth; for others nothing happens."""
-    if hardware == BLUETOOTH:
-        vm.brick.settings.visible = visible != 0
+_switches("SET_ON_OFF", {BLUETOOTH: "bluetooth", WIFI: "wifi"})
+_switches("SET_VISIBLE", {BLUETOOTH: "visible"}, fails=False)
+_switches("SET_MODE2", {BLUETOOTH: "mode2"})
 
 
-@handles("COM_SET.SET_MODE2")
-def set_mode2(vm: Machine, hardware: int, active: int) -> None:
-    """Of Bluetooth."""
-    if hardware != BLUETOOTH:
-        raise Failure
-    vm.brick.settings.mode2 = active != 0
+def _accepts(allowed: tuple[int, ...], *names: str) -> None:
+    """Registers commands that are accepted for some hardware and have no effect here."""
+    handles(*(f"COM_SET.{name}" for name in names))(lambda _, hardware, *__: _must_be(hardware, *allowed))
 
 
-@handles(
-    "COM_SET.SET_SEARCH",
-    "COM_SET.SET_PIN",
-    "COM_SET.SET_CONNECTION",
-)
-def set_radio(_: Machine, hardware: int, *__: object) -> None:
-    """Accepted for the radios, of which there are none."""
-    _must_be(hardware, *_RADIOS)
-
-
-@handles("COM_SET.SET_PASSKEY")
-def set_bluetooth(_: Machine, hardware: int, *__: object) -> None:
-    """Accepted for Bluetooth."""
-    _must_be(hardware, BLUETOOTH)
-
-
-@handles(
-    "COM_SET.SET_MOVEUP",
-    "COM_SET.SET_MOVEDOWN",
-    "COM_SET.SET_ENCRYPT",
-    "COM_SET.SET_SSID",
-)
-def set_wifi(_: Machine, hardware: int, *__: object) -> None:
-    """Accepted for WiFi."""
-    _must_be(hardware, WIFI)
+_accepts(_RADIOS, "SET_SEARCH", "SET_PIN", "SET_CONNECTION")
+_accepts((BLUETOOTH,), "SET_PASSKEY")
+_accepts((WIFI,), "SET_MOVEUP", "SET_MOVEDOWN", "SET_ENCRYPT", "SET_SSID")

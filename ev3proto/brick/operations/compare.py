@@ -13,10 +13,7 @@ from ev3proto.tables.compare import SIZES
 
 
 def _compare(relation: Callable[[Any, Any], bool]) -> Callable[[Machine, float, float, Place], None]:
-    def compare(_: Machine, left: float, right: float, flag: Place) -> None:
-        flag.write8(relation(left, right))
-
-    return compare
+    return lambda _, left, right, flag: flag.write8(relation(left, right))
 
 
 def _select(size: int) -> Callable[[Machine], None]:

@@ -92,7 +92,7 @@ def notification(
         state.write8(0)
         _close(vm)
         return
-    vm.wait()
+    raise Busy
 
 
 @handles("UI_DRAW.QUESTION")
@@ -106,16 +106,22 @@ def question(
         dialog = _open(vm)
         dialog.choice = 1 if answer.read8() > 0 else 0
         dialog.show_choice(icons)
-    elif _moved(vm, dialog, "left", "right", len(icons)):
+        raise Busy
+    chosen = _chosen(vm, dialog, icons, state)
+    answer.write8(-1 if chosen is None else chosen)
+
+
+def _chosen(vm: Machine, dialog: ScreenDialog, icons: Sequence[int], state: Place) -> int | None:
+    """Which icon is chosen by enter, counted from 0; None for back. Waits for one of them."""
+    if _moved(vm, dialog, "left", "right", len(icons)):
         dialog.show_choice(icons)
-    else:
-        is_back = _pressed(vm, "back")
-        if is_back or _pressed(vm, "enter"):
-            answer.write8(-1 if is_back else dialog.choice)
-            state.write8(0)
-            _close(vm)
-            return
-    vm.wait()
+        raise Busy
+    is_back = _pressed(vm, "back")
+    if not is_back and not _pressed(vm, "enter"):
+        raise Busy
+    state.write8(0)
+    _close(vm)
+    return None if is_back or not icons else dialog.choice
 
 
 @handles("UI_DRAW.ICON_QUESTION")
@@ -125,16 +131,9 @@ def icon_question(vm: Machine, _: int, __: int, ___: int, state: Place, icons: P
     dialog = _under_way(vm, state)
     if dialog is None:
         _open(vm).show_choice(shown)
-    elif _moved(vm, dialog, "left", "right", len(shown)):
-        dialog.show_choice(shown)
-    else:
-        is_back = _pressed(vm, "back")
-        if is_back or _pressed(vm, "enter"):
-            icons.write32(0 if is_back or not shown else 1 << shown[dialog.choice])
-            state.write8(0)
-            _close(vm)
-            return
-    vm.wait()
+        raise Busy
+    chosen = _chosen(vm, dialog, shown, state)
+    icons.write32(0 if chosen is None else 1 << shown[chosen])
 
 
 @handles("UI_DRAW.KEYBOARD")
@@ -160,7 +159,7 @@ def keyboard(
         if up or down or left or right:
             dialog.type_key(up, down, left, right)
             dialog.show_input(icon, caption)
-        vm.wait()
+        raise Busy
 
 
 def _choose(vm: Machine, begins: bool, lines: Callable[[], Sequence[bytes]], box: tuple[int, int, int, int]) -> int:
@@ -174,7 +173,7 @@ def _choose(vm: Machine, begins: bool, lines: Callable[[], Sequence[bytes]], box
         dialog.show_list(*box, shown)
     is_back = _pressed(vm, "back")
     if not is_back and not _pressed(vm, "enter"):
-        vm.wait()
+        raise Busy
     _close(vm)
     return -1 if is_back or not shown else dialog.choice
 

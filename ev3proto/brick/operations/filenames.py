@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
+
 from ev3proto.brick import archives, path_names
-from ev3proto.brick.handlers import handles
+from ev3proto.brick.handlers import computes, handles
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.operations.files import checked_name, in_own_folder
 from ev3proto.brick.places import Place
@@ -25,25 +27,23 @@ def _looked_up(vm: Machine, name: bytes) -> bytes:
     return (folder + name)[:_MOST_PATH]
 
 
-@handles("FILENAME.EXIST")
-def exist(vm: Machine, name: bytes, flag: Place) -> None:
-    """As a file or a folder."""
+def _exists(vm: Machine, name: bytes) -> bool:
     path = _looked_up(vm, name)
-    files = vm.brick.files
-    flag.write8(files.is_file(path) or files.is_folder(path))
+    return vm.brick.files.is_file(path) or vm.brick.files.is_folder(path)
 
 
-@handles("FILENAME.TOTALSIZE")
-def total_size(vm: Machine, name: bytes, count: Place, size: Place) -> None:
-    """Entries of a folder, none of a file; KB, rounded up."""
+def _total_size(vm: Machine, name: bytes) -> tuple[int, int]:
+    """Entries of a folder, 0 for a file; KB, rounded up."""
     found = vm.brick.files.totals(_looked_up(vm, name))
-    count.write32(found.entries)
-    size.write32(-(-found.size // 1024))
+    return found.entries, math.ceil(found.size / 1024)
+
+
+computes({"FILENAME.EXIST": _exists, "FILENAME.TOTALSIZE": _total_size})
 
 
 @handles("FILENAME.SPLIT")
 def split(vm: Machine, path: bytes, length: int, folder: Place, name: Place, extension: Place) -> None:
-    """Each part cut to what there is room for."""
+    """Writes each part, cut to the room for it."""
     parts = path_names.split(path)
     for place, text in zip((folder, name, extension), parts, strict=True):
         _write(vm, place, text, length)
@@ -59,19 +59,19 @@ def _write(vm: Machine, place: Place, text: bytes, length: int) -> None:
 
 @handles("FILENAME.MERGE")
 def merge(vm: Machine, folder: bytes, name: bytes, extension: bytes, length: int, path: Place) -> None:
-    """A slash is always put in."""
+    """Writes a path; a slash always follows the folder."""
     _write(vm, path, (folder + b"/" + name + extension)[:_MOST_PATH], length)
 
 
 @handles("FILENAME.CHECK", places=("FILENAME",))
 def check(vm: Machine, place: Place, is_fine: Place) -> None:
-    """Forbidden characters are replaced in memory, so that it passes the next time."""
+    """Checks a name; forbidden characters are replaced in memory, so that it passes the next time."""
     is_fine.write8(checked_name(vm, place) is not None)
 
 
 @handles("FILENAME.GET_FOLDERNAME")
 def folder_name(vm: Machine, length: int, destination: Place) -> None:
-    """Without the last slash."""
+    """Writes the program's own folder, without the last slash."""
     _write(vm, destination, vm.program.folder.encode(STRING_CODING).removesuffix(b"/"), length)
 
 
@@ -82,12 +82,12 @@ def _archive(path: bytes) -> bytes:
 
 @handles("FILENAME.PACK")
 def pack(vm: Machine, path: bytes) -> None:
-    """Beside what is packed."""
+    """Writes an archive beside what is packed."""
     path = in_own_folder(vm, path)
     archives.pack(vm.brick.files, path, _archive(path))
 
 
 @handles("FILENAME.UNPACK")
 def unpack(vm: Machine, path: bytes) -> None:
-    """Into the folder that it is in."""
+    """Unpacks an archive into the folder that it is in."""
     archives.unpack(vm.brick.files, _archive(in_own_folder(vm, path)))

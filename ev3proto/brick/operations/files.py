@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from ev3proto.brick import path_names
 from ev3proto.brick.conversions import wrap8
-from ev3proto.brick.formatting import fixed, read_number
-from ev3proto.brick.handlers import handles, handles_unknown
+from ev3proto.brick.formatting import fixed, padded, read_number
+from ev3proto.brick.handlers import computes, handles
 from ev3proto.brick.handles import NO_HANDLE
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.open_files import MOST_RECENT, OpenFile
 from ev3proto.brick.operation_exits import Busy, Failure
 from ev3proto.brick.places import Place
-from ev3proto.brick.running_programs import CURRENT_SLOT, RUNNING
+from ev3proto.brick.running_programs import RUNNING
 from ev3proto.brick.text_lines import DELIMITERS
 from ev3proto.tables import paths
 from ev3proto.tables.constants import CONSTANTS
@@ -38,18 +38,6 @@ def checked_name(vm: Machine, place: Place) -> bytes | None:
 def in_own_folder(vm: Machine, name: bytes) -> bytes:
     """A name without a folder is looked up in the program's own one."""
     return name if b"/" in name else vm.program.folder.encode(STRING_CODING) + name
-
-
-@handles_unknown("FILE")
-def unknown(_: Machine) -> None:
-    """Fails."""
-    raise Failure
-
-
-@handles("FILE.GET_IMAGE", raw=True)
-def get_image(_: Machine) -> None:
-    """The firmware of 2013 has no code for it."""
-    raise Failure
 
 
 # Opening and closing
@@ -194,9 +182,7 @@ def write_text(vm: Machine, handle: int, delimiter: int, text: bytes) -> None:
 @handles("FILE.WRITE_VALUE")
 def write_value(vm: Machine, handle: int, delimiter: int, value: float, figures: int, decimals: int) -> None:
     """As text, and the delimiter."""
-    text = fixed(value, decimals)
-    text = text.rjust(figures) if figures >= 0 else text.ljust(-figures)
-    _write(vm, handle, text.encode(STRING_CODING), delimiter)
+    _write(vm, handle, padded(fixed(value, decimals), figures).encode(STRING_CODING), delimiter)
 
 
 @handles("FILE.WRITE_BYTES")
@@ -226,14 +212,6 @@ def _remove(vm: Machine, path: bytes) -> None:
     files.remove(path)
 
 
-@handles("FILE.MAKE_FOLDER")
-def make_folder(vm: Machine, path: bytes, success: Place) -> None:
-    """One slash may follow; 1 where anything of that name is there."""
-    files = vm.brick.files
-    path = path[: paths.FOLDER - 1].removesuffix(b"/")
-    success.write8(files.is_folder(path) or files.is_file(path) or files.make_folder(path))
-
-
 @handles("FILE.MOVE", places=("SOURCE", "DEST"))
 def move(vm: Machine, source: Place, target: Place) -> None:
     """Copies: the source stays. What is at the target is gone, even where there is nothing to copy."""
@@ -253,25 +231,12 @@ def _entry(vm: Machine, folder: bytes, item: int) -> bytes | None:
     return names[item - 1] if 1 <= item <= len(names) else None
 
 
-@handles("FILE.GET_FOLDERS")
-def count_entries(vm: Machine, folder: bytes, items: Place) -> None:
-    """Those that are shown."""
-    items.write8(len(vm.brick.files.shown(folder)))
-
-
 @handles("FILE.GET_SUBFOLDER_NAME")
 def entry_name(vm: Machine, folder: bytes, item: int, length: int, destination: Place) -> None:
     """Without its extension; empty where there is no such entry."""
     name = _entry(vm, folder, item) or b""
     destination.write8(0)
     destination.write_cut(name.partition(b".")[0], length)
-
-
-@handles("FILE.GET_ITEM")
-def find_entry(vm: Machine, folder: bytes, name: bytes, item: Place) -> None:
-    """0 where there is none."""
-    names = [entry.partition(b".")[0] for entry in vm.brick.files.shown(folder)]
-    item.write8(names.index(name) + 1 if name in names else 0)
 
 
 @handles("FILE.DEL_SUBFOLDER")
@@ -286,12 +251,6 @@ def delete_entry(vm: Machine, folder: bytes, item: int) -> None:
 
 
 # Recent files
-
-
-@handles("FILE.GET_CACHE_FILES")
-def count_recent(vm: Machine, items: Place) -> None:
-    """At most 10."""
-    items.write8(len(vm.brick.recent.paths))
 
 
 @handles("FILE.PUT_CACHE_FILE", places=("STRING",))
@@ -312,12 +271,6 @@ def recent_name(vm: Machine, item: int, length: int, destination: Place) -> None
     destination.write_cut(recent[item - 1] if item <= len(recent) else b"", length)
 
 
-@handles("FILE.DEL_CACHE_FILE")
-def delete_recent(vm: Machine, path: bytes) -> None:
-    """Nothing where it is not there."""
-    vm.brick.recent.forget(path)
-
-
 # Programs and memory
 
 
@@ -326,8 +279,6 @@ def load_image(vm: Machine, slot: int, place: Place, size: Place, address: Place
     """Without such a file size and address are 0; nothing is written for a name that is not allowed, or where the slot
     runs a program.
     """
-    if slot == CURRENT_SLOT:
-        slot = vm.program.slot
     running = vm.program_in(slot)
     if running is not None and running.status == RUNNING:
         return
@@ -354,17 +305,32 @@ def get_pool(vm: Machine, size: int, handle: Place, address: Place) -> None:
         raise Failure
 
 
-# What data logs are lined up by
+# What needs no more than a line
 
 
-@handles("FILE.SET_LOG_SYNC_TIME")
-def set_log_sync_time(vm: Machine, time: int, tick: int) -> None:
-    """Kept as they are."""
-    vm.brick.log_sync = (time, tick)
+def _make_folder(vm: Machine, path: bytes) -> bool:
+    """Makes a folder; one slash may follow its name. Returns whether anything of that name exists now."""
+    files = vm.brick.files
+    path = path[: paths.FOLDER - 1].removesuffix(b"/")
+    return files.is_folder(path) or files.is_file(path) or files.make_folder(path)
 
 
-@handles("FILE.GET_LOG_SYNC_TIME")
-def get_log_sync_time(vm: Machine, time: Place, tick: Place) -> None:
-    """As they were set."""
-    time.write32(vm.brick.log_sync[0])
-    tick.write32(vm.brick.log_sync[1])
+def _number_of(vm: Machine, folder: bytes, name: bytes) -> int:
+    """The number of an entry of a folder, counted from 1; 0 where there is none."""
+    names = [entry.partition(b".")[0] for entry in vm.brick.files.shown(folder)]
+    return names.index(name) + 1 if name in names else 0
+
+
+computes(
+    {
+        "FILE.MAKE_FOLDER": _make_folder,
+        "FILE.GET_FOLDERS": lambda vm, folder: len(vm.brick.files.shown(folder)),
+        "FILE.GET_ITEM": _number_of,
+        # The recent files, 10 at most.
+        "FILE.GET_CACHE_FILES": lambda vm: len(vm.brick.recent.paths),
+        "FILE.DEL_CACHE_FILE": lambda vm, path: vm.brick.recent.forget(path),
+        # What data logs are aligned by: a time and a tick.
+        "FILE.SET_LOG_SYNC_TIME": lambda vm, *sync: setattr(vm.brick, "log_sync", sync),
+        "FILE.GET_LOG_SYNC_TIME": lambda vm: vm.brick.log_sync,
+    }
+)

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Iterable
 
 from ev3proto.brick.conversions import NAN8, NAN32
 from ev3proto.brick.devices.sensors import ANALOG, FIRST_MOTOR, PORTS, SPEED_MODE, Device, Inputs
-from ev3proto.brick.handlers import handles, handles_unknown
+from ev3proto.brick.handlers import computes, handles, handles_unknown
 from ev3proto.brick.machine import Machine
+from ev3proto.brick.operation_exits import Busy, Failure
 from ev3proto.brick.places import Place
 from ev3proto.tables.declaration import DATAF
 from ev3proto.tables.enumerations import CONN, DATA_FORMAT, RESULT
@@ -24,22 +26,21 @@ def _whole(value: float, not_a_number: int) -> int:
     return not_a_number if math.isnan(value) else int(max(-_MOST_WHOLE, min(value, _MOST_WHOLE)))
 
 
-def _write_percent(inputs: Inputs, device: Device, places: list[Place]) -> None:
+_READINGS: dict[int, tuple[Callable[[Inputs, Device, int], float], Callable[[Place, float], None]]] = {
+    _PERCENT: (Inputs.percent, lambda place, value: place.write8(_whole(value, NAN8))),
+    _RAW: (Inputs.raw, lambda place, value: place.write32(_whole(value, NAN32))),
+    _SI: (Inputs.si, Place.write_float),
+}
+"""How a reading is taken and written, by its format."""
+
+
+def _write(vm: Machine, device: Device, format: int, places: Iterable[Place]) -> None:
+    """Writes the values of a device, one to each place."""
+    read, write = _READINGS[format]
     for dataset, place in enumerate(places):
-        place.write8(_whole(inputs.percent(device, dataset), NAN8))
+        write(place, read(vm.brick.inputs, device, dataset))
 
 
-def _write_raw(inputs: Inputs, device: Device, places: list[Place]) -> None:
-    for dataset, place in enumerate(places):
-        place.write32(_whole(inputs.raw(device, dataset), NAN32))
-
-
-def _write_si(inputs: Inputs, device: Device, places: list[Place]) -> None:
-    for dataset, place in enumerate(places):
-        place.write_float(inputs.si(device, dataset))
-
-
-_WRITERS = {_PERCENT: _write_percent, _RAW: _write_raw, _SI: _write_si}
 _NO_PORT = Device()
 
 
@@ -52,39 +53,33 @@ def _found(vm: Machine, layer: int, number: int) -> Device:
 # Reading without waiting
 
 
-@handles("INPUT_READ")
-def read(vm: Machine, layer: int, number: int, type: int, mode: int, percent: Place) -> None:
-    """Percent."""
+def _selected(vm: Machine, layer: int, number: int, type: int, mode: int) -> Device:
     device = _found(vm, layer, number)
     vm.brick.inputs.select(device, type, mode)
-    _write_percent(vm.brick.inputs, device, [percent])
+    return device
+
+
+@handles("INPUT_READ")
+def read(vm: Machine, layer: int, number: int, type: int, mode: int, percent: Place) -> None:
+    """Writes one value in percent."""
+    _write(vm, _selected(vm, layer, number, type, mode), _PERCENT, [percent])
 
 
 @handles("INPUT_READSI")
 def read_si(vm: Machine, layer: int, number: int, type: int, mode: int, value: Place) -> None:
-    """A value in the mode's unit."""
-    device = _found(vm, layer, number)
-    vm.brick.inputs.select(device, type, mode)
-    _write_si(vm.brick.inputs, device, [value])
+    """Writes one value in the mode's unit."""
+    _write(vm, _selected(vm, layer, number, type, mode), _SI, [value])
 
 
 @handles("INPUT_READEXT")
 def read_ext(vm: Machine, layer: int, number: int, type: int, mode: int, format: int, places: list[Place]) -> None:
-    """All values that a mode has, in one of three formats; in any other one NaN of 8 bits each."""
-    device = _found(vm, layer, number)
-    vm.brick.inputs.select(device, type, mode)
-    writer = _WRITERS.get(format)
-    if writer is None:
+    """Writes all values of a mode in one of three formats; in any other one NaN of 8 bits each."""
+    device = _selected(vm, layer, number, type, mode)
+    if format in _READINGS:
+        _write(vm, device, format, places)
+    else:
         for place in places:
             place.write8(NAN8)
-    else:
-        writer(vm.brick.inputs, device, places)
-
-
-@handles("INPUT_TEST")
-def test(vm: Machine, layer: int, number: int, busy: Place) -> None:
-    """Whether the device is not ready."""
-    busy.write8(vm.brick.inputs.is_busy(_found(vm, layer, number)))
 
 
 @handles("INPUT_READY")
@@ -92,25 +87,25 @@ def ready(vm: Machine, layer: int, number: int) -> None:
     """Waits for the device, on an empty port for ever."""
     device = vm.brick.inputs.device(layer, number)
     if device is not None and vm.brick.inputs.is_busy(device):
-        vm.wait()
+        raise Busy
 
 
 @handles("INPUT_WRITE", raw=True)
 def write(vm: Machine) -> None:
-    """Writes bytes to a sensor that takes any; it is busy then."""
+    """Writes bytes to a sensor that accepts any, and is busy afterwards."""
     layer, number, count, _ = vm.int8(), vm.int8(), vm.int8(), vm.place()
     device = vm.brick.inputs.device(layer, number)
     if device is None or number + layer * PORTS >= FIRST_MOTOR:
-        vm.fail()
-    elif device.connection in (_UART, _IIC):
+        raise Failure
+    if device.connection in (_UART, _IIC):
         if not 0 < count <= _MOST_WRITTEN:
-            vm.fail()
+            raise Failure
         vm.brick.inputs.keep_busy(device)
 
 
 @handles("INPUT_DEVICE_LIST")
 def device_list(vm: Machine, length: int, types: Place, changed: Place) -> None:
-    """How many have changed; then, as places may overlap, the types on all ports and a zero where there is room."""
+    """Writes the number of changes; then, as places may overlap, the types on all ports, and a zero if it fits."""
     changed.write8(vm.brick.inputs.changed(vm.program.slot))
     listed = vm.brick.inputs.types()[:_MOST_LISTED][: max(length, 0)]
     if len(listed) < length:
@@ -119,109 +114,61 @@ def device_list(vm: Machine, length: int, types: Place, changed: Place) -> None:
 
 
 @handles("INPUT_SAMPLE")
-def sample(
-    vm: Machine,
-    _: int,
-    count: int,
-    __: Place,
-    devices: Place,
-    types: Place,
-    modes: Place,
-    datasets: Place,
-    values: Place,
-) -> None:
-    """One value of each of several devices; motors are numbered after the sensors."""
+def sample(vm: Machine, _: int, count: int, __: Place, *arrays: Place) -> None:
+    """Writes one value of each of several devices; motors are numbered after the sensors.
+
+    The arrays are devices, types, modes, datasets and values.
+    """
     inputs = vm.brick.inputs
     for index in range(max(count, 0)):
-        number = devices.moved(index).read8()
-        port = number if number < PORTS else number - PORTS + FIRST_MOTOR
-        device = _found(vm, 0, port)
-        inputs.select(device, types.moved(index).read8(), modes.moved(index).read8())
-        values.moved(index * DATAF.size).write_float(inputs.si(device, datasets.moved(index).read8()))
+        number, kind, mode, dataset = (array.moved(index).read8() for array in arrays[:4])
+        device = _selected(vm, 0, number if number < PORTS else number - PORTS + FIRST_MOTOR, kind, mode)
+        arrays[4].moved(index * DATAF.size).write_float(inputs.si(device, dataset))
 
 
 # Reading with waiting
 
 
-def _ready(vm: Machine, layer: int, number: int, type: int, mode: int) -> Device:
-    """The device in the mode asked for, waited for unless the port is empty."""
-    inputs = vm.brick.inputs
-    device = _found(vm, layer, number)
-    if not device.is_empty:
-        inputs.select(device, type, mode)
-        if inputs.is_busy(device):
-            vm.wait()
-    return device
+def _waits(format: int) -> Callable[[Machine, int, int, int, int, list[Place]], None]:
+    """Writes values of a device in the mode asked for, waited for unless the port is empty."""
+
+    def read(vm: Machine, layer: int, number: int, type: int, mode: int, places: list[Place]) -> None:
+        device = _found(vm, layer, number)
+        if not device.is_empty:
+            vm.brick.inputs.select(device, type, mode)
+            if vm.brick.inputs.is_busy(device):
+                raise Busy
+        _write(vm, device, format, places)
+
+    return read
 
 
-@handles("INPUT_DEVICE.READY_PCT")
-def ready_percent(vm: Machine, layer: int, number: int, type: int, mode: int, places: list[Place]) -> None:
-    """Percent."""
-    _write_percent(vm.brick.inputs, _ready(vm, layer, number, type, mode), places)
-
-
-@handles("INPUT_DEVICE.READY_RAW")
-def ready_raw(vm: Machine, layer: int, number: int, type: int, mode: int, places: list[Place]) -> None:
-    """Raw values."""
-    _write_raw(vm.brick.inputs, _ready(vm, layer, number, type, mode), places)
-
-
-@handles("INPUT_DEVICE.READY_SI")
-def ready_si(vm: Machine, layer: int, number: int, type: int, mode: int, places: list[Place]) -> None:
-    """Values in the mode's unit."""
-    _write_si(vm.brick.inputs, _ready(vm, layer, number, type, mode), places)
+handles("INPUT_DEVICE.READY_PCT")(_waits(_PERCENT))
+handles("INPUT_DEVICE.READY_RAW")(_waits(_RAW))
+handles("INPUT_DEVICE.READY_SI")(_waits(_SI))
 
 
 # What a device is
 
 
-@handles("INPUT_DEVICE.GET_TYPEMODE")
-def get_typemode(vm: Machine, layer: int, number: int, type: Place, mode: Place) -> None:
-    """Its type and mode."""
-    device = _found(vm, layer, number)
-    type.write8(device.type.number)
-    mode.write8(device.mode)
-
-
-@handles("INPUT_DEVICE.GET_CONNECTION")
-def get_connection(vm: Machine, layer: int, number: int, connection: Place) -> None:
-    """How it is connected."""
-    connection.write8(_found(vm, layer, number).connection)
-
-
-@handles("INPUT_DEVICE.GET_FORMAT")
-def get_format(
-    vm: Machine, layer: int, number: int, datasets: Place, format: Place, modes: Place, views: Place
-) -> None:
-    """What its mode's values are like, and how many modes it has."""
+@handles("INPUT_DEVICE.GET_FORMAT", computes=True)
+def get_format(vm: Machine, layer: int, number: int) -> tuple[int, ...]:
+    """Returns what its mode's values are like, and how many modes it has."""
     device = vm.brick.inputs.device(layer, number)
     if device is None:
-        found = (0, 0, 0, 0)
-    else:
-        mode = device.mode_data
-        found = (mode.datasets, mode.format, len(device.type.modes), device.type.views)
-    for place, value in zip((datasets, format, modes, views), found, strict=True):
-        place.write8(value)
+        return 0, 0, 0, 0
+    return device.mode_data.datasets, device.mode_data.format, len(device.type.modes), device.type.views
 
 
-@handles("INPUT_DEVICE.GET_FIGURES")
-def get_figures(vm: Machine, layer: int, number: int, figures: Place, decimals: Place) -> None:
-    """How its values are shown."""
+@handles("INPUT_DEVICE.GET_FIGURES", computes=True)
+def get_figures(vm: Machine, layer: int, number: int) -> tuple[int, int]:
+    """Returns how its values are shown: figures and decimals."""
     device = vm.brick.inputs.device(layer, number)
-    figures.write8(0 if device is None else device.mode_data.figures)
-    decimals.write8(0 if device is None else device.mode_data.decimals)
-
-
-@handles("INPUT_DEVICE.GET_MINMAX")
-def get_minmax(vm: Machine, layer: int, number: int, least: Place, most: Place) -> None:
-    """The range of its values in their unit."""
-    si = _found(vm, layer, number).mode_data.si
-    least.write_float(si.least)
-    most.write_float(si.most)
+    return (0, 0) if device is None else (device.mode_data.figures, device.mode_data.decimals)
 
 
 def _write_padded(vm: Machine, destination: Place, text: str | None, length: int) -> None:
-    """A text filled up with blanks to the room it has, and a zero; None is an empty one, which fills nothing."""
+    """Writes a text, filled up with blanks to the room for it, and a zero; None is an empty text, without blanks."""
     if text is None:
         destination.write_text(b"")
         return
@@ -233,49 +180,25 @@ def _write_padded(vm: Machine, destination: Place, text: str | None, length: int
 
 @handles("INPUT_DEVICE.GET_NAME")
 def get_name(vm: Machine, layer: int, number: int, length: int, destination: Place) -> None:
-    """The name of its mode, by which the firmware calls the device."""
+    """Writes the name of its mode, by which the firmware calls the device."""
     device = vm.brick.inputs.device(layer, number)
     _write_padded(vm, destination, None if device is None else device.mode_data.name, length)
 
 
 @handles("INPUT_DEVICE.GET_SYMBOL")
 def get_symbol(vm: Machine, layer: int, number: int, length: int, destination: Place) -> None:
-    """The unit of its values."""
+    """Writes the unit of its values."""
     device = vm.brick.inputs.device(layer, number)
     _write_padded(vm, destination, None if device is None else device.mode_data.symbol, length)
 
 
 @handles("INPUT_DEVICE.GET_MODENAME")
 def get_modename(vm: Machine, layer: int, number: int, mode: int, length: int, destination: Place) -> None:
-    """The name of one of its modes."""
+    """Writes the name of one of its modes."""
     device = vm.brick.inputs.device(layer, number)
     has_mode = device is not None and 0 <= mode < len(device.type.modes)
     name = device.type.modes[mode].name if device is not None and has_mode else None
     _write_padded(vm, destination, name, length)
-
-
-@handles("INPUT_DEVICE.GET_RAW")
-def get_raw(vm: Machine, layer: int, number: int, value: Place) -> None:
-    """Its first raw value."""
-    _write_raw(vm.brick.inputs, _found(vm, layer, number), [value])
-
-
-@handles("INPUT_DEVICE.GET_CHANGES")
-def get_changes(vm: Machine, layer: int, number: int, value: Place) -> None:
-    """How often the reading of a touch sensor fell."""
-    value.write_float(_found(vm, layer, number).changes)
-
-
-@handles("INPUT_DEVICE.GET_BUMPS")
-def get_bumps(vm: Machine, layer: int, number: int, value: Place) -> None:
-    """How often the reading of a touch sensor rose."""
-    value.write_float(_found(vm, layer, number).bumps)
-
-
-@handles("INPUT_DEVICE.CLR_CHANGES")
-def clear_changes(vm: Machine, layer: int, number: int) -> None:
-    """Forgets both."""
-    _found(vm, layer, number).clear_counts()
 
 
 @handles("INPUT_DEVICE.CLR_ALL")
@@ -297,7 +220,7 @@ def stop_all(vm: Machine, layer: int) -> None:
 
 @handles("INPUT_DEVICE.SET_RAW")
 def set_raw(vm: Machine, layer: int, number: int, _: int, value: int) -> None:
-    """Another raw value of a sensor that sends none by itself, or of a motor."""
+    """Sets the raw value of a sensor that sends none by itself, or of a motor."""
     device = _found(vm, layer, number)
     if device.motor is not None:
         device.motor.set_reading(value, is_speed=device.mode == SPEED_MODE)
@@ -305,53 +228,30 @@ def set_raw(vm: Machine, layer: int, number: int, _: int, value: int) -> None:
         device.set_readings({0: (float(value),)} if device.connection in ANALOG else {device.mode: (float(value),)})
 
 
-# Calibration, types, I2C
-
-
-@handles("INPUT_DEVICE.CAL_MINMAX")
-def calibrate(vm: Machine, type: int, mode: int, least: int, most: int) -> None:
-    """Both ends of the raw range."""
-    vm.brick.inputs.calibrate_both(type, mode, least, most)
-
-
-@handles("INPUT_DEVICE.CAL_MIN")
-def calibrate_least(vm: Machine, type: int, mode: int, least: int) -> None:
-    """The lower end of the raw range."""
-    vm.brick.inputs.calibrate(type, mode, least, is_least=True)
-
-
-@handles("INPUT_DEVICE.CAL_MAX")
-def calibrate_most(vm: Machine, type: int, mode: int, most: int) -> None:
-    """The upper end of the raw range."""
-    vm.brick.inputs.calibrate(type, mode, most, is_least=False)
-
-
-@handles("INPUT_DEVICE.CAL_DEFAULT")
-def uncalibrate(vm: Machine, type: int, mode: int) -> None:
-    """The raw range as it was."""
-    vm.brick.inputs.uncalibrate(type, mode)
-
-
-@handles("INPUT_DEVICE.INSERT_TYPE")
-def insert_type(_: Machine, __: bytes, ___: int, error: Place) -> None:
-    """No types are added to a virtual brick."""
-    error.write8(1)
-
-
-@handles("INPUT_DEVICE.SET_TYPEMODE")
-def set_typemode(_: Machine, __: int, ___: int, ____: int, _____: int, error: Place) -> None:
-    """There are no third party types to renumber."""
-    error.write8(1)
-
-
-@handles("INPUT_DEVICE.SETUP")
-def setup(_: Machine, *__: object) -> None:
-    """Nothing answers on the I2C bus of a virtual brick: what was to be read stays as it was."""
+computes(
+    {
+        "INPUT_TEST": lambda vm, layer, number: vm.brick.inputs.is_busy(_found(vm, layer, number)),
+        "INPUT_DEVICE.GET_TYPEMODE": lambda vm, *port: (_found(vm, *port).type.number, _found(vm, *port).mode),
+        "INPUT_DEVICE.GET_CONNECTION": lambda vm, *port: _found(vm, *port).connection,
+        # The range of its values in their unit.
+        "INPUT_DEVICE.GET_MINMAX": lambda vm, *port: tuple(_found(vm, *port).mode_data.si),
+        "INPUT_DEVICE.GET_RAW": lambda vm, *port: _whole(vm.brick.inputs.raw(_found(vm, *port), 0), NAN32),
+        # How often the reading of a touch sensor fell, and how often it rose.
+        "INPUT_DEVICE.GET_CHANGES": lambda vm, *port: _found(vm, *port).changes,
+        "INPUT_DEVICE.GET_BUMPS": lambda vm, *port: _found(vm, *port).bumps,
+        "INPUT_DEVICE.CLR_CHANGES": lambda vm, *port: _found(vm, *port).clear_counts(),
+        # Both ends of the raw range, one of them, and the range as it was.
+        "INPUT_DEVICE.CAL_MINMAX": lambda vm, *range: vm.brick.inputs.calibrate_both(*range),
+        "INPUT_DEVICE.CAL_MIN": lambda vm, *end: vm.brick.inputs.calibrate(*end, is_least=True),
+        "INPUT_DEVICE.CAL_MAX": lambda vm, *end: vm.brick.inputs.calibrate(*end, is_least=False),
+        "INPUT_DEVICE.CAL_DEFAULT": lambda vm, *mode: vm.brick.inputs.uncalibrate(*mode),
+    }
+)
 
 
 @handles("INPUT_DEVICE.READY_IIC")
 def ready_iic(_: Machine, *parameters: object) -> None:
-    """Nothing answers on the I2C bus of a virtual brick."""
+    """Writes FAIL: no device answers on the I2C bus of a virtual brick."""
     result = parameters[-1]
     assert isinstance(result, Place)
     result.write8(_FAIL)

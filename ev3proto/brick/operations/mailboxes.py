@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ev3proto.brick.boxes import Mailbox
-from ev3proto.brick.handlers import handles
+from ev3proto.brick.handlers import computes, handles
 from ev3proto.brick.handles import Array
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.operation_exits import Busy, Failure, WildAccess
@@ -31,16 +31,14 @@ def open_box(vm: Machine, number: int, name: bytes, kind: int, depth: int, value
         raise Failure
 
 
-@handles("MAILBOX_CLOSE")
-def close_box(vm: Machine, number: int) -> None:
-    """Name, content and counters stay until it is opened again."""
-    _box(vm, number).is_open = False
-
-
-@handles("MAILBOX_TEST")
-def test_box(vm: Machine, number: int, busy: Place) -> None:
-    """1: nothing new."""
-    busy.write8(not _box(vm, number).has_news)
+computes(
+    {
+        # Name, content and counters stay until it is opened again.
+        "MAILBOX_CLOSE": lambda vm, number: setattr(_box(vm, number), "is_open", False),
+        # 1: nothing new.
+        "MAILBOX_TEST": lambda vm, number: not _box(vm, number).has_news,
+    }
+)
 
 
 @handles("MAILBOX_READY")
@@ -88,8 +86,3 @@ def _read_array(vm: Machine, box: Mailbox, begin: int, handle: int) -> None:
     if size > 0 and array is not None and vm.resize_array(array, size):
         data = bytes(box.content[begin : begin + size])
         array.data[: len(data)] = data
-
-
-@handles("MAILBOX_WRITE")
-def write_box(_: Machine, brick: bytes, hardware: int, name: bytes, kind: int, values: list[Place]) -> None:
-    """No other brick is connected: nothing is sent, and nothing fails."""

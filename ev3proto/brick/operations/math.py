@@ -6,11 +6,11 @@ import math
 from collections.abc import Callable
 
 from ev3proto.brick import soft_float
-from ev3proto.brick.conversions import single
+from ev3proto.brick.conversions import quotient, single
 from ev3proto.brick.formatting import fixed
-from ev3proto.brick.handlers import handles
+from ev3proto.brick.handlers import computes, handles
 from ev3proto.brick.machine import Machine
-from ev3proto.brick.places import Place
+from ev3proto.brick.places import WRITERS, Place
 from ev3proto.tables.declaration import Type
 from ev3proto.tables.encoding import RANGES
 from ev3proto.tables.math import SIZES
@@ -19,21 +19,6 @@ _TYPES = {suffix: kind for suffix, kind, _ in SIZES}
 _INTEGERS = {suffix: kind for suffix, kind in _TYPES.items() if kind is not Type.DATAF}
 
 IntegerFunction = Callable[[int, int], int]
-
-
-def quotient(dividend: int, divisor: int) -> int:
-    """A division as in C: towards zero. The divisor is not 0."""
-    result = abs(dividend) // abs(divisor)
-    return result if (dividend < 0) == (divisor < 0) else -result
-
-
-def _integer_operation(kind: Type, function: IntegerFunction) -> Callable[[Machine, int, int, Place], None]:
-    write = {Type.DATA8: Place.write8, Type.DATA16: Place.write16, Type.DATA32: Place.write32}[kind]
-
-    def operate(_: Machine, left: int, right: int, destination: Place) -> None:
-        write(destination, function(left, right))
-
-    return operate
 
 
 def _float_operation(function: IntegerFunction) -> Callable[[Machine], None]:
@@ -62,6 +47,16 @@ def _shift(value: int, count: int) -> int:
     return value << count if count < 32 else 0
 
 
+def _remainder(dividend: int, divisor: int) -> int:
+    """The remainder of `quotient`. By zero, which kills the real machine, it is 0."""
+    return dividend - quotient(dividend, divisor) * divisor if divisor else 0
+
+
+def _integer_operation(kind: Type, function: IntegerFunction) -> Callable[[Machine, int, int, Place], None]:
+    write = WRITERS[kind]
+    return lambda _, left, right, destination: write(destination, function(left, right))
+
+
 for _suffix, _kind in _INTEGERS.items():
     for _name, _function in (
         ("ADD", int.__add__),
@@ -72,11 +67,11 @@ for _suffix, _kind in _INTEGERS.items():
         ("AND", int.__and__),
         ("XOR", int.__xor__),
         ("RL", _shift),
+        ("MATH.MOD", _remainder),
     ):
-        # ADD8, SUB8, MUL8, DIV8, OR8, AND8, XOR8, RL8, ADD16, SUB16, MUL16, DIV16, OR16, AND16, XOR16,
-        # RL16, ADD32, SUB32, MUL32, DIV32, OR32, AND32, XOR32, RL32
+        # ADD8, SUB8, MUL8, DIV8, OR8, AND8, XOR8, RL8, MATH.MOD8, ADD16, SUB16, MUL16, DIV16, OR16, AND16, XOR16,
+        # RL16, MATH.MOD16, ADD32, SUB32, MUL32, DIV32, OR32, AND32, XOR32, RL32, MATH.MOD32
         handles(_name + _suffix)(_integer_operation(_kind, _function))
-
 for _name, _function in (
     ("ADDF", soft_float.add),
     ("SUBF", soft_float.subtract),
@@ -97,12 +92,12 @@ DEGREES = 57.2957795
 MOST_DECIMALS = 9
 
 
-def _defined(function: Callable[[float], float]) -> Callable[[float], float]:
+def _defined(function: Callable[..., float]) -> Callable[..., float]:
     """The function of C that Python raises errors for: infinity beyond the range, NaN outside the domain."""
 
-    def calculate(value: float) -> float:
+    def calculate(_: Machine, *values: float) -> float:
         try:
-            return function(value)
+            return function(*values)
         except OverflowError:
             return math.inf
         except ValueError:
@@ -111,119 +106,80 @@ def _defined(function: Callable[[float], float]) -> Callable[[float], float]:
     return calculate
 
 
-def _logarithm(function: Callable[[float], float]) -> Callable[[float], float]:
-    def calculate(value: float) -> float:
-        if value == 0:
-            return -math.inf
-        return math.nan if value < 0 else function(value)
-
-    return calculate
+def _logarithm(function: Callable[[float], float]) -> Callable[..., float]:
+    return _defined(lambda value: function(value) if value else -math.inf)
 
 
-def _whole(function: Callable[[float], int]) -> Callable[[float], float]:
+def _whole(function: Callable[[float], int]) -> Callable[..., float]:
     """Floor or ceiling, with the sign of zero kept."""
-
-    def calculate(value: float) -> float:
-        return value if math.isinf(value) or math.isnan(value) else math.copysign(function(value), value)
-
-    return calculate
+    return lambda _, value: math.copysign(function(value), value) if math.isfinite(value) else value
 
 
-def _of_degrees(function: Callable[[float], float]) -> Callable[[float], float]:
+def _of_degrees(function: Callable[[float], float]) -> Callable[..., float]:
     return _defined(lambda value: function(single(value * RADIANS)))
 
 
-def _in_degrees(function: Callable[[float], float]) -> Callable[[float], float]:
+def _in_degrees(function: Callable[[float], float]) -> Callable[..., float]:
     return _defined(lambda value: function(value) * DEGREES)
 
 
-def _single_argument(function: Callable[[float], float]) -> Callable[[Machine, float, Place], None]:
-    def operate(_: Machine, value: float, result: Place) -> None:
-        result.write_float(function(value))
+def _power(base: float, exponent: float) -> float:
+    """X to the power of Y; only infinity to an odd power keeps the sign of X."""
+    is_odd = math.isfinite(exponent) and exponent % 2 == 1
+    try:
+        return math.pow(base, exponent)
+    except OverflowError:
+        return -math.inf if base < 0 and is_odd else math.inf
+    except ValueError:
+        # Zero to a negative power, or a negative number to a power that is not whole.
+        return math.copysign(math.inf, base if is_odd else 1) if base == 0 else math.nan
 
-    return operate
+
+def _truncated(value: float, decimals: int) -> float:
+    """X as text with 6 decimals, of which some are kept, 9 at most."""
+    text = fixed(value, 6)
+    point = text.find(".")
+    return float(text if point < 0 else text[: point + 1 + min(max(decimals, 0), MOST_DECIMALS)])
 
 
-for _name, _calculate in (
-    ("MATH.EXP", _defined(math.exp)),
-    ("MATH.FLOOR", _whole(math.floor)),
-    ("MATH.CEIL", _whole(math.ceil)),
-    ("MATH.ROUND", soft_float.round_half_away),
-    ("MATH.SQRT", _defined(math.sqrt)),
-    ("MATH.LOG", _logarithm(math.log10)),
-    ("MATH.LN", _logarithm(math.log)),
-    ("MATH.SIN", _of_degrees(math.sin)),
-    ("MATH.COS", _of_degrees(math.cos)),
-    ("MATH.TAN", _of_degrees(math.tan)),
-    ("MATH.ASIN", _in_degrees(math.asin)),
-    ("MATH.ACOS", _in_degrees(math.acos)),
-    ("MATH.ATAN", _in_degrees(math.atan)),
-):
-    handles(_name)(_single_argument(_calculate))
+def _drawn(vm: Machine, low: int, high: int) -> int:
+    """A number from one end to the other; the ends are half as likely as the others."""
+    return quotient(vm.brick.random.randrange(0x8000) * (high - low) + 0x3FFF, 0x7FFF) + low
+
+
+computes(
+    {
+        "MATH.EXP": _defined(math.exp),
+        "MATH.FLOOR": _whole(math.floor),
+        "MATH.CEIL": _whole(math.ceil),
+        "MATH.ROUND": _defined(soft_float.round_half_away),
+        "MATH.SQRT": _defined(math.sqrt),
+        "MATH.LOG": _logarithm(math.log10),
+        "MATH.LN": _logarithm(math.log),
+        "MATH.SIN": _of_degrees(math.sin),
+        "MATH.COS": _of_degrees(math.cos),
+        "MATH.TAN": _of_degrees(math.tan),
+        "MATH.ASIN": _in_degrees(math.asin),
+        "MATH.ACOS": _in_degrees(math.acos),
+        "MATH.ATAN": _in_degrees(math.atan),
+        # With the sign of the dividend; NaN by zero.
+        "MATH.MOD": _defined(math.fmod),
+        "MATH.POW": _defined(_power),
+        "MATH.TRUNC": _defined(_truncated),
+        "RANDOM": _drawn,
+    }
+)
 
 
 @handles("MATH.ABS", raw=True)
 def absolute(vm: Machine) -> None:
-    """The sign is dropped, that of NaN too."""
+    """Drops the sign, that of NaN too."""
     bits = vm.float_bits()
     vm.place().write32(bits & 0x7FFFFFFF)
 
 
 @handles("MATH.NEGATE", raw=True)
 def negate(vm: Machine) -> None:
-    """0 - X, so that 0 stays without a sign."""
+    """Writes 0 - X, so that 0 stays without a sign."""
     bits = vm.float_bits()
     vm.place().write32(soft_float.subtract(0, bits))
-
-
-@handles("MATH.MOD")
-def modulo(_: Machine, dividend: float, divisor: float, result: Place) -> None:
-    """The remainder with the sign of the dividend; NaN by zero."""
-    try:
-        result.write_float(math.fmod(dividend, divisor))
-    except ValueError:
-        result.write_float(math.nan)
-
-
-@handles("MATH.POW")
-def power(_: Machine, base: float, exponent: float, result: Place) -> None:
-    """X to the power of Y."""
-    try:
-        result.write_float(math.pow(base, exponent))
-    except OverflowError:
-        is_odd = exponent == int(exponent) and int(exponent) % 2 == 1
-        result.write_float(-math.inf if base < 0 and is_odd else math.inf)
-    except ValueError:
-        # Zero to a negative power, or a negative number to a power that is not whole.
-        is_odd = not math.isinf(exponent) and exponent == int(exponent) and int(exponent) % 2 == 1
-        result.write_float(math.copysign(math.inf, base if is_odd else 1) if base == 0 else math.nan)
-
-
-@handles("MATH.TRUNC")
-def truncate(_: Machine, value: float, decimals: int, result: Place) -> None:
-    """X as text with 6 decimals, cut after so many of them."""
-    text = fixed(value, 6)
-    point = text.find(".")
-    if point >= 0:
-        text = text[: point + 1 + min(max(decimals, 0), MOST_DECIMALS)]
-    result.write_float(float(text))
-
-
-def _integer_modulo(kind: Type) -> Callable[[Machine, int, int, Place], None]:
-    def remainder(_: Machine, dividend: int, divisor: int, result: Place) -> None:
-        # By zero, which kills the real machine, there is nothing left over.
-        result.write(kind, dividend - quotient(dividend, divisor) * divisor if divisor else 0)
-
-    return remainder
-
-
-for _suffix, _kind in _INTEGERS.items():
-    # MATH.MOD8, MATH.MOD16, MATH.MOD32
-    handles(f"MATH.MOD{_suffix}")(_integer_modulo(_kind))
-
-
-@handles("RANDOM")
-def random_number(vm: Machine, low: int, high: int, value: Place) -> None:
-    """One of both ends and what is between; the ends are half as likely as the others."""
-    drawn = vm.brick.random.randrange(0x8000)
-    value.write16(quotient(drawn * (high - low) + 0x3FFF, 0x7FFF) + low)

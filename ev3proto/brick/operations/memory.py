@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from ev3proto.brick.handlers import handles
+import math
+
+from ev3proto.brick.handlers import computes, handles
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.places import Place
-from ev3proto.brick.running_programs import GUI_SLOT, STOPPED
+from ev3proto.brick.running_programs import CURRENT_SLOT, GUI_SLOT, STOPPED
 
 MEMORY_KB = 6000
-"""Of the flash memory for users' files."""
+"""Size of the flash memory for users' files."""
 
 
 def _variables(vm: Machine, slot: int, number: int) -> tuple[bytearray, int] | None:
@@ -16,7 +18,7 @@ def _variables(vm: Machine, slot: int, number: int) -> tuple[bytearray, int] | N
     if slot == GUI_SLOT:
         # The firmware's own program: its variables cannot be seen here.
         return bytearray(), 0
-    program = vm.program_in(slot)
+    program = None if slot == CURRENT_SLOT else vm.program_in(slot)
     if program is None or program.status == STOPPED:
         return None
     if number == 0:
@@ -25,49 +27,33 @@ def _variables(vm: Machine, slot: int, number: int) -> tuple[bytearray, int] | N
     return None if entry is None else (entry.local_memory, entry.local_size)
 
 
+# Both copy byte by byte: where the memories are the same, a byte that was just written may be read.
+
+
 @handles("MEMORY_READ")
 def memory_read(vm: Machine, slot: int, number: int, offset: int, count: int, destination: Place) -> None:
-    """Zeros for bytes outside; nothing is written where there is no such memory."""
+    """Writes zeros for bytes outside; nothing where there is no such memory."""
     found = _variables(vm, slot, number)
     if found is None or count <= 0:
         return
     destination.check(count)
     memory, size = found
-    if destination.buffer is memory:
-        # One byte after the other: what was just written may be read.
-        for number in range(count):
-            at = offset + number
-            destination.buffer[destination.at + number] = memory[at] if 0 <= at < size else 0
-        return
-    data = bytearray(count)
-    begin, end = max(0, offset), min(size, offset + count)
-    if begin < end:
-        data[begin - offset : end - offset] = memory[begin:end]
-    destination.write_bytes(bytes(data))
+    for index in range(count):
+        at = offset + index
+        destination.buffer[destination.at + index] = memory[at] if 0 <= at < size else 0
 
 
 @handles("MEMORY_WRITE")
 def memory_write(vm: Machine, slot: int, number: int, offset: int, count: int, source: Place) -> None:
-    """Bytes outside are omitted."""
+    """Writes a program's memory; bytes outside are omitted."""
     found = _variables(vm, slot, number)
     if found is None or count <= 0:
         return
+    source.check(count)
     memory, size = found
-    if source.buffer is memory:
-        # One byte after the other: what was just written may be read.
-        source.check(count)
-        for number in range(count):
-            if 0 <= offset + number < size:
-                memory[offset + number] = source.buffer[source.at + number]
-        return
-    data = source.read_bytes(count)
-    begin, end = max(0, offset), min(size, offset + count)
-    if begin < end:
-        memory[begin:end] = data[begin - offset : end - offset]
+    for index in range(count):
+        if 0 <= offset + index < size:
+            memory[offset + index] = source.buffer[source.at + index]
 
 
-@handles("MEMORY_USAGE")
-def memory_usage(vm: Machine, total: Place, free: Place) -> None:
-    """In KB."""
-    total.write32(MEMORY_KB)
-    free.write32(max(0, MEMORY_KB - vm.brick.used_kilobytes()))
+computes({"MEMORY_USAGE": lambda vm: (MEMORY_KB, max(0, MEMORY_KB - math.ceil(vm.brick.files.used / 1024)))})

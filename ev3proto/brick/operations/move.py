@@ -7,7 +7,7 @@ from collections.abc import Callable
 from ev3proto.brick.conversions import NAN8, NAN16, NAN32, float_to_integer, narrowed, widened
 from ev3proto.brick.handlers import handles
 from ev3proto.brick.machine import Machine
-from ev3proto.brick.places import Place
+from ev3proto.brick.places import WRITERS, Place
 from ev3proto.tables.declaration import Type
 from ev3proto.tables.move import SIZES
 
@@ -34,20 +34,21 @@ def _convert_integer(source: str, target: str) -> Callable[[Machine, int, Place]
 
         return convert_to_float
     goal = _TYPES[target]
-    change = widened if goal.size > kind.size else narrowed
+    write, change = WRITERS[goal], widened if goal.size > kind.size else narrowed
 
     def convert(_: Machine, value: int, destination: Place) -> None:
-        destination.write(goal, change(value, nan, goal))
+        write(destination, change(value, nan, goal))
 
     return convert
 
 
 def _convert_float(target: str) -> Callable[[Machine], None]:
     goal = _TYPES[target]
+    write = WRITERS[goal]
 
     def convert(vm: Machine) -> None:
         bits = vm.float_bits()
-        vm.place().write(goal, float_to_integer(bits, goal))
+        write(vm.place(), float_to_integer(bits, goal))
 
     return convert
 

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from ev3proto.brick.conversions import wrap8
-from ev3proto.brick.handlers import handles
+from ev3proto.brick.conversions import quotient, wrap8
+from ev3proto.brick.handlers import computes, handles
 from ev3proto.brick.machine import Machine
-from ev3proto.brick.operations.math import quotient
-from ev3proto.brick.places import Place
 from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.notes import NOTES, OTHER_NOTE
 
@@ -26,23 +24,18 @@ def _bit(digit: int) -> int:
     return wrap8(1 << digit - 1) if digit > 0 else 0
 
 
-@handles("PORT_CNV_INPUT")
-def convert_input(_: Machine, port: int, layer: Place, port_out: Place) -> None:
-    """Hundreds: the layer; the last digit: the port."""
-    layer.write8(_layer(port))
-    port_out.write8(_digit(port, 1) - 1)
-
-
-@handles("PORT_CNV_OUTPUT")
-def convert_output(_: Machine, port: int, layer: Place, bits: Place, inverted: Place) -> None:
-    """Hundreds: the layer; then one or two ports."""
+@handles("PORT_CNV_OUTPUT", computes=True)
+def convert_output(_: Machine, port: int) -> tuple[int, int, bool]:
+    """Returns the layer (the hundreds), the bits of one or two ports, and whether they are in reverse order."""
     first, second = _bit(_digit(port, 10)), _bit(_digit(port, 1))
-    layer.write8(_layer(port))
-    bits.write8(first | second)
-    inverted.write8(first > second)
+    return _layer(port), first | second, first > second
 
 
-@handles("NOTE_TO_FREQ")
-def note_to_frequency(_: Machine, note: bytes, frequency: Place) -> None:
-    """In Hz; 440 for what is no note."""
-    frequency.write16(NOTES.get(note.decode(STRING_CODING), OTHER_NOTE))
+computes(
+    {
+        # Hundreds: the layer; the last digit: the port.
+        "PORT_CNV_INPUT": lambda _, port: (_layer(port), _digit(port, 1) - 1),
+        # In Hz; 440 for an unknown note.
+        "NOTE_TO_FREQ": lambda _, note: NOTES.get(note.decode(STRING_CODING), OTHER_NOTE),
+    }
+)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from ev3proto.brick.handlers import handles, handles_unknown
+from collections.abc import Callable
+
+from ev3proto.brick.handlers import computes, handles
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.operation_exits import Busy, Failure, Leave, Sleep, WildAccess
 from ev3proto.brick.places import Place
@@ -20,6 +22,7 @@ from ev3proto.brick.running_programs import (
     USER_SLOT,
     WAITING,
     Program,
+    ProgramObject,
     Result,
 )
 from ev3proto.program import ProgramParameter
@@ -30,40 +33,9 @@ LOAD_ONLY = 2
 """Of PROGRAM_START: the program is not to run."""
 
 
-@handles("NOP", "LABEL", "BP_SET", "BP3", "PROBE", "COM_WRITE.REPLY")
-def nothing(_: Machine, *__: object) -> None:
-    """No effect that a program could see."""
-
-
-@handles("BP0", "BP1", "BP2", raw=True)
-def breakpoint_hit(vm: Machine) -> None:
-    """Waits for a debugger, which there is not."""
-    vm.wait()
-
-
-@handles("ERROR", "COM_READDATA", "COM_WRITEDATA", "DO", raw=True)
-def fail(vm: Machine) -> None:
-    """The machine has no code for it, or none that could work without real addresses."""
-    vm.fail()
-
-
-@handles("COM_READ.COMMAND")
-def read_command(_: Machine, length: int, image: Place, memory: Place, flag: Place) -> None:  # noqa: ARG001
-    """No direct command waits that a program could take."""
-    image.write32(0)
-    memory.write32(0)
-    flag.write8(0)
-
-
-@handles("SYSTEM")
-def system(_: Machine, command: bytes, status: Place) -> None:  # noqa: ARG001 - commands are never run
-    """Never runs a command: the status is that of a brick without a shell."""
-    status.write32(-1)
-
-
 @handles("SLEEP", raw=True)
 def sleep(_: Machine) -> None:
-    """Only this turn ends."""
+    """Ends this turn only."""
     raise Sleep
 
 
@@ -71,7 +43,7 @@ def sleep(_: Machine) -> None:
 
 
 def _end_object(vm: Machine) -> None:
-    """The running object has ended; so has the program when no object of it runs any more."""
+    """Ends the running object, and the program when no object of it runs any more."""
     vm.object.status = STOPPED
     vm.object.reset()
     if vm.program.next_object() is None:
@@ -81,18 +53,12 @@ def _end_object(vm: Machine) -> None:
 
 @handles("OBJECT_END", raw=True)
 def object_end(vm: Machine) -> None:
-    """Its end."""
+    """Ends the running object."""
     _end_object(vm)
 
 
-@handles("OBJECT_STOP")
-def object_stop(vm: Machine, number: int) -> None:
-    """An object that there is not is no failure."""
-    stop_object(vm, vm.program, number)
-
-
 def stop_object(vm: Machine, program: Program, number: int) -> None:
-    """Stops an object of a program."""
+    """Stops an object of a program; an unknown one is ignored."""
     entry = program.objects.get(number)
     if entry is None:
         return
@@ -104,41 +70,56 @@ def stop_object(vm: Machine, program: Program, number: int) -> None:
         vm.end_program(program, OK)
 
 
-@handles("OBJECT_START")
-def object_start(vm: Machine, number: int) -> None:
-    """An object that runs, or that there is not, is no failure."""
-    start_object(vm.program, number)
-
-
-def start_object(program: Program, number: int) -> None:
-    """Starts an object of a program from its beginning, unless it runs."""
+def start_object(_: Machine, program: Program, number: int) -> None:
+    """Starts an object of a program from its beginning; one that runs, and an unknown one, is ignored."""
     entry = program.objects.get(number)
     if entry is not None and entry.status == STOPPED:
-        entry.reset()
-        entry.status = RUNNING
+        entry.start()
+
+
+def _of_slot(function: Callable[[Machine, Program, int], None]) -> Callable[[Machine, int, int], None]:
+    """Changes an object of the program in a slot, if that runs."""
+
+    def change(vm: Machine, slot: int, number: int) -> None:
+        program = vm.program_in(slot)
+        if program is not None and program.status == RUNNING:
+            function(vm, program, number)
+
+    return change
+
+
+computes(
+    {
+        "OBJECT_STOP": lambda vm, number: stop_object(vm, vm.program, number),
+        "OBJECT_START": lambda vm, number: start_object(vm, vm.program, number),
+        "PROGRAM_INFO.OBJ_STOP": _of_slot(stop_object),
+        "PROGRAM_INFO.OBJ_START": _of_slot(start_object),
+    }
+)
+
+
+def _object(vm: Machine, number: int) -> ProgramObject:
+    """An object of the running program. WildAccess for an unknown one."""
+    entry = vm.program.objects.get(number)
+    if entry is None:
+        raise WildAccess
+    return entry
 
 
 @handles("OBJECT_TRIG")
 def object_trigger(vm: Machine, number: int) -> None:
-    """The last trigger that it needs starts an object."""
-    entry = vm.program.objects.get(number)
-    if entry is None:
-        raise WildAccess
-    if entry.status != STOPPED:
-        return
-    entry.pending -= 1
-    if entry.pending <= 0:
-        entry.reset()
-        entry.status = RUNNING
+    """Triggers an object, which starts with the last trigger that it needs."""
+    entry = _object(vm, number)
+    if entry.status == STOPPED:
+        entry.pending -= 1
+        if entry.pending <= 0:
+            entry.start()
 
 
 @handles("OBJECT_WAIT")
 def object_wait(vm: Machine, number: int) -> None:
-    """Until it has ended."""
-    entry = vm.program.objects.get(number)
-    if entry is None:
-        raise WildAccess
-    if entry.status != STOPPED:
+    """Waits until an object has ended."""
+    if _object(vm, number).status != STOPPED:
         raise Busy
 
 
@@ -147,9 +128,7 @@ def object_wait(vm: Machine, number: int) -> None:
 
 @handles("PROGRAM_STOP")
 def program_stop(vm: Machine, slot: int) -> None:
-    """A slot's program; that of slot 0 is the firmware's own, and every other ends with it."""
-    if slot == CURRENT_SLOT:
-        slot = vm.program.slot
+    """Ends a slot's program; that of slot 0 is the firmware's own, and every other ends with it."""
     if slot == GUI_SLOT:
         for program in vm.slots:
             if program is not None:
@@ -164,68 +143,34 @@ def program_stop(vm: Machine, slot: int) -> None:
 
 
 def _state(vm: Machine, slot: int) -> tuple[int, int]:
-    """Status and result of a slot."""
-    if slot == CURRENT_SLOT:
-        slot = vm.program.slot
-    if not 0 <= slot < SLOTS:
+    """Status and result of a slot. The firmware's own program always runs."""
+    if not 0 <= slot < SLOTS and slot != CURRENT_SLOT:
         raise WildAccess
     if slot == GUI_SLOT:
         return RUNNING, BUSY
-    program = vm.slots[slot]
+    program = vm.program_in(slot)
     return (STOPPED, OK) if program is None else (program.status, program.result)
 
 
-@handles_unknown("PROGRAM_INFO")
-def unknown_information(_: Machine) -> None:
-    """Fails."""
-    raise Failure
+computes(
+    {
+        "PROGRAM_INFO.GET_STATUS": lambda vm, slot: _state(vm, slot)[0],
+        "PROGRAM_INFO.GET_PRGRESULT": lambda vm, slot: _state(vm, slot)[1],
+        # The firmware reads a number that the tables do not have, where the next operation should be.
+        "PROGRAM_INFO.SET_INSTR": lambda vm, _: vm.int16(),
+    }
+)
 
 
-@handles("PROGRAM_INFO.GET_STATUS")
-def get_status(vm: Machine, slot: int, status: Place) -> None:
-    """Whether it runs."""
-    status.write8(_state(vm, slot)[0])
-
-
-@handles("PROGRAM_INFO.GET_PRGRESULT")
-def get_result(vm: Machine, slot: int, result: Place) -> None:
-    """How it ended."""
-    result.write8(_state(vm, slot)[1])
-
-
-@handles("PROGRAM_INFO.GET_SPEED")
-def get_speed(vm: Machine, slot: int, speed: Place) -> None:
-    """Operations a second of the slot's last run."""
+@handles("PROGRAM_INFO.GET_SPEED", computes=True)
+def get_speed(vm: Machine, slot: int) -> int:
+    """Returns the operations a second of the slot's last run."""
     _state(vm, slot)
-    program = vm.program if slot == CURRENT_SLOT else vm.program_in(slot)
+    program = vm.program_in(slot)
     if program is None:
-        speed.write32(0)
-        return
-    end = vm.microseconds if program.ended is None else program.ended
-    passed = end - program.started
-    speed.write32(program.executed * 1_000_000 // passed if passed > 0 else 0)
-
-
-@handles("PROGRAM_INFO.OBJ_STOP")
-def stop_object_of(vm: Machine, slot: int, number: int) -> None:
-    """Of a running program."""
-    program = vm.program if slot == CURRENT_SLOT else vm.program_in(slot)
-    if program is not None and program.status == RUNNING:
-        stop_object(vm, program, number)
-
-
-@handles("PROGRAM_INFO.OBJ_START")
-def start_object_of(vm: Machine, slot: int, number: int) -> None:
-    """Of a running program."""
-    program = vm.program if slot == CURRENT_SLOT else vm.program_in(slot)
-    if program is not None and program.status == RUNNING:
-        start_object(program, number)
-
-
-@handles("PROGRAM_INFO.SET_INSTR")
-def set_instructions(vm: Machine, slot: int) -> None:  # noqa: ARG001 - turns are what they are
-    """The machine reads a number that the tables do not have: it stands where the next operation should."""
-    vm.int16()
+        return 0
+    passed = (vm.microseconds if program.ended is None else program.ended) - program.started
+    return program.executed * 1_000_000 // passed if passed > 0 else 0
 
 
 # Starting programs
@@ -233,7 +178,7 @@ def set_instructions(vm: Machine, slot: int) -> None:  # noqa: ARG001 - turns ar
 
 @handles("PROGRAM_START")
 def program_start(vm: Machine, slot: int, size: int, address: int, mode: int) -> None:  # noqa: ARG001 - as the firmware
-    """From a direct command only while no user's program and no debugged one runs. Address 0 does nothing."""
+    """Starts a loaded program; from a direct command only while no user's program and no debugged one runs."""
     image = vm.images.get(address)
     if image is None or mode == LOAD_ONLY or slot not in (USER_SLOT, TERM_SLOT, DEBUG_SLOT):
         return
@@ -249,9 +194,7 @@ def program_start(vm: Machine, slot: int, size: int, address: int, mode: int) ->
 @handles("CALL", raw=True)
 def call(vm: Machine) -> None:
     """Copies the inputs into the subroutine's memory and starts it; waits while another object is in it."""
-    callee = vm.program.objects.get(vm.int16())
-    if callee is None:
-        raise WildAccess
+    callee = _object(vm, vm.int16())
     if callee.status != STOPPED:
         raise Busy
     offset = 0
@@ -271,8 +214,7 @@ def call(vm: Machine) -> None:
         offset += parameter.bytes
     vm.object.ip = vm.ip
     vm.object.status = WAITING
-    callee.reset()
-    callee.status = RUNNING
+    callee.start()
     callee.caller = vm.object
     callee.results = results
     raise Leave
@@ -287,7 +229,7 @@ def _copy_input(parameter: ProgramParameter, source: Place, own: Place) -> None:
 
 @handles("RETURN", raw=True)
 def return_to_caller(vm: Machine) -> None:
-    """Copies the outputs to where the caller wants them, who goes on. A direct command has no caller: it fails."""
+    """Copies the outputs to the caller, which continues. A direct command has no caller: it fails."""
     callee = vm.object
     caller = callee.caller
     if caller is None:

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 from ev3proto.brick.formatting import fixed, formatted, read_number
-from ev3proto.brick.handlers import handles
+from ev3proto.brick.handlers import computes, handles
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.places import NOT_A_NUMBER, Place
 
@@ -22,39 +23,31 @@ MOST_DASHES = 4
 """Of a number that is none."""
 
 
-@handles("STRINGS.GET_SIZE")
-def get_size(_: Machine, text: bytes, size: Place) -> None:
-    """Without the zero."""
-    size.write16(len(text))
+computes(
+    {
+        "STRINGS.GET_SIZE": lambda _, text: len(text),
+        # 1: equal byte for byte.
+        "STRINGS.COMPARE": lambda _, first, second: first == second,
+    }
+)
 
 
-@handles("STRINGS.ADD")
-def add(vm: Machine, first: bytes, second: bytes, destination: Place) -> None:
-    """One after the other."""
-    vm.write_text(destination, first + second)
-
-
-@handles("STRINGS.COMPARE")
-def compare(_: Machine, first: bytes, second: bytes, result: Place) -> None:
-    """1: equal byte for byte."""
-    result.write8(first == second)
-
-
-@handles("STRINGS.DUPLICATE")
-def duplicate(vm: Machine, text: bytes, destination: Place) -> None:
-    """A copy."""
-    vm.write_text(destination, text)
+@handles("STRINGS.ADD", "STRINGS.DUPLICATE")
+def add(vm: Machine, *parameters: Any) -> None:
+    """Writes one text, or two, one after the other."""
+    *texts, destination = parameters
+    vm.write_text(destination, b"".join(texts))
 
 
 @handles("STRINGS.STRIP")
 def strip(vm: Machine, text: bytes, destination: Place) -> None:
-    """Without any blank; tabs stay. An array gets room for the blanks, too."""
+    """Removes all blanks; tabs stay. An array gets room for the blanks, too."""
     vm.write_text(destination, text.replace(b" ", b""), len(text) + 1)
 
 
 @handles("STRINGS.SUB")
 def sub(vm: Machine, text: bytes, sought: bytes, destination: Place) -> None:
-    """What follows the first place where the text sought is; without such a place a rest of what printf shows."""
+    """Writes what follows the first occurrence of a text; without one, the rest of what printf shows for no text."""
     at = text.find(sought)
     rest = (NO_TEXT if at < 0 else text[at:][:MOST_CHARACTERS])[len(sought) :]
     vm.write_text(destination, rest, len(text) + 1)
@@ -62,7 +55,7 @@ def sub(vm: Machine, text: bytes, sought: bytes, destination: Place) -> None:
 
 @handles("STRINGS.NUMBER_TO_STRING")
 def number_to_string(vm: Machine, value: int, figures: int, destination: Place) -> None:
-    """Filled up with zeros, cut to so many characters."""
+    """Writes a number filled up with zeros, cut to this number of figures."""
     text = formatted(b"%%%s%dd" % (b"0" if figures >= 0 else b"", figures), value)
     if vm.resize(destination, figures + 2):
         destination.write_cut(text, figures + 1)
@@ -70,13 +63,13 @@ def number_to_string(vm: Machine, value: int, figures: int, destination: Place) 
 
 @handles("STRINGS.VALUE_TO_STRING")
 def value_to_string(vm: Machine, value: float, figures: int, decimals: int, destination: Place) -> None:
-    """Without zeros at the end; a negative number of figures aligns left."""
+    """Writes a number without zeros at the end; a negative number of figures aligns left."""
     text = _no_number(figures) if value != value else _number(value, figures, decimals)
     vm.write_text(destination, text.encode(), abs(figures) + 2)
 
 
 def _number(value: float, figures: int, decimals: int) -> str:
-    """With zero bytes in the place of what is removed at the end, which the firmware overwrites in memory."""
+    """A number with zero bytes in place of what is removed at the end, which the firmware overwrites in memory."""
     text = fixed(value, decimals)
     if figures >= 0:
         text = text.rjust(figures)
@@ -97,7 +90,7 @@ def _no_number(figures: int) -> str:
 
 @handles("STRINGS.STRING_TO_VALUE", places=("SOURCE1",))
 def string_to_value(_: Machine, source: Place, destination: Place) -> None:
-    """A comma is a point, in the source itself from now on. Without a number the firmware gives any, this brick 0."""
+    """Reads a number; a comma becomes a point in the source itself. A text without a number gives 0."""
     text = source.read_text().replace(b",", b".")
     source.write_bytes(text)
     number = read_number(text)
@@ -108,21 +101,10 @@ def string_to_value(_: Machine, source: Place, destination: Place) -> None:
         destination.write_float(0.0 if number is None else number)
 
 
-@handles("STRINGS.VALUE_FORMATTED")
+@handles("STRINGS.VALUE_FORMATTED", "STRINGS.NUMBER_FORMATTED")
 def value_formatted(vm: Machine, value: float, pattern: bytes, size: int, destination: Place) -> None:
-    """In a format of printf."""
-    _write_formatted(vm, destination, formatted(pattern, value), size)
-
-
-@handles("STRINGS.NUMBER_FORMATTED")
-def number_formatted(vm: Machine, value: int, pattern: bytes, size: int, destination: Place) -> None:
-    """In a format of printf."""
-    _write_formatted(vm, destination, formatted(pattern, value), size)
-
-
-def _write_formatted(vm: Machine, destination: Place, text: bytes, size: int) -> None:
-    """Cut to the size with its zero; an array gets what is needed instead."""
-    text = text.partition(b"\0")[0][:MOST_CHARACTERS]
+    """Writes a number in a format of printf, cut to the size with its zero; an array gets what is needed instead."""
+    text = formatted(pattern, value).partition(b"\0")[0][:MOST_CHARACTERS]
     if destination.handle >= 0 or size < 0:
         vm.write_text(destination, text)
     elif size > 0:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ev3proto.brick.conversions import wrap16
+from ev3proto.brick.conversions import quotient, wrap16
 
 WIDTH = 178
 HEIGHT = 128
@@ -137,11 +137,11 @@ class Canvas:
         items = wrap16(most - least)
         actual = min(max(actual, least), most)
         shape = _KNOBS.get(width)
-        knob = len(shape) if shape else _divide(height, items) if items > 0 else 7
+        knob = len(shape) if shape else quotient(height, items) if items > 0 else 7
         self.rect(color, x, y, width, height)
         top = y
         if items > 1 and actual > 0:
-            top += _divide((height - knob) * (actual - 1), items - 1)
+            top += quotient((height - knob) * (actual - 1), items - 1)
         if shape is None:
             self.fillrect(color, x, top, width, knob)
             return
@@ -246,12 +246,6 @@ _KNOBS = {
     6: ((2, 3), (1, 4), (), (2, 3), (), (2, 3), (), (1, 4), (2, 3)),
 }
 """Knobs of scroll bars by the bar's width: the columns that are drawn, row by row."""
-
-
-def _divide(dividend: int, divisor: int) -> int:
-    """A quotient cut toward zero, as in C."""
-    quotient = abs(dividend) // abs(divisor)
-    return quotient if (dividend < 0) == (divisor < 0) else -quotient
 
 
 def _walk(x0: int, y0: int, x1: int, y1: int) -> Iterator[tuple[int, int]]:

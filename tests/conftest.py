@@ -26,6 +26,9 @@ from support.wireshark import Tshark
 os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 sys.dont_write_bytecode = False
 
+# Few users set it, and without it output waits in a buffer, where faults of ending show.
+os.environ.pop("PYTHONUNBUFFERED", None)
+
 # What a shell starts in the background ignores Ctrl-C, and so does what that starts: tests that interrupt would wait
 # forever.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:

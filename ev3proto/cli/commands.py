@@ -122,14 +122,16 @@ class Commands(click.Group):
     def make_context(self, *args: Any, **extra: Any) -> click.Context:
         """Reads the arguments."""
         with _printing_help():
-            context = super().make_context(*args, **extra)
-        context.call_on_close(flush)
-        return context
+            return super().make_context(*args, **extra)
 
     def invoke(self, context: click.Context) -> Any:
-        """Runs the subcommand."""
+        """Runs the subcommand. What it printed is written, unless a signal ended it: the reader may have stopped."""
         with _printing_help():
-            return super().invoke(context)
+            try:
+                return super().invoke(context)
+            finally:
+                if ended_behind(sys.exception()) is None:
+                    flush()
 
     def main(  # type: ignore[override]
         self, args: Sequence[str] | None = None, prog_name: str | None = None, **extra: Any

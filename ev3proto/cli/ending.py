@@ -38,17 +38,17 @@ class Ended(SystemExit):
         self.number = number
 
 
-def ended_behind(error: BaseException) -> Ended | None:
+def ended_behind(error: BaseException | None) -> Ended | None:
     """Looks whether an error is the end by a signal.
 
     Args:
-        error: Any. While a class is made, Python 3.11 makes a RuntimeError of whatever is raised.
+        error: Any, or None. While a class is made, Python 3.11 makes a RuntimeError of whatever is raised.
 
     Returns:
         The end from which the error comes, None where it comes from none.
 
     """
-    cause: BaseException | None = error
+    cause = error
     while cause is not None and not isinstance(cause, Ended):
         cause = cause.__cause__
     return cause

@@ -277,8 +277,6 @@ def test_it_ends_soon_whatever_was_captured(is_read: bool, tmp_path: Path) -> No
             reader = threading.Thread(target=lambda: all(iter(lambda: output.read(1 << 16), b"")), daemon=True)
             if is_read:
                 reader.start()
-            else:
-                time.sleep(1)  # until it waits for its reader: Python sees no signal that comes just before it does
             begin = time.monotonic()
             process.send_signal(signal.SIGTERM)
             assert process.wait(WITHIN) == 128 + signal.SIGTERM

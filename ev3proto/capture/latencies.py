@@ -5,31 +5,31 @@ from __future__ import annotations
 import math
 from array import array
 from bisect import insort
+from collections import Counter
 from dataclasses import dataclass
-from itertools import accumulate
 
 EXACT = 1000
-"""So many latencies are kept, and their percentiles are exact. Beyond, they are counted in buckets."""
+"""Up to this number of latencies, percentiles are exact. More are counted in buckets."""
 
 ACCURACY = 0.01
-"""How far a percentile from buckets can be from the exact one, relative to it."""
+"""Maximum relative error of a percentile from buckets."""
 
 SHORTEST = 1e-9
-"""Seconds: what is shorter is in one bucket; captures have no shorter times."""
+"""Seconds: the first bucket has all latencies up to this; captures have no shorter times."""
 
 LONGEST = 1e5
-"""Seconds: what is longer is in one bucket."""
+"""Seconds: the last bucket has all longer latencies."""
 
 _GROWTH = math.log((1 + ACCURACY) / (1 - ACCURACY))
 
-_BUCKETS = math.ceil(math.log(LONGEST / SHORTEST) / _GROWTH) + 1
+_LAST_BUCKET = math.ceil(math.log(LONGEST / SHORTEST) / _GROWTH)
 
 
 @dataclass(frozen=True, slots=True)
 class Percentiles:
     """Latencies in seconds: how many, the shortest, the longest, and below which 50, 90 and 99 of 100 are.
 
-    A percentile is the smallest latency that so many are not above. `exact` says that they are none from buckets.
+    A percentile is the smallest latency that this share of all does not exceed. `exact`: none is from buckets.
     """
 
     count: int
@@ -42,38 +42,30 @@ class Percentiles:
 
 
 class Latencies:
-    """Takes latencies one by one. Shortest and longest are exact however many there are."""
+    """Takes latencies one by one. The shortest and the longest are always exact."""
 
     __slots__ = ("_buckets", "_first", "_longest", "_shortest", "count")
 
     def __init__(self) -> None:
         self.count = 0
         self._first = array("d")
-        self._buckets = array("L")
+        self._buckets: Counter[int] = Counter()
         self._shortest = math.inf
         self._longest = -math.inf
 
     def add(self, seconds: float) -> None:
-        """Another one; below 0 where the clock was set back in between."""
+        """Adds a latency; it is negative if the clock was set back in between."""
         self.count += 1
         self._shortest = min(self._shortest, seconds)
         self._longest = max(self._longest, seconds)
         if self.count <= EXACT:
             insort(self._first, seconds)
         else:
-            if not self._buckets:
-                self._buckets = array("L", bytes(_BUCKETS * self._buckets.itemsize))
-                for early in self._first:
-                    self._count(early)
-            self._count(seconds)
-
-    def _count(self, seconds: float) -> None:
-        # Bucket k holds what is above GROWTH ** (k - 1) and not above GROWTH ** k shortest times.
-        number = math.ceil(math.log(seconds / SHORTEST) / _GROWTH) if seconds > SHORTEST else 0
-        self._buckets[min(number, _BUCKETS - 1)] += 1
+            self._buckets.update(map(_bucket, (*self._first, seconds)))
+            del self._first[:]
 
     def percentiles(self) -> Percentiles | None:
-        """What is known so far; None where nothing is."""
+        """Returns the percentiles so far; None without latencies."""
         if not self.count:
             return None
         median, p90, p99 = (self._percentile(percent) for percent in (50, 90, 99))
@@ -83,7 +75,17 @@ class Latencies:
         rank = -(-self.count * percent // 100)
         if not self._buckets:
             return self._first[rank - 1]
-        number = next(number for number, below in enumerate(accumulate(self._buckets)) if below >= rank)
+        number = below = 0
+        for number in sorted(self._buckets):
+            below += self._buckets[number]
+            if below >= rank:
+                break
         # The value that is as near to one end of the bucket as to the other, relative to both.
         middle = SHORTEST * math.exp(number * _GROWTH) * (1 - ACCURACY) if number else SHORTEST
         return min(max(middle, self._shortest), self._longest)
+
+
+def _bucket(seconds: float) -> int:
+    """Returns the bucket of a latency: k has those above GROWTH ** (k - 1) shortest times, up to GROWTH ** k."""
+    number = math.ceil(math.log(seconds / SHORTEST) / _GROWTH) if seconds > SHORTEST else 0
+    return min(number, _LAST_BUCKET)

@@ -89,6 +89,8 @@ def counted(count: int, noun: str) -> str:
 
 
 _LIKENESS = 0.67
+_SHORT = 3
+_LIKENESS_OF_SHORT = 0.8
 _MOST_GUESSED = 60
 _MOST_KNOWN = 5000
 
@@ -110,6 +112,7 @@ def near_misses(name: str, known: Iterable[str]) -> str:
         if head:
             targets.setdefault(head.upper(), head)
     upper = name.upper()
-    close = [upper] if upper in targets else difflib.get_close_matches(upper, targets, 3, _LIKENESS)
+    least = _LIKENESS if len(name) > _SHORT else _LIKENESS_OF_SHORT
+    close = [upper] if upper in targets else difflib.get_close_matches(upper, targets, 3, least)
     near = [full for full in dict.fromkeys(targets[found] for found in close) if full != name]
     return f": did you mean {' or '.join(near)}?" if near else ""

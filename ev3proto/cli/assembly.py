@@ -43,8 +43,8 @@ def assembled_messages(
         if len(objects) <= 1 and _SUBROUTINE not in objects:
             show_errors("" if source.is_frame else f"{source.label}, ", error, complain_of)
         if objects:
-            label = "this" if source.is_frame else source.label
-            complain_of(f"{label}: the source of a program fits no frame: give -o FILE.rbf to make its image")
+            label = "" if source.is_frame else f"{source.label}: "
+            complain_of(f"{label}this is a program, not a frame; add -o FILE.rbf to make its image")
 
 
 def show_errors(place: str, error: AssemblyError, complain_of: Callable[[str], None] = complain) -> None:

@@ -20,7 +20,7 @@ from ev3proto.brick.servers.limits import PATIENCE, UNLOCK_TIME
 from ev3proto.brick.servers.reporting import Reporter
 from ev3proto.brick.servers.script import Script, ScriptError, read_script
 from ev3proto.brick.servers.server import Options, ServerError, running
-from ev3proto.cli.commands import FiniteRange, given_options
+from ev3proto.cli.commands import FiniteRange, given_options, incompatible
 from ev3proto.cli.ending import stopped_by_signals
 from ev3proto.cli.output import Failure, Printer, complain, failing_on, failing_to, flush, say
 from ev3proto.tables.declaration import DIALECTS
@@ -168,7 +168,7 @@ def brick(
         _show_coverage(dialect)
         return
     if not wifi and (useless := [option for option in given_options("port", "beacon") if option != "--no-beacon"]):
-        raise click.UsageError(f"--no-wifi leaves no use for {useless[0]}: give one or the other")
+        raise incompatible("--no-wifi", useless[0])
     options = Options(
         address=address,
         port=port if wifi else None,
@@ -185,11 +185,11 @@ def brick(
         serial_number=_serial_number(serial_number),
     )
     if (errors_only or as_json) and not report:
-        raise click.UsageError("--errors-only and --json are about what --report prints: give --report, too")
+        raise click.UsageError("--errors-only and --json need --report")
     if options.port is None and serial is None and page is None:
-        raise click.UsageError("without WiFi there must be --serial or --http: nobody could reach the brick")
+        raise click.UsageError("--no-wifi needs --serial or --http; otherwise no client can reach the brick")
     if not quiet:
-        complain(f"It differs from a real brick in {len(DEVIATIONS)} ways (--help lists them, --quiet hides this):")
+        complain(f"This brick differs from a real one in {len(DEVIATIONS)} ways (--quiet hides this list):")
         for sentence in DEVIATIONS:
             complain(f"- {sentence}")
     with folder(root) as place:
@@ -208,7 +208,8 @@ def _serial_number(text: str | None) -> str | None:
     """Returns a serial number as the brick shows it. Raises click.BadParameter."""
     if text is None or re.fullmatch(r"[0-9A-Fa-f]{12}", text):
         return None if text is None else text.lower()
-    raise click.BadParameter(f"a serial number has 12 hexadecimal digits, not {text!r}", param_hint="--serial-number")
+    expected = "expected 12 hexadecimal digits"
+    raise click.BadParameter(f"invalid serial number {text[:60]!r}; {expected}", param_hint="'--serial-number'")
 
 
 async def _serve(options: Options, root: Path) -> Reporter | None:
@@ -265,7 +266,7 @@ def _show_coverage(dialect: str) -> None:
     missing = [name for name, is_there in names if not is_there]
     for name in missing:
         say(name)
-    complain(f"{len(names) - len(missing)} of {len(names)} operations are there")
+    complain(f"{len(names) - len(missing)} of {len(names)} operations are implemented")
 
 
 def _shown(address: str) -> str:

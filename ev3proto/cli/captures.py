@@ -15,6 +15,7 @@ from ev3proto.capture.text_log import read_log
 from ev3proto.cli.output import EVERY, advancing, complain, progress_bar
 from ev3proto.cli.reading import (
     BUILTIN,
+    HOW_FRAMES_ARE_WRITTEN,
     MIB,
     START,
     CaptureOptions,
@@ -111,7 +112,11 @@ class CaptureSource:
         """Complains of what was read to its end where nothing of a brick is in it, whatever the filter lets through."""
         account = self.account
         if self._capture is not None and not (self.status or account.frames or account.texts):
-            self._complain(f"there is no frame in {'it' if self.lines is not None else self.extent}{self.passed_over}")
+            self._complain(
+                f"no frame found{HOW_FRAMES_ARE_WRITTEN}"
+                if self.lines is not None
+                else f"no frame in {self.extent}{self.passed_over}"
+            )
 
     def _all_events(self) -> Iterator[Event]:
         try:
@@ -162,7 +167,7 @@ class CaptureSource:
             return
         start = self.file.contents.peek(START)[:START]
         if is_image(start):
-            raise CaptureError("this is a program image (.rbf) and no capture: ev3proto decode shows it")
+            raise CaptureError("this is a program image (.rbf), not a capture; `ev3proto decode` shows it")
         kind = kind_of(self.name, start)
         if kind is None and not is_binary(start):
             self.lines = text_lines(self.file.contents)

@@ -17,7 +17,7 @@ from ev3proto.checking.codes import CODES, Code
 from ev3proto.checking.fixing import fix
 from ev3proto.checking.program_codes import PROGRAM_CODES
 from ev3proto.checking.report import Finding, Fix, Report
-from ev3proto.cli.commands import given_options
+from ev3proto.cli.commands import given_options, incompatible
 from ev3proto.cli.output import Printer, complain
 from ev3proto.cli.reading import SOURCE_SUFFIX, CaptureOptions, Piece, introduction, reading_options
 from ev3proto.cli.sources import Source, SourceReader, looks_like_assembly, sources
@@ -123,7 +123,7 @@ class Checking(SourceReader):
         frame = piece.message.build()
         fault = piece.message.fault
         if pasted.cut and fault is not None and fault.truncated:
-            self.complain(f"{source.where(pasted)}: the text is cut off after {len(frame)} bytes: nobody can check it")
+            self.complain(f"{source.where(pasted)}: cannot check a frame that is cut off after {len(frame)} bytes")
             return
         if source.is_frame:
             self._typed(frame)
@@ -193,7 +193,7 @@ class Checking(SourceReader):
         from ev3proto.program.report import program_findings  # the same
 
         if self._options.fixes:
-            raise click.UsageError(f"--fix is for frames, and {source.label[:60]} is a program")
+            raise click.UsageError(f"--fix is for frames, but {source.label[:60]} is a program")
         self.programs += 1
         report = check_program(image, dialect=self.reading.dialect)
         place = Place("" if self._is_single else source.label, {"source": source.label})
@@ -406,25 +406,21 @@ def check(
     """  # noqa: D301 - the mark by which click leaves lines as they are
     if code is not None:
         if names:
-            raise click.UsageError("--explain is about a code, not about frames: give one or the other")
+            raise incompatible("--explain", "FRAME")
         given = given_options("strict", "fixes", "no_hints", "errors_only", "quiet", "carrier")
         given += [f"--format {style}"] if style in ("sarif", "github") else []
         if given:
-            raise click.UsageError(
-                f"--explain is about a code, and {', '.join(given)} about frames: give no other option"
-            )
+            raise incompatible("--explain", ", ".join(given))
         _explain(code, as_json=as_json or style == "json", dialect=reading.dialect)
         return
     if strict and errors_only:
-        raise click.UsageError("--strict counts warnings and --errors-only hides them: give one or the other")
+        raise incompatible("--strict", "--errors-only")
     if as_json and style not in (None, "json"):
-        raise click.UsageError(f"--json is one form of output and --format {style} another: give one or the other")
+        raise incompatible("--json", f"--format {style}")
     if quiet and style in ("sarif", "github"):
-        raise click.UsageError(f"--quiet shows numbers only, and --format {style} findings: give one or the other")
+        raise incompatible("--quiet", f"--format {style}")
     if fixes and style in ("sarif", "github"):
-        raise click.UsageError(
-            f"--fix prints frames, and --format {style} has no place for them: give one or the other"
-        )
+        raise incompatible("--fix", f"--format {style}")
     hidden = {"hint", "warning"} if errors_only else {"hint"} if no_hints else set()
     style = style or ("json" if as_json else FORMATS[0])
     options = CheckOptions(style, fixes, strict, carrier, frozenset(hidden), quiet)
@@ -433,10 +429,7 @@ def check(
     checking.read_all(found)
     checking.summary()
     if checking.replies and not checking.frames and not checking.programs and not checking.at_fault:
-        complain(
-            f"there is no command in the input, only {_frames(checking.replies)} from the brick: what it says is not"
-            " checked"
-        )
+        complain(f"no command found, only {_frames(checking.replies)} from the brick; `ev3proto check` checks commands")
         checking.at_fault = True
     sys.exit(1 if checking.at_fault else 0)
 
@@ -446,8 +439,8 @@ def _explain(name: str, *, as_json: bool, dialect: str) -> None:
     known = PROGRAM_CODES | CODES
     found = list(known.values()) if name == ALL_CODES else [known[name.upper()]] if name.upper() in known else []
     if not found:
-        hint = near_misses(name, known) or f"; --explain {ALL_CODES} lists those that there are"
-        raise click.BadParameter(f"there is no code {name}{hint}", param_hint="--explain")
+        hint = near_misses(name, known) or f"; --explain {ALL_CODES} lists the codes"
+        raise click.BadParameter(f"unknown code {name}{hint}", param_hint="'--explain'")
     printer = Printer()
     for code in found:
         if as_json:

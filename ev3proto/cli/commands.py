@@ -8,6 +8,7 @@ import os
 import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, suppress
+from difflib import get_close_matches
 from importlib import import_module
 from io import TextIOWrapper
 from pathlib import Path
@@ -24,7 +25,20 @@ from ev3proto.version import VERSION
 
 
 class Group(click.Group):
-    """A group that does not cut the texts of its subcommands off."""
+    """A group that shows the first sentence of each subcommand whole, and suggests one for a misspelt name."""
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        """Finds a subcommand. Raises click.UsageError for an unknown one."""
+        if self.get_command(ctx, args[0]) is None and not args[0].startswith("-"):
+            close = self.closest_to(ctx, args[0])
+            ctx.fail(f"No such command {args[0]!r}." + (f" Did you mean {close!r}?" if close else ""))
+        return super().resolve_command(ctx, args)
+
+    def closest_to(self, ctx: click.Context, name: str) -> str | None:
+        """Returns the subcommand that a misspelt name may mean."""
+        return next(iter(get_close_matches(name, self.list_commands(ctx), 1)), None)
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """Lists the subcommands, each with the first sentence of its help."""
@@ -47,12 +61,19 @@ def first_sentence(command: click.Command) -> str:
 class FiniteRange(click.FloatRange):
     """A finite number in a range."""
 
+    name = "number"
+
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
         """The number that was written."""
         number = float(super().convert(value, param, ctx))
         if not math.isfinite(number):
-            self.fail(f"{number} is no finite number", param, ctx)
+            self.fail(f"{number} is not a finite number", param, ctx)
         return number
+
+
+def incompatible(first: str, second: str, reason: str = "") -> click.UsageError:
+    """Returns the error for two options that exclude each other, with a reason where it is not obvious."""
+    return click.UsageError(f"{first} and {second} cannot be used together{reason and ': '}{reason}")
 
 
 def given_options(*names: str) -> list[str]:
@@ -100,7 +121,7 @@ DEBUG = "EV3PROTO_DEBUG"
 """The environment variable that shows where an internal error comes from."""
 
 
-class Commands(click.Group):
+class Commands(Group):
     """The subcommands, and how everything ends: with an exit status, and never with a traceback."""
 
     def list_commands(self, _context: click.Context) -> list[str]:

@@ -37,9 +37,10 @@ def copy(target: Target, source: str, destination: str) -> None:
       ev3proto copy usb brick:../prjs/tone/tone.rbf tone.rbf
     """  # noqa: D301 - the mark by which click leaves lines as they are
     is_from_brick = source.startswith(ON_BRICK)
-    if is_from_brick == destination.startswith(ON_BRICK):
-        example = f"{ON_BRICK}../prjs/tone/tone.rbf"
-        raise click.UsageError(f"one of SOURCE and DESTINATION must be on the brick, such as {example}")
+    if is_from_brick and destination.startswith(ON_BRICK):
+        raise click.UsageError("SOURCE and DESTINATION are both on the brick; one must be a file of this computer")
+    if not is_from_brick and not destination.startswith(ON_BRICK):
+        raise click.UsageError("neither SOURCE nor DESTINATION is on the brick; write its path there as brick:PATH")
 
     done = "written" if is_from_brick else "read"
     local = destination if is_from_brick else source

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from ev3proto.cli.commands import incompatible
 from ev3proto.cli.output import complain
 from ev3proto.cli.reading import MIB, CaptureOptions, Piece, given_up, reading_options
 from ev3proto.cli.show import FORMATS, Show
@@ -58,7 +59,7 @@ class Decoding(SourceReader):
     def program(self, source: Source, image: bytes) -> None:
         """A program image, in the format that was asked for."""
         if self._as_programs:
-            raise click.UsageError(f"--programs finds programs in captures, and {source.label[:60]} is one itself")
+            raise click.UsageError(f"--programs is for captures, but {source.label[:60]} is a program itself")
         self._shown(source.label, None, image)
 
     def _shown(self, label: str, origin: str | None, image: bytes) -> None:
@@ -127,14 +128,12 @@ def decode(
       python3 my_program.py | ev3proto decode --json
     """  # noqa: D301 - the mark by which click leaves lines as they are
     if as_dialogues and as_programs:
-        raise click.UsageError("--dialogues shows frames and --programs what they move: give one or the other")
+        raise incompatible("--dialogues", "--programs")
     if style not in (None, "json"):
         if as_json:
-            raise click.UsageError(f"--json is one form of output and --format {style} another: give one or the other")
+            raise incompatible("--json", f"--format {style}")
         if as_dialogues:
-            raise click.UsageError(
-                f"--dialogues has a line a command and --format {style} none: omit it, or give --json"
-            )
+            raise incompatible("--dialogues", f"--format {style}")
     show = Show("json" if as_json else style)
     decoding = Decoding(show, reading, as_dialogues=as_dialogues, as_programs=as_programs)
     decoding.read_all(sources(names))

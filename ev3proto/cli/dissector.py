@@ -46,7 +46,7 @@ def build_command(output: Path | None, check: bool) -> None:
       ev3proto dissector build -o dissector/ev3.lua --check
     """  # noqa: D301 - the mark by which click leaves lines as they are
     if check and output is None:
-        raise click.UsageError("--check needs -o: the file to check")
+        raise click.UsageError("--check needs -o")
     if not put(build().encode(), output, check=check):
         sys.exit(1)
 
@@ -126,7 +126,7 @@ def _install(folder: Path | None, with_profile: bool, tshark: str | None, force:
     plugin = folders.plugins / FILE_NAME
     for path, outcome in install_dissector(folders.plugins, force=force):
         if outcome is InstallResult.KEPT:
-            raise InstallError(f"{path} is another program's: move it away, or overwrite it with --force")
+            raise InstallError(f"{path} belongs to another program; move it away, or overwrite it with --force")
         say(f"{path}: {outcome.value}")
     outcomes = [install_launcher(folders.extcap, force=force)] if folders.extcap else []
     if with_profile:
@@ -141,7 +141,7 @@ def _install(folder: Path | None, with_profile: bool, tshark: str | None, force:
     if asked:
         say(f"{asked.path} loads it.")
     elif folder is None:
-        say("There is no tshark to ask: these are Wireshark's usual folders. Help, About, Folders names its own.")
+        say("tshark was not found, so these are Wireshark's usual folders; compare Help, About, Folders in Wireshark.")
     say("Restart Wireshark, or choose Analyze, Reload Lua Plugins.")
     if with_profile and folder is None:
         say("For the profile, choose EV3 under Edit, Configuration Profiles.")

@@ -16,7 +16,7 @@ import click
 
 from ev3proto.cli.assembly import assembled_messages
 from ev3proto.cli.captures import CaptureSource
-from ev3proto.cli.commands import given_options
+from ev3proto.cli.commands import given_options, incompatible
 from ev3proto.cli.output import binary_output, failing_to, is_terminal, say
 from ev3proto.cli.reading import CaptureOptions, Piece, Unread, introduction, reading_options
 from ev3proto.cli.sources import Source, SourceReader, sources
@@ -122,6 +122,7 @@ class Encoding(SourceReader):
     """Writes the frames of the sources, one after the other, and remembers whether any source was at fault."""
 
     accepted = "what can be encoded is assembly, JSON, frames in hex, or a capture"
+    arguments = "nor assembly nor a frame"
 
     def __init__(self, output: Sink, reading: CaptureOptions, wants: Wants) -> None:
         super().__init__(reading)
@@ -151,7 +152,7 @@ class Encoding(SourceReader):
         fault = piece.message.fault
         if pasted.cut and fault is not None and fault.truncated:
             size = len(piece.message.build())
-            self.complain(f"{source.where(pasted)}: the text is cut off after {size} bytes: nobody knows the rest")
+            self.complain(f"{source.where(pasted)}: cannot encode a frame that is cut off after {size} bytes")
             return
         self._output.write(piece.message)
         if fault is not None:
@@ -164,7 +165,7 @@ class Encoding(SourceReader):
         whole = itertools.chain(first, lines)
         if self.reading.filter is not None:
             if _is_record(line) or is_assembly(line) or OBJECT.match(line):
-                raise click.UsageError(f"--filter is for frames, and {source.label[:60]} has none yet")
+                raise click.UsageError(f"--filter is for frames, but {source.label[:60]} has none yet")
             self._recorded(source, whole)
         elif _is_record(line):
             self._records(source, whole)
@@ -206,19 +207,17 @@ class Encoding(SourceReader):
             count += 1
             if pasted.unread:
                 unread.add(pasted)
-            elif source.is_frame and not pasted.data:
-                self.complain(f"{source.name[:60]!r} is no file, no assembly and no frame: {pasted.problem}")
             else:
                 self._pasted(pasted, source)
         if unread.count:
             self.complain(f"{source.label}: {unread}")
         if not count:
-            self.complain(f"{source.label}: there is nothing in it that can be encoded: {_EXPECTED}")
+            self.complain(f"{source.label}: {_NOTHING}")
 
 
-_EXPECTED = (
-    "assembly such as SOUND(TONE, 1, 440, 1000), objects as decode --json prints them, or frames in hex such as"
-    " 06:00|2A:00|80|00:00|01"
+_NOTHING = (
+    "nothing to encode; expected assembly such as SOUND(TONE, 1, 440, 1000), objects as `decode --json` prints them, or"
+    " frames in hex such as 06:00|2A:00|80|00:00|01"
 )
 
 
@@ -239,7 +238,8 @@ class _Version(click.ParamType):
         except ValueError:
             number = -1
         if not 0 <= number <= 0xFFFF:
-            self.fail(f"{str(value)[:20]} is no version: a whole number from 0 to 65535, such as 0x6D", param, ctx)
+            expected = "expected a whole number from 0 to 65535, such as 0x6D"
+            self.fail(f"invalid version {str(value)[:20]}; {expected}", param, ctx)
         return number
 
 
@@ -309,23 +309,20 @@ def encode(
     if form == RBF or (form is None and (is_for_program or (path is not None and path.lower().endswith(SUFFIX)))):
         about_frames = given_options("counter", "reply", "unchecked", "chosen", "no_length", "only_operations")
         if about_frames:
-            raise click.UsageError(
-                f"{', '.join(about_frames)} {'is' if len(about_frames) == 1 else 'are'} for frames, and --to rbf or"
-                " -o FILE.rbf for programs: give one or the other"
-            )
+            raise incompatible(", ".join(about_frames), "--to rbf or -o FILE.rbf")
         found = sources(names)
         from ev3proto.cli.programs import encode_program  # takes 45 ms, which frames have no use for
 
         sys.exit(encode_program(found, path, dialect=source_dialect, version=version, shortest=shortest))
     if is_for_program:
-        raise click.UsageError("--source, --version and --shortest are for programs: give --to rbf, or -o FILE.rbf")
+        raise click.UsageError("--source, --version and --shortest are for programs; add --to rbf or -o FILE.rbf")
     form = form or "hex"
     if form == RAW and path is None and is_terminal():
-        raise click.UsageError("raw bytes would garble the terminal: give -o FILE, or pipe them into another program")
+        raise click.UsageError("refusing to write raw bytes to a terminal; give -o FILE, or pipe them into a program")
     with failing_to("written", path), Output(form, path) as output:
         encoding = Encoding(output, reading, Wants(counter, reply, unchecked))
         for source in sources(names):
             encoding.read(source)
     if not output.count and not encoding.at_fault:
-        encoding.complain(f"there is nothing in the input that can be encoded: {_EXPECTED}")
+        encoding.complain(_NOTHING)
     sys.exit(1 if encoding.at_fault else 0)

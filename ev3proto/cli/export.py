@@ -61,7 +61,7 @@ def _file_options(command: F) -> F:
 def _write(text: str, output: Path | None, *, check: bool) -> None:
     """Writes the text of a file; with `check` says whether it is there already. Ends the program where it is not."""
     if check and output is None:
-        raise click.UsageError("--check needs -o: the file to check")
+        raise click.UsageError("--check needs -o")
     if not put(text.encode(), output, check=check):
         sys.exit(1)
 
@@ -217,7 +217,7 @@ def pcapng(names: tuple[str, ...], output: Path | None, carrier: str, interval: 
       ev3proto export pcapng --carrier usb robot.log | tshark -r -
     """  # noqa: D301
     if output is None and is_terminal():
-        raise click.UsageError("a capture is no text for a terminal: name a file with -o, or pipe it on")
+        raise click.UsageError("refusing to write a capture to a terminal; give -o FILE, or pipe it into a program")
     with failing_to("written", output), binary_output() if output is None else whole_file(output) as stream:
         writer = CaptureWriter(stream, carrier=carrier, step_ns=round(interval * _NANOSECONDS_EACH))
         carrying = _Carrying(writer, reading)

@@ -46,7 +46,7 @@ def files(
       ev3proto files robot.pcapng -o files
     """  # noqa: D301 - the mark by which click leaves lines as they are
     if force and folder is None:
-        raise click.UsageError("--force needs -o: the folder to write into")
+        raise click.UsageError("--force needs -o")
 
     rows: list[tuple[str, ...]] = []
     units = set()
@@ -73,7 +73,7 @@ def files(
         units.add(source.unit)
         source.expect_frames()
         if is_empty and not source.status:
-            complain(f"{source.label}: no file is moved in it{source.passed_over}")
+            complain(f"{source.label}: no file is moved{source.passed_over}")
         status |= source.status
     if rows:
         _list(rows, "lines" if units == {"line"} else "packets")

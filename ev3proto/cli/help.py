@@ -7,8 +7,9 @@ import re
 import click
 
 from ev3proto.cli.check import check
+from ev3proto.cli.commands import Group
 from ev3proto.cli.ops import ops
-from ev3proto.cli.output import say
+from ev3proto.cli.output import Failure, say
 
 
 @click.command()
@@ -27,12 +28,18 @@ def help(context: click.Context, words: tuple[str, ...]) -> None:  # noqa: A001 
     assert parent is not None
     command, found = parent.command, parent
     for number, word in enumerate(words):
-        below = command.get_command(found, word) if isinstance(command, click.Group) else None
-        if below is None:
-            if number:
-                raise click.UsageError(f"{found.command_path} has no subcommand {word}")
-            _look_up(words)
-            return
+        if not isinstance(command, Group):
+            raise click.UsageError(f"{found.command_path} has no subcommands")
+        below = command.get_command(found, word)
+        if below is None and not number:
+            try:
+                _look_up(words)
+                return
+            except Failure:
+                if not command.closest_to(found, word):
+                    raise
+        _, below, _ = command.resolve_command(found, [word])
+        assert below is not None
         command, found = below, click.Context(below, info_name=word, parent=found)
     say(command.get_help(found))
 

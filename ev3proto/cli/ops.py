@@ -6,6 +6,7 @@ import json
 import re
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
+from difflib import get_close_matches
 from typing import Any
 
 import click
@@ -51,9 +52,9 @@ def ops(words: tuple[str, ...], area: str | None, as_json: bool, dialect: str) -
     exact = _exact(entries, words) if words else []
     found = exact or _ranked(entries, words)
     if not found:
-        hint = near_misses(".".join(words), [entry.name for entry in entries]) or _near_words(entries, words)
-        hint = hint or "; without words, ops lists all there are"
-        raise Failure(f"nothing has {' '.join(words)!r} in its name or meaning{hint}")
+        hint = near_misses(".".join(words), [entry.name for entry in entries]) or _near_word(entries, words)
+        hint = hint or "; `ev3proto ops` lists all operations"
+        raise Failure(f"no operation matches {' '.join(words)!r}{hint}")
     for number, entry in enumerate(found):
         if as_json:
             printer.text(json.dumps(entry.record(), ensure_ascii=False))
@@ -230,15 +231,15 @@ def _ranked(entries: list[Entry], words: tuple[str, ...]) -> list[Entry]:
     return [entry for _, entry in sorted(ranked, key=lambda pair: pair[0])]
 
 
-def _near_words(entries: list[Entry], words: tuple[str, ...]) -> str:
-    """`: did you mean battery?` for the first word that no entry has but a similar one; or nothing."""
-    known = {word for entry in entries for text in entry.texts for word in _words(text)}
-    for word in (word for each in words for word in _words(each)):
-        if not _has(list(known), word):
-            hint = near_misses(word, sorted(each.upper() for each in known)).lower()
-            if hint:
-                return hint
-    return ""
+def _near_word(entries: list[Entry], words: tuple[str, ...]) -> str:
+    """Returns `: did you mean battery?` for the first unknown word that resembles a known one; or nothing."""
+    known = sorted({word for entry in entries for text in entry.texts for word in _words(text)})
+    unknown = [word for each in words for word in _words(each) if not _has(known, word)]
+    close = [near for word in unknown for near in get_close_matches(word, known, 1, _LIKENESS)]
+    return f": did you mean {close[0]}?" if close else ""
+
+
+_LIKENESS = 0.8
 
 
 def _words(text: str) -> list[str]:

@@ -207,7 +207,7 @@ def put(data: bytes, path: Path | None, *, check: bool = False) -> bool:
         if not check:
             write_whole(path, data)
         elif path.read_bytes() != data:
-            complain(f"{path} is out of date: write it anew, without --check")
+            complain(f"{path} is out of date; run this without --check to write it again")
             return False
     except OSError as error:
         complain(f"{path}: cannot be {'read' if check else 'written'}: {error.strerror or error}")

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import errno
 import json
+import os
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from textwrap import wrap
@@ -128,10 +130,10 @@ def encode_program(
 ) -> int:
     """Makes an image of one source and writes it; the exit status."""
     if len(found) != 1:
-        raise click.UsageError(f"a program is made of one source, and here are {len(found)}")
+        raise click.UsageError(f"expected one source of a program, not {len(found)}")
     source = found[0]
     if path is None and is_terminal():
-        raise click.UsageError("an image would garble the terminal: give -o FILE, or pipe it into another program")
+        raise click.UsageError("refusing to write an image to a terminal; give -o FILE, or pipe it into a program")
     text = _text_of(source)
     if text is None:
         return 1
@@ -155,10 +157,10 @@ def _text_of(source: Source) -> str | bytes | None:
     if not source.is_frame:
         read = read_source(source)
         if read is not None and is_image(read):
-            complain(f"{source.label}: is an image already: `ev3proto decode --format lego` shows its source")
+            complain(f"{source.label}: this is an image already; `ev3proto decode --format lego` shows its source")
             return None
         return read
     if "{" not in source.name and not any(character.isspace() for character in source.name.strip()):
-        complain(f"{source.name[:_MOST_OF_A_NAME]}: there is no such file")
+        complain(f"{source.name[:_MOST_OF_A_NAME]}: cannot be read: {os.strerror(errno.ENOENT)}")
         return None
     return source.name

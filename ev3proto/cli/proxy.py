@@ -13,7 +13,7 @@ import click
 
 from ev3proto.brick.servers.faults import Faults
 from ev3proto.capture.dialogues import RequestReply
-from ev3proto.cli.commands import FiniteRange
+from ev3proto.cli.commands import FiniteRange, incompatible
 from ev3proto.cli.ending import stopped_by_signals
 from ev3proto.cli.output import Failure, complain, failing_on, failing_to, flush, is_terminal, say, writing_output
 from ev3proto.cli.recorded import show_dialogue
@@ -90,7 +90,7 @@ def proxy(
       ev3proto proxy --to usb --record - | wireshark -k -i -
     """  # noqa: D301 - the mark by which click leaves lines as they are
     if record == "-" and as_json:
-        raise click.UsageError("--record - takes standard output, on which --json prints: give one or the other")
+        raise incompatible("--record -", "--json", "both write to standard output")
     address, port = _place(listen)
     options = ProxyOptions(
         address, port, _address(only_from), read_only, hide, Faults(delay, drop, corrupt, Random(seed)), dialect
@@ -104,7 +104,7 @@ def proxy(
             standing = Proxy(wire, str(target), options, show=shown, say=complain, recording=recording)
         shown.start_ns = standing.records.start_ns
         if not ipaddress.ip_address(address).is_loopback:
-            complain(f"Everybody who reaches {address} can talk to the brick through this proxy (--from, --read-only).")
+            complain(f"Anyone who can reach {address} can control the brick through this proxy (--from, --read-only).")
         tell = complain if record == "-" else say
         if beacon:
             said = Beacon(target.serial_number or _UNKNOWN_SERIAL, str(standing.port))
@@ -135,11 +135,11 @@ def _place(listen: str) -> tuple[str, int]:
     try:
         found = Target.parse(listen) if not listen.endswith(":0") else Target.parse(listen[:-2])
         if found.way is not Way.WIFI:
-            raise ValueError(f"{listen!r}: a proxy listens as a WiFi brick: wifi, wifi:ADDRESS or wifi:ADDRESS:PORT")
+            raise ValueError(f"cannot listen at {listen!r}; expected wifi, wifi:ADDRESS or wifi:ADDRESS:PORT")
         address = found.host or _LOOPBACK
         ipaddress.ip_address(address)
     except ValueError as error:
-        raise click.BadParameter(str(error), param_hint="--listen") from None
+        raise click.BadParameter(str(error), param_hint="'--listen'") from None
     return address, 0 if listen.endswith(":0") else found.port or TCP_PORT
 
 
@@ -149,7 +149,8 @@ def _address(text: str | None) -> str | None:
     try:
         return str(ipaddress.ip_address(text))
     except ValueError:
-        raise click.BadParameter(f"{text[:60]!r} is no address such as 192.0.2.1", param_hint="--from") from None
+        expected = "expected one such as 192.0.2.1"
+        raise click.BadParameter(f"invalid address {text[:60]!r}; {expected}", param_hint="'--from'") from None
 
 
 def _recording(record: str | None, stack: ExitStack) -> Recording | None:
@@ -166,6 +167,8 @@ def _recorded_to(record: str, stack: ExitStack) -> BinaryIO:
     """The stream of the recording. Raises OSError, click.UsageError or OutputError."""
     if record == "-":
         if is_terminal():
-            raise click.UsageError("a capture would garble the terminal: pipe it, or give --record FILE")
+            raise click.UsageError(
+                "refusing to write a capture to a terminal; give --record FILE, or pipe it into a program"
+            )
         return sys.stdout.buffer
     return cast(BinaryIO, stack.enter_context(closing(GrowingFile(Path(record)))))

@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 import click
 
 from ev3proto.bounded import DEFAULT_MEMORY
+from ev3proto.cli.commands import incompatible
 from ev3proto.cli.output import say
 from ev3proto.messages import Message
 from ev3proto.schema.frame import parse
@@ -101,6 +102,8 @@ def kind_of(name: str, start: bytes) -> str | None:
 
 MOST_RAW = 1 << 26
 """Bytes of frames that are read from a file which has nothing else; a longer one is refused."""
+
+HOW_FRAMES_ARE_WRITTEN = "; frames are written in hex, such as 06:00|2A:00|80|00:00|01"
 
 START = 8
 """Bytes by which a file is recognised."""
@@ -383,7 +386,7 @@ def reading_options(command: F) -> F:
         **others: Any,
     ) -> Any:
         if no_length and only_operations:
-            raise click.UsageError("--no-length has the rest of a header and --operations none: give one or the other")
+            raise incompatible("--no-length", "--operations")
         missing: Missing | None = "length" if no_length else "header" if only_operations else None
         reading = CaptureOptions(dialect, ports, engine, tshark, chosen, missing, memory)
         return command(*arguments, reading=reading, **others)

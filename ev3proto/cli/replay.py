@@ -43,8 +43,8 @@ def _allowed(_context: click.Context, _parameter: click.Parameter, given: tuple[
         elif name.upper() in known:
             found.add(name.upper())
         else:
-            hint = near_misses(name, known) or f"; it must be an operation, {_EVERYTHING}, or one of {', '.join(Harm)}"
-            raise click.BadParameter(f"{name[:60]!r} is nothing that could be allowed{hint}")
+            hint = near_misses(name, known) or f"; expected an operation, {_EVERYTHING}, or one of {', '.join(Harm)}"
+            raise click.BadParameter(f"unknown operation or group {name[:60]!r}{hint}")
     return frozenset(found)
 
 
@@ -96,7 +96,7 @@ def replay(
     capture = CaptureSource(name, reading)
     found = steps(dialogues(capture.events()), allowed, reading.dialect)
     if not found and not capture.status:
-        raise Failure(f"{capture.label}: there is no command in it")
+        raise Failure(f"{capture.label}: no command found")
     if not found:
         sys.exit(1)
     if dry_run:

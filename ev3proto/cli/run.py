@@ -18,7 +18,7 @@ from ev3proto.brick.running_programs import FAIL, RUNNING, Program
 from ev3proto.brick.servers.server import Options, Running, ServerError, running
 from ev3proto.cli.assembly import show_errors
 from ev3proto.cli.brick import folder, interrupted, read_script_file
-from ev3proto.cli.commands import FiniteRange
+from ev3proto.cli.commands import FiniteRange, incompatible
 from ev3proto.cli.output import complain, failing_on, failing_to, flush, is_terminal, say
 from ev3proto.cli.programs import complain_of_warnings
 from ev3proto.cli.reading import is_image
@@ -90,7 +90,7 @@ def run(
       ev3proto run robot.rbf --script robot.toml --http
     """  # noqa: D301 - the mark by which click leaves lines as they are
     if page is not None and limit is not None:
-        raise click.UsageError("--http shows the program until Ctrl-C, and --limit ends it: give one or the other")
+        raise incompatible("--http", "--limit")
     image = _image(file)
     options = Options(port=None, page=page, screenshot=screenshot, script=read_script_file(script))
     with folder(root) as place:

@@ -9,6 +9,7 @@ from itertools import islice
 
 import click
 
+from ev3proto.cli.commands import incompatible
 from ev3proto.cli.output import Failure, binary_output, complain, say
 from ev3proto.cli.show import FORMATS, Show
 from ev3proto.dialogue import Exchange
@@ -71,7 +72,7 @@ def sample(
       ev3proto sample --type system-reply --mutate --format raw | my_decoder
     """  # noqa: D301 - the mark by which click leaves lines as they are
     if accepted and mutate:
-        raise click.UsageError("--accepted draws frames without errors, and --mutate adds some: give one or the other")
+        raise incompatible("--accepted", "--mutate")
     frames = _frames(seed, names, areas, types, accepted, mutate, dialect)
     write = _writer(style, dialect)
     written = 0
@@ -79,7 +80,7 @@ def sample(
         write(frame)
         written += 1
     if written < count:
-        complain(f"no more than {written} frames of this kind could be drawn")
+        complain(f"found only {written} different frames of this kind")
 
 
 def _frames(

@@ -98,19 +98,19 @@ def send(
         encoding.read(source)
     if not found.commands:
         if not encoding.at_fault:
-            complain("there is nothing in the input that can be sent: frames in hex, or assembly")
+            complain("nothing to send; expected frames in hex, or assembly")
         sys.exit(1)
     if encoding.at_fault and not force:
-        raise Failure("nothing was sent, because not all of the input can be read; --force sends what can be")
+        raise Failure("nothing was sent, because part of the input cannot be read; --force sends the rest")
     if found.replies:
-        complain(f"{counted(found.replies, 'frame')} of the input from a brick: not sent")
+        complain(f"skipped {counted(found.replies, 'frame')} from a brick")
     allowed = [
         message
         for number, message in enumerate(found.commands, 1)
         if force or not is_refused(message.build(), f"frame {number}", dialect=dialect, carrier=target.carrier)
     ]
     if len(allowed) < len(found.commands):
-        raise Failure("nothing was sent; --force sends it all the same")
+        raise Failure("nothing was sent; --force sends it anyway")
     with channel_to(target) as channel:
         is_fine = _talk(channel, allowed, Show("json" if as_json else None), timeout, dialect, str(target))
     sys.exit(0 if is_fine and not encoding.at_fault else 1)
@@ -123,7 +123,7 @@ def _talk(channel: Channel, messages: list[Message], show: Show, timeout: float,
     for message in messages:
         frame = message.build()
         if len(frame) < HEADER_SIZE:
-            complain(f"{frame.hex(':').upper()} is too short to be sent: the brick would wait for the rest of it")
+            complain(f"{frame.hex(':').upper()} is too short to send: the brick would wait for the rest of it")
             is_fine = False
             continue
         command = records.sent(frame)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import errno
 import io
+import os
 import re
 import sys
 import zlib
@@ -14,6 +16,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from ev3proto.cli.output import Awaited, advancing, complain, progress_bar
 from ev3proto.cli.reading import (
     BUILTIN,
+    HOW_FRAMES_ARE_WRITTEN,
     SOURCE_SUFFIX,
     START,
     CaptureOptions,
@@ -39,8 +42,13 @@ if TYPE_CHECKING:
 _GROUP = re.compile(r"(0x)?([0-9a-f]{2}:?){1,4},?", re.IGNORECASE)
 """Whole bytes in hex, which are taken for bytes even where a file has that name."""
 
+_AT_START = "column 1: "
+
 _NUMBER = re.compile(r"[\[{]?((0x)?[0-9a-f]{1,2}|[0-9]{3})[\]}]?[,;]?", re.IGNORECASE)
 """One byte as numbers are written, also at an end of an array."""
+
+
+_SUFFIX = re.compile(r"\w\.[a-z]\w{0,9}$", re.IGNORECASE)
 
 
 class Source(NamedTuple):
@@ -67,11 +75,14 @@ class Source(NamedTuple):
         assert isinstance(raw, io.RawIOBase | io.BytesIO), "standard input is a file of Python's own"
         return io.BufferedReader(Awaited(raw))
 
+    @property
+    def looks_like_a_path(self) -> bool:
+        """Whether its name has a folder or a suffix, as that of a file."""
+        return "/" in self.name or _SUFFIX.search(self.name) is not None
+
     def where(self, pasted: Pasted) -> str:
         """How a complaint about it starts."""
-        if self.is_frame:
-            return f"{self.name[:60]!r}" + ("" if pasted.data else " is neither a file nor a frame")
-        return f"{self.label}, line {pasted.line}"
+        return f"{self.name[:60]!r}" if self.is_frame else f"{self.label}, line {pasted.line}"
 
 
 def sources(names: tuple[str, ...]) -> list[Source]:
@@ -95,7 +106,6 @@ def _exists(name: str) -> bool:
         return False
 
 
-_HOW_FRAMES_ARE_WRITTEN = "frames are written in hex, such as 06:00|2A:00|80|00:00|01"
 _HOW_FRAMES_ARE_MADE = "`ev3proto encode` makes frames of it"
 
 
@@ -114,6 +124,9 @@ class SourceReader(ABC):
 
     wanted = "frame"
     """What is looked for in captures, as complaints call it."""
+
+    arguments = "nor a frame"
+    """What an argument may be besides a file, as complaints call it."""
 
     accepted = "captures are pcap, pcapng or btsnoop files, packed with gzip or not"
     """What can be read, for whoever gives something else."""
@@ -157,9 +170,7 @@ class SourceReader(ABC):
 
     def assembly(self, source: Source, lines: Iterator[str]) -> None:  # noqa: ARG002 - for those that read it
         """Takes assembly that was typed on the command line; unless overridden, suggests `encode`."""
-        self.complain(
-            f"{source.name[:60]!r} is neither a file nor a frame, but looks like assembly: {_HOW_FRAMES_ARE_MADE}"
-        )
+        self.complain(f"{source.name[:60]!r} is assembly, not a frame; {_HOW_FRAMES_ARE_MADE}")
 
     def text(self, source: Source, lines: Iterator[str]) -> None:
         """Takes the lines of a text, and complains about those that look like frames and are none."""
@@ -173,19 +184,17 @@ class SourceReader(ABC):
             self._is_empty, self._first_line = True, ""
             self.read(source)
             if self._is_empty:
-                self.complain(self._nothing_in(source, is_alone=len(found) == 1))
+                self.complain(self._nothing_in(source))
 
-    def _nothing_in(self, source: Source, *, is_alone: bool) -> str:
-        """What to say of a source without a frame; of one among several, which it is."""
-        label = "" if is_alone else f"{source.label}: "
+    def _nothing_in(self, source: Source) -> str:
+        """What to say of a source without a frame."""
         if source.name.lower().endswith(SOURCE_SUFFIX):
-            return (
-                f"{label}a program's source has no frames: `ev3proto encode -o FILE.rbf` makes its image, which decode"
-                " shows"
-            )
-        if looks_like_assembly(self._first_line):
-            return f"{source.label}: there is no frame in it, but what looks like assembly: {_HOW_FRAMES_ARE_MADE}"
-        return f"{label}there is no frame in {'the input' if is_alone else 'it'}: {_HOW_FRAMES_ARE_WRITTEN}"
+            more = ", but the source of a program; `ev3proto encode -o FILE.rbf` makes its image"
+        elif looks_like_assembly(self._first_line):
+            more = f", but assembly; {_HOW_FRAMES_ARE_MADE}"
+        else:
+            more = HOW_FRAMES_ARE_WRITTEN
+        return f"{source.label}: no frame found{more}"
 
     def _noting_the_first(self, lines: Iterator[str]) -> Iterator[str]:
         """The same lines, of which the first that is neither empty nor a comment is kept."""
@@ -291,8 +300,8 @@ class SourceReader(ABC):
         capture = CaptureSource(source.name, self.reading, file, lines, is_quiet=self.is_quiet)
         self._is_empty = False
         if not self.capture(capture) and not capture.status:
-            what = f"no {self.wanted} that the filter lets through" if self.reading.filter else f"no {self.wanted}"
-            self.complain(f"{source.label}: there is {what} in {capture.extent}{capture.passed_over}")
+            matches = " matches the filter" if self.reading.filter else ""
+            self.complain(f"{source.label}: no {self.wanted} in {capture.extent}{matches}{capture.passed_over}")
         self.at_fault |= bool(capture.status)
 
     def _readable(self, source: Source, lines: Iterator[str]) -> Iterator[str]:
@@ -302,13 +311,28 @@ class SourceReader(ABC):
         except (OSError, EOFError, zlib.error) as error:
             self._unreadable(source, error)
 
+    def _wrong(self, pasted: Pasted, problem: str, source: Source) -> None:
+        """Complains about a piece of text that is not, or not whole, a frame."""
+        if not source.is_frame:
+            self.complain(f"{source.where(pasted)}: {problem}")
+        elif not pasted.data and source.looks_like_a_path:
+            self._unreadable(source, FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT)))
+        elif not pasted.data:
+            self.complain(
+                f"{source.where(pasted)} is neither a file {self.arguments}: {problem.removeprefix(_AT_START)}"
+            )
+        elif problem.startswith(_AT_START):
+            self.complain(problem.removeprefix(_AT_START))
+        else:
+            self.complain(f"{source.where(pasted)}: {problem}")
+
     def _unreadable(self, source: Source, error: Exception) -> None:
         self.complain(f"{source.label}: cannot be read: {getattr(error, 'strerror', None) or error}")
 
     def _pasted(self, pasted: Pasted, source: Source) -> None:
         """Takes everything in one piece of pasted text."""
         if pasted.problem is not None:
-            self.complain(f"{source.where(pasted)}: {pasted.problem}")
+            self._wrong(pasted, pasted.problem, source)
         if pasted.data:
             self._is_empty = False
             for piece in split(pasted.data, dialect=self.reading.dialect):

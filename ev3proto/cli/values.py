@@ -16,6 +16,7 @@ from ev3proto.capture.plot import draw
 from ev3proto.capture.series import MOST_CELLS, Cell, Row, Series, series_of
 from ev3proto.capture.timeline import MissingLibraryError
 from ev3proto.cli.captures import CaptureSource
+from ev3proto.cli.commands import incompatible
 from ev3proto.cli.output import complain, put, say
 from ev3proto.cli.reading import CaptureOptions, reading_options
 from ev3proto.cli.tables import Tables
@@ -59,10 +60,10 @@ def values(files: tuple[str, ...], reading: CaptureOptions, as_csv: bool, as_jso
       ev3proto values robot.pcapng --filter 'op == INPUT_READ' --plot light.svg
     """  # noqa: D301 - the mark by which click leaves lines as they are
     if as_csv and as_json:
-        raise click.UsageError("--csv is one form of output and --json another: give one or the other")
+        raise incompatible("--csv", "--json")
     form = "csv" if as_csv else "json" if as_json else None
     if plot is not None and form is not None:
-        raise click.UsageError(f"--plot draws the values and --{form} prints them: give one or the other")
+        raise incompatible("--plot", f"--{form}")
     sources = [CaptureSource(file, reading) for file in files]
     found = Series()
     for source in sources:
@@ -76,7 +77,7 @@ def values(files: tuple[str, ...], reading: CaptureOptions, as_csv: bool, as_jso
         if not status:
             names = ", ".join(source.label for source in sources)
             reasons = "".join(source.passed_over for source in sources)
-            complain(f"{names}: no reply with its command was found{reasons}")
+            complain(f"{names}: no reply with its command found{reasons}")
         sys.exit(1)
     start = min((begun for source in sources if (begun := source.account.first_ns) is not None), default=0)
     most = MOST_COLUMNS[form] if plot is None else MOST_SHOWN

@@ -198,10 +198,10 @@ class Channel:
             odd = self._odd
         sentence = (
             f"no answer from {self.label} to the command with the counter {ticket.request.counter} within {timeout:g} s"
-            ": it may be busy with a command that waits, switched off or out of reach"
+            "; is it busy with a waiting command, switched off, or out of reach?"
         )
         if odd is not None:
-            sentence += f". What came last: {_told(odd)}"
+            sentence += f" The last bytes received were {_told(odd)}"
         return NoAnswerError(sentence)
 
     def fetched(self, ticket: Ticket) -> None:
@@ -265,7 +265,7 @@ class Channel:
             if missing:
                 came = len(self._session.pending)
                 error = ConnectionLostError(
-                    f"{error}. It went away in the middle of a reply: {counted(came, 'byte')} came, {missing} did not"
+                    f"{error}. It ended within a reply: {counted(came, 'byte')} arrived, {missing} are missing"
                 )
             self._lost = error
             waiting = list(self._by_request.values())
@@ -279,7 +279,7 @@ class Channel:
 
 def _told(event: Event) -> str:
     if isinstance(event, Garbage):
-        shown, rest = event.data, "bytes that are no frame"
+        shown, rest = event.data, "not a frame"
     else:
         assert not isinstance(event, Answered)
         shown, rest = event.frame, f"a frame that {event.oddity.value}"

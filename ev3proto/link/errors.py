@@ -71,13 +71,13 @@ def _refusal(report: Report) -> str:
     sentence = "the brick answered DIRECT_REPLY_ERROR"
     errors = report.errors
     if report.accepted and not errors:
-        return f"{sentence}. Check finds nothing wrong with the command: an operation failed while it was executed"
+        return f"{sentence}: an operation failed while it was executed; `ev3proto check` accepts the command"
     found = [f"at offset {finding.offset}: {finding.message} ({finding.code})" for finding in errors]
     if len(found) > _MOST_FINDINGS:
         found[_MOST_FINDINGS:] = [f"and {counted(len(found) - _MOST_FINDINGS, 'error')} more"]
     if not found:
-        found = [f"the brick's own check gives up at offset {report.rejected_at}"]
-    return f"{sentence}. Check says: {'; '.join(found)}. `ev3proto check {report.frame.hex()}` says more"
+        found = [f"the brick refuses the command at offset {report.rejected_at}"]
+    return f"{sentence}: {'; '.join(found)}. For more, run `ev3proto check {report.frame.hex()}`"
 
 
 def _failure(reply: SystemReply, about: str) -> str:

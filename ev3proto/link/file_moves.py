@@ -161,17 +161,17 @@ def _read(
     data = bytearray(_bytes(reply.fields.get(data_field, b"")))
     if size > MOST_FILE:
         yield close_filehandle(handle)
-        raise TransferError(f"{path}: the brick says that it has {size} bytes, which is more than fits in a brick")
+        raise TransferError(f"{path}: the brick reports {size} bytes, which is more than a brick can store")
     progress(min(len(data), size), size)
     while len(data) < size:
         if reply.status is SystemStatus.END_OF_FILE:
-            raise TransferError(f"{path}: the brick said {size} bytes and sent {len(data)}: read it again")
+            raise TransferError(f"{path}: the brick announced {size} bytes and sent {len(data)}; copy it again")
         reply = yield go_on(handle)
         _check(reply, path)
         piece = _bytes(reply.fields.get(data_field, b""))
         if not piece and reply.status is not SystemStatus.END_OF_FILE:
             yield close_filehandle(handle)
-            raise TransferError(f"{path}: the brick sends nothing more after {len(data)} of {size} bytes")
+            raise TransferError(f"{path}: the brick stopped sending after {len(data)} of {size} bytes")
         data += piece
         progress(min(len(data), size), size)
     if reply.status is not SystemStatus.END_OF_FILE:
@@ -186,12 +186,12 @@ def _compared(data: bytes, path: str) -> Task[File]:
     listing = yield from list_dir(folder or ("/" if path.startswith("/") else "."))
     found = next((file for file in listing.files if file.name == name), None)
     if found is None:
-        raise TransferError(f"{path}: the brick does not list it, although it was moved without an error")
+        raise TransferError(f"{path}: the brick does not list the file after it was copied without an error")
     digest = hashlib.md5(data, usedforsecurity=False).hexdigest()
     if (found.size, found.md5) != (len(data), digest):
         raise TransferError(
-            f"{path}: the brick has {found.size} bytes with the MD5 {found.md5}, and {len(data)} bytes with {digest}"
-            " were moved: move it again"
+            f"{path}: {len(data)} bytes with the MD5 {digest} were copied, but the brick has {found.size} bytes with"
+            f" {found.md5}; copy it again"
         )
     return found
 

@@ -169,7 +169,7 @@ class Proxy:
                 return
             wanted = self._options.only_from
             if wanted is not None and peer[0] != wanted:
-                self._say(f"{peer[0]} was sent away: only {wanted} is served (--from)")
+                self._say(f"{peer[0]} was disconnected: only {wanted} is served (--from)")
                 client.close()
                 continue
             self._strangers[client] = None
@@ -187,7 +187,7 @@ class Proxy:
             return
         client.close()
         if not self._is_over.is_set():
-            self._say(f"{address} did not send the unlock text of a WiFi brick, and was sent away")
+            self._say(f"{address} did not send the unlock text of a WiFi brick; disconnected")
 
     def _serve(self, client: socket.socket, text: bytes) -> None:
         client.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
@@ -226,7 +226,7 @@ class Proxy:
         if reason is None and left and (fault := decoder.close()) is not None:
             reason = fault.reason
         if reason is not None:
-            self._say(f"the client's bytes are no frames: {reason}; its connection was closed")
+            self._say(f"the client sent bytes that are not a frame: {reason}; disconnected")
         if left:
             shown = masked(left, dialect=self._options.dialect) if self._options.is_masked else left
             with self._lock:
@@ -256,13 +256,13 @@ class Proxy:
         frame = message.build()
         if self._options.is_read_only and (harms := harms_of(message, dialect=self._options.dialect)):
             reasons = ", ".join(f"{name} {harm.text}" for harm, name in harms.items())
-            self._say(f"not let through (--read-only): {reasons}")
+            self._say(f"blocked by --read-only: {reasons}")
             self._refuse(message, frame, SystemStatus.NO_PERMISSION)
             return
         if len(frame) > MAX_FRAME and self._wire.carrier is Carrier.USB:
             self._say(
-                f"a frame of {len(frame)} bytes was not sent: USB carries at most {MAX_FRAME} bytes in a frame, so send"
-                " the file in pieces"
+                f"a frame of {len(frame)} bytes was not sent: on USB a frame has at most {MAX_FRAME} bytes; send the"
+                " file in pieces"
             )
             self._refuse(message, frame, SystemStatus.SIZE_ERROR)
             return
@@ -308,7 +308,7 @@ class Proxy:
                 return
             for part in stream.feed(data) if data else ():
                 if isinstance(part, Garbage):
-                    self._say(f"the brick sent {len(part.data)} bytes that are no frame: not handed on")
+                    self._say(f"the brick sent {len(part.data)} bytes that are not a frame; they were dropped")
                 else:
                     self._to_client(part)
 
@@ -358,7 +358,7 @@ class Proxy:
             write(self._recording)
         except OSError as error:
             self._recording = None
-            self._say(f"nothing more is recorded: {error.strerror or error}")
+            self._say(f"recording ended: {error.strerror or error}")
 
 
 def _listen(options: ProxyOptions) -> socket.socket:

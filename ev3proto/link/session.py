@@ -47,8 +47,8 @@ class Oddity(Enum):
 
     LATE = "answers a command that was given up on"
     DOUBLE = "answers a command that was answered already"
-    FOREIGN = "answers a command that nobody sent"
-    UNASKED = "is no answer: the brick speaks by itself"
+    FOREIGN = "answers an unknown command"
+    UNASKED = "is not a reply: the brick sent it unasked"
 
 
 @dataclass(frozen=True, slots=True)

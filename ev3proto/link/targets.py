@@ -77,16 +77,16 @@ class Target:
         try:
             way = Way(name.lower())
         except ValueError:
-            hint = near_misses(name, [each.upper() for each in Way]).lower()
-            raise ValueError(
-                f"{text!r} is no target{hint}; it must be wifi, wifi:ADDRESS, wifi:ADDRESS:PORT, usb, usb:SERIALNUMBER,"
-                " bluetooth:MAC, serial:PORT or virtual"
-            ) from None
+            hint = near_misses(name, [each.upper() for each in Way]).lower() or (
+                "; expected wifi, wifi:ADDRESS, wifi:ADDRESS:PORT, usb, usb:SERIALNUMBER, bluetooth:MAC, serial:PORT or"
+                " virtual"
+            )
+            raise ValueError(f"unknown target {text!r}{hint}") from None
         if way is Way.WIFI:
             return cls(way, *_address(rest, text))
         if way in (Way.BLUETOOTH, Way.SERIAL) and not rest:
             example = "bluetooth:00:16:53:42:2B:99" if way is Way.BLUETOOTH else "serial:/dev/rfcomm0"
-            raise ValueError(f"{text!r} does not say which brick: it must be such as {example}")
+            raise ValueError(f"{text!r} does not name a brick; expected its address, such as {example}")
         target = cls(way, rest or None)
         return cls(Way.SERIAL, rest) if way is Way.BLUETOOTH and is_port_name(rest) else target
 
@@ -100,7 +100,7 @@ def target_from_environment() -> Target | None:
     """The brick that EV3PROTO_TARGET names; None where it is not set.
 
     Raises:
-        ValueError: It is set to what is no target.
+        ValueError: It is not a target.
     """
     text = os.environ.get(TARGET_VARIABLE)
     if not text:
@@ -121,10 +121,10 @@ def _address(rest: str, text: str) -> tuple[str | None, int | None]:
     if found is None:
         if rest.count(":") > 1:
             return rest, None  # an IPv6 address without brackets
-        raise ValueError(f"{text!r}: after the address comes a port such as {TCP_PORT}")
+        raise ValueError(f"invalid port in {text!r}; expected a number, such as {TCP_PORT}")
     port = None if found[3] is None else int(found[3])
     if port is not None and not 1 <= port <= _MOST_PORT:
-        raise ValueError(f"{text!r}: the port must be 1 to {_MOST_PORT}")
+        raise ValueError(f"invalid port {port} in {text!r}; expected 1 to {_MOST_PORT}")
     return found[1] or found[2], port
 
 
@@ -154,8 +154,7 @@ def chosen_target(
         return target if isinstance(target, Target) else Target.parse(target)
     if protocol is None:
         raise ValueError(
-            "it is not said which brick: give protocol (WIFI, BLUETOOTH or USB), ev3_obj, or target, or set"
-            f" {TARGET_VARIABLE}"
+            f"no brick is named; give protocol (WIFI, BLUETOOTH or USB), ev3_obj, or target, or set {TARGET_VARIABLE}"
         )
     way = _WAYS.get(protocol.lower()) if isinstance(protocol, str) else None
     if way is None:

@@ -441,7 +441,7 @@ def test_the_serial_number_is_that_of_the_beacon(tmp_path: Path) -> None:
         assert brick.now.brick.settings.bluetooth_address == "00165340abcd"
     done = run_ev3proto_text("brick", "--serial-number", "xyz")
     assert done.returncode == 2
-    assert "a serial number has 12 hexadecimal digits, not 'xyz'" in done.stderr
+    assert "invalid serial number 'xyz'; expected 12 hexadecimal digits" in done.stderr
 
 
 def test_the_folders_of_a_new_brick(tmp_path: Path) -> None:
@@ -516,7 +516,10 @@ def test_serial_port(tmp_path: Path) -> None:
 def test_serial_port_overwrites_nothing(tmp_path: Path) -> None:
     link = tmp_path / "ev3"
     link.write_text("mine")
-    with pytest.raises(ServerError, match="something is there already"), served(tmp_path, replace(PLAIN, serial=link)):
+    with (
+        pytest.raises(ServerError, match="already exists; give another name"),
+        served(tmp_path, replace(PLAIN, serial=link)),
+    ):
         pass
     assert link.read_text() == "mine"
 
@@ -584,18 +587,18 @@ def test_script(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("text", "expected"),
     [
-        ("name = 'x", 'it is no TOML at its end: keys are written as in name = "EV3", tables as in [ports.1]'),
-        ("name = 'x'\nvoltage 7", "it is no TOML at line 2, column 9: keys are"),
-        ("[ports.1]\ntype = 16\n[ports.1]\n", "a key or table at line 3 was given before: one of the two must go"),
-        ("name = 'x'\nname = 'y'", "a key or table at its end was given before"),
-        ("name = " + "[" * 2000, "its lists or tables are too deep within each other"),
-        ("nmae = 'x'", "the script has no key 'nmae'; it must be one of name, voltage"),
-        ("[ports.5]\ntype = 16", "ports.5: there is no such port"),
-        ("[ports.1]\ntype = 'TYPE_TUOCH'", "there is no type 'TYPE_TUOCH': did you mean TYPE_TOUCH"),
-        ("[ports.1]\ntype = 16\nreadings.7 = 1", "ports.1.readings.7: the modes of this type are 0 to 1"),
+        ("name = 'x", 'invalid TOML at the end; keys are written as in name = "EV3", tables as in [ports.1]'),
+        ("name = 'x'\nvoltage 7", "invalid TOML at line 2, column 9; keys are"),
+        ("[ports.1]\ntype = 16\n[ports.1]\n", "duplicate key or table at line 3; remove one of the two"),
+        ("name = 'x'\nname = 'y'", "duplicate key or table at the end"),
+        ("name = " + "[" * 2000, "lists or tables are nested too deeply"),
+        ("nmae = 'x'", "the script: unknown key 'nmae'; expected one of name, voltage"),
+        ("[ports.5]\ntype = 16", "ports.5: unknown port"),
+        ("[ports.1]\ntype = 'TYPE_TUOCH'", "unknown type 'TYPE_TUOCH': did you mean TYPE_TOUCH"),
+        ("[ports.1]\ntype = 16\nreadings.7 = 1", "ports.1.readings.7: unknown mode; this type has modes 0 to 1"),
         ("[[steps]]\npress = 'enter'", "needs its time"),
         ("[[steps]]\nat = 1\nports.2.0 = 1", "nothing is plugged in there"),
-        ("[[steps]]\nat = 1\npress = 'middle'", "there is no button 'middle'"),
+        ("[[steps]]\nat = 1\npress = 'middle'", "unknown button 'middle'"),
         ("[[steps]]\nat = nan", "must be a number"),
         ("period = 1\n[[steps]]\nat = 2", "period must be 2 s at least"),
     ],
@@ -616,7 +619,7 @@ def test_script_that_is_no_text(tmp_path: Path) -> None:
     done = run_ev3proto_text("brick", "--script", path)
     assert (done.returncode, done.stderr) == (
         1,
-        f"{path}: the byte 0xFF at offset 19 is no UTF-8, the characters of TOML\n",
+        f"{path}: invalid UTF-8: byte 0xFF at offset 19\n",
     )
 
 
@@ -651,12 +654,12 @@ def test_what_is_wrong_with_a_call(tmp_path: Path) -> None:
 def test_coverage() -> None:
     done = run_ev3proto_text("brick", "--coverage")
     assert done.returncode == 0
-    assert "operations are there" in done.stderr
+    assert "operations are implemented" in done.stderr
 
 
 def test_another_address_is_warned_of(tmp_path: Path) -> None:
     with served(tmp_path, replace(PLAIN, address="0.0.0.0")) as brick:
-        assert "everybody who reaches 0.0.0.0" in brick.said[0]
+        assert "anyone who can reach 0.0.0.0" in brick.said[0]
     assert ev3proto.parse(VOLUME).build() == VOLUME
 
 

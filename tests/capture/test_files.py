@@ -522,7 +522,7 @@ def test_complaints(tmp_path: Path) -> None:
         ((CAPTURES / "wifi.pcapng", "-o", tmp_path / "file"), 2, "is a file"),
         ((CAPTURES / "wifi.pcapng", "-o", tmp_path / "file" / "below"), 1, "below: cannot be written: Not a directory"),
         ((CAPTURES / "wifi.pcapng", "--force"), 2, "--force needs -o"),
-        ((CAPTURES / "daisy.pcap",), 0, "no file is moved in it"),
+        ((CAPTURES / "daisy.pcap",), 0, "no file is moved"),
         ((tmp_path / "none.pcap",), 1, "cannot be read"),
     ):
         done = run(*words)

@@ -646,7 +646,7 @@ def test_a_filter_keeps_replies_with_their_commands(tmp_path: Path) -> None:
         ((), 2, "Missing option '-o'"),
         (("-o", "no-such-folder/x.svg"), 1, "there is no folder no-such-folder"),
         (("-o", "x.svg", "--from", "3", "--to", "3"), 2, "--from 3 must be less than --to 3"),
-        (("-o", "x.svg", "--from", "nan"), 2, "nan is no finite number"),
+        (("-o", "x.svg", "--from", "nan"), 2, "nan is not a finite number"),
         (("-o", "x.svg", "--to", "1e300"), 2, "1e+300 is not in the range 0<=x<=1000000000"),
         (("-o", "x.svg", "--from", "100"), 1, "there is nothing to draw from 100 s"),
     ],

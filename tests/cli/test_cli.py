@@ -234,7 +234,7 @@ def test_a_line_without_an_end(tmp_path: Path) -> None:
 def test_input_without_a_frame() -> None:
     done = run("decode", stdin="hello world\n\xff\xfe\n")
     assert (done.returncode, done.stdout) == (1, "")
-    assert "no frame in the input" in done.stderr
+    assert "no frame found" in done.stderr
 
 
 def test_decode_suggests_encode_for_assembly(tmp_path: Path) -> None:
@@ -242,12 +242,12 @@ def test_decode_suggests_encode_for_assembly(tmp_path: Path) -> None:
     file.write_text("// a tone\n\nSOUND(TONE, 1, 440, 1000)\n")
     advice = "`ev3proto encode` makes frames of it"
     done = run("decode", "SOUND(TONE, 1, 440, 1000)")
-    said = "'SOUND(TONE, 1, 440, 1000)' is neither a file nor a frame, but looks like assembly"
-    assert (done.returncode, done.stdout, done.stderr) == (1, "", f"{said}: {advice}\n")
-    said = f"{file}: there is no frame in it, but what looks like assembly"
+    said = "'SOUND(TONE, 1, 440, 1000)' is assembly, not a frame"
+    assert (done.returncode, done.stdout, done.stderr) == (1, "", f"{said}; {advice}\n")
+    said = f"{file}: no frame found, but assembly"
     for words in ((str(file),), (str(file), TONE)):
         done = run("decode", *words)
-        assert (done.returncode, done.stderr) == (1, f"{said}: {advice}\n")
+        assert (done.returncode, done.stderr) == (1, f"{said}; {advice}\n")
     file.write_text("Results:\n")
     assert "assembly" not in run("decode", str(file)).stderr
     assert "assembly" not in run("decode", "--format", "asm", TONE).stderr

@@ -257,7 +257,7 @@ def test_a_capture_without_any_frame() -> None:
     assert (done.returncode, done.stdout, done.stderr.decode()) == (
         1,
         b"",
-        "standard input: there is no frame in 0 packets\n",
+        "standard input: no frame in 0 packets\n",
     )
 
 
@@ -270,10 +270,10 @@ PACKED = (
 @pytest.mark.parametrize(
     ("words", "nothing"),
     [
-        (("decode",), "there is no frame in 7 packets"),
-        (("check",), "there is no command in 7 packets"),
-        (("files",), "there is no frame in 7 packets"),
-        (("values",), "there is no frame in 7 packets"),
+        (("decode",), "no frame in 7 packets"),
+        (("check",), "no command in 7 packets"),
+        (("files",), "no frame in 7 packets"),
+        (("values",), "no frame in 7 packets"),
         (("timeline", "-o", "x.svg"), "there is nothing to draw: no frame was found"),
     ],
 )
@@ -294,8 +294,7 @@ def test_packets_that_were_cut_are_counted_where_no_frame_is_found() -> None:
     done = run("decode", stdin=cut(capture.data(), 30))
     assert (done.returncode, done.stdout) == (1, b"")
     assert done.stderr.decode() == (
-        "standard input: there is no frame in 3 packets;"
-        " of 3 packets only the first bytes were captured (snap length)\n"
+        "standard input: no frame in 3 packets; of 3 packets only the first bytes were captured (snap length)\n"
     )
 
 
@@ -350,7 +349,7 @@ def test_programs_of_captures_in_a_program(tmp_path: Path) -> None:
     image.write_bytes(b"LEGO" + bytes(12))
     done = run("decode", "--programs", str(image))
     assert done.returncode == 2
-    assert b"--programs finds programs in captures" in done.stderr
+    assert b"--programs is for captures" in done.stderr
 
 
 def test_a_folder(tmp_path: Path) -> None:
@@ -376,7 +375,7 @@ def test_a_filter() -> None:
     done = run("decode", "--filter", "FREQUENCY>440", stdin=dialogue())
     assert (done.returncode, done.stderr.decode()) == (
         1,
-        "standard input: there is no frame that the filter lets through in 3 packets\n",
+        "standard input: no frame in 3 packets matches the filter\n",
     )
 
 
@@ -447,9 +446,9 @@ def test_each_of_several_files_that_has_no_frame_is_named(tmp_path: Path, words:
     (tmp_path / "foreign.pcap").write_bytes(Capture(RAW_IP).data())
     done = run_ev3proto_text(*words.split(), "words.log", "frame.log", "empty.log", "foreign.pcap", cwd=tmp_path)
     assert done.returncode == 1
-    named = [line.partition(": there is no ") for line in done.stderr.splitlines()]
+    named = [line.partition(": no ") for line in done.stderr.splitlines()]
     assert [name for name, _, _ in named] == ["words.log", "empty.log", "foreign.pcap"]
-    assert all(rest.startswith(("frame in ", "command in ")) for _, _, rest in named)
+    assert all(rest.startswith(("frame found", "frame in ", "command in ")) for _, _, rest in named)
     assert run_ev3proto_text(*words.split(), "frame.log", cwd=tmp_path).returncode == 0
 
 
@@ -458,7 +457,10 @@ def test_files_says_where_there_is_no_frame(tmp_path: Path) -> None:
     (tmp_path / "words.log").write_text("hello world\n")
     done = run_ev3proto_text("files", "words.log", "frame.log", cwd=tmp_path)
     assert (done.returncode, done.stdout) == (1, "")
-    assert done.stderr.splitlines() == ["words.log: there is no frame in it", "frame.log: no file is moved in it"]
+    assert done.stderr.splitlines() == [
+        "words.log: no frame found; frames are written in hex, such as 06:00|2A:00|80|00:00|01",
+        "frame.log: no file is moved",
+    ]
     assert run_ev3proto_text("files", "frame.log", cwd=tmp_path).returncode == 0
 
 

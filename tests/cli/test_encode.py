@@ -200,17 +200,20 @@ def test_bad_assembly_is_shown_with_its_place(tmp_path: Path) -> None:
     [
         (
             "",
-            "standard input: there is nothing in it that can be encoded: assembly such as SOUND(",
+            "standard input: nothing to encode; expected assembly such as SOUND(",
         ),
-        ("// nothing\n", "standard input: there is nothing in it that can be encoded"),
-        ("define A 1\n", "there is nothing in the input that can be encoded: assembly such as"),
-        ("some words\n", "standard input: there is nothing in it that can be encoded"),
-        ('{"kind": "beacon", "hex": "00"}\n', "there is nothing in the input that can be encoded"),
+        ("// nothing\n", "standard input: nothing to encode"),
+        ("define A 1\n", "nothing to encode; expected assembly such as"),
+        ("some words\n", "standard input: nothing to encode"),
+        ('{"kind": "beacon", "hex": "00"}\n', "nothing to encode"),
         ('{"kind": 1}\n', "standard input, line 1: not a message: the object has neither type nor hex"),
         ('{"kind": 1\n', "standard input, line 1, column 11: invalid JSON: Expecting ',' delimiter"),
         ('{"type": "DIRECT_REPLY", "hex": "0"}\n', 'standard input, line 1: hex takes bytes in hex, not "0"'),
         ("06:00|01:00|80|00:00|FE\n", "standard input, line 1: fault at offset 7: unknown opcode 0xFE"),
-        ("Sent 0x|0E:00|2A:00|80|00:...\n", "standard input, line 1: the text is cut off after 6 bytes"),
+        (
+            "Sent 0x|0E:00|2A:00|80|00:...\n",
+            "standard input, line 1: cannot encode a frame that is cut off after 6 bytes",
+        ),
         ("\x00\x01\x02", "standard input: neither text nor a capture: it starts with 00 01 02; what can be encoded is"),
     ],
 )
@@ -223,7 +226,7 @@ def test_input_at_fault(text: str, sentence: str) -> None:
 def test_a_name_that_is_nothing() -> None:
     done = pipe("encode", "tone.lms")
     assert done.returncode == 1
-    assert done.stderr.decode().startswith("'tone.lms' is no file, no assembly and no frame: ")
+    assert done.stderr.decode().startswith("tone.lms: cannot be read: ")
 
 
 # JSON

@@ -99,7 +99,7 @@ def test_a_number_of_json_with_400_digits(text: str, tmp_path: Path) -> None:
 def test_a_filter_with_a_number_beyond_all_values(number: str) -> None:
     above = run("decode", CAPTURE, "--filter", f"FREQUENCY>{number}")
     assert (above.returncode, above.stdout) == (1, "")
-    assert above.stderr == f"{CAPTURE}: there is no frame that the filter lets through in 58 packets\n"
+    assert above.stderr == f"{CAPTURE}: no frame in 58 packets matches the filter\n"
     below = run("decode", CAPTURE, "--filter", f"FREQUENCY>-{number}")
     assert (below.returncode, below.stderr) == (0, "")
     assert below.stdout.count("SOUND.TONE") == run("decode", CAPTURE).stdout.count("SOUND.TONE")

@@ -96,7 +96,7 @@ def test_the_command_checks_a_file(tmp_path: Path) -> None:
     file.write_text("-- old\n")
     done = run("--check", "-o", str(file))
     assert (done.returncode, done.stdout) == (1, b"")
-    assert done.stderr.decode() == f"{file} is out of date: write it anew, without --check\n"
+    assert done.stderr.decode() == f"{file} is out of date; run this without --check to write it again\n"
     assert file.read_text() == "-- old\n"
 
 

@@ -52,7 +52,7 @@ def test_every_file_to_standard_output_and_to_a_file(name: str, tmp_path: Path) 
     path.write_text("old\n")
     done = run(command, "-o", str(path), "--check")
     assert (done.returncode, done.stdout) == (1, b"")
-    assert done.stderr.decode() == f"{path} is out of date: write it anew, without --check\n"
+    assert done.stderr.decode() == f"{path} is out of date; run this without --check to write it again\n"
     assert path.read_text() == "old\n"
 
 
@@ -67,7 +67,7 @@ def test_all_files_at_once(tmp_path: Path) -> None:
     done = run("all", str(folder), "--check")
     assert done.returncode == 1
     assert done.stderr.decode().splitlines() == [
-        f"{folder}/ev3proto.h is out of date: write it anew, without --check",
+        f"{folder}/ev3proto.h is out of date; run this without --check to write it again",
         f"{folder}/ev3.ksy: cannot be read: No such file or directory",
     ]
 
@@ -80,7 +80,7 @@ def test_the_dialect_of_a_description() -> None:
 def test_calls_that_are_wrong(tmp_path: Path) -> None:
     done = run("json", "--check")
     assert done.returncode == 2
-    assert "--check needs -o: the file to check" in done.stderr.decode()
+    assert "--check needs -o" in done.stderr.decode()
     done = run("json", "-o", str(tmp_path / "none" / "tables.json"))
     assert done.returncode == 1
     assert done.stderr.decode().endswith("tables.json: cannot be written: No such file or directory\n")
@@ -144,7 +144,7 @@ def test_filtered(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("given", "sentence"),
     [
-        ("hello", "'hello' is neither a file nor a frame: column 1: 'hello' is not hex"),
+        ("hello", "'hello' is neither a file nor a frame: 'hello' is not hex"),
         (TONE[:-2], f"'{TONE[:-2]}': it cannot be carried: its length field says that 14 bytes follow, but 13 do"),
         (TONE + "00 01", f"'{TONE}00 01': it cannot be carried: its length field says that 14 bytes follow, but 16 do"),
     ],
@@ -168,7 +168,7 @@ def test_no_frame_at_all(tmp_path: Path) -> None:
     path.write_bytes(b"kept")
     done = run("pcapng", "-o", str(path), stdin=b"nothing but prose\n")
     assert done.returncode == 1
-    assert done.stderr.decode().startswith("there is no frame in the input: frames are written in hex")
+    assert done.stderr.decode().startswith("standard input: no frame found; frames are written in hex")
     assert path.read_bytes() == b"kept"
     done = run("pcapng", stdin=b"")
     assert (done.returncode, done.stdout) == (1, b"")

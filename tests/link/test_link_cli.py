@@ -68,7 +68,7 @@ def test_send_takes_frames_in_any_form_and_passes_replies_over(tmp_path: Path) -
     entry = json.loads(done.stdout)
     assert entry["command"]["hex"] == "08002a000001007c0460"
     assert entry["reply"]["values"][0]["value"] == 100
-    assert done.stderr == "1 frame of the input from a brick: not sent\n"
+    assert done.stderr == "skipped 1 frame from a brick\n"
 
 
 def test_send_sends_nothing_that_the_brick_would_refuse() -> None:
@@ -76,7 +76,7 @@ def test_send_sends_nothing_that_the_brick_would_refuse() -> None:
     done = run_ev3proto_text("send", "virtual", frame)
     assert (done.returncode, done.stdout) == (1, "")
     assert "0xF0" in done.stderr
-    assert done.stderr.endswith("nothing was sent; --force sends it all the same\n")
+    assert done.stderr.endswith("nothing was sent; --force sends it anyway\n")
     forced = run_ev3proto_text("send", "virtual", "--force", frame)
     assert forced.returncode == 1
     assert "-> error" in forced.stdout
@@ -98,11 +98,11 @@ def test_copy_reads_no_more_than_a_brick_has_room_for() -> None:
 @pytest.mark.parametrize(
     ("words", "status", "sentence"),
     [
-        (("nowhere", "01"), 2, "'nowhere' is no target"),
-        (("bluetooth", "01"), 2, "it must be such as bluetooth:00:16:53:42:2B:99"),
-        (("virtual", "hello"), 1, "is no file, no assembly and no frame"),
-        (("wifi:127.0.0.1:1", "NOP()"), 1, "nobody listens at 127.0.0.1:1"),
-        (("serial:/dev/none", "NOP()"), 1, "there is no serial port /dev/none: pair the brick"),
+        (("nowhere", "01"), 2, "unknown target 'nowhere'"),
+        (("bluetooth", "01"), 2, "expected its address, such as bluetooth:00:16:53:42:2B:99"),
+        (("virtual", "hello"), 1, "is neither a file nor assembly nor a frame"),
+        (("wifi:127.0.0.1:1", "NOP()"), 1, "nothing is listening on 127.0.0.1:1"),
+        (("serial:/dev/none", "NOP()"), 1, "no such serial port: /dev/none; pair the brick"),
     ],
 )
 def test_send_says_what_to_do(words: tuple[str, ...], status: int, sentence: str) -> None:
@@ -130,7 +130,7 @@ def test_replay_allows_what_is_named() -> None:
     assert done.stderr == "20 commands would be sent, 4 omitted\n"
     done = run_ev3proto_text("replay", WIFI_CAPTURE, "--to", "virtual", "--dry-run", "--allow", "engines")
     assert done.returncode == 2
-    assert "'engines' is nothing that could be allowed" in done.stderr
+    assert "unknown operation or group 'engines'" in done.stderr
 
 
 def test_replay_tells_how_the_replies_differ() -> None:
@@ -280,9 +280,9 @@ def test_read_only_lets_nothing_through_that_changes_the_brick() -> None:
         my_ev3.send_direct_cmd(b"\xff\xff\xff")  # nobody knows what that does
         assert my_ev3.name == "EV3"
         assert found.said == [
-            "not let through (--read-only): COM_SET.SET_BRICKNAME changes settings",
-            "not let through (--read-only): CREATE_DIR creates or changes files",
-            "not let through (--read-only): the frame does what is not known, because not all of it can be read",
+            "blocked by --read-only: COM_SET.SET_BRICKNAME changes settings",
+            "blocked by --read-only: CREATE_DIR creates or changes files",
+            "blocked by --read-only: the frame does what is not known, because not all of it can be read",
         ]
 
 
@@ -328,7 +328,7 @@ def test_read_only_lets_no_long_download_through(tmp_path: Path) -> None:
         refused = client.ask(system(0x93, b"\0" + PROGRAM))
         assert (refused[4], refused[6]) == (0x05, SystemStatus.NO_PERMISSION)
         assert client.ask(command("NOP()", 7)) == bytes.fromhex("0300070002")
-        assert found.said == ["not let through (--read-only): CONTINUE_DOWNLOAD creates or changes files"]
+        assert found.said == ["blocked by --read-only: CONTINUE_DOWNLOAD creates or changes files"]
 
 
 def test_a_long_frame_that_is_not_a_download_ends_the_connection() -> None:
@@ -358,7 +358,7 @@ def test_a_frame_that_is_longer_than_a_report_does_not_go_to_usb(tmp_path: Path)
         refused = upload(client, PROGRAM)
         assert (refused[4], refused[6]) == (0x05, SystemStatus.SIZE_ERROR)
         assert found.said == [
-            "a frame of 1194 bytes was not sent: USB carries at most 1024 bytes in a frame, so send the file in pieces"
+            "a frame of 1194 bytes was not sent: on USB a frame has at most 1024 bytes; send the file in pieces"
         ]
 
 
@@ -404,7 +404,7 @@ def test_strangers_are_sent_away() -> None:
     with standing("virtual", only_from="127.0.0.2") as found:
         with pytest.raises(ev3proto.NoBrickError):
             through(found)
-        assert found.said == ["127.0.0.1 was sent away: only 127.0.0.2 is served (--from)"]
+        assert found.said == ["127.0.0.1 was disconnected: only 127.0.0.2 is served (--from)"]
 
 
 def test_garbage_of_a_client_ends_its_connection_only() -> None:
@@ -415,7 +415,7 @@ def test_garbage_of_a_client_ends_its_connection_only() -> None:
                 client.reply()
         with Client(found.proxy.port) as client:
             assert client.ask(command("NOP()", 7)) == bytes.fromhex("0300070002")
-        assert "the client's bytes are no frames" in found.said[0]
+        assert "the client sent bytes that are not a frame" in found.said[0]
 
 
 def test_a_client_that_sends_text_is_named() -> None:
@@ -425,8 +425,8 @@ def test_a_client_that_sends_text_is_named() -> None:
             with pytest.raises(ConnectionError):
                 client.reply()
         assert found.said == [
-            "the client's bytes are no frames: offset 0: length 29264: text where a frame should be; its connection was"
-            " closed"
+            "the client sent bytes that are not a frame: offset 0: length 29264: text where a frame should be;"
+            " disconnected"
         ]
 
 
@@ -535,9 +535,9 @@ def test_the_proxy_says_where_it_listens_and_who_may_come() -> None:
         process.send_signal(signal.SIGTERM)
         assert process.wait(30) == 0
     for words, sentence in (
-        (["--listen", "usb", "--to", "virtual"], "a proxy listens as a WiFi brick"),
-        (["--to", "virtual", "--from", "home"], "'home' is no address such as 192.0.2.1"),
-        (["--to", "nowhere"], "'nowhere' is no target"),
+        (["--listen", "usb", "--to", "virtual"], "cannot listen at 'usb'"),
+        (["--to", "virtual", "--from", "home"], "invalid address 'home'; expected one such as 192.0.2.1"),
+        (["--to", "nowhere"], "unknown target 'nowhere'"),
     ):
         done = run_ev3proto_text("proxy", *words)
         assert done.returncode == 2
@@ -563,7 +563,7 @@ def test_copy_brings_a_file_to_the_brick_and_back(tmp_path: Path) -> None:
 def test_copy_says_what_to_do(tmp_path: Path) -> None:
     target = f"virtual:{tmp_path}"
     for words, status, sentence in (
-        (("one", "two"), 2, "one of SOURCE and DESTINATION must be on the brick, such as brick:../prjs/tone/tone.rbf"),
+        (("one", "two"), 2, "neither SOURCE nor DESTINATION is on the brick; write its path there as brick:PATH"),
         (
             (tmp_path / "none", "brick:../prjs/none"),
             1,

@@ -146,11 +146,11 @@ def test_what_is_printed_steers_no_terminal() -> None:
 
 def test_what_is_said_about_which_brick_must_make_sense(monkeypatch: pytest.MonkeyPatch) -> None:
     for arguments, sentence in (
-        ({}, "it is not said which brick"),
+        ({}, "no brick is named"),
         ({"protocol": "x"}, "protocol must be WIFI, BLUETOOTH or USB, not 'x'"),
         ({"protocol": ev3proto.BLUETOOTH}, "host must be the brick's MAC address"),
         ({"protocol": ev3proto.USB, "address": ("a", 1)}, "address is for WIFI"),
-        ({"target": "wfi"}, "'wfi' is no target: did you mean wifi?"),
+        ({"target": "wfi"}, "unknown target 'wfi': did you mean wifi?"),
         ({"target": "usb", "host": "x"}, "must be omitted"),
         ({"protocol": ev3proto.USB, "sync_mode": "x"}, "sync_mode must be one of STD, ASYNC, SYNC, not 'x'"),
         ({"protocol": ev3proto.USB, "verbosity": 3}, "verbosity must be 0, 1 or 2, not 3"),
@@ -158,7 +158,7 @@ def test_what_is_said_about_which_brick_must_make_sense(monkeypatch: pytest.Monk
         with pytest.raises(ValueError, match=re.escape(sentence)):
             EV3(**arguments)
     monkeypatch.setenv("EV3PROTO_TARGET", "wifi:127.0.0.1:0")
-    with pytest.raises(ValueError, match="the port must be 1 to 65535"):
+    with pytest.raises(ValueError, match="invalid port"):
         EV3(protocol=ev3proto.USB)
 
 
@@ -269,7 +269,10 @@ def test_a_file_that_changed_on_its_way_is_noticed() -> None:
     with (
         stub_brick(answer) as port,
         stubbed(port) as my_ev3,
-        pytest.raises(ev3proto.TransferError, match=r"x: the brick has 3 bytes with the MD5 0{32}, and 3 bytes with"),
+        pytest.raises(
+            ev3proto.TransferError,
+            match=r"x: 3 bytes with the MD5 .* were copied, but the brick has 3 bytes with 0{32}",
+        ),
     ):
         my_ev3.download(b"abc", "x")
 
@@ -333,7 +336,7 @@ def test_a_brick_that_goes_away_in_the_middle_of_a_reply() -> None:
         raise HangUp
 
     with stub_brick(answer) as port, stubbed(port) as my_ev3:
-        with pytest.raises(ev3proto.ConnectionLostError, match="in the middle of a reply: 8 bytes came, 6 did not"):
+        with pytest.raises(ev3proto.ConnectionLostError, match="within a reply: 8 bytes arrived, 6 are missing"):
             my_ev3.send_direct_cmd(NOP, global_mem=9)
         with pytest.raises(ConnectionError, match="connect again"):
             my_ev3.send_direct_cmd(NOP)
@@ -370,9 +373,7 @@ def test_what_came_instead_of_an_answer_is_told() -> None:
     with stub_brick(answer) as port, stubbed(port) as my_ev3:
         my_ev3.send_direct_cmd(NOP)
         assert there.wait(30)
-        with pytest.raises(
-            ev3proto.NoAnswerError, match="a frame that answers a command that nobody sent, 03:00:99:99"
-        ):
+        with pytest.raises(ev3proto.NoAnswerError, match="a frame that answers an unknown command, 03:00:99:99"):
             my_ev3.send_direct_cmd(NOP, global_mem=1, timeout=0.2)
 
 
@@ -385,9 +386,7 @@ def test_messages_of_the_bricks_programs_are_kept() -> None:
 
 
 def test_an_error_comes_with_what_check_says(my_ev3: EV3) -> None:
-    with pytest.raises(
-        ev3proto.DirCmdError, match=r"DIRECT_REPLY_ERROR\. Check says: at offset 8: .* \(E\d+\)"
-    ) as caught:
+    with pytest.raises(ev3proto.DirCmdError, match=r"DIRECT_REPLY_ERROR: at offset 8: .* \(E\d+\)") as caught:
         my_ev3.send_direct_cmd(b"\xff\x01", global_mem=4)
     assert caught.value.report.rejected_at == 7
     assert len(caught.value.memory) == 4
@@ -397,7 +396,7 @@ def test_an_operation_that_failed_is_told_from_a_wrong_frame() -> None:
     with (
         stub_brick(lambda frame, send: send(reply(frame, b"\0", 4))) as port,
         stubbed(port) as my_ev3,
-        pytest.raises(ev3proto.DirectCommandError, match="Check finds nothing wrong with the command"),
+        pytest.raises(ev3proto.DirectCommandError, match="`ev3proto check` accepts the command"),
     ):
         my_ev3.send_direct_cmd(NOP, global_mem=1)
 
@@ -405,8 +404,8 @@ def test_an_operation_that_failed_is_told_from_a_wrong_frame() -> None:
 @pytest.mark.parametrize(
     ("accept", "patience", "sentence"),
     [
-        (b"HTTP/1.1 400 Bad\r\n", 5.0, "is no brick: it answered b'HTTP/1.1 400"),
-        (b"", 0.1, "does not answer the unlock text"),
+        (b"HTTP/1.1 400 Bad\r\n", 5.0, "is not a brick: it answered b'HTTP/1.1 400"),
+        (b"", 0.1, "did not answer the unlock text"),
     ],
 )
 def test_what_listens_may_be_no_brick(
@@ -425,7 +424,7 @@ def test_the_zero_after_the_accepted_text_is_no_reply() -> None:
 def test_nobody_listens() -> None:
     with socket.create_server(("127.0.0.1", 0)) as listening:
         port = listening.getsockname()[1]
-    with pytest.raises(ev3proto.NoEV3, match=rf"nobody listens at 127\.0\.0\.1:{port}: is WiFi on at the brick\?"):
+    with pytest.raises(ev3proto.NoEV3, match=rf"nothing is listening on 127\.0\.0\.1:{port}; is the brick's WiFi on\?"):
         stubbed(port)
 
 
@@ -508,5 +507,5 @@ def test_the_virtual_brick_in_this_process(tmp_path: Path) -> None:
         assert (tmp_path / "prjs" / "x").read_bytes() == b"abc"
         tone = [ops.sound.tone(1, 440, 100), ops.sound_ready()]
         assert my_ev3.send_direct_cmd(tone, sync_mode=ev3proto.SYNC) == []
-    with pytest.raises(ev3proto.NoBrickError, match="is no folder"):
+    with pytest.raises(ev3proto.NoBrickError, match="is not a folder"):
         EV3(target=f"virtual:{tmp_path}/none")

@@ -87,13 +87,13 @@ def test_encode_makes_a_program(source: Path, tmp_path: Path) -> None:
 def test_encode_without_a_name_for_the_image_says_how_to_make_one(source: Path) -> None:
     result = run_ev3proto_text("encode", source)
     assert (result.returncode, result.stdout) == (1, "")
-    assert result.stderr == f"{source}: the source of a program fits no frame: give -o FILE.rbf to make its image\n"
+    assert result.stderr == f"{source}: this is a program, not a frame; add -o FILE.rbf to make its image\n"
     source.write_text("subcall Say\n{\n}\n")
-    assert "give -o FILE.rbf" in run_ev3proto_text("encode", source).stderr
+    assert "add -o FILE.rbf" in run_ev3proto_text("encode", source).stderr
     source.write_text("vmthread MAIN\n{\n  DATAS text 70\n  STRINGS(DUPLICATE, 'x', text)\n}\n")
     result = run_ev3proto_text("encode", source)
     assert "line 3" in result.stderr
-    assert "give -o FILE.rbf" in result.stderr
+    assert "add -o FILE.rbf" in result.stderr
 
 
 def test_decode_of_a_source_says_how_to_make_the_image(source: Path) -> None:
@@ -108,7 +108,8 @@ def test_a_direct_command_written_as_a_thread_is_still_a_frame(source: Path) -> 
 
 
 @pytest.mark.parametrize(
-    ("name", "words"), [("missing.lms", "missing.lms: there is no such file"), ("a.rbf", "is an image already")]
+    ("name", "words"),
+    [("missing.lms", "missing.lms: cannot be read: No such file or directory"), ("a.rbf", "is an image already")],
 )
 def test_what_is_no_source(tmp_path: Path, name: str, words: str) -> None:
     (tmp_path / "a.rbf").write_bytes(IMAGE)

@@ -149,11 +149,9 @@ def _parsed(text: bytes) -> dict[str, Any]:
     try:
         return tomllib.loads(text.decode())
     except UnicodeDecodeError as error:
-        raise ScriptError(
-            f"the byte 0x{text[error.start]:02X} at offset {error.start} is no UTF-8, the characters of TOML"
-        ) from None
+        raise ScriptError(f"invalid UTF-8: byte 0x{text[error.start]:02X} at offset {error.start}") from None
     except RecursionError:
-        raise ScriptError("its lists or tables are too deep within each other") from None
+        raise ScriptError("lists or tables are nested too deeply") from None
     except tomllib.TOMLDecodeError as error:
         raise ScriptError(_no_toml(str(error))) from None
 
@@ -162,9 +160,9 @@ def _no_toml(said: str) -> str:
     """What Python says of a text that is no TOML, in a sentence about scripts."""
     place = re.search(r"(line \d+), column \d+", said)
     if said.startswith(_SAID_TWICE):
-        return f"a key or table at {place[1] if place else 'its end'} was given before: one of the two must go"
+        return f"duplicate key or table at {place[1] if place else 'the end'}; remove one of the two"
     return (
-        f'it is no TOML at {place[0] if place else "its end"}: keys are written as in name = "EV3", tables as in'
+        f'invalid TOML at {place[0] if place else "the end"}; keys are written as in name = "EV3", tables as in'
         " [ports.1], texts in quotes"
     )
 
@@ -207,7 +205,7 @@ class _Reading:
         readings: Readings = {}
         for key, values in _table(where, found).items():
             if not key.isascii() or not key.isdigit() or int(key) >= modes:
-                raise ScriptError(f"{where}.{key}: the modes of this type are 0 to {modes - 1}")
+                raise ScriptError(f"{where}.{key}: unknown mode; this type has modes 0 to {modes - 1}")
             listed = values if isinstance(values, list) else [values]
             readings[int(key)] = tuple(_number(f"{where}.{key}", value) for value in listed)
         return readings
@@ -230,7 +228,7 @@ class _Reading:
 def _known(where: str, entry: Mapping[str, Any], names: tuple[str, ...]) -> None:
     for key in entry:
         if key not in names:
-            raise ScriptError(f"{where} has no key {key!r}; it must be one of {', '.join(names)}")
+            raise ScriptError(f"{where}: unknown key {key!r}; expected one of {', '.join(names)}")
 
 
 def _table(where: str, value: Any) -> dict[str, Any]:
@@ -254,7 +252,7 @@ def _seconds(where: str, value: Any) -> float:
 
 def _port(where: str, name: str) -> int | str:
     if name.upper() not in _PORT_NAMES:
-        raise ScriptError(f"{where}: there is no such port; it must be one of {', '.join(_PORT_NAMES)}")
+        raise ScriptError(f"{where}: unknown port; expected one of {', '.join(_PORT_NAMES)}")
     return int(name) if name.isdigit() else name.upper()
 
 
@@ -263,12 +261,12 @@ def _type(where: str, value: Any) -> int:
     if isinstance(number, bool) or not isinstance(number, int) or number not in DEVICE_TYPES:
         names = [name for name, member in TYPE.members.items() if member in DEVICE_TYPES]
         meant = near_misses(value, names) if isinstance(value, str) else ""
-        hint = meant or f"; it must be one of {', '.join(names)}, or its number"
-        raise ScriptError(f"{where}: there is no type {value!r}{hint}")
+        hint = meant or f"; expected one of {', '.join(names)}, or its number"
+        raise ScriptError(f"{where}: unknown type {value!r}{hint}")
     return number
 
 
 def _button(where: str, value: Any) -> str | None:
     if value is not None and value not in BUTTONS:
-        raise ScriptError(f"{where}: there is no button {value!r}; it must be one of {', '.join(BUTTONS)}")
+        raise ScriptError(f"{where}: unknown button {value!r}; expected one of {', '.join(BUTTONS)}")
     return None if value is None else str(value)

@@ -41,7 +41,7 @@ class SerialPort:
             import pty  # Windows has neither
             import tty
         except ImportError:
-            raise SerialError("this system has no pseudo-terminals: there is no --serial here") from None
+            raise SerialError("this system has no pseudo-terminals, so --serial does not work here") from None
         self._make_raw = tty.setraw
         self.path = path
         self._host = host
@@ -57,12 +57,10 @@ class SerialPort:
             path.symlink_to(self._target)
         except FileExistsError:
             os.close(self._master)
-            raise SerialError(
-                f"{path}: something is there already, and nothing is overwritten: give another name"
-            ) from None
+            raise SerialError(f"{path}: already exists; give another name, or delete it first") from None
         except OSError as error:
             os.close(self._master)
-            raise SerialError(f"{path}: no link can be made there: {error.strerror or error}") from None
+            raise SerialError(f"{path}: cannot be created: {error.strerror or error}") from None
         finally:
             os.close(slave)
         self._wait()

@@ -150,7 +150,7 @@ async def running(options: Options, root: Path, say: Say) -> AsyncIterator[Runni
             if options.beacon:
                 wifi.announce()
         if not is_loopback(options.address):
-            say(f"everybody who reaches {options.address} can use this brick and its files; WiFi has no password")
+            say(f"anyone who can reach {options.address} can use this brick and its files; WiFi has no password")
         steps = asyncio.create_task(_follow(options.script, host))
         stack.callback(steps.cancel)
         yield Running(brick, host, address, port, link, looked, reporter)

@@ -70,7 +70,7 @@ def why_not_open(error: Exception, address: str, port: int, other: str) -> str:
     """Says why a port cannot be opened, and what to do; `other` is how another port is given."""
     code = getattr(error, "errno", None)
     if isinstance(error, OverflowError):
-        return f"there is no port {port}: it must be 0 to 65535"
+        return f"invalid port {port}; expected 0 to 65535"
     if code == errno.EADDRINUSE:
         return f"port {port} of {address} is in use: end what uses it, or give another one ({other})"
     if code == errno.EACCES:

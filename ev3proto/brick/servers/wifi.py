@@ -110,7 +110,7 @@ class Wifi:
 
     async def _announce(self) -> None:
         if ipaddress.ip_address(self.address).version != 4:
-            self._host.say("there is no beacon: it goes by IPv4, and the address is one of IPv6")
+            self._host.say("no beacon is sent: beacons use IPv4, and this is an IPv6 address")
             return
         sender, target = beacon_socket(self.address, self.port)
         with sender:

@@ -31,7 +31,7 @@ def open_bluetooth(target: Target, timeout: float) -> SocketWire:
     number = target.serial_number
     if number is None:
         raise NoBrickError(
-            f"{target.host!r} is no MAC address: it must be such as 00:16:53:42:2B:99, which the brick shows under"
+            f"invalid MAC address {target.host!r}; expected one such as 00:16:53:42:2B:99, which the brick shows under"
             " Brick Info as ID"
         )
     address = ":".join(re.findall("..", number.upper()))
@@ -53,7 +53,7 @@ def _socket() -> socket.socket:
         return socket.socket(family, socket.SOCK_STREAM, protocol)
     except OSError as error:
         raise NoBrickError(
-            f"there is no Bluetooth on this computer ({error.strerror or error}): plug an adapter in, and turn it on"
+            f"this computer has no Bluetooth ({error.strerror or error}); plug in an adapter, and turn it on"
         ) from None
 
 
@@ -62,11 +62,11 @@ def _why(error: OSError, address: str, timeout: float) -> NoBrickError | PortInU
         return PortInUseError(f"{address}: another program is connected to this brick; end it, then try again")
     if isinstance(error, TimeoutError) or error.errno == errno.EHOSTDOWN:
         return NoBrickError(
-            f"{address} did not answer within {timeout:g} s: is the brick on and near, is Bluetooth on at it, and is"
-            " the address that which it shows under Brick Info as ID?"
+            f"{address} did not answer within {timeout:g} s; is the brick on and near, is its Bluetooth on, and does"
+            " Brick Info show this address as ID?"
         )
     if error.errno in (errno.ECONNREFUSED, errno.EACCES, errno.EPERM):
         return NoBrickError(
-            f"{address} refused the connection: pair it with this computer first (the usual PIN is 1234)"
+            f"{address} refused the connection; pair it with this computer first (the usual PIN is 1234)"
         )
     return NoBrickError(f"{address} cannot be reached: {error.strerror or error}")

@@ -35,7 +35,7 @@ class SerialWire:
         try:
             self._port.write(frame)
         except serial.SerialTimeoutException:
-            raise ConnectionLostError(f"{self.label} has taken nothing for {SEND_TIMEOUT:g} s: restart it") from None
+            raise ConnectionLostError(f"{self.label} has accepted no data for {SEND_TIMEOUT:g} s; restart it") from None
         except (OSError, TypeError) as error:
             raise self._gone(error) from None
 
@@ -57,7 +57,7 @@ class SerialWire:
         # pyserial stumbles with a TypeError where another thread has closed the port.
         number = _number(error)
         reason = "it was closed" if number is None else os.strerror(number)
-        return ConnectionLostError(f"the connection to {self.label} is gone ({reason}): connect again")
+        return ConnectionLostError(f"the connection to {self.label} was lost ({reason}); connect again")
 
 
 def open_serial(target: Target) -> SerialWire:
@@ -96,19 +96,19 @@ def _why(error: Exception, name: str) -> LinkError:
     code = _number(error)
     if code == errno.ENOENT:
         return NoBrickError(
-            f"there is no serial port {name}: pair the brick with this computer first; on Linux, `rfcomm bind 0 MAC`"
-            " makes /dev/rfcomm0"
+            f"no such serial port: {name}; pair the brick with this computer first (on Linux, `rfcomm bind 0 MAC` then"
+            " creates /dev/rfcomm0)"
         )
     if code in (errno.EACCES, errno.EPERM):
         return NoBrickError(
-            f"this user may not open {name}: join the group that may (on Linux `sudo usermod -aG dialout $USER`, then"
-            " log in again); on Windows another program may have it open"
+            f"no permission to open {name}; join the group that owns it (on Linux `sudo usermod -aG dialout $USER`,"
+            " then log in again). On Windows, another program may have it open"
         )
     if code in (errno.EBUSY, errno.EAGAIN):
-        return PortInUseError(f"another program has {name} open: end it, then try again")
+        return PortInUseError(f"another program has {name} open; end it, then try again")
     if code in (errno.ENOTTY, errno.EISDIR):
-        return NoBrickError(f"{name} is no serial port: give that of the brick, such as /dev/rfcomm0 or COM5")
+        return NoBrickError(f"{name} is not a serial port; give the brick's, such as /dev/rfcomm0 or COM5")
     if code == errno.EHOSTDOWN:
-        return NoBrickError(f"the brick at {name} does not answer: is it on and near, is Bluetooth on at it?")
-    reason = "the system has none of that name, or it is not free" if code is None else os.strerror(code)
+        return NoBrickError(f"the brick at {name} does not answer; is it on and near, and is its Bluetooth on?")
+    reason = "no port has this name, or it is in use" if code is None else os.strerror(code)
     return NoBrickError(f"{name} cannot be opened: {reason}")

@@ -38,10 +38,10 @@ class SocketWire:
         try:
             self._socket.sendall(frame)
         except TimeoutError:
-            raise ConnectionLostError(f"{self.label} has taken nothing for {SEND_TIMEOUT:g} s: restart it") from None
+            raise ConnectionLostError(f"{self.label} has accepted no data for {SEND_TIMEOUT:g} s; restart it") from None
         except OSError as error:
             raise ConnectionLostError(
-                f"the connection to {self.label} is gone ({error.strerror or error}): connect again"
+                f"the connection to {self.label} was lost ({error.strerror or error}); connect again"
             ) from None
 
     def receive(self, timeout: float) -> bytes:
@@ -55,9 +55,9 @@ class SocketWire:
             data = self._socket.recv(_CHUNK)
         except (OSError, ValueError) as error:
             reason = getattr(error, "strerror", None) or "it was closed"
-            raise ConnectionLostError(f"the connection to {self.label} is gone ({reason}): connect again") from None
+            raise ConnectionLostError(f"the connection to {self.label} was lost ({reason}); connect again") from None
         if not data:
-            raise ConnectionLostError(f"{self.label} has closed the connection: connect again")
+            raise ConnectionLostError(f"{self.label} closed the connection; connect again")
         return data
 
     def stop(self) -> None:

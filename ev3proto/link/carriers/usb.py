@@ -61,7 +61,7 @@ class UsbWire:
             self._device.close()
 
     def _gone(self) -> ConnectionLostError:
-        return ConnectionLostError(f"{self.label} is gone: plug it in again, and connect again")
+        return ConnectionLostError(f"{self.label} was unplugged or switched off; plug it in, and connect again")
 
 
 def open_usb(target: Target) -> UsbWire:
@@ -86,8 +86,8 @@ def open_usb(target: Target) -> UsbWire:
         device.open_path(found[chosen]["path"])
     except OSError:
         raise NoBrickError(
-            f"the brick {chosen} is plugged in, and this user may not talk to it, or another program does. On Linux,"
-            f" write this line to /etc/udev/rules.d/99-ev3.rules and plug the brick in again: {UDEV_RULE}"
+            f"no permission to open the brick {chosen}, or another program uses it. On Linux, write this line to"
+            f" /etc/udev/rules.d/99-ev3.rules and plug the brick in again: {UDEV_RULE}"
         ) from None
     return UsbWire(device, chosen)
 
@@ -97,13 +97,13 @@ def _chosen(target: Target, found: dict[str, Any], *, is_updating: bool) -> str:
     listed = ", ".join(found)
     if not found:
         if is_updating:
-            raise NoBrickError("the brick on USB is in its firmware updater: restart it")
-        raise NoBrickError("no brick is plugged in: is the cable in the port marked PC, and is the brick on?")
+            raise NoBrickError("the brick on USB is in its firmware updater; restart it")
+        raise NoBrickError("no brick found on USB; is the cable in the port marked PC, and is the brick on?")
     if target.host is None:
         if len(found) > 1:
-            raise NoBrickError(f"{len(found)} bricks are plugged in ({listed}): say which, by its serial number")
+            raise NoBrickError(f"{len(found)} bricks are plugged in ({listed}); choose one by its serial number")
         return next(iter(found))
     wanted = target.serial_number or target.host.lower()
     if wanted not in found:
-        raise NoBrickError(f"no brick with the serial number {wanted} is plugged in; there is {listed}")
+        raise NoBrickError(f"no brick with the serial number {wanted} is plugged in, only {listed}")
     return wanted

@@ -91,5 +91,5 @@ def open_virtual(target: Target) -> VirtualWire:
         stack = ExitStack()
         return VirtualWire(Brick(root=stack.enter_context(temporary_folder())), stack.close)
     if not Path(target.host).is_dir():
-        raise NoBrickError(f"{target.host} is no folder: the virtual brick's files are in one")
+        raise NoBrickError(f"{target.host} is not a folder; the virtual brick keeps its files in one")
     return VirtualWire(Brick(root=target.host))

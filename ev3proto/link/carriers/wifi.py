@@ -103,8 +103,8 @@ def _not_heard(serial_number: str | None, timeout: float, others: dict[str, str]
     which = "no brick" if serial_number is None else f"no brick with the serial number {serial_number}"
     heard = "".join(f"; {number} is at {address}" for number, address in others.items())
     return (
-        f"{which} was heard within {timeout:g} s{heard}. Is WiFi on at the brick, is it in the same network as this"
-        " computer, and does the firewall let UDP port 3015 in? An address (wifi:ADDRESS) needs no beacon"
+        f"{which} was found within {timeout:g} s{heard}. Is the brick's WiFi on, is it in the same network as this"
+        " computer, and does the firewall let UDP port 3015 in? wifi:ADDRESS works without that"
     )
 
 
@@ -116,8 +116,8 @@ def _listening(interface: str, port: int) -> socket.socket:
         listening.close()
         if error.errno == errno.EADDRINUSE:
             raise PortInUseError(
-                f"UDP port {port} is in use: another program waits for a brick's beacon. End it, or give the brick's"
-                " address (wifi:ADDRESS), which needs no beacon"
+                f"UDP port {port} is in use: another program waits for a brick's beacon; end it, or give the brick's"
+                " address (wifi:ADDRESS)"
             ) from None
         raise NoBrickError(f"UDP port {port} cannot be opened: {error.strerror or error}") from None
     return listening
@@ -133,7 +133,7 @@ def connect(address: str, port: int, timeout: float, serial_number: str = _ANY_S
         serial_number: What the unlock text says.
 
     Raises:
-        NoBrickError: Nobody takes the connection, or who takes it is no brick.
+        NoBrickError: The connection is refused, or the peer is not a brick.
     """
     place = f"[{address}]:{port}" if ":" in address else f"{address}:{port}"
     deadline = time.monotonic() + timeout
@@ -148,12 +148,12 @@ def connect(address: str, port: int, timeout: float, serial_number: str = _ANY_S
     except TimeoutError:
         connected.close()
         raise NoBrickError(
-            f"{place} took the connection and does not answer the unlock text: a brick serves one program at a time,"
-            " end the other one; or what listens there is no brick"
+            f"{place} accepted the connection, but did not answer the unlock text; is another program connected to the"
+            " brick, or is this not a brick?"
         ) from None
     except OSError as error:
         connected.close()
-        raise NoBrickError(f"{place} ended the connection: {error.strerror or error}") from None
+        raise NoBrickError(f"{place} closed the connection: {error.strerror or error}") from None
     except NoBrickError:
         connected.close()
         raise
@@ -167,20 +167,21 @@ def _accepted(connected: socket.socket, place: str, deadline: float) -> bytes:
         connected.settimeout(max(deadline - time.monotonic(), 0.001))
         piece = connected.recv(_MOST_TEXT)
         if not piece:
-            raise NoBrickError(f"{place} closed the connection after the unlock text: what listens there is no brick")
+            raise NoBrickError(f"{place} is not a brick: it closed the connection after the unlock text")
         text += piece
         if not text.startswith(ACCEPT[: len(text)]):
-            raise NoBrickError(f"what listens at {place} is no brick: it answered {text[:_MOST_TEXT]!r}")
+            raise NoBrickError(f"{place} is not a brick: it answered {text[:_MOST_TEXT]!r}")
     # Some firmware sends a zero after the text.
     return text[len(ACCEPT) :].removeprefix(b"\0")
 
 
 def _unreachable(place: str, error: Exception, timeout: float) -> str:
     if isinstance(error, TimeoutError):
-        return f"{place} did not answer within {timeout:g} s: is the brick on, and in the same network?"
+        return f"{place} did not answer within {timeout:g} s; is the brick on, and in the same network?"
     if isinstance(error, ConnectionRefusedError):
-        return f"nobody listens at {place}: is WiFi on at the brick? A virtual one is started by `ev3proto brick`"
+        return f"nothing is listening on {place}; is the brick's WiFi on? `ev3proto brick` starts a virtual brick"
     if isinstance(error, socket.gaierror | UnicodeError):
-        return f"{place}: there is no computer or brick of that name"
+        host = place.rpartition(":")[0]
+        return f"cannot find {host}: no computer or brick has this name"
     reason = getattr(error, "strerror", None) or str(error)
     return f"{place} cannot be reached: {reason}"

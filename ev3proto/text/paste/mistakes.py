@@ -226,7 +226,7 @@ def _hex(line: str, begin: int, start: int, end: int, head: Head, offset: int) -
             data, problem = data[: -(len(digits) // 2)], f"{short(word)!r} is more than 255, which a byte cannot be"
         elif len(digits) % 2 and not (cut and part is parts[-2]):
             # Where the text was cut, half a byte at the end was cut, too.
-            problem = f"{short(word)!r} has an odd number of hex digits ({len(digits)}), two make a byte"
+            problem = f"{short(word)!r} has an odd number of hex digits ({len(digits)}); two make a byte"
         if problem is not None:
             break
     problem = problem and problem.replace("{", "{{").replace("}", "}}")

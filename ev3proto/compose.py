@@ -6,14 +6,14 @@ and `Local()` and `Global()`, get their place only in `command`, which knows all
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 
 from ev3proto.errors import BuildError
 from ev3proto.messages import DirectCommand, Operation, Variable
 from ev3proto.schema.argument import encode_variable
-from ev3proto.schema.constructors import EMPTY_COMMAND
-from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, build_frame, write_memory
+from ev3proto.schema.constructors import EMPTY_COMMAND, placed_in_frame
+from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.semantics.drafts.draft import STAND_IN, Draft, draft_of
 from ev3proto.semantics.drafts.placeholders import (
     Allocator,
@@ -28,7 +28,7 @@ from ev3proto.semantics.drafts.placeholders import (
 )
 from ev3proto.semantics.footprint import Footprint
 from ev3proto.tables.encoding import GLOBAL, LOCAL
-from ev3proto.tables.frame import DIRECT_COMMAND_TYPES, MAX_FRAME, MAX_LOCALS
+from ev3proto.tables.frame import MAX_FRAME, MAX_LOCALS
 
 __all__ = ["Draft", "Global", "Label", "Local", "Placeholder", "command"]
 
@@ -42,21 +42,8 @@ Layout = tuple[list[bytes], int, int, bool]
 use; whether any of them writes to global memory."""
 
 
-def layout(drafts: Sequence[Draft], omitted: str) -> Layout:
-    """Returns a layout in which every variable has a place.
-
-    Args:
-        drafts: The operations.
-        omitted: The memory of omitted outputs.
-
-    Raises:
-        BuildError: There is no room, or the size of a variable is unknown.
-    """
-    return _layout_of_omitted(drafts, omitted) or _LayoutOfAll(drafts, omitted).layout()
-
-
 def _layout_of_omitted(drafts: Sequence[Draft], omitted: str) -> Layout | None:
-    """Returns the layout of a command whose only variables are omitted outputs, None for all others.
+    """Returns the layout of operations whose only variables are omitted outputs, None for all others.
 
     Nearly every command is one of these, and this takes a tenth of the time of the general way.
     """
@@ -110,9 +97,19 @@ class _LayoutOfAll:
         memory.take(footprint.start, _room(footprint), footprint.full_name, is_open=is_open)
         self._writes_globals |= _is_stored(footprint) and footprint.is_global
 
-    def layout(self) -> Layout:
-        """Returns the layout."""
+    def layout(self, labels: Mapping[Label, int]) -> Layout:
+        """Returns the layout.
+
+        Args:
+            labels: The number of the operation after each label.
+
+        Raises:
+            BuildError: There is no room, the size of a variable is unknown, or a jump has no target.
+        """
         encoded = [self._placed(draft, found) for draft, found in self._drafts]
+        jumps = {number: draft.label for number, (draft, _) in enumerate(self._drafts) if draft.label is not None}
+        if jumps:
+            encoded = with_jumps(encoded, jumps, labels)
         return encoded, self._memories[GLOBAL].size, self._memories[LOCAL].size, self._writes_globals
 
     def _placed(self, draft: Draft, found: Iterable[Footprint]) -> bytes:
@@ -197,24 +194,16 @@ def command(
     drafts = [each if type(each) is Draft else _drafted(each) for each in operations if type(each) is not Label]
     if not drafts:
         raise BuildError(EMPTY_COMMAND)
-    encoded, globals_used, locals_used, writes_globals = layout(drafts, LOCAL if reply is False else GLOBAL)
-    jumps = {number: draft.label for number, draft in enumerate(drafts) if draft.label is not None}
-    if jumps or len(drafts) < len(operations):
-        encoded = with_jumps(encoded, jumps, _places(operations))
+    omitted = LOCAL if reply is False else GLOBAL
+    found = _layout_of_omitted(drafts, omitted) if len(drafts) == len(operations) else None
+    if found is None:
+        found = _LayoutOfAll(drafts, omitted).layout(_places(operations))
+    encoded, globals_used, locals_used, writes_globals = found
     if reply is None:
         reply = writes_globals or bool(global_size)
-    kind = DIRECT_COMMAND_TYPES[bool(reply)]
     global_size = _size(GLOBAL, globals_used, global_size)
     local_size = _size(LOCAL, locals_used, local_size)
-    frame = build_frame(kind, counter, write_memory(global_size, local_size) + b"".join(encoded))
-    end = COMMAND_HEADER_SIZE
-    placed = []
-    for draft, raw in zip(drafts, encoded, strict=True):
-        start, end = end, end + len(raw)
-        placed.append(Operation((draft.schema, frame, start, end)))
-    return DirectCommand(
-        type=kind, counter=counter, global_size=global_size, local_size=local_size, operations=tuple(placed)
-    )
+    return placed_in_frame(drafts, encoded, counter, reply, global_size, local_size)
 
 
 def _places(operations: Sequence[Draft | Operation | Label]) -> dict[Label, int]:

@@ -187,17 +187,20 @@ class Operation(tuple[Any, ...]):
     """An opcode, its CMD if it has one, and its arguments.
 
     Created by `ev3proto.parse` and `ev3proto.operation`, not directly.
+
+    schema  its schema, the same for all operations of its opcode and CMD
+    offset  of its opcode, in the frame
     """
 
     __slots__ = ()
 
     if TYPE_CHECKING:
-        _schema: OperationReader
+        schema: OperationReader
         _data: bytes
         offset: int
         _end: int
     else:
-        _schema, _data, offset, _end = _getters(
+        schema, _data, offset, _end = _getters(
             _OPERATION_PARTS
         )  # the fifth part of a parsed operation is its arguments
 
@@ -207,12 +210,12 @@ class Operation(tuple[Any, ...]):
     @property
     def declaration(self) -> Declaration:
         """Its declaration in the tables."""
-        return self._schema.declaration
+        return self.schema.declaration
 
     @property
     def name(self) -> str:
         """The opcode's name: `SOUND`."""
-        return self._schema.declaration.opcode.name
+        return self.schema.declaration.opcode.name
 
     @property
     def opcode(self) -> int:
@@ -222,23 +225,23 @@ class Operation(tuple[Any, ...]):
     @property
     def command(self) -> str | None:
         """The name of its CMD, `TONE`; None if the opcode has no CMD."""
-        command = self._schema.declaration.command
+        command = self.schema.declaration.command
         return command.name if command else None
 
     @property
     def full_name(self) -> str:
         """`SOUND.TONE`, or the opcode's name alone."""
-        return self._schema.declaration.name
+        return self.schema.declaration.name
 
     @property
     def has_outputs(self) -> bool:
         """Whether the brick writes any of its parameters."""
-        return self._schema.has_outputs
+        return self.schema.has_outputs
 
     @property
     def cmd(self) -> Argument | None:
         """CMD in the frame: an argument like any other, with an encoding of its own."""
-        return self._schema.selector(self._data, self.offset)
+        return self.schema.selector(self._data, self.offset)
 
     @property
     def length(self) -> int:
@@ -259,12 +262,7 @@ class Operation(tuple[Any, ...]):
         if len(self) == _WITH_ARGUMENTS:
             found: tuple[Argument, ...] = self[-1]
             return found
-        return self._schema.arguments(self._data, self.offset, self._end)
-
-    def placed(self, frame: bytes, offset: int) -> Operation:
-        """Returns the same operation at its offset in a frame."""
-        schema, _, start, end = self[:_OPERATION_PARTS]
-        return type(self)((schema, frame, offset, offset + end - start))
+        return self.schema.arguments(self._data, self.offset, self._end)
 
     def __getnewargs__(self) -> tuple[tuple[Any, ...]]:
         """Copies and pickles keep the parts of the operation and read their arguments again."""
@@ -273,7 +271,7 @@ class Operation(tuple[Any, ...]):
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Operation):
             return NotImplemented
-        return self._schema is other._schema and self.offset == other.offset and self.raw == other.raw
+        return self.schema is other.schema and self.offset == other.offset and self.raw == other.raw
 
     def __ne__(self, other: object) -> bool:
         return not self == other

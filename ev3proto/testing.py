@@ -496,10 +496,13 @@ def _types(name: str) -> list[MessageType]:
 def direct_commands(dialect: str = "official", chosen: Choice = ALL) -> SearchStrategy[DirectCommand]:
     """Returns direct commands of a few operations, built from values."""
     room = MAX_FRAME - HEADER_SIZE - MEMORY_SIZE
+
+    def placed(found: list[Operation], counter: int, reply: bool, sizes: dict[str, int]) -> DirectCommand:
+        fitting = _that_fit(found, room)
+        return constructors.placed_in_frame(fitting, [each.raw for each in fitting], counter, reply, **sizes)
+
     return st.builds(
-        lambda found, counter, reply, sizes: constructors.any_direct_command(
-            _that_fit(found, room), counter, reply, **sizes
-        ),
+        placed,
         _several(operations(dialect, chosen.operations), chosen),
         _counters,
         _flags(chosen.of(*_DIRECT_COMMANDS), "wants_reply"),

@@ -165,7 +165,7 @@ def checked_operations(operations: tuple[Operation, ...]) -> tuple[CheckedOperat
     """Returns the operations for the rules, as far as the firmware reads them."""
     found: list[CheckedOperation] = []
     for parsed in operations:
-        facts = operation_facts(parsed[0])
+        facts = operation_facts(parsed.schema)
         found.append(CheckedOperation(parsed, facts, facts.name, parsed.arguments, parsed[2], parsed[3]))
         if facts.ends_code:
             break

@@ -280,7 +280,7 @@ def _spanned(command: DirectCommand, size: int) -> bytearray:
     """Returns for each byte of the frame whether it is between a jump and its target and must keep its length."""
     spanned = bytearray(size)
     for operation in command.operations:
-        if not operation_facts(operation[0]).is_jump:
+        if not operation_facts(operation.schema).is_jump:
             continue
         jump = operation.arguments[-1]
         if jump.kind not in (CONSTANT, JUMP):

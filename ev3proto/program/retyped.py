@@ -108,9 +108,9 @@ def with_types(codes: Sequence[tuple[Operation, ...]], callees: Callees, dialect
             tuple(
                 [
                     _typed_call(operation, call, callees)
-                    if operation._schema is call
+                    if operation.schema is call
                     else _typed_fill(operation, fill, known)
-                    if operation._schema is fill
+                    if operation.schema is fill
                     else operation
                     for operation in operations
                 ]
@@ -123,7 +123,7 @@ def _handles(operations: tuple[Operation, ...], makers: Mapping[OperationSchema,
     """Returns the variables that hold handles in one code, and the types of their arrays; `shared` gets global ones."""
     found: _Handles = {}
     for operation in operations:
-        kind = makers.get(operation._schema)  # type: ignore[call-overload]
+        kind = makers.get(operation.schema)  # type: ignore[call-overload]
         argument = None if kind is None else _handle_of(operation)
         if argument is not None:
             place = found if argument.kind == LOCAL else shared

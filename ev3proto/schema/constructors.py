@@ -3,9 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Protocol
 
 from ev3proto.errors import BuildError
-from ev3proto.messages import DirectCommand, DirectReply, FieldValue, Operation, SystemCommand, SystemReply
+from ev3proto.messages import (
+    DirectCommand,
+    DirectReply,
+    FieldValue,
+    Operation,
+    OperationReader,
+    SystemCommand,
+    SystemReply,
+)
 from ev3proto.schema.fields import REPLIES, REQUESTS, Fields, system_entry
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, build_frame, write_memory
 from ev3proto.tables.frame import DIRECT_COMMAND_TYPES, SYSTEM_COMMAND_TYPES, MessageType
@@ -36,30 +45,55 @@ def direct_command(
     Raises:
         BuildError: There is no operation, or the command does not fit into a frame.
     """
-    made = any_direct_command(operations, counter, reply, global_size, local_size)
-    if not operations:
-        raise BuildError(EMPTY_COMMAND)
-    return made
-
-
-def any_direct_command(
-    operations: Sequence[Operation], counter: int, reply: bool, global_size: int, local_size: int
-) -> DirectCommand:
-    """Returns a direct command like `direct_command`, but possibly empty, which a brick refuses."""
     for operation in operations:
         if not isinstance(operation, Operation):
             raise BuildError(
                 f"{operation!r} is not an operation: use ev3proto.operation; results of ev3proto.ops, and labels, are"
                 " for ev3proto.command"
             )
+    encoded = [operation.raw for operation in operations]
+    command = placed_in_frame(operations, encoded, counter, reply, global_size, local_size)
+    if not operations:
+        raise BuildError(EMPTY_COMMAND)
+    return command
+
+
+class Unplaced(Protocol):
+    """An operation whose offset in the frame does not matter: an `Operation`, or a draft of one."""
+
+    @property
+    def schema(self) -> OperationReader:
+        """Its schema."""
+
+
+def placed_in_frame(
+    operations: Sequence[Unplaced],
+    encoded: Sequence[bytes],
+    counter: int,
+    reply: bool,
+    global_size: int,
+    local_size: int,
+) -> DirectCommand:
+    """Returns a direct command in which each operation has its offset.
+
+    Args:
+        operations: The operations. A brick refuses a command without any.
+        encoded: The bytes of each operation.
+        counter: As for `direct_command`, like the other arguments.
+        reply: Whether the brick should answer.
+        global_size: Bytes of global memory.
+        local_size: Bytes of local memory.
+
+    Raises:
+        BuildError: The command does not fit into a frame.
+    """
     kind = DIRECT_COMMAND_TYPES[bool(reply)]
-    code = b"".join([operation.raw for operation in operations])
-    frame = build_frame(kind, counter, write_memory(global_size, local_size) + code)
-    at = COMMAND_HEADER_SIZE
+    frame = build_frame(kind, counter, write_memory(global_size, local_size) + b"".join(encoded))
+    end = COMMAND_HEADER_SIZE
     placed = []
-    for operation in operations:
-        placed.append(operation.placed(frame, at))
-        at += operation.length
+    for operation, raw in zip(operations, encoded, strict=True):
+        start, end = end, end + len(raw)
+        placed.append(Operation((operation.schema, frame, start, end)))
     return DirectCommand(
         type=kind, counter=counter, global_size=global_size, local_size=local_size, operations=tuple(placed)
     )

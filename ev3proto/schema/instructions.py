@@ -188,7 +188,7 @@ class OperationSchema(Bytewise):
         if len(values) != len(self.fixed):
             names = ", ".join(schema.parameter.name for schema in self.fixed) or "none"
             raise BuildError(f"{self.declaration.name} takes {len(self.fixed)} values ({names}), not {len(values)}")
-        return self.head + b"".join([schema.write(one) for schema, one in zip(self.fixed, values, strict=True)])
+        return self.head + b"".join(map(ArgumentSchema.write, self.fixed, values))
 
     def _in_order(self, named: Any) -> list[Any]:
         if not isinstance(named, Mapping):
@@ -452,33 +452,14 @@ class InstructionSet(Bytewise):
         if not isinstance(operation, Mapping) or "name" not in operation:
             raise BuildError(f"{operation!r} is not an operation: create one with ev3proto.operation")
         name = ".".join(filter(None, (operation["name"], operation.get("command"))))
-        return self._named(name).write(operation.get("arguments", ()))
+        return self.named(name).write(operation.get("arguments", ()))
 
-    def _named(self, name: str) -> OperationSchema:
+    def named(self, name: str) -> OperationSchema:
+        """Returns the schema of one operation, like `[name]`. Raises BuildError if it is unknown."""
         try:
             return self.by_name.get(name) or self[name]
         except KeyError as error:
             raise BuildError(error.args[0]) from None
-
-    def operation(self, name: str, *values: Any, **named: Any) -> Operation:
-        """Returns an operation from values.
-
-        Args:
-            name: `SOUND.TONE`, `UI_FLUSH`, in any case.
-            values: Values in the order of the parameters.
-            named: Values by parameter name, instead of `values`.
-
-        Returns:
-            The operation alone, at offset 0.
-
-        Raises:
-            BuildError: The operation is unknown, or cannot have these values.
-
-        """
-        schema = self._named(name)
-        if values and named:
-            raise BuildError(f"{name}: pass values in order or by name, not both")
-        return schema.make(named or values)
 
 
 def _first(commands: dict[int, OperationSchema]) -> list[tuple[int, Any]]:
@@ -519,4 +500,7 @@ def operation(name: str, *values: Any, dialect: str = "official", **named: Any) 
             value and valid values.
         ValueError: The dialect is unknown.
     """
-    return instruction_set(dialect).operation(name, *values, **named)
+    schema = instruction_set(dialect).named(name)
+    if values and named:
+        raise BuildError(f"{name}: pass values in order or by name, not both")
+    return schema.make(named or values)

@@ -194,8 +194,7 @@ def footprint(operation: Operation, number: int, arguments: Sequence[Argument]) 
         number: The number of the argument, from 0.
         arguments: All arguments of the operation.
     """
-    schema, *_ = operation
-    facts = memory_facts(schema)
+    facts = memory_facts(operation.schema)
     argument = arguments[number]
     known = facts[number] if number < len(facts) else element_facts(argument.parameter)
     _, form, start, *_ = argument

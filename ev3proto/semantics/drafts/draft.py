@@ -126,5 +126,4 @@ class Draft:
 
 def draft_of(operation: Operation) -> Draft:
     """Returns any operation as a draft without open places."""
-    schema, *_ = operation
-    return Draft(schema, operation.raw, {})
+    return Draft(operation.schema, operation.raw, {})

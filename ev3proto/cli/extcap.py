@@ -12,13 +12,11 @@ from ev3proto.cli.ending import stopped_by_signals
 from ev3proto.cli.output import Failure, complain, failing_on, failing_to, say
 from ev3proto.cli.targets import TargetType
 from ev3proto.generate.captures.recording import Recording
-from ev3proto.link.announcing import Announcement
 from ev3proto.link.carriers import open_wire
 from ev3proto.link.errors import LinkError
 from ev3proto.link.proxy import Proxy, ProxyOptions
 from ev3proto.link.targets import Target
-from ev3proto.schema.discovery import Beacon
-from ev3proto.tables.discovery import BEACON_PORT, TCP_PORT
+from ev3proto.tables.discovery import TCP_PORT
 from ev3proto.version import VERSION
 
 INTERFACE = "ev3proxy"
@@ -85,7 +83,8 @@ def extcap(
         for line in _CONFIGURATION:
             say(line)
     elif capture and fifo is not None:
-        _capture(fifo, target, ProxyOptions(_LOOPBACK, port, is_read_only=read_only))
+        announced = target.serial_number or _UNKNOWN_SERIAL
+        _capture(fifo, target, ProxyOptions(_LOOPBACK, port, is_read_only=read_only, announced=announced))
     else:
         raise click.UsageError("give --extcap-dlts, --extcap-config, or --capture with --fifo PATH")
 
@@ -100,8 +99,6 @@ def _capture(fifo: Path, target: Target, options: ProxyOptions) -> None:
             recording.flush()
             proxy = Proxy(wire, str(target), options, show=lambda _pair: None, say=complain, recording=recording)
         pipe.proxy = proxy
-        beacon = Beacon(target.serial_number or _UNKNOWN_SERIAL, str(proxy.port))
-        stack.callback(Announcement(beacon, _LOOPBACK, BEACON_PORT).stop)
         with stopped_by_signals(proxy.stop):
             proxy.serve()
     if proxy.lost is not None:

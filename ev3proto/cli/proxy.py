@@ -20,14 +20,12 @@ from ev3proto.cli.recorded import show_dialogue
 from ev3proto.cli.show import Show
 from ev3proto.cli.targets import TargetType
 from ev3proto.generate.captures.recording import Recording
-from ev3proto.link.announcing import Announcement
 from ev3proto.link.carriers import open_wire
 from ev3proto.link.errors import LinkError
 from ev3proto.link.proxy import Proxy, ProxyOptions
 from ev3proto.link.targets import Target, Way
-from ev3proto.schema.discovery import Beacon
 from ev3proto.tables.declaration import DIALECTS
-from ev3proto.tables.discovery import BEACON_PORT, TCP_PORT
+from ev3proto.tables.discovery import TCP_PORT
 from ev3proto.whole_files import GrowingFile
 
 _LOOPBACK = "127.0.0.1"
@@ -92,9 +90,9 @@ def proxy(
     if record == "-" and as_json:
         raise incompatible("--record -", "--json", "both write to standard output")
     address, port = _place(listen)
-    options = ProxyOptions(
-        address, port, _address(only_from), read_only, hide, Faults(delay, drop, corrupt, Random(seed)), dialect
-    )
+    faults = Faults(delay, drop, corrupt, Random(seed))
+    announced = target.serial_number or _UNKNOWN_SERIAL if beacon else None
+    options = ProxyOptions(address, port, _address(only_from), read_only, hide, faults, dialect, announced)
     with ExitStack() as stack:
         recording = _recording(record, stack)
         shown = _Shown(as_json=as_json, is_quiet=record == "-")
@@ -106,9 +104,6 @@ def proxy(
         if not ipaddress.ip_address(address).is_loopback:
             complain(f"Anyone who can reach {address} can control the brick through this proxy (--from, --read-only).")
         tell = complain if record == "-" else say
-        if beacon:
-            said = Beacon(target.serial_number or _UNKNOWN_SERIAL, str(standing.port))
-            stack.callback(Announcement(said, address, BEACON_PORT).stop)
         with stopped_by_signals(standing.stop):
             tell(f"listening on {f'[{address}]' if ':' in address else address}:{standing.port}")
             flush()

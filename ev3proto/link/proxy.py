@@ -1,22 +1,22 @@
-"""The proxy: a WiFi brick for any program, which hands all that it is sent to another brick, and the answers back.
+"""The proxy: a WiFi brick for any program, which forwards everything to another brick, and the replies back.
 
-One client is served at a time, as a brick does it; others wait. Frames go through as they are, counters included.
+Clients connect to the port of the virtual brick (`ev3proto.brick.servers.wifi`), one is served at a time, and others
+wait. Frames go through as they are, counters included. One thread reads from the brick, all else is one event loop.
 """
 
 from __future__ import annotations
 
+import asyncio
 import contextlib
-import queue
 import re
-import socket
 import threading
-import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 
 from ev3proto.brick.servers.faults import Faults
-from ev3proto.brick.servers.limits import MOST_QUEUED, UNLOCK_TIME
-from ev3proto.brick.servers.unlocking import FIRST_READ, Unlocking, why_not_open
+from ev3proto.brick.servers.host import Ends, Line
+from ev3proto.brick.servers.wifi import Wifi, WifiError
 from ev3proto.capture.dialogues import RequestReply
 from ev3proto.capture.record import Record
 from ev3proto.dialogue import Pairing
@@ -29,28 +29,27 @@ from ev3proto.link.records import Records
 from ev3proto.link.reply_stream import Garbage, ReplyStream
 from ev3proto.link.session import pairing_key
 from ev3proto.messages import Message, SystemCommand
+from ev3proto.schema.discovery import Beacon
 from ev3proto.schema.header import build_frame
 from ev3proto.stream import Decoder, StreamError
 from ev3proto.tables.carriers import Carrier
-from ev3proto.tables.discovery import ACCEPT
+from ev3proto.tables.discovery import BEACON_PORT
 from ev3proto.tables.frame import MAX_FRAME, MessageType
 from ev3proto.tables.system import SystemStatus
 
 _CLIENT = "client"
-"""One is served at a time."""
+"""The name of the one client in a recording."""
 
 _HIDDEN_HOST, _HIDDEN_PROXY = "192.0.2.1", "192.0.2.10"
 _SERIAL = re.compile(rb"(?<=sn=)\w+")
 
-_CHUNK = 1 << 14
 _TURN = 0.1
-_SEND_TIME = 30.0
 _MOST_WAITING = 1024
 
 
 @dataclass(frozen=True)
 class ProxyOptions:
-    """What is wanted of a proxy.
+    """The options of a proxy.
 
     address       of this computer, where clients connect
     port          0 for any that is free
@@ -59,6 +58,8 @@ class ProxyOptions:
     is_masked     names, addresses and PINs are kept out of the recording and of what is shown
     faults        what happens to replies
     dialect       the firmware's instruction set
+    announced     serial number in the UDP beacon, by which programs find the proxy; None: no beacon
+    beacon_port   the UDP port that the beacon goes to
     """
 
     address: str = "127.0.0.1"
@@ -68,17 +69,19 @@ class ProxyOptions:
     is_masked: bool = False
     faults: Faults = field(default_factory=Faults)
     dialect: str = "official"
+    announced: str | None = None
+    beacon_port: int = BEACON_PORT
 
 
 Shown = Callable[[RequestReply], None]
-"""Is given each command with its reply, or without one where it wants none."""
+"""Receives each command with its reply, or without one where it wants none."""
 
 Say = Callable[[str], None]
-"""Is called with what the user of the proxy should know."""
+"""Receives messages for the user of the proxy."""
 
 
 class Proxy:
-    """Stands between clients and a brick.
+    """A proxy between clients and a brick.
 
     port  where it listens
     lost  why the connection to the brick is gone; None while it is there
@@ -98,258 +101,188 @@ class Proxy:
 
         Args:
             wire: The brick.
-            peer: What it is called in what is shown.
-            options: What is wanted.
-            show: Is given what goes by.
-            say: Is called with what is odd, in sentences.
-            recording: Is given what goes by, too.
+            peer: The brick's name in what is shown.
+            options: The options.
+            show: Receives what goes through.
+            say: Receives messages about what is odd.
+            recording: Receives what goes through, too.
 
         Raises:
-            PortInUseError: The port is not to be had.
+            PortInUseError: The port cannot be opened.
         """
         self.lost: ConnectionLostError | None = None
         packets = None if recording is None else lambda: recording.packets
         self.records = Records(wire.carrier, peer, options.dialect, packets)
+        self.say_once = say
         self._wire = wire
         self._options = options
         self._show = show
-        self._say = say
         self._recording = recording
-        self._lock = threading.Lock()
-        self._pairing: Pairing[Record] = Pairing(_MOST_WAITING)
-        self._client: socket.socket | None = None
-        self._strangers: dict[socket.socket, None] = {}  # oldest first
-        self._unlocked: queue.SimpleQueue[tuple[socket.socket, bytes] | None] = queue.SimpleQueue()
-        self._is_over = threading.Event()
-        self._delayed: queue.Queue[tuple[float, socket.socket, bytes] | None] = queue.Queue(_MOST_WAITING)
-        self._listening = _listen(options)
-        self.port: int = self._listening.getsockname()[1]
+        self._client: _Client | None = None
+        self._error: BaseException | None = None
+        self._is_over = asyncio.Event()
+        self._loop = asyncio.new_event_loop()
+        self._wifi = Wifi(self, only_from=options.only_from)
+        try:
+            self._loop.run_until_complete(self._wifi.listen(options.address, options.port))
+        except WifiError as error:
+            self._loop.close()
+            raise PortInUseError(str(error)) from None
+        self.port: int = self._wifi.port
 
     def serve(self) -> None:
-        """Serves clients until `stop` is called or the brick is gone."""
-        reader = threading.Thread(target=self._from_brick, name="reads from the brick", daemon=True)
+        """Serves clients until `stop` is called or the brick is gone. Raises what `show` raises."""
+        reader = threading.Thread(target=self._read, name="reads from the brick", daemon=True)
         reader.start()
-        late = threading.Thread(target=self._deliver_late, name="hands replies on late", daemon=True)
-        if self._options.faults.delay:
-            late.start()
-        threading.Thread(target=self._accept, name="accepts clients", daemon=True).start()
         try:
-            while (unlocked := self._unlocked.get()) is not None:
-                with unlocked[0]:
-                    self._serve(*unlocked)
+            self._loop.run_until_complete(self._serve())
         finally:
-            self.stop()
-            while (left := self._unlocked.get()) is not None:
-                left[0].close()
+            self._is_over.set()
+            self._wire.stop()
             reader.join()
-            if late.is_alive():
-                with contextlib.suppress(queue.Full):  # then it waits for no other, but for the time of one
-                    self._delayed.put_nowait(None)
-                late.join()
+            self._loop.close()
+        if self._error is not None:
+            raise self._error
 
     def stop(self) -> None:
         """Ends everything; may be called from another thread, or when a signal comes."""
-        self._is_over.set()
-        self._unlocked.put(None)
-        for each in (self._listening, self._client, *list(self._strangers)):
-            if each is not None:
-                with contextlib.suppress(OSError):
-                    each.shutdown(socket.SHUT_RDWR)
-        self._listening.close()
+        with contextlib.suppress(RuntimeError):  # it has ended already
+            self._loop.call_soon_threadsafe(self._is_over.set)
         self._wire.stop()
+
+    async def _serve(self) -> None:
+        serial_number = self._options.announced
+        if serial_number is not None:
+            self._wifi.announce(lambda: Beacon(serial_number, str(self.port)), self._options.beacon_port)
+        await self._is_over.wait()
+        await self._wifi.close()
+        if self._client is not None:
+            self._client.close()
+
+    def act(self, call: Callable[[], None]) -> None:
+        """Does something in the event loop; an error ends the proxy."""
+        try:
+            call()
+        except ConnectionLostError as error:
+            if not self._is_over.is_set():
+                self.lost = error
+            self.stop()
+        except BaseException as error:
+            self._error = self._error or error
+            self.stop()
 
     # The client
 
-    def _accept(self) -> None:
-        """Takes clients; one that says nothing keeps no other waiting, and of too many the oldest gives way."""
-        while not self._is_over.is_set():
-            try:
-                client, peer = self._listening.accept()
-            except OSError:
-                return
-            wanted = self._options.only_from
-            if wanted is not None and peer[0] != wanted:
-                self._say(f"{peer[0]} was disconnected: only {wanted} is served (--from)")
-                client.close()
-                continue
-            self._strangers[client] = None
-            for each in list(self._strangers)[:-MOST_QUEUED]:
-                with contextlib.suppress(OSError):
-                    each.shutdown(socket.SHUT_RDWR)
-            threading.Thread(target=self._unlock, args=(client, peer[0]), daemon=True).start()
-
-    def _unlock(self, client: socket.socket, address: str) -> None:
-        """Waits for the unlock text of a client, which is served in its turn then."""
-        text = _unlock_text(client)
-        self._strangers.pop(client, None)
-        if text is not None:
-            self._unlocked.put((client, text))
-            return
-        client.close()
-        if not self._is_over.is_set():
-            self._say(f"{address} did not send the unlock text of a WiFi brick; disconnected")
-
-    def _serve(self, client: socket.socket, text: bytes) -> None:
-        client.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-        try:
-            client.sendall(ACCEPT)
-        except OSError:
-            return
-        client.settimeout(_SEND_TIME)
-        with self._lock:
-            self._client = client
-            self._pairing = Pairing(_MOST_WAITING)
-            self._record_opening(client, text)
-        try:
-            self._from_client(client)
-        finally:
-            with self._lock:
-                self._client = None
-                for command in self._pairing.unanswered:
-                    self._show(RequestReply(command, None))
-                self._record(lambda recording: recording.closed(_CLIENT))
-
-    def _record_opening(self, client: socket.socket, text: bytes) -> None:
-        """Records how a connection begins: as it was, but for what is to be hidden."""
-        host, proxy = client.getpeername()[:2], client.getsockname()[:2]
+    def open(self, line: Line, name: str, carrier: str, ends: Ends, opening: Sequence[tuple[bytes, bool]]) -> _Client:
+        """Begins to serve a client. Records the beginning of its connection, except what is to be hidden."""
+        self._client = _Client(self, line, name, Decoder(strict=False, dialect=self._options.dialect))
+        host, proxy = ends
         if self._options.is_masked:
-            text = _without_serial(text)
+            opening = [(_SERIAL.sub(lambda found: b"0" * len(found[0]), text), is_host) for text, is_host in opening]
             host, proxy = (_HIDDEN_HOST, host[1]), (_HIDDEN_PROXY, proxy[1])
-        self._record(lambda recording: recording.opened(_CLIENT, Carrier.WIFI, host, proxy))
-        self._record(lambda recording: recording.data(_CLIENT, text, True))
-        self._record(lambda recording: recording.data(_CLIENT, ACCEPT, False))
+        self._record(lambda recording: recording.opened(_CLIENT, Carrier(carrier), host, proxy))
+        for text, is_from_host in opening:
+            self._record(partial(_record_text, text, is_from_host))
+        return self._client
 
-    def _from_client(self, client: socket.socket) -> None:
-        decoder = Decoder(strict=False, dialect=self._options.dialect)
-        reason = self._pass_on(client, decoder)
-        left = decoder.pending
-        if reason is None and left and (fault := decoder.close()) is not None:
-            reason = fault.reason
+    def queued(self) -> None:
+        """Says nothing: a client that waits for another one sees that itself."""
+
+    def forward(self, client: _Client, data: bytes) -> None:
+        """Forwards what a client sends; bytes that are not frames end its connection."""
+        try:
+            for message in client.decoder.feed(data):
+                self._to_brick(client, message)
+        except StreamError as error:
+            client.line.drop()
+            self._end(client, str(error))
+
+    def gone(self, client: _Client) -> None:
+        """Ends the dialogue with a client that has disconnected."""
+        if client is self._client:
+            left = client.decoder.pending
+            fault = client.decoder.close() if left else None
+            self._end(client, None if fault is None else fault.reason)
+
+    def _end(self, client: _Client, reason: str | None) -> None:
+        self._client = None
         if reason is not None:
-            self._say(f"the client sent bytes that are not a frame: {reason}; disconnected")
-        if left:
-            shown = masked(left, dialect=self._options.dialect) if self._options.is_masked else left
-            with self._lock:
-                self._record(lambda recording: recording.data(_CLIENT, shown, True))
+            self.say_once(f"{client.name} sent bytes that are not a frame: {reason}; disconnected")
+        if left := client.decoder.pending:
+            self._record(lambda recording: recording.data(_CLIENT, self._masked(left), True))
+        for command in client.pairing.unanswered:
+            self._show(RequestReply(command, None))
+        self._record(lambda recording: recording.closed(_CLIENT))
 
-    def _pass_on(self, client: socket.socket, decoder: Decoder) -> str | None:
-        """Hands the client's messages on until it goes. Returns why its bytes are no frames, where they are not."""
-        while True:
-            try:
-                data = client.recv(_CHUNK)
-            except TimeoutError:
-                continue  # the time is for sending; a client may be silent as long as it likes
-            except OSError:
-                return None
-            if not data:
-                return None
-            try:
-                for message in decoder.feed(data):
-                    self._to_brick(message)
-            except StreamError as error:
-                return str(error)
-            except ConnectionLostError as error:
-                self._lose(error)
-                return None
+    def _masked(self, frame: bytes, request: bytes | None = None) -> bytes:
+        return masked(frame, request, self._options.dialect) if self._options.is_masked else frame
 
-    def _to_brick(self, message: Message) -> None:
+    def _to_brick(self, client: _Client, message: Message) -> None:
         frame = message.build()
+        status = self._refusal(message, frame)
+        shown = self._masked(frame)
+        self._record(lambda recording: recording.data(_CLIENT, shown, True))
+        command = self.records.sent(shown)
+        if not message.wants_reply:
+            self._show(RequestReply(command, None))
+        elif (forgotten := client.pairing.remember(pairing_key(frame), 0, command)) is not None:
+            self._show(RequestReply(forgotten, None))
+        if status is None:
+            self._wire.send(frame)
+        elif message.wants_reply and isinstance(message, SystemCommand):
+            reply = build_frame(MessageType.SYSTEM_REPLY_ERROR, message.counter, bytes((message.number, status)))
+            self._to_client(reply)
+        elif message.wants_reply:
+            self._to_client(build_frame(MessageType.DIRECT_REPLY_ERROR, message.counter, b""))
+
+    def _refusal(self, message: Message, frame: bytes) -> SystemStatus | None:
+        """Says why a command does not go to the brick. Returns what a system command is told; None for others."""
         if self._options.is_read_only and (harms := harms_of(message, dialect=self._options.dialect)):
             reasons = ", ".join(f"{name} {harm.text}" for harm, name in harms.items())
-            self._say(f"blocked by --read-only: {reasons}")
-            self._refuse(message, frame, SystemStatus.NO_PERMISSION)
-            return
+            self.say_once(f"blocked by --read-only: {reasons}")
+            return SystemStatus.NO_PERMISSION
         if len(frame) > MAX_FRAME and self._wire.carrier is Carrier.USB:
-            self._say(
+            self.say_once(
                 f"a frame of {len(frame)} bytes was not sent: on USB a frame has at most {MAX_FRAME} bytes; send the"
                 " file in pieces"
             )
-            self._refuse(message, frame, SystemStatus.SIZE_ERROR)
-            return
-        with self._lock:
-            command = self._seen_command(frame, message.wants_reply)
-            if not message.wants_reply:
-                self._show(RequestReply(command, None))
-        self._wire.send(frame)
-
-    def _refuse(self, message: Message, frame: bytes, status: SystemStatus) -> None:
-        """Answers a command in the brick's place; only system commands are told the status."""
-        with self._lock:
-            command = self._seen_command(frame, message.wants_reply)
-            if not message.wants_reply:
-                self._show(RequestReply(command, None))
-                return
-        if isinstance(message, SystemCommand):
-            kind = MessageType.SYSTEM_REPLY_ERROR
-            body = bytes((message.number, status))
-        else:
-            kind, body = MessageType.DIRECT_REPLY_ERROR, b""
-        self._to_client(build_frame(kind, message.counter, body))
-
-    def _seen_command(self, frame: bytes, wants_reply: bool) -> Record:
-        shown = masked(frame, dialect=self._options.dialect) if self._options.is_masked else frame
-        self._record(lambda recording: recording.data(_CLIENT, shown, True))
-        command = self.records.sent(shown)
-        if wants_reply:
-            forgotten = self._pairing.remember(pairing_key(frame), 0, command)
-            if forgotten is not None:
-                self._show(RequestReply(forgotten, None))
-        return command
+            return SystemStatus.SIZE_ERROR
+        return None
 
     # The brick
 
-    def _from_brick(self) -> None:
+    def _read(self) -> None:
+        """Reads from the brick, in a thread of its own."""
         stream = ReplyStream(lambda _counter: True)
-        while not self._is_over.is_set():
-            try:
-                data = self._wire.receive(_TURN)
-            except ConnectionLostError as error:
-                self._lose(error)
-                return
-            for part in stream.feed(data) if data else ():
-                if isinstance(part, Garbage):
-                    self._say(f"the brick sent {len(part.data)} bytes that are not a frame; they were dropped")
-                else:
-                    self._to_client(part)
+        try:
+            while not self._is_over.is_set():
+                for part in stream.feed(self._wire.receive(_TURN)):
+                    self._loop.call_soon_threadsafe(self.act, partial(self._take, part))
+        except ConnectionLostError as error:
+            self._loop.call_soon_threadsafe(self.act, partial(_raise, error))
+
+    def _take(self, part: bytes | Garbage) -> None:
+        if isinstance(part, Garbage):
+            self.say_once(f"the brick sent {len(part.data)} bytes that are not a frame; they were dropped")
+        else:
+            self._to_client(part)
 
     def _to_client(self, frame: bytes) -> None:
-        faults = self._options.faults
+        faults, client = self._options.faults, self._client
+        request = None if client is None else client.pairing.answered(pairing_key(frame), None)
         sent = faults.befall(frame)
-        with self._lock:
-            request = self._pairing.answered(pairing_key(frame), None)
-            self._seen_reply(frame if sent is None else sent, request, is_lost=sent is None)
-            client = self._client
-        if sent is None or client is None:
-            return
-        if faults.delay:
-            self._delayed.put((time.monotonic() + faults.delay, client, sent))
-        else:
-            _deliver(client, sent)
-
-    def _deliver_late(self) -> None:
-        """Hands replies on when they are due, in their order."""
-        while (waiting := self._delayed.get()) is not None:
-            due, client, frame = waiting
-            if self._is_over.wait(max(0.0, due - time.monotonic())):
-                return
-            _deliver(client, frame)
-
-    def _seen_reply(self, frame: bytes, request: Record | None, *, is_lost: bool) -> None:
-        if is_lost:
-            self._say("a reply was dropped (--drop)")
+        if sent is None:
+            self.say_once("a reply was dropped (--drop)")
             if request is not None:
                 self._show(RequestReply(request, None))
             return
-        shown = frame
-        if self._options.is_masked:
-            shown = masked(frame, None if request is None else request.frame, self._options.dialect)
+        shown = self._masked(sent, None if request is None else request.frame)
         self._record(lambda recording: recording.data(_CLIENT, shown, False))
         self._show(RequestReply(request, self.records.received(shown, request)))
-
-    def _lose(self, error: ConnectionLostError) -> None:
-        if not self._is_over.is_set():
-            self.lost = error
-            self.stop()
+        if client is not None and faults.delay:
+            self._loop.call_later(faults.delay, client.line.send, sent)
+        elif client is not None:
+            client.line.send(sent)
 
     def _record(self, write: Callable[[Recording], None]) -> None:
         if self._recording is None:
@@ -358,39 +291,41 @@ class Proxy:
             write(self._recording)
         except OSError as error:
             self._recording = None
-            self._say(f"recording ended: {error.strerror or error}")
+            self.say_once(f"recording ended: {error.strerror or error}")
 
 
-def _listen(options: ProxyOptions) -> socket.socket:
-    try:
-        family = socket.AF_INET6 if ":" in options.address else socket.AF_INET
-        return socket.create_server((options.address, options.port), family=family)
-    except (OSError, OverflowError, UnicodeError) as error:
-        other = "--listen wifi:127.0.0.1:5556"
-        raise PortInUseError(why_not_open(error, options.address, options.port, other)) from None
+class _Client:
+    """The client that is served.
+
+    line     its connection
+    name     its address and port
+    decoder  what it sent
+    pairing  its commands without a reply yet
+    """
+
+    def __init__(self, proxy: Proxy, line: Line, name: str, decoder: Decoder) -> None:
+        self.line = line
+        self.name = name
+        self.decoder = decoder
+        self.pairing: Pairing[Record] = Pairing(_MOST_WAITING)
+        self._proxy = proxy
+
+    def feed(self, data: bytes) -> None:
+        """Takes bytes from the client."""
+        self._proxy.act(lambda: self._proxy.forward(self, data))
+
+    def choke(self, is_choked: bool) -> None:
+        """Reads from the client only while it reads its replies."""
+        (self.line.pause if is_choked else self.line.resume)()
+
+    def close(self) -> None:
+        """Ends, as the client has disconnected."""
+        self._proxy.act(lambda: self._proxy.gone(self))
 
 
-def _unlock_text(client: socket.socket) -> bytes | None:
-    """Waits for the unlock text. Returns what the client said up to its end; None where that is something else."""
-    unlocking = Unlocking()
-    deadline = time.monotonic() + UNLOCK_TIME
-    client.settimeout(UNLOCK_TIME)
-    with contextlib.suppress(OSError):
-        while (piece := client.recv(FIRST_READ)) and time.monotonic() < deadline:
-            if unlocking.feed(piece) is not None:
-                return unlocking.said
-    return None
+def _record_text(text: bytes, is_from_host: bool, recording: Recording) -> None:
+    recording.data(_CLIENT, text, is_from_host)
 
 
-def _without_serial(text: bytes) -> bytes:
-    """An unlock text with zeros in place of the serial number."""
-    return _SERIAL.sub(lambda found: b"0" * len(found[0]), text)
-
-
-def _deliver(client: socket.socket, data: bytes) -> None:
-    """Sends a reply; a client that takes nothing any more is sent away."""
-    try:
-        client.sendall(data)
-    except OSError:
-        with contextlib.suppress(OSError):
-            client.shutdown(socket.SHUT_RDWR)
+def _raise(error: Exception) -> None:
+    raise error

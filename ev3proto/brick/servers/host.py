@@ -62,6 +62,9 @@ class Line(Protocol):
     def resume(self) -> None:
         """Reads on."""
 
+    def drop(self) -> None:
+        """Ends the connection at once."""
+
 
 class Observer(Protocol):
     """Who sees what goes over the connections."""
@@ -132,10 +135,11 @@ class Connection:
         if not is_choked:
             self._host.wake()
 
-    def leave(self) -> None:
-        """The client has gone."""
+    def close(self) -> None:
+        """The client has gone; what it sent before is still done, as on the real brick."""
         self.is_gone = True
         self._is_choked = False
+        self._host.left_behind()
 
     def drop_if_gone(self) -> None:
         """Forgets what a client that has gone left to do."""
@@ -236,13 +240,16 @@ class Host:
         self._tell(lambda observer: observer.opened(connection))
         return connection
 
-    def close(self, connection: Connection) -> None:
-        """A client has gone; what it sent before is still done, as on the real brick."""
-        connection.leave()
+    def left_behind(self) -> None:
+        """Serves what clients that have gone left to do, of a limited number of them."""
         gone = [each for each in self.connections if each.is_gone]
         for other in gone[:-MOST_QUEUED]:
             other.drop_if_gone()
         self.wake()
+
+    def queued(self) -> None:
+        """Says that a client waits until another one disconnects."""
+        self.say_once("a client waits until another one disconnects; a real brick serves one, too (see --clients)")
 
     def _part(self) -> None:
         """Ends the connections of clients that have gone and left nothing to do."""

@@ -96,7 +96,7 @@ class SerialPort:
         self._outgoing.clear()
         connection, self._connection = self._connection, None
         if connection is not None:
-            self._host.close(connection)
+            connection.close()
 
     # Bytes
 
@@ -145,3 +145,7 @@ class SerialPort:
         """Reads on."""
         if self._connection is not None:
             self._loop.add_reader(self._master, self._read)
+
+    def drop(self) -> None:
+        """Ends the connection at once."""
+        self._hang_up()

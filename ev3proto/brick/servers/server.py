@@ -24,6 +24,7 @@ from ev3proto.brick.servers.script import Script
 from ev3proto.brick.servers.serial_port import SerialError, SerialPort
 from ev3proto.brick.servers.wifi import Wifi, WifiError
 from ev3proto.extras import install_command
+from ev3proto.schema.discovery import Beacon
 from ev3proto.tables.discovery import TCP_PORT
 from ev3proto.tables.paths import USUAL_FOLDERS
 from ev3proto.whole_files import write_whole
@@ -148,12 +149,16 @@ async def running(options: Options, root: Path, say: Say) -> AsyncIterator[Runni
             address, port = wifi.address, wifi.port
             brick.settings.wifi, brick.settings.network, brick.settings.ip = True, NETWORK, address
             if options.beacon:
-                wifi.announce()
+                wifi.announce(lambda: _beacon(brick, port))
         if not is_loopback(options.address):
             say(f"anyone who can reach {options.address} can use this brick and its files; WiFi has no password")
         steps = asyncio.create_task(_follow(options.script, host))
         stack.callback(steps.cancel)
         yield Running(brick, host, address, port, link, looked, reporter)
+
+
+def _beacon(brick: Brick, port: int) -> Beacon:
+    return Beacon(brick.settings.bluetooth_address, str(port), brick.settings.name)
 
 
 def _make_usual_folders(root: Path) -> None:

@@ -5,17 +5,46 @@ from __future__ import annotations
 import asyncio
 import ipaddress
 from collections import deque
+from collections.abc import Callable, Sequence
+from typing import Protocol
 
-from ev3proto.brick.servers.host import Connection, Host
+from ev3proto.brick.servers.host import Ends, Line
 from ev3proto.brick.servers.limits import MOST_QUEUED, MOST_UNREAD, UNLOCK_TIME
 from ev3proto.brick.servers.unlocking import BEACON_PERIOD, FIRST_READ, Unlocking, beacon_socket, why_not_open
 from ev3proto.errors import BuildError
 from ev3proto.schema.discovery import Beacon
-from ev3proto.tables.discovery import ACCEPT, BEACON_PORT, PROTOCOL
+from ev3proto.tables.discovery import ACCEPT, BEACON_PORT
 
 
 class WifiError(Exception):
     """The port cannot be opened; the text says why and what to do."""
+
+
+class Session(Protocol):
+    """A client as the owner of the port knows it, from the answer to its unlock text on."""
+
+    def feed(self, data: bytes) -> None:
+        """Takes bytes from the client."""
+
+    def choke(self, is_choked: bool) -> None:
+        """Learns whether the client leaves too many bytes unread."""
+
+    def close(self) -> None:
+        """Learns that the client has disconnected."""
+
+
+class Owner(Protocol):
+    """What serves the clients: a virtual brick's `Host`, or the proxy."""
+
+    def open(self, line: Line, name: str, carrier: str, ends: Ends, opening: Sequence[tuple[bytes, bool]]) -> Session:
+        """Begins to serve a client."""
+
+    def queued(self) -> None:
+        """Learns that a client waits until another one disconnects."""
+
+    @property
+    def say_once(self) -> Callable[[str], None]:
+        """Reports a message to the user of the server."""
 
 
 class Wifi:
@@ -24,17 +53,19 @@ class Wifi:
     address, port  where it listens
     """
 
-    def __init__(self, host: Host, clients: int = 1) -> None:
+    def __init__(self, host: Owner, clients: int = 1, only_from: str | None = None) -> None:
         """Makes it; `listen` opens the port.
 
         Args:
-            host: What drives the brick.
-            clients: How many are served at once; further ones wait until one of them goes.
+            host: What serves the clients.
+            clients: How many are served at once; further ones wait until one of them disconnects.
+            only_from: The address that clients must have; None for any.
         """
         self.address = ""
         self.port = 0
         self._host = host
         self._clients = clients
+        self._only_from = only_from
         self._strangers: dict[_Client, None] = {}
         self._queued: deque[_Client] = deque()
         self._served: set[_Client] = set()
@@ -58,9 +89,9 @@ class Wifi:
             raise WifiError(why_not_open(error, address, port, "--port 0 takes any")) from None
         self.address, self.port = self._server.sockets[0].getsockname()[:2]
 
-    def announce(self) -> None:
-        """Begins to send beacons."""
-        self._beacon = asyncio.create_task(self._announce())
+    def announce(self, beacon: Callable[[], Beacon], port: int = BEACON_PORT) -> None:
+        """Begins to send beacons to a UDP port; what they say is asked for each time."""
+        self._beacon = asyncio.create_task(self._announce(beacon, port))
 
     async def close(self) -> None:
         """Closes the port and all connections."""
@@ -68,13 +99,20 @@ class Wifi:
             self._beacon.cancel()
         if self._server is not None:
             self._server.close()
-        for client in [*self._served, *self._queued, *self._strangers]:
+        clients = [*self._served, *self._queued, *self._strangers]
+        self._strangers.clear()
+        self._queued.clear()
+        for client in clients:
             client.drop()
 
     # Clients
 
     def came(self, client: _Client) -> None:
-        """A client has connected. Until it sends the unlock text, it keeps nobody waiting."""
+        """A client has connected. Until it sends the unlock text, it does not keep others waiting."""
+        if self._only_from not in (None, client.address):
+            self._host.say_once(f"{client.address} was disconnected: only {self._only_from} is served (--from)")
+            client.drop()
+            return
         self._strangers[client] = None
         if len(self._strangers) > MOST_QUEUED:
             next(iter(self._strangers)).drop()
@@ -88,13 +126,12 @@ class Wifi:
         self._queued.append(client)
         self._serve_next()
         if client in self._queued:
-            self._host.say_once(
-                "a client waits for another one to go: the real brick, too, serves one at a time (see --clients)"
-            )
+            self._host.queued()
 
     def went(self, client: _Client) -> None:
         """A client has gone: the next one is served."""
-        self._strangers.pop(client, None)
+        if self._strangers.pop(client, client) is None:
+            self._host.say_once(f"{client.address} did not send the unlock text of a WiFi brick; disconnected")
         if client in self._queued:
             self._queued.remove(client)
         self._served.discard(client)
@@ -108,17 +145,15 @@ class Wifi:
 
     # The beacon
 
-    async def _announce(self) -> None:
+    async def _announce(self, beacon: Callable[[], Beacon], port: int) -> None:
         if ipaddress.ip_address(self.address).version != 4:
-            self._host.say("no beacon is sent: beacons use IPv4, and this is an IPv6 address")
+            self._host.say_once("no beacon is sent: beacons use IPv4, and this is an IPv6 address")
             return
         sender, target = beacon_socket(self.address, self.port)
         with sender:
             while True:
-                settings = self._host.brick.settings
-                beacon = Beacon(settings.bluetooth_address, str(self.port), settings.name, PROTOCOL)
                 try:
-                    sender.sendto(beacon.build(), (target, BEACON_PORT))
+                    sender.sendto(beacon().build(), (target, port))
                 except OSError as error:
                     self._host.say_once(f"the beacon cannot be sent: {error.strerror or error}")
                 except BuildError as error:
@@ -129,11 +164,11 @@ class Wifi:
 class _Client(asyncio.Protocol):
     """One TCP connection, from the unlock text to its end."""
 
-    def __init__(self, wifi: Wifi, host: Host) -> None:
+    def __init__(self, wifi: Wifi, host: Owner) -> None:
         self._wifi = wifi
         self._host = host
         self._transport: asyncio.Transport | None = None
-        self._connection: Connection | None = None
+        self._connection: Session | None = None
         self._unlocking = Unlocking()
         self._rest: bytes | None = None
         self._timer: asyncio.TimerHandle | None = None
@@ -169,11 +204,17 @@ class _Client(asyncio.Protocol):
         connection, self._connection = self._connection, None
         try:
             if connection is not None:
-                self._host.close(connection)
+                connection.close()
         finally:
             self._wifi.went(self)
 
     # What the port calls
+
+    @property
+    def address(self) -> str:
+        """The client's IP address."""
+        assert self._transport is not None
+        return str(self._transport.get_extra_info("peername")[0])
 
     def accept(self) -> None:
         """Its turn has come."""

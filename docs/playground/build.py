@@ -34,7 +34,7 @@ VEGA = ("vega/build/vega.min.js", "vega-lite/build/vega-lite.min.js", "vega-inte
 LICENCES = "spdx-license-list"
 PYTHON_LICENCE = "Python-2.0.1"
 RULE = "-" * 80
-PACKAGES = ("construct", "click", "dpkt", "lark")
+PACKAGES = ("construct", "click", "dpkt")
 
 _TIME = (1980, 1, 1, 0, 0, 0)
 
@@ -121,7 +121,7 @@ def _modules() -> Iterator[tuple[str, Path]]:
     for package in PACKAGES:
         for entry in importlib.metadata.files(package) or ():
             # Distributions have their licences beside the code.
-            if entry.parts[0] != ".." and entry.suffix in (".py", ".lark", ""):
+            if entry.parts[0] != ".." and entry.suffix in (".py", ""):
                 yield entry.as_posix(), Path(str(entry.locate()))
 
 

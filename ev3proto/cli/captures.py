@@ -82,7 +82,7 @@ class CaptureSource:
         if chosen is None:
             yield from self._all_events()
             return
-        from ev3proto.capture.filter import Choosing  # loaded already where there is a filter; lark takes 20 ms
+        from ev3proto.capture.filter import Choosing  # loaded already where there is a filter
 
         choosing = Choosing(chosen, self.options.memory * MIB)
         events = self._all_events()

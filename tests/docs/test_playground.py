@@ -289,7 +289,6 @@ def test_the_licences_of_what_it_contains_are_there_in_full(built: Path) -> None
         "construct": "Arkadiusz Bulski",
         "click": "Pallets",
         "dpkt": "Dug Song",
-        "lark": "Erez Shinan",
         "ev3proto": "MIT License",
     }.items():
         assert owner in entries[name], name

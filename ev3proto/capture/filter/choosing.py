@@ -32,60 +32,42 @@ class Choosing:
         self.given_up = 0
         self._keep = keep
         self._memory = memory
-        self._waiting: dict[int, tuple[Record, bool]] = {}
+        self._waiting: dict[int, Record] = {}
         self._size = 0
 
     def chosen(self, events: Iterable[Event]) -> Iterator[Record]:
         """Chooses the wanted records.
 
         Args:
-            events: Those of the capture, to its end. What is no frame is never wanted.
+            events: Those of the capture, to its end. Events that are not frames are never wanted.
 
         Yields:
             The records, in the order of the capture.
         """
         for event in events:
-            if isinstance(event, Record):
-                if self._keep.looks_ahead:
-                    yield from self._add(event)
-                elif self._keep(event):
+            if not isinstance(event, Record):
+                continue
+            if not self._keep.looks_ahead:
+                if self._keep(event):
                     yield event
-        for record, is_chosen in self._waiting.values():
-            if is_chosen or self._keep(record):
-                yield record
-        self._waiting.clear()
-
-    def _add(self, record: Record) -> Iterator[Record]:
-        if record.request is not None:
-            self._decide(record.request)
-        if record.message.wants_reply:
-            self._hold(record, is_chosen=False)
-        elif self._keep(record):
-            self._hold(record, is_chosen=True)
-        while self._waiting:
-            first, is_chosen = next(iter(self._waiting.values()))
-            if not is_chosen and self._size <= self._memory:
-                return
-            self._release(first)
-            if is_chosen:
-                yield first
-            else:
-                self.given_up += 1
+                continue
+            command = event.request
+            if command is not None and id(command) in self._waiting and not self._keep(command):
+                self._release(command)
+            if event.message.wants_reply or self._keep(event):
+                self._waiting[id(event)] = event
+                self._size += _RECORD_SIZE + len(event.frame)
+            while self._waiting:
+                first = next(iter(self._waiting.values()))
+                is_open = first.message.wants_reply and first.answered is None
+                if is_open and self._size <= self._memory:
+                    break
+                self._release(first)
+                self.given_up += is_open
                 if self._keep(first):
                     yield first
-
-    def _decide(self, command: Record) -> None:
-        """A command's reply is there: now it is known whether the command is wanted."""
-        if id(command) not in self._waiting:
-            return
-        if self._keep(command):
-            self._waiting[id(command)] = command, True
-        else:
-            self._release(command)
-
-    def _hold(self, record: Record, *, is_chosen: bool) -> None:
-        self._waiting[id(record)] = record, is_chosen
-        self._size += _RECORD_SIZE + len(record.frame)
+        yield from filter(self._keep, self._waiting.values())
+        self._waiting.clear()
 
     def _release(self, record: Record) -> None:
         del self._waiting[id(record)]

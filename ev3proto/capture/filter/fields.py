@@ -6,7 +6,7 @@ from collections.abc import Container, Iterator
 from functools import cache
 from typing import Any, NamedTuple
 
-from ev3proto.capture.filter.values import Held, Kind
+from ev3proto.capture.filter.values import Held, Kind, Name
 from ev3proto.capture.record import Record
 from ev3proto.messages import DaisyCommand, DaisyReply, DirectReply, SystemCommand, SystemReply
 from ev3proto.tables import OPCODES
@@ -45,62 +45,10 @@ class Place(NamedTuple):
     unit: str | None = None
 
 
-class Field:
-    """What a name means in frames.
-
-    places  the place of each operation and each system command that has it
-    kind    what its values can be compared with
-    """
-
-    def __init__(self, places: list[Place], element: str = "") -> None:
-        """Makes one of its places and, for a single element of a list, the name of that (`values[0]`)."""
-        self.places = {place.owner: place for place in places}
-        self._element = element
-        held = {place.holds for place in places}
-        words = {int: "a number", str: "a text in quotes", bytes: "bytes such as 4c:45:47:4f"}
-        self.kind = Kind(
-            " or ".join(text for type_, text in words.items() if type_ in held),
-            number=int in held,
-            text=str in held,
-            data=bytes in held,
-            enums=tuple({place.enum.name: place.enum for place in places if place.enum}.values()),
-            units=tuple(dict.fromkeys(place.unit for place in places if place.unit)),
-        )
-
-    def read(self, record: Record) -> Iterator[Held]:
-        """Yields what a record holds there: arguments of commands, values and fields of replies."""
-        for owner, name, value in _named_values(record, self.places):
-            place = self.places.get(owner)
-            if place is None or not (
-                name.lower() == self._element if self._element else name.partition("[")[0] == place.name
-            ):
-                continue
-            for each in value if isinstance(value, list) else (value,):
-                yield Held(each, place.enum, place.unit)
+_WHAT = {int: "a number", str: "a text in quotes", bytes: "bytes such as 4c:45:47:4f"}
 
 
-def _named_values(record: Record, owners: Container[str]) -> Iterator[tuple[str, str, Any]]:
-    """Yields owner, name and value of all that these operations and commands say in a record."""
-    message = record.message
-    if isinstance(message, DirectReply):
-        for value in record.values:
-            yield value.full_name, value.name, value.value
-    elif isinstance(message, SystemCommand | SystemReply):
-        for name, field in message.fields.items():
-            yield message.command or "", name, field
-    elif isinstance(message, DaisyCommand | DaisyReply):
-        for name in _SENT_ON:
-            yield _DAISY, name, getattr(message, name)
-        if isinstance(message, DaisyReply) and message.report is not None:
-            for name, field in message.report._asdict().items():
-                yield _DAISY, name, field
-    for operation in getattr(message, "operations", ()):
-        if operation.full_name in owners:
-            for argument in operation.arguments:
-                yield operation.full_name, argument.name, None if argument.is_variable else argument.value
-
-
-def find_field(name: str) -> Field | None:
+def find_field(name: str) -> Name | None:
     """What a name means, in any case: `VOLUME`, `SOUND.TONE.VOLUME`, `arg.SIZE`, `VALUES[0]`; None where it is unknown.
 
     The name of a command that has a single parameter means that parameter (`LED`), where no parameter has the name.
@@ -115,7 +63,44 @@ def find_field(name: str) -> Field | None:
     if owner and owner != _ANY:
         owners = operation_names().get(owner, ()) or (owner,)
         places = [place for place in places if place.owner in owners]
-    return Field(places, name.lower().rpartition(".")[2] if bracket else "") if places else None
+    element = name.lower().rpartition(".")[2]
+    by_owner = {place.owner: place for place in places}
+
+    def read(record: Record) -> Iterator[Held]:
+        for owner, called, value in _named_values(record, by_owner):
+            place = by_owner.get(owner)
+            if place and (called.lower() == element if bracket else called.partition("[")[0] == place.name):
+                yield from (
+                    Held(each, place.enum, place.unit) for each in (value if isinstance(value, list) else [value])
+                )
+
+    held = {place.holds for place in places}
+    kind = Kind(
+        " or ".join(text for type_, text in _WHAT.items() if type_ in held),
+        number=int in held,
+        text=str in held,
+        data=bytes in held,
+        enums=tuple({place.enum.name: place.enum for place in places if place.enum}.values()),
+        units=tuple(dict.fromkeys(place.unit for place in places if place.unit)),
+    )
+    return Name(kind, read) if places else None
+
+
+def _named_values(record: Record, owners: Container[str]) -> Iterator[tuple[str, str, Any]]:
+    """Yields owner, name and value of all arguments of commands, and values and fields of replies."""
+    message = record.message
+    if isinstance(message, DirectReply):
+        yield from ((value.full_name, value.name, value.value) for value in record.values)
+    elif isinstance(message, SystemCommand | SystemReply):
+        yield from ((message.command or "", name, field) for name, field in message.fields.items())
+    elif isinstance(message, DaisyCommand | DaisyReply):
+        yield from ((_DAISY, name, getattr(message, name)) for name in _SENT_ON)
+        if isinstance(message, DaisyReply) and message.report is not None:
+            yield from ((_DAISY, name, field) for name, field in message.report._asdict().items())
+    for operation in getattr(message, "operations", ()):
+        if operation.full_name in owners:
+            for argument in operation.arguments:
+                yield operation.full_name, argument.name, None if argument.is_variable else argument.value
 
 
 def is_parameter(name: str) -> bool:
@@ -146,8 +131,8 @@ def operation_names() -> dict[str, frozenset[str]]:
 @cache
 def command_names() -> tuple[str, ...]:
     """All names of CMDs, system commands and daisy commands."""
-    named = [entry.command.name for entry in _declared() if entry.command is not None]
-    return tuple(dict.fromkeys([*named, *(entry.name for entry in SYSTEM), *(entry.name for entry in DaisyNumber)]))
+    of_operations = [entry.command for entry in _declared() if entry.command is not None]
+    return tuple(dict.fromkeys(entry.name for entry in (*of_operations, *SYSTEM, *DaisyNumber)))
 
 
 @cache

@@ -1,75 +1,67 @@
-"""The language of filters: from a text to a test of records."""
+"""The language of filters: from a text to a test of records.
+
+    filter      conditions joined by && and ||; && binds tighter
+    condition   !condition, (filter), NAME, NAME RELATION value, NAME in {value or range, ...}, NAME not in {...}
+
+The words of the language are not reserved: each is only looked for where it can be, so `in` can be a value, too.
+"""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Sequence
-from functools import cache
-from typing import NamedTuple
-
-from lark import Lark, Token, Transformer, v_args
-from lark.exceptions import UnexpectedCharacters, UnexpectedInput, UnexpectedToken
+from typing import NoReturn
 
 from ev3proto.capture.dialogues import RequestReply
-from ev3proto.capture.filter.names import Name, find_name
-from ev3proto.capture.filter.values import TIME_UNITS, FilterError, Held, Relation, Test, Word
-from ev3proto.capture.record import Record
+from ev3proto.capture.filter.names import find_name
+from ev3proto.capture.filter.values import TIME_UNITS, FilterError, Held, Name, Test, Word
+from ev3proto.capture.record import NANOSECONDS, Record
 
 MAX_LENGTH = 4096
 """Characters that a filter may have."""
 
 MAX_DEPTH = 50
-"""Maximum nesting depth of conditions."""
+"""Maximum nesting depth of conditions, each `!` and each pair of parentheses being a level."""
 
-GRAMMAR = r"""
-// "and" binds tighter than "or", "not" tighter than both; parentheses as everywhere.
-?start: disjunction
-?disjunction: conjunction (_OR conjunction)*
-?conjunction: condition (_AND condition)*
-?condition: _NOT condition -> negation
-          | "(" disjunction ")"
-          | NAME -> presence
-          | NAME RELATION value -> comparison
-          | NAME _IN "{" value ("," value)* "}" -> membership
-          | NAME _NOT _IN "{" value ("," value)* "}" -> exclusion
-value: WORD | TEXT | RAW
+_WORDS = {"eq": "==", "ne": "!=", "lt": "<", "le": "<=", "gt": ">", "ge": ">="}
 
-// The words of the language are not reserved: `in` can be a value, too.
-_AND: "&&" | /and\b/i
-_OR: "||" | /or\b/i
-_NOT.2: /!(?!=)/ | /not\b/i
-_IN.2: /in\b/i
-RELATION.2: "==" | "!=" | "<=" | ">=" | "<" | ">" | /(eq|ne|lt|le|gt|ge|contains|like|matches)\b/i
+_AND = re.compile(r"&&|and\b", re.IGNORECASE)
+_OR = re.compile(r"\|\||or\b", re.IGNORECASE)
+_NOT = re.compile(r"!(?!=)|not\b", re.IGNORECASE)
+_IN = re.compile(r"in\b", re.IGNORECASE)
+_NOT_IN = re.compile(r"not\s+in\b", re.IGNORECASE)
+_RELATION = re.compile(rf"[=!<>]=|[<>]|(?:{'|'.join(_WORDS)}|contains|like|matches)\b", re.IGNORECASE)
+# SOUND.TONE.FREQUENCY, VALUES[0]
+_NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*(?:\.[A-Za-z0-9_]+)*(?:\[[0-9]+\])?")
+# A text in quotes; r before them turns escapes off, as in Wireshark. Anything else needs no quotes: 440, 4ms, -1.5,
+# 1..5, SOUND.TONE, 192.0.2.1:5555.
+_VALUE = re.compile(
+    r"""(?P<raw>r"[^"]*"|r'[^']*') | (?P<text>"(?:\\.|[^"\\])*"|'(?:\\.|[^'\\])*') | [^\s"'(){},!=<>&|]+""",
+    re.VERBOSE | re.DOTALL,
+)
+_OPEN, _CLOSE, _BRACE, _COMMA, _END_BRACE = map(re.compile, (r"\(", r"\)", r"\{", ",", r"\}"))
+_SPACE = re.compile(r"\s*")
+_END = re.compile(r"\Z")
+_PIECE = re.compile(r"[\w.:-]+|[=!<>&|~]+|.", re.DOTALL)
+"""What an error underlines."""
 
-// SOUND.TONE.FREQUENCY, VALUES[0]
-NAME: /[A-Za-z_][A-Za-z0-9_]*(\.[A-Za-z0-9_]+)*(\[[0-9]+\])?/
-// Anything that needs no quotes: 440, 4ms, 0x94, -1.5, 1..5, SOUND.TONE, direct-reply, 192.0.2.1:5555
-WORD: /[^\s"'(){},!=<>&|]+/
-TEXT: /"(\\.|[^"\\])*"/s | /'(\\.|[^'\\])*'/s
-// Without escapes, as in Wireshark.
-RAW.2: /r"[^"]*"/ | /r'[^']*'/
-
-%ignore /\s+/
-"""
-
-_RELATIONS = {relation.value: relation for relation in Relation} | {
-    relation.name.lower(): relation for relation in Relation
+_OF_OTHER_LANGUAGES = {
+    "=": "a comparison; did you mean ==?",
+    "is": "a comparison; did you mean ==?",
+    "~": "a comparison; did you mean matches?",
+    "=~": "a comparison; did you mean matches?",
+    "&": "a comparison; did you mean &&?",
+    "|": "a comparison; did you mean ||?",
+    "xor": "and, or, not",
+    **dict.fromkeys(TIME_UNITS, "no space between a number and its unit: 4ms"),
 }
-_RANGE = ".."
-"""Between the ends of a range."""
+"""What is expected in place of words and signs of other languages."""
 
+_ESCAPE = re.compile(r"\\(x[0-9a-fA-F]{2}|.)", re.DOTALL)
+_ESCAPES = {'"': '"', "'": "'", "\\": "\\", "n": "\n", "r": "\r", "t": "\t", "0": "\0"}
 
-class _Condition(NamedTuple):
-    """A part of a filter.
-
-    holds        whether it is true of some records together, of a capture that began at these nanoseconds
-    looks_ahead  it asks for what a command's record does not know before its reply was seen
-    depth        of the conditions in it
-    """
-
-    holds: Callable[[Sequence[Record], int], bool]
-    looks_ahead: bool = False
-    depth: int = 0
+Condition = Callable[[Sequence[Record]], bool]
+"""Whether something is true of a record, or of a command and its reply together."""
 
 
 class Filter:
@@ -85,11 +77,11 @@ class Filter:
 
     def __init__(self, text: str) -> None:
         """Reads a filter. Raises FilterError for a text that is not one."""
-        condition = _parsed(text)
         self.text = text
-        self.looks_ahead = condition.looks_ahead
-        self._holds = condition.holds
         self._start_ns: int | None = None
+        parser = _Parser(text, self._time)
+        self._holds = parser.filter()
+        self.looks_ahead = parser.looks_ahead
 
     def __call__(self, record: Record) -> bool:
         """True for a record that is wanted."""
@@ -109,7 +101,10 @@ class Filter:
     def _hold(self, records: Sequence[Record]) -> bool:
         if self._start_ns is None:
             self.begin(records[0].time_ns)
-        return self._holds(records, self._start_ns or 0)
+        return self._holds(records)
+
+    def _time(self, record: Record) -> float:
+        return (record.time_ns - (self._start_ns or 0)) / NANOSECONDS
 
     def __repr__(self) -> str:
         return f"compile_filter({self.text!r})"
@@ -130,180 +125,154 @@ def compile_filter(text: str) -> Filter:
     return Filter(text)
 
 
-def _parsed(text: str) -> _Condition:
-    if len(text) > MAX_LENGTH:
-        raise FilterError(MAX_LENGTH + 1, f"the filter has {len(text)} characters; at most {MAX_LENGTH} are allowed")
-    try:
-        condition: _Condition = _parser().parse(text)  # type: ignore[assignment]
-    except UnexpectedInput as error:
-        raise _explained(text, error) from None
-    return condition
+class _Parser:
+    """Makes conditions of a text, by recursive descent.
 
+    looks_ahead  a name asks for what is only known with the reply
+    """
 
-@v_args(inline=True)
-class _Builder(Transformer):  # type: ignore[type-arg]
-    """Makes the conditions while the text is read, without recursion."""
+    def __init__(self, text: str, time: Callable[[Record], float]) -> None:
+        self.looks_ahead = False
+        self._text = text
+        self._time = time
+        self._at = 0
+        self._depth = 0
+        self._name_end = -1
 
-    def value(self, token: Token) -> Word:
-        if token.type == "WORD":
-            return _word(token)
-        if token.type == "RAW":
-            return Word(token[2:-1], _column(token), 2, len(token))
-        return Word(_unescaped(token[1:-1], _column(token) + 1), _column(token), 1, len(token))
+    def filter(self) -> Condition:
+        if len(self._text) > MAX_LENGTH:
+            raise FilterError(
+                MAX_LENGTH + 1, f"the filter has {len(self._text)} characters; at most {MAX_LENGTH} are allowed"
+            )
+        if not self._text.strip():
+            raise FilterError(1, "empty filter; write a condition such as op==SOUND.TONE")
+        found = self._disjunction()
+        if not self._take(_END):
+            self._fail_after_condition("the end")
+        return found
 
-    def presence(self, token: Token) -> _Condition:
-        name = find_name(_word(token))
+    def _take(self, pattern: re.Pattern[str]) -> re.Match[str] | None:
+        """Goes past spaces and what a pattern matches there."""
+        spaces = _SPACE.match(self._text, self._at)
+        found = pattern.match(self._text, spaces.end() if spaces else self._at)
+        if found:
+            self._at = found.end()
+        return found
+
+    def _disjunction(self) -> Condition:
+        return self._joined(_OR, lambda: self._joined(_AND, self._condition, all), any)
+
+    def _joined(
+        self, sign: re.Pattern[str], part: Callable[[], Condition], join: Callable[[Iterable[bool]], bool]
+    ) -> Condition:
+        parts = [part()]
+        while self._take(sign):
+            parts.append(part())
+        return parts[0] if len(parts) == 1 else lambda records: join(holds(records) for holds in parts)
+
+    def _condition(self) -> Condition:
+        self._depth += 1
+        if self._depth > MAX_DEPTH:
+            raise FilterError(self._at + 1, f"conditions are nested more than {MAX_DEPTH} deep")
+        if self._take(_NOT):
+            found = _negated(self._condition())
+        elif self._take(_OPEN):
+            found = self._disjunction()
+            if not self._take(_CLOSE):
+                self._fail_after_condition(")")
+        else:
+            found = self._comparison()
+        self._depth -= 1
+        return found
+
+    def _comparison(self) -> Condition:
+        written = self._take(_NAME) or self._fail("a name")
+        word = Word(written[0], written.start() + 1)
+        name = find_name(word, self._time)
+        self.looks_ahead |= name.looks_ahead
+        relation = self._take(_RELATION)
+        if relation:
+            sign, value = _WORDS.get(relation[0].lower(), relation[0].lower()), self._value()
+            if sign != "!=":
+                return _some(name, name.kind.test(word.text, sign, value))
+            equal = name.kind.test(word.text, "==", value)
+            return lambda records: bool(values := _values(name, records)) and not any(map(equal, values))
+        if self._take(_IN):
+            return self._membership(word.text, name)
+        if self._take(_NOT_IN):
+            return _negated(self._membership(word.text, name))
+        self._name_end = self._at
         if name.kind.is_flag:
-            return _some(name, name.kind.test(token, Relation.EQ, Word("true", _column(token))))
-        return _Condition(
-            lambda records, start_ns: any(True for record in records for _ in name.read(record, start_ns)),
-            name.looks_ahead,
-        )
+            return _some(name, name.kind.test(word.text, "==", Word("true", word.column)))
+        return lambda records: any(True for record in records for _ in name.read(record))
 
-    def comparison(self, token: Token, operator: Token, value: Word) -> _Condition:
-        name, relation = find_name(_word(token)), _RELATIONS[operator.lower()]
-        if relation is not Relation.NE:
-            return _some(name, name.kind.test(token, relation, value))
-        test = name.kind.test(token, Relation.EQ, value)
-
-        def holds(records: Sequence[Record], start_ns: int) -> bool:
-            values = _values(name, records, start_ns)
-            return bool(values) and not any(map(test, values))
-
-        return _Condition(holds, name.looks_ahead)
-
-    def membership(self, token: Token, *members: Word) -> _Condition:
-        name = find_name(_word(token))
-        tests = [_member_test(token, name, member) for member in members]
+    def _membership(self, text: str, name: Name) -> Condition:
+        if not self._take(_BRACE):
+            self._fail("{")
+        tests = [self._member(text, name)]
+        while self._take(_COMMA):
+            tests.append(self._member(text, name))
+        if not self._take(_END_BRACE):
+            self._fail(",", "}")
         return _some(name, lambda held: any(test(held) for test in tests))
 
-    def exclusion(self, token: Token, *members: Word) -> _Condition:
-        return self.negation(self.membership(token, *members))
+    def _member(self, text: str, name: Name) -> Test:
+        """One value or range in braces."""
+        word = self._value()
+        low, dots, high = word.text.partition("..")
+        if word.is_quoted or not dots:
+            return name.kind.test(text, "==", word)
+        if not low or not high:
+            raise word.error(f"a range needs a number on each side of the dots, not {word.text}")
+        start = name.kind.test(text, ">=", Word(low, word.column))
+        stop = name.kind.test(text, "<=", Word(high, word.column + len(low) + len(dots)))
+        return lambda held: start(held) and stop(held)
 
-    def negation(self, part: _Condition) -> _Condition:
-        return _joined(lambda records, start_ns: not part.holds(records, start_ns), part)
+    def _value(self) -> Word:
+        found = self._take(_VALUE) or self._fail("a value")
+        written, column = found[0], found.start() + 1
+        if found["raw"]:
+            return Word(written[2:-1], column, 2, len(written))
+        if not found["text"]:
+            return Word(written, column)
 
-    def conjunction(self, *parts: _Condition) -> _Condition:
-        return _joined(lambda records, start_ns: all(part.holds(records, start_ns) for part in parts), *parts)
+        def meant(escape: re.Match[str]) -> str:
+            if len(escape[1]) == 3:
+                return chr(int(escape[1][1:], 16))
+            if escape[1] not in _ESCAPES:
+                known = r'\" \' \\ \n \r \t \0 \x41, and none in r"..."'
+                reason = f"unknown escape {escape[0]}: known are {known}"
+                raise FilterError(column + 1 + escape.start(), reason, len(escape[0]))
+            return _ESCAPES[escape[1]]
 
-    def disjunction(self, *parts: _Condition) -> _Condition:
-        return _joined(lambda records, start_ns: any(part.holds(records, start_ns) for part in parts), *parts)
+        return Word(_ESCAPE.sub(meant, written[1:-1]), column, 1, len(written))
+
+    def _fail_after_condition(self, last: str) -> NoReturn:
+        self._fail(*(["a comparison"] if self._at == self._name_end else []), "&&", "||", last)
+
+    def _fail(self, *expected: str) -> NoReturn:
+        self._take(_SPACE)
+        *most, last = expected
+        wanted = f"{', '.join(most)} or {last}" if most else last
+        found = _PIECE.match(self._text, self._at)
+        if not found:
+            raise FilterError(self._at + 1, f"the filter ends early: expected {wanted}")
+        if found[0] in "\"'" and wanted == "a value":
+            reason = f"missing {found[0]} at the end of this text"
+            raise FilterError(self._at + 1, reason, len(self._text) - self._at)
+        wanted = _OF_OTHER_LANGUAGES.get(found[0].lower(), wanted)
+        raise FilterError(self._at + 1, f"expected {wanted}", len(found[0]))
 
 
-@cache
-def _parser() -> Lark:
-    return Lark(GRAMMAR, parser="lalr", lexer="contextual", transformer=_Builder(), maybe_placeholders=False)
+def _negated(part: Condition) -> Condition:
+    return lambda records: not part(records)
 
 
-def _word(token: Token) -> Word:
-    return Word(str(token), _column(token))
-
-
-def _column(token: Token) -> int:
-    return (token.start_pos or 0) + 1
-
-
-def _values(name: Name, records: Iterable[Record], start_ns: int) -> list[Held]:
+def _values(name: Name, records: Sequence[Record]) -> list[Held]:
     """The values that are known."""
-    return [held for record in records for held in name.read(record, start_ns) if held.value is not None]
+    return [held for record in records for held in name.read(record) if held.value is not None]
 
 
-def _some(name: Name, test: Test) -> _Condition:
+def _some(name: Name, test: Test) -> Condition:
     """Some value passes a test."""
-    return _Condition(lambda records, start_ns: any(map(test, _values(name, records, start_ns))), name.looks_ahead)
-
-
-def _joined(holds: Callable[[Sequence[Record], int], bool], *parts: _Condition) -> _Condition:
-    depth = 1 + max(part.depth for part in parts)
-    if depth > MAX_DEPTH:
-        raise FilterError(1, f"conditions are nested more than {MAX_DEPTH} deep")
-    return _Condition(holds, any(part.looks_ahead for part in parts), depth)
-
-
-def _member_test(text: str, name: Name, member: Word) -> Test:
-    """The test of one value or range in braces."""
-    low, range_, high = member.text.partition(_RANGE)
-    if member.is_quoted or not range_:
-        return name.kind.test(text, Relation.EQ, member)
-    if not low or not high:
-        raise member.error(f"a range needs a number on each side of the dots, not {member.text}")
-    start = name.kind.test(text, Relation.GE, Word(low, member.column))
-    stop = name.kind.test(text, Relation.LE, Word(high, member.column + len(low) + len(_RANGE)))
-    return lambda held: start(held) and stop(held)
-
-
-_ESCAPE = re.compile(r"\\(x[0-9a-fA-F]{2}|.)", re.DOTALL)
-_ESCAPES = {'"': '"', "'": "'", "\\": "\\", "n": "\n", "r": "\r", "t": "\t", "0": "\0"}
-
-
-def _unescaped(text: str, column: int) -> str:
-    def meant(found: re.Match[str]) -> str:
-        escape = found[1]
-        if len(escape) == 3:
-            return chr(int(escape[1:], 16))
-        if escape not in _ESCAPES:
-            known = r'\" \' \\ \n \r \t \0 \x41, and none in r"..."'
-            raise FilterError(column + found.start(), f"unknown escape \\{escape}: known are {known}", len(found[0]))
-        return _ESCAPES[escape]
-
-    return _ESCAPE.sub(meant, text)
-
-
-# Errors of syntax
-
-_PHRASES = {
-    "NAME": "a name",
-    "WORD": "a value",
-    "RELATION": "a comparison",
-    "LBRACE": "{",
-    "COMMA": ",",
-    "RBRACE": "}",
-    "RPAR": ")",
-    "_AND": "&&",
-    "_OR": "||",
-    "$END": "the end",
-}
-"""What people call the grammar's terminals, in the order in which they are listed."""
-
-_OF_OTHER_LANGUAGES = {
-    "=": "a comparison; did you mean ==?",
-    "is": "a comparison; did you mean ==?",
-    "~": "a comparison; did you mean matches?",
-    "=~": "a comparison; did you mean matches?",
-    "&": "a comparison; did you mean &&?",
-    "|": "a comparison; did you mean ||?",
-    "xor": "and, or, not",
-    **dict.fromkeys(TIME_UNITS, "no space between a number and its unit: 4ms"),
-}
-"""What is expected in place of words and signs of other languages."""
-
-_PIECE = re.compile(r"[\w.:-]+|[=!<>&|~]+|.", re.DOTALL)
-
-
-def _explained(text: str, error: UnexpectedInput) -> FilterError:
-    if not text.strip():
-        return FilterError(1, "empty filter; write a condition such as op==SOUND.TONE")
-    at, terminals = len(text), set[str]()
-    if isinstance(error, UnexpectedToken):
-        terminals = error.accepts or error.expected
-        if error.token.type != "$END":
-            at = error.token.start_pos or 0
-    elif isinstance(error, UnexpectedCharacters):
-        at, terminals = error.pos_in_stream or 0, error.allowed or set()
-    found = text[at:] and _PIECE.match(text, at)
-    if not found:
-        return FilterError(at + 1, f"the filter ends early: expected {_expected(terminals, text)}")
-    if found[0] in "\"'" and "WORD" in terminals:
-        return FilterError(at + 1, f"missing {found[0]} at the end of this text", len(text) - at)
-    return FilterError(
-        at + 1,
-        f"expected {_OF_OTHER_LANGUAGES.get(found[0].lower()) or _expected(terminals, text[:at])}",
-        len(found[0]),
-    )
-
-
-def _expected(terminals: Iterable[str], before: str) -> str:
-    """`a comparison, && or ||`. The lexer does not count the parentheses that are open."""
-    there = {*terminals} - ({"RPAR"} if before.count("(") <= before.count(")") else set())
-    *most, last = [phrase for terminal, phrase in _PHRASES.items() if terminal in there] or ["the end"]
-    return f"{', '.join(most)} or {last}" if most else last
+    return lambda records: any(map(test, _values(name, records)))

@@ -67,14 +67,15 @@ PARAMETERS = (
 """How parameters and fields are named."""
 
 
-def names() -> list[Entry]:
-    """What can be asked about every frame."""
-    return [Entry(name, known.text, known.example) for name, known in NAMES.items()]
-
-
-def entries() -> list[Entry]:
-    """Everything with an example."""
-    return [*names(), *PARAMETERS, *COMPARISONS, *VALUES]
+def sections() -> dict[str, tuple[Entry, ...]]:
+    """Everything with an example, by the title under which it is listed."""
+    names = (Entry(name, known.text, known.example) for name, known in NAMES.items())
+    return {
+        "Of every frame": tuple(names),
+        "Parameters and fields": PARAMETERS,
+        "Comparisons": COMPARISONS,
+        "Values": VALUES,
+    }
 
 
 def _shown(entry: Entry) -> Iterator[str]:
@@ -95,12 +96,7 @@ def manual() -> Iterator[str]:
     yield ""
     yield "Only frames for which it is true are let through. With --dialogues it is about a command together"
     yield "with its reply."
-    for title, listed in (
-        ("Of every frame", names()),
-        ("Parameters and fields", PARAMETERS),
-        ("Comparisons", COMPARISONS),
-        ("Values", VALUES),
-    ):
+    for title, listed in sections().items():
         yield ""
         yield f"{title}:"
         yield ""

@@ -10,11 +10,12 @@ With a dot   a parameter of one operation, family or system command (`SOUND.TONE
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from typing import Any, NamedTuple
+from enum import Enum
+from typing import Any
 
 from ev3proto.capture.dialogues import is_error
 from ev3proto.capture.filter.fields import PATH, command_names, find_field, is_parameter, operation_names, places_of
-from ev3proto.capture.filter.values import Held, Kind, Word
+from ev3proto.capture.filter.values import Held, Kind, Name, Word
 from ev3proto.capture.record import NANOSECONDS, Direction, Record
 from ev3proto.errors import near_misses
 from ev3proto.messages import DaisyCommand, Message, Operation, SystemCommand, SystemReply
@@ -29,38 +30,8 @@ LATE_MS = 100
 """Milliseconds after which a reply is late. Bricks answer within 10 by USB and WiFi, within 60 by Bluetooth."""
 
 
-class Known(NamedTuple):
-    """What can be asked about every frame.
-
-    kind         what its values can be compared with
-    read         the values that a record has for it; for `time`, when it was captured
-    text         what it is, for people
-    example      a filter that uses it
-    looks_ahead  of a command, it is only known when its reply was seen, or can no longer come
-    """
-
-    kind: Kind
-    read: Callable[[Record], Iterable[Any]]
-    text: str
-    example: str
-    looks_ahead: bool = False
-
-
-class Name(NamedTuple):
-    """What a name means in a filter.
-
-    kind         what its values can be compared with
-    read         the values that a record has, in a capture that began at these nanoseconds; unknown ones are None
-    looks_ahead  as in `Known`
-    """
-
-    kind: Kind
-    read: Callable[[Record, int], Iterable[Held]]
-    looks_ahead: bool = False
-
-
-def find_name(word: Word) -> Name:
-    """Returns what a name means.
+def find_name(word: Word, time: Callable[[Record], float]) -> Name:
+    """Returns what a name means, where `time` says how many seconds after the capture's begin a record is.
 
     Raises:
         FilterError: It is unknown. The error names the nearest ones.
@@ -68,18 +39,14 @@ def find_name(word: Word) -> Name:
     lower = word.text.lower()
     known = None if word.text.isupper() and is_parameter(lower) else NAMES.get(lower)
     if known is not None:
-        kind, read = known.kind, known.read
-        unit = next(iter(kind.units), None)
-        if lower == TIME:
-            return Name(kind, lambda record, start_ns: [Held((record.time_ns - start_ns) / NANOSECONDS, None, unit)])
-        return Name(kind, lambda record, _: [Held(value, None, unit) for value in read(record)], known.looks_ahead)
+        return known if lower != TIME else _known(known.kind, lambda record: (time(record),))
     field = find_field(word.text)
     if field is None:
         raise word.error(_unknown(word.text))
     if lower != PATH:
-        return Name(field.kind, lambda record, _: field.read(record))
+        return field
 
-    def read_with_path(record: Record, _: int) -> Iterator[Held]:
+    def read_with_path(record: Record) -> Iterator[Held]:
         # The path is in the first message of a transfer only, and is asked for to find all of the transfer.
         yield from field.read(record)
         if record.transfer is not None:
@@ -114,24 +81,27 @@ def _commands(record: Record) -> list[str]:
     return named
 
 
+def _named(member: Enum | None) -> tuple[str | int, ...]:
+    return () if member is None else (member.name, member.value)
+
+
 def _status(record: Record) -> tuple[str | int, ...]:
     code = record.message.status_code if isinstance(record.message, SystemReply) else None
-    return () if code is None else (code, SystemStatus(code).name) if code in _STATUSES else (code,)
+    return _named(SystemStatus(code)) if code in _STATUSES else () if code is None else (code,)
 
 
 _STATUSES = {status.value for status in SystemStatus}
 
 
-def _addresses(record: Record, address: str) -> tuple[str, ...]:
+def _address(which: str, text: str, example: str) -> Name:
     """An address, and on WiFi the same without its port."""
-    if record.carrier is not Carrier.WIFI:
-        return (address,)
-    host, _, _ = address.rpartition(":")
-    return (address, host, host.strip("[]")) if host else (address,)
 
+    def read(record: Record) -> tuple[str, ...]:
+        address: str = getattr(record, which)
+        host = address.rpartition(":")[0] if record.carrier is Carrier.WIFI else ""
+        return (address, host, host.strip("[]")) if host else (address,)
 
-def _optional(value: Any) -> tuple[Any, ...]:
-    return () if value is None else (value,)
+    return _known(_BARE_TEXT, read, text, example)
 
 
 def _failed(record: Record) -> bool:
@@ -152,12 +122,12 @@ def _late(record: Record) -> bool:
     return end - begin > LATE_MS * NANOSECONDS // 1000
 
 
-def _is_command(word: str) -> str:
-    return f"; it is a command: command=={word.upper()}" if word.upper() in command_names() else ""
-
-
-def _is_operation(word: str) -> str:
-    return f"; it is an operation: op=={word.upper()}" if word.upper() in operation_names() else ""
+def _meant(word: str) -> str:
+    """A hint for an operation or a command where something else is expected."""
+    upper = word.upper()
+    if upper in operation_names():
+        return f"; it is an operation: op=={upper}"
+    return f"; it is a command: command=={upper}" if upper in command_names() else ""
 
 
 def _is_member_of(name: str) -> Callable[[str], str]:
@@ -177,45 +147,61 @@ def _one_of(
     return Kind(what, text=True, is_bare=True, names=tuple(names), hint=hint, number=number)
 
 
+def _known(
+    kind: Kind,
+    read: Callable[[Record], Iterable[Any]],
+    text: str = "",
+    example: str = "",
+    looks_ahead: bool = False,
+) -> Name:
+    unit = next(iter(kind.units), None)
+    return Name(kind, lambda record: [Held(value, None, unit) for value in read(record)], text, example, looks_ahead)
+
+
 _KINDS = dict.fromkeys([*(member.kind for member in MessageType), Message().kind])
 
 _FLAG = Kind("truth value", text=True, is_bare=True, names=("true", "false"), number=True, is_flag=True)
 
 
-def _flag(is_true: Callable[[Record], bool], text: str, example: str, looks_ahead: bool = False) -> Known:
-    return Known(_FLAG, lambda record: ("true", 1) if is_true(record) else ("false", 0), text, example, looks_ahead)
+def _flag(is_true: Callable[[Record], bool], text: str, example: str, looks_ahead: bool = False) -> Name:
+    return _known(_FLAG, lambda record: ("true", 1) if is_true(record) else ("false", 0), text, example, looks_ahead)
 
 
 _NUMBER = Kind("a number", number=True)
 _DURATION = Kind("a time in seconds, such as 4ms", number=True, units=("s",), is_exact=True)
 _BARE_TEXT = Kind("a text", text=True, is_bare=True)
 
+
+def _text(text: str | None) -> tuple[str, ...]:
+    return () if text is None else (str(text),)
+
+
 NAMES = {
-    "op": Known(
-        _one_of("operation", operation_names(), _is_command, number=True),
+    "op": _known(
+        _one_of("operation", operation_names(), _meant, number=True),
         _operations,
         "operation by its full name, its family's, or the opcode's number; of a reply: that of its command",
         "op == SOUND.TONE",
     ),
-    "command": Known(
-        _one_of("command", command_names(), _is_operation),
+    "command": _known(
+        _one_of("command", command_names(), _meant),
         _commands,
         "name of the CMD, or of the system or daisy command; of a reply: that of its command",
         "command == LIST_FILES",
     ),
-    "type": Known(
+    "type": _known(
         _one_of("message type", MessageType.__members__, _is_member_of("TYPE"), number=True),
-        lambda record: () if record.message.type is None else (record.message.type.name, record.message.type.value),
+        lambda record: _named(record.message.type),
         "message type by name or number",
         "type == DIRECT_COMMAND_NO_REPLY",
     ),
-    "kind": Known(
+    "kind": _known(
         _one_of("kind of message", _KINDS),
         lambda record: (record.message.kind,),
         f"one of {', '.join(_KINDS)}",
         "kind like system-*",
     ),
-    "status": Known(
+    "status": _known(
         _one_of("system status", SystemStatus.__members__, _is_member_of("STATUS"), number=True),
         _status,
         "status of a system reply by name or number",
@@ -231,9 +217,9 @@ NAMES = {
     "unanswered": _flag(
         _unanswered, "a command that wants a reply and got none before the capture ended", "unanswered", True
     ),
-    "fault": Known(
+    "fault": _known(
         Kind("a text", text=True),
-        lambda record: () if record.message.fault is None else (record.message.fault.reason,),
+        lambda record: _text(record.message.fault and record.message.fault.reason),
         "what is wrong with the frame, as a sentence",
         'fault contains "opcode"',
     ),
@@ -241,63 +227,48 @@ NAMES = {
     "wants_reply": _flag(
         lambda record: record.message.wants_reply, "a command that the brick is to answer", "wants_reply"
     ),
-    "counter": Known(
+    "counter": _known(
         _NUMBER,
         lambda record: () if record.message.type is None else (record.message.counter,),
         "message counter",
         "counter == 1",
     ),
-    "size": Known(_NUMBER, lambda record: (len(record.frame),), "bytes of the frame", "size > 100"),
-    "packet": Known(
+    "size": _known(_NUMBER, lambda record: (len(record.frame),), "bytes of the frame", "size > 100"),
+    "packet": _known(
         _NUMBER,
         lambda record: record.numbers,
         "number of each packet that carried it, from 1 on; of a text: its line",
         "packet in {10..20}",
     ),
-    "latency": Known(
-        _DURATION, lambda record: _optional(record.latency), "time from a command to its reply", "latency > 4ms"
+    "latency": _known(
+        _DURATION,
+        lambda record: () if record.latency is None else (record.latency,),
+        "time from a command to its reply",
+        "latency > 4ms",
     ),
-    TIME: Known(
+    TIME: _known(
         _DURATION,
         lambda record: (record.time,),
         "time since the capture began, as it is shown before each frame",
         "time < 1.5s",
     ),
-    "peer": Known(
-        _BARE_TEXT,
-        lambda record: _addresses(record, record.peer),
-        "address of the brick; on WiFi with its port or without",
-        "peer == 192.0.2.10",
-    ),
-    "source": Known(
-        _BARE_TEXT,
-        lambda record: _addresses(record, record.source),
-        "address of the sender, in the same way",
-        'source like "192.0.2.*"',
-    ),
-    "target": Known(
-        _BARE_TEXT,
-        lambda record: _addresses(record, record.target),
-        "address of the receiver, in the same way",
-        "target == 192.0.2.10:5555",
-    ),
-    "carrier": Known(
+    "peer": _address("peer", "address of the brick; on WiFi with its port or without", "peer == 192.0.2.10"),
+    "source": _address("source", "address of the sender, in the same way", 'source like "192.0.2.*"'),
+    "target": _address("target", "address of the receiver, in the same way", "target == 192.0.2.10:5555"),
+    "carrier": _known(
         _one_of("carrier", Carrier),
-        lambda record: (str(record.carrier),),
+        lambda record: _text(record.carrier),
         f"one of {', '.join(Carrier)}",
         "carrier == bluetooth",
     ),
-    "direction": Known(
+    "direction": _known(
         _one_of("direction", Direction),
-        lambda record: _optional(record.direction),
+        lambda record: _text(record.direction),
         f"one of {', '.join(Direction)}, where the capture says so",
         "direction == received",
     ),
-    "interface": Known(
-        _BARE_TEXT,
-        lambda record: _optional(record.interface),
-        "interface on which it was captured",
-        "interface",
+    "interface": _known(
+        _BARE_TEXT, lambda record: _text(record.interface), "interface on which it was captured", "interface"
     ),
 }
 """What can be asked about every frame."""
@@ -337,7 +308,7 @@ def _unknown(text: str) -> str:
     owner, _, name = upper.rpartition(".")
     if owner in operation_names() and is_parameter(name):
         return f"{owner} has no parameter {name}"
-    hint = _is_operation(text) or _is_command(text)
+    hint = _meant(text)
     if not hint:
         places = places_of()
         dotted = [f"{owner}.{name}" for name, owners in places.items() for owner in owners] if owner else ()

@@ -21,8 +21,8 @@ MOST_CHOICES = 4
 
 _PIECE = re.compile(
     r"""(?P<reference>\\[1-9] | \(\?P= | \(\?\()
-      | (?P<begin>\() | (?P<end>\)) | (?P<other>\|)
-      | (?P<open>[*+] | \{\d*,\}) | (?P<times>\? | \{(?P<least>\d*),(?P<most>\d+)\} | \{\d+\})
+      | (?P<begin>\(\??) | (?P<end>\)) | (?P<other>\|)
+      | (?P<times>(?P<open>[*+] | \{\d*,\}) | \? | \{(?P<least>\d*),(?P<most>\d+)\} | (?P<fixed>\{\d+\})) [?+]?
       | \\. | \[\^?\]?(?:\\.|[^\]\\])*\] | .""",
     re.VERBOSE | re.DOTALL,
 )
@@ -64,54 +64,29 @@ def compile_pattern(text: str) -> Callable[[str], bool]:
 
 def _refuse_slow(text: str, begin: int) -> None:
     """Raises PatternError for what makes Python try many ways through the same text."""
-    groups: list[bool] = []
-    closed = ""
+    groups = [False]  # whether each open group has something in it that can match in several ways
+    repeats = False  # whether the group that ends just here has
     open_ended = choices = 0
-
-    def count(found: re.Match[str], *, is_open: bool) -> None:
-        nonlocal open_ended, choices
-        open_ended += is_open
-        choices += 1
+    for found in _PIECE.finditer(text, begin):
+        piece, after_many, repeats = found.lastgroup, repeats, False
+        if piece == "reference":
+            raise PatternError(found.start(), f"{found[0]} refers to a group, which may take ages: write it out")
+        if piece == "begin":
+            groups.append(False)
+        elif piece == "end":
+            repeats = groups.pop()
+            groups[-1] |= repeats
+        elif piece == "times" and after_many:
+            reason = f"{found[0]} repeats a group with *, +, ?, {{ }} or | in it, which may take ages"
+            raise PatternError(found.start(), reason)
+        elif piece == "times" or (piece == "other" and not groups[-1]):
+            more = int(found["most"] or 0) - int(found["least"] or 0)
+            open_ended += found["open"] is not None or more > MOST_TIMES
+            choices += found["fixed"] is None
         if open_ended > MOST_OPEN or choices > MOST_CHOICES:
             raise PatternError(
                 found.start(),
                 f"more than {MOST_OPEN} of * and +, or {MOST_CHOICES} of *, +, ?, {{ , }} and |, may take ages: like"
                 " takes * for any characters",
             )
-
-    for found in _PIECE.finditer(text, begin):
-        match found.lastgroup:
-            case "reference":
-                raise PatternError(found.start(), f"{found[0]} refers to a group, which may take ages: write it out")
-            case "begin":
-                groups.append(False)
-                # What makes a group a special one: (?:, (?=, (?P<name>
-                closed = "begin"
-                continue
-            case "end":
-                closed = "many" if groups.pop() else "one"
-                if groups and closed == "many":
-                    groups[-1] = True
-                continue
-            case "other":
-                if not groups or not groups[-1]:
-                    count(found, is_open=False)
-                if groups:
-                    groups[-1] = True
-            case "open" | "times":
-                # After a quantifier, ? and + only say how it is tried; after ( a ? says what the group is.
-                if closed in ("begin", "times"):
-                    closed = ""
-                    continue
-                if closed == "many":
-                    raise PatternError(
-                        found.start(), f"{found[0]} repeats a group with *, +, ?, {{ }} or | in it, which may take ages"
-                    )
-                if found.lastgroup == "open" or found[0] == "?" or found["most"]:
-                    more = int(found["most"] or 0) - int(found["least"] or 0)
-                    count(found, is_open=found.lastgroup == "open" or more > MOST_TIMES)
-                if groups:
-                    groups[-1] = True
-                closed = "times"
-                continue
-        closed = ""
+        groups[-1] |= piece in ("times", "other")

@@ -6,13 +6,13 @@ import fnmatch
 import operator
 import re
 import struct
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from decimal import Decimal
-from enum import Enum
 from typing import Any, NamedTuple
 
 from ev3proto.capture.filter.pattern import PatternError, compile_pattern
+from ev3proto.capture.record import Record
 from ev3proto.errors import near_misses
 from ev3proto.tables.declaration import Enumeration
 from ev3proto.tables.encoding import STRING_CODING
@@ -45,26 +45,12 @@ class FilterError(ValueError):
         return (type(self), (self.column, self.reason, self.length))
 
 
-class Relation(Enum):
-    """How values are compared; the value is the usual way to write it."""
-
-    EQ = "=="
-    NE = "!="
-    LT = "<"
-    LE = "<="
-    GT = ">"
-    GE = ">="
-    CONTAINS = "contains"
-    LIKE = "like"
-    MATCHES = "matches"
-
-
-_ORDER: dict[Relation, Callable[[Any, Any], bool]] = {
-    Relation.EQ: operator.eq,
-    Relation.LT: operator.lt,
-    Relation.LE: operator.le,
-    Relation.GT: operator.gt,
-    Relation.GE: operator.ge,
+ORDER: dict[str, Callable[[Any, Any], bool]] = {
+    "==": operator.eq,
+    "<": operator.lt,
+    "<=": operator.le,
+    ">": operator.gt,
+    ">=": operator.ge,
 }
 """The relations of numbers. != is about all values of a name, not about one, and is not made here."""
 
@@ -167,43 +153,36 @@ class Kind:
     is_exact: bool = False
     is_flag: bool = False
 
-    def test(self, name: str, relation: Relation, word: Word) -> Test:
-        """Makes the test whether a value is in a relation (any but NE) to a word.
+    def test(self, name: str, relation: str, word: Word) -> Test:
+        """Makes the test whether a value is in a relation (any but !=) to a word.
 
         Raises:
             FilterError: They cannot be compared.
         """
         tests = [*self._numbers(relation, word), *self._texts(relation, word), *self._bytes(relation, word)]
-        if not tests or (self.is_flag and relation is not Relation.EQ):
+        if not tests or (self.is_flag and relation != "=="):
             raise word.error(self._error(name, relation, word))
         return tests[0] if len(tests) == 1 else lambda held: any(test(held) for test in tests)
 
-    def _numbers(self, relation: Relation, word: Word) -> Iterator[Test]:
-        compare = _ORDER.get(relation)
-        if compare is None or not self.number or (self.names and relation is not Relation.EQ):
+    def _numbers(self, relation: str, word: Word) -> Iterator[Test]:
+        if not self.number or relation not in ORDER or (self.names and relation != "=="):
             return
         number, quantity = word.number, word.quantity
         if number is not None:
-            yield self._compared(compare, number)
+            yield self._compared(relation, number)
         elif quantity is not None:
             for unit in self.units:
                 number = _converted(*quantity, unit)
                 if number is not None:
-                    yield self._compared(compare, number, unit=unit)
+                    yield self._compared(relation, number, unit=unit)
         for enum in self.enums:
             number = enum.members.get(word.text.upper())
             if number is not None:
-                yield self._compared(compare, number, enum=enum)
+                yield self._compared(relation, number, enum=enum)
 
-    def _compared(
-        self,
-        compare: Callable[[Any, Any], bool],
-        number: float,
-        unit: str | None = None,
-        enum: Enumeration | None = None,
-    ) -> Test:
+    def _compared(self, relation: str, number: float, unit: str | None = None, enum: Enumeration | None = None) -> Test:
         """Compares numbers; given a unit or an enumeration, only those that have it."""
-        single = number if self.is_exact else _single(number)
+        compare, single = ORDER[relation], number if self.is_exact else _single(number)
 
         def holds(held: Held) -> bool:
             value = held.value
@@ -215,67 +194,82 @@ class Kind:
 
         return holds
 
-    def _texts(self, relation: Relation, word: Word) -> Iterator[Test]:
+    def _texts(self, relation: str, word: Word) -> Iterator[Test]:
         if not self.text or not (word.is_quoted or self.is_bare):
             return
-        text = word.text
-        if self.names:
-            text = text.upper()
-            if relation is Relation.EQ and text not in map(str.upper, self.names):
-                return
-        find = _text_test(relation, text if relation in (Relation.EQ, Relation.CONTAINS) else word.text, word)
+        if self.names and relation == "==" and word.text.upper() not in map(str.upper, self.names):
+            return
+        find = _text_test(relation, word, change := str.upper if self.names else str)
         if find is not None:
-            change = str.upper if self.names else str
             yield lambda held: isinstance(held.value, str) and find(change(held.value))
 
-    def _bytes(self, relation: Relation, word: Word) -> Iterator[Test]:
+    def _bytes(self, relation: str, word: Word) -> Iterator[Test]:
         data = word.data
         if not self.data:
             return
-        if relation is Relation.MATCHES and word.is_quoted:
-            find = _text_test(relation, word.text, word)
-            assert find is not None
+        if relation == "matches" and word.is_quoted:
+            find = _pattern(word)
             yield lambda held: isinstance(held.value, bytes) and find(held.value.decode(STRING_CODING))
-        elif relation is Relation.EQ and data is not None:
+        elif relation == "==" and data is not None:
             yield lambda held: held.value == data
-        elif relation is Relation.CONTAINS and data is not None:
+        elif relation == "contains" and data is not None:
             yield lambda held: isinstance(held.value, bytes) and data in held.value
 
-    def _error(self, name: str, relation: Relation, word: Word) -> str:
+    def _error(self, name: str, relation: str, word: Word) -> str:
         """Says why the name and the word cannot be compared."""
         text, written = word.text, f'"{word.text}"' if word.is_quoted else word.text
         members = self.names or tuple(member for enum in self.enums for member in enum.members)
-        if relation is Relation.EQ and members and (self.names or not (word.is_quoted or word.number is not None)):
+        if relation == "==" and members and (self.names or not (word.is_quoted or word.number is not None)):
             unknown = f"unknown {self.what} {text}" if self.names else f"{name} has no value {text}"
             if "*" in text:
                 return f"{unknown}; use like for patterns"
             known = f": known are {', '.join(members)}" if len(members) <= _MOST_LISTED else "; see --help-filter"
             return unknown + (self.hint(text) or near_misses(text, members) or known)
         if self.is_bare:
-            return f"{name} cannot be compared by {relation.value}; use == or !="
+            return f"{name} cannot be compared by {relation}; use == or !="
         if word.quantity is not None and self.units:
             return f"{name} is measured in {' or '.join(self.units)}, not in {word.quantity[1]}"
         if self.text and not word.is_quoted and word.number is None:
-            return f'texts need quotes: {name} {relation.value} "{text}"'
-        return f"{name} is {self.what}; it cannot be compared by {relation.value} with {written}"
+            return f'texts need quotes: {name} {relation} "{text}"'
+        return f"{name} is {self.what}; it cannot be compared by {relation} with {written}"
 
 
-def _text_test(relation: Relation, text: str, word: Word) -> Callable[[str], bool] | None:
-    """Makes the test whether a text is another, contains it or fits it as a pattern; None for other relations."""
-    if relation is Relation.EQ:
+class Name(NamedTuple):
+    """What a name means in a filter.
+
+    kind         what its values can be compared with
+    read         the values that a record has; unknown ones are None
+    text         what it is, for people, where it can be asked about every frame
+    example      a filter that uses it
+    looks_ahead  of a command, it is only known when its reply was seen, or can no longer come
+    """
+
+    kind: Kind
+    read: Callable[[Record], Iterable[Held]]
+    text: str = ""
+    example: str = ""
+    looks_ahead: bool = False
+
+
+def _text_test(relation: str, word: Word, change: Callable[[str], str]) -> Callable[[str], bool] | None:
+    """Makes the test whether a text is a word, contains it or fits it as a pattern; None for other relations."""
+    text = change(word.text)
+    if relation == "==":
         return text.__eq__
-    if relation is Relation.CONTAINS:
+    if relation == "contains":
         return lambda held: text in held
-    if relation is Relation.LIKE:
+    if relation == "like":
         # Linear in the length of the text, times the stars.
-        fits = re.compile(fnmatch.translate(text), re.IGNORECASE).match
+        fits = re.compile(fnmatch.translate(word.text), re.IGNORECASE).match
         return lambda held: fits(held) is not None
-    if relation is Relation.MATCHES:
-        try:
-            return compile_pattern(text)
-        except PatternError as error:
-            raise word.error(str(error), error.position) from None
-    return None
+    return _pattern(word) if relation == "matches" else None
+
+
+def _pattern(word: Word) -> Callable[[str], bool]:
+    try:
+        return compile_pattern(word.text)
+    except PatternError as error:
+        raise word.error(str(error), error.position) from None
 
 
 def _converted(number: float, unit: str, wanted: str) -> float | None:

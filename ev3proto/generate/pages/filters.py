@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from ev3proto.capture.filter.fields import places_of
-from ev3proto.capture.filter.manual import COMPARISONS, PARAMETERS, VALUES, Entry, names
+from ev3proto.capture.filter.manual import Entry, sections
 from ev3proto.generate.pages.markdown import code, page, plain, table
 
 _MOST_PLACES = 4
@@ -23,12 +23,7 @@ def _lines() -> Iterator[str]:
         " `ev3proto decode --help-filter` prints this list."
     )
     yield ""
-    for title, entries in (
-        ("Of every frame", names()),
-        ("Parameters and fields", PARAMETERS),
-        ("Comparisons", COMPARISONS),
-        ("Values", VALUES),
-    ):
+    for title, entries in sections().items():
         yield f"## {title}"
         yield ""
         yield from table(("written", "what it means", "example"), _rows(entries))

@@ -77,15 +77,8 @@ _MOST_SECONDS = 10**12
 """So many may pass at once: 31,700 years. Infinity would never be over."""
 
 
-class Incoming(NamedTuple):
-    """A frame that waits, and the connection that it came by."""
-
-    channel: Hashable
-    frame: bytes
-
-
-class Outgoing(NamedTuple):
-    """A reply, and the connection that it goes to."""
+class Addressed(NamedTuple):
+    """A frame that waits or a reply, and its connection."""
 
     channel: Hashable
     frame: bytes
@@ -112,9 +105,9 @@ class Brick(Equipment):
         self.has_ended_command = False
         self.machine = Machine(self, dispatch_table(self.dialect))
         self._global_memory = bytearray(GRANTED_GLOBALS)
-        self._waiting: deque[Incoming] = deque()
+        self._waiting: deque[Addressed] = deque()
         self._waiting_bytes = 0
-        self._replies: list[Outgoing] = []
+        self._replies: list[Addressed] = []
         self._command: _Command | None = None
         self._stretch = math.inf if stretch is None else min(stretch, _MOST_SECONDS)
         self._deadline = math.inf
@@ -220,7 +213,7 @@ class Brick(Equipment):
         """
         return [reply.frame for reply in self.advance_all(seconds)]
 
-    def receive_from(self, channel: Hashable, frame: bytes) -> list[Outgoing]:
+    def receive_from(self, channel: Hashable, frame: bytes) -> list[Addressed]:
         """The same as `receive` for a brick with several connections.
 
         Args:
@@ -230,14 +223,14 @@ class Brick(Equipment):
         if type(frame) is not bytes:
             frame = as_bytes(frame, "a frame")
         if self._waiting_bytes + len(frame) <= MOST_WAITING:
-            self._waiting.append(Incoming(channel, frame))
+            self._waiting.append(Addressed(channel, frame))
             self._waiting_bytes += len(frame)
         if self._command is None:
             self._deadline = thread_time() + self._stretch
             self._serve()
         return self._take()
 
-    def advance_all(self, seconds: float) -> list[Outgoing]:
+    def advance_all(self, seconds: float) -> list[Addressed]:
         """The same as `advance` for a brick with several connections."""
         if not 0 <= seconds <= _MOST_SECONDS:
             raise ValueError(f"seconds are a number from 0 to {_MOST_SECONDS}, not {seconds!r}")
@@ -247,7 +240,8 @@ class Brick(Equipment):
             # Whole ticks while anything runs, so that what is seen does not depend on how time is cut into pieces.
             step = TICK - self.microseconds % TICK if self._is_running() else target - self.microseconds
             self.microseconds = min(target, self.microseconds + step)
-            self._advance_parts()
+            for part in self.parts:
+                part.advance(self.microseconds)
             if self.microseconds % TICK == 0 or not self._is_running():
                 self._turn_programs()
                 if not self.is_computing or thread_time() < self._deadline:
@@ -261,14 +255,14 @@ class Brick(Equipment):
         """Whether a direct command is under way: a real brick reads from no connection until it has ended."""
         return self._command is not None
 
-    def end_command(self) -> list[Outgoing]:
+    def end_command(self) -> list[Addressed]:
         """Ends the direct command under way, which has failed then. Returns the replies that became due."""
         if self._command is not None:
             self.machine.end_program(self._command.program, FAIL)
         self._serve()
         return self._take()
 
-    def disconnect(self, channel: Hashable) -> list[Outgoing]:
+    def disconnect(self, channel: Hashable) -> list[Addressed]:
         """Ends a connection: its waiting frames are dropped; its command under way runs on, and is not answered.
 
         Returns the replies that became due to others.
@@ -281,7 +275,7 @@ class Brick(Equipment):
         self._serve()
         return self._take()
 
-    def _take(self) -> list[Outgoing]:
+    def _take(self) -> list[Addressed]:
         replies, self._replies = self._replies, []
         return replies
 
@@ -379,7 +373,7 @@ class Brick(Equipment):
     def _reply(self, channel: Hashable, counter: int, kind: MessageType, contents: bytes) -> None:
         # The firmware grants more global memory than a frame of the usual size carries.
         length = HEADER_SIZE - LENGTH_FIELD + len(contents)
-        self._replies.append(Outgoing(channel, build_frame(kind, counter, contents, length)))
+        self._replies.append(Addressed(channel, build_frame(kind, counter, contents, length)))
 
     # System commands
 
@@ -412,11 +406,6 @@ class Brick(Equipment):
                 executed, is_waiting = self.machine.turn(program, min(left, OPERATIONS_PER_TURN))
                 left -= max(executed, 1)
                 waiting = waiting + 1 if is_waiting else 0
-
-    def _advance_parts(self) -> None:
-        """Tells the parts what time it is."""
-        for part in self.parts:
-            part.advance(self.microseconds)
 
 
 @dataclass

@@ -13,6 +13,7 @@ DEVIATIONS: tuple[str, ...] = (
     "MAILBOX_READ of a box that is not open skips its parameters; the firmware executes them.",
     "The remainder of an integer division by zero is 0; the firmware dies.",
     "STRINGS.STRING_TO_VALUE of a text without a number gives 0; the firmware gives any number.",
+    "Formats of printf know %d %i %u %x %X %o %c %f %F %e %E %g %G; any other, such as %a, is shown as it is written.",
     f"A direct command that never ends is ended, with 0x04, after {MOST_OPERATIONS:,} operations,"
     f" {MOST_PROCESSOR_SECONDS:g} s of this computer's processor, or {MOST_SECONDS} s of waiting."
     " The real brick stays deaf.",

@@ -52,15 +52,34 @@ def _forms() -> tuple[_Form, ...]:
 
 _FORMS = _forms()
 
-_INTEGER8: _Unpack = struct.Struct("<b").unpack_from
-_INTEGER16: _Unpack = struct.Struct("<h").unpack_from
-_INTEGER32: _Unpack = struct.Struct("<i").unpack_from
-
 _SCRATCH = 4096
 """Bytes of the one place where every constant stands while it is looked at as memory.
 
 Zeros follow it, and whatever an operation writes to a constant goes there: it is lost with the next one.
 """
+
+
+def _integer(
+    read: Callable[[Place], int], layout: struct.Struct, wrap: Callable[[int], int]
+) -> Callable[[Machine], int]:
+    """Reads a parameter of an integer type: short forms and constants at once, all others by their place."""
+    from_memory = layout.unpack_from
+
+    def integer(vm: Machine) -> int:
+        kind, value, unpack, size = _FORMS[vm.code[vm.ip]]
+        if kind == _OTHER:
+            return read(vm.place())
+        if unpack is not None:
+            number = unpack(vm.code, vm.ip)[0]
+            vm.ip += size
+            return wrap(number)
+        vm.ip += 1
+        if kind == _SHORT_CONSTANT:
+            return value
+        found: int = from_memory(vm.global_memory if kind == _SHORT_GLOBAL else vm.local_memory, value)[0]
+        return found
+
+    return integer
 
 
 class Machine:
@@ -199,47 +218,9 @@ class Machine:
 
     # Parameters
 
-    def int8(self) -> int:
-        """Reads a parameter of type DATA8."""
-        kind, value, unpack, size = _FORMS[self.code[self.ip]]
-        if kind == _OTHER:
-            return self.place().read8()
-        if unpack is not None:
-            number = unpack(self.code, self.ip)[0]
-            self.ip += size
-            return wrap8(number)
-        self.ip += 1
-        if kind == _SHORT_CONSTANT:
-            return value
-        return _INTEGER8(self.global_memory if kind == _SHORT_GLOBAL else self.local_memory, value)[0]
-
-    def int16(self) -> int:
-        """Reads a parameter of type DATA16, or a handle."""
-        kind, value, unpack, size = _FORMS[self.code[self.ip]]
-        if kind == _OTHER:
-            return self.place().read16()
-        if unpack is not None:
-            number = unpack(self.code, self.ip)[0]
-            self.ip += size
-            return wrap16(number)
-        self.ip += 1
-        if kind == _SHORT_CONSTANT:
-            return value
-        return _INTEGER16(self.global_memory if kind == _SHORT_GLOBAL else self.local_memory, value)[0]
-
-    def int32(self) -> int:
-        """Reads a parameter of type DATA32."""
-        kind, value, unpack, size = _FORMS[self.code[self.ip]]
-        if kind == _OTHER:
-            return self.place().read32()
-        if unpack is not None:
-            number = unpack(self.code, self.ip)[0]
-            self.ip += size
-            return number
-        self.ip += 1
-        if kind == _SHORT_CONSTANT:
-            return value
-        return _INTEGER32(self.global_memory if kind == _SHORT_GLOBAL else self.local_memory, value)[0]
+    int8 = _integer(Place.read8, struct.Struct("<b"), wrap8)
+    int16 = _integer(Place.read16, struct.Struct("<h"), wrap16)
+    int32 = _integer(Place.read32, struct.Struct("<i"), lambda number: number)
 
     def float32(self) -> float:
         """Reads a parameter of type DATAF."""

@@ -37,14 +37,17 @@ RESERVE = 300 * 1024
 """Bytes that a download must leave free."""
 
 _REPLY_HEAD = HEADER_SIZE + 2
-_ROOM_FIRST = MAX_FRAME - _REPLY_HEAD - 5
+_ROOM_WITH_SIZE = MAX_FRAME - _REPLY_HEAD - 5
 """Bytes of contents that fit a reply with a size and a handle."""
 
-_ROOM_NEXT = MAX_FRAME - _REPLY_HEAD - 1
+_ROOM = MAX_FRAME - _REPLY_HEAD - 1
 """Bytes of contents that fit a reply with a handle."""
 
 _OPEN_HANDLES = bytes(HANDLES // 8 + 1)
 """LIST_OPEN_HANDLES answers this, whatever is open."""
+
+_EMPTY = {"size": 0, "list_size": 0, "handle": NO_HANDLE, "data": b"", "list": ""}
+"""The fields of replies that read nothing."""
 
 _MOST_PIN = 0xFE
 """Bytes of a PIN that its length field counts with the zero after it."""
@@ -56,7 +59,7 @@ class Answer(NamedTuple):
     """What a system command answers.
 
     status    how it went
-    fields    the reply's other fields by name
+    fields    by name: the reply's other fields, possibly more
     is_error  whether a status that is a failure makes it an error reply
     """
 
@@ -88,24 +91,22 @@ class Request(NamedTuple):
 
 @dataclass
 class Transfer:
-    """A file or a list on its way.
+    """A file or a listing in transit.
 
     channel  the connection that began it
     command  the command that began it
-    place    of the file, to see who else has it open
-    file     where it is written to or read from; a list has none
+    stream   where it is written to or read from
     size     bytes of all of it
+    place    of the file, to see which program has it open; None for a listing
     done     bytes that have been moved
-    listing  the list
     """
 
     channel: Hashable
     command: str
-    place: Path | None
-    file: StoredFile | None
+    stream: StoredFile | io.BytesIO
     size: int
+    place: Path | None = None
     done: int = 0
-    listing: bytes = b""
 
 
 Function = Callable[["SystemCommands", Request], Answer | None]
@@ -155,7 +156,9 @@ class SystemCommands:
         if found is None:
             return None
         is_error = found.is_error and found.status.is_failure
-        return is_error, bytes((number, found.status)) + REPLIES[number].write_present(found.fields)
+        reply = REPLIES[number]
+        fields = {field.name: found.fields[field.name] for field in reply.fields if field.name in found.fields}
+        return is_error, bytes((number, found.status)) + reply.write_present(fields)
 
     def disconnect(self, channel: Hashable) -> None:
         """Frees the handles of a connection that has ended."""
@@ -172,13 +175,11 @@ class SystemCommands:
         return handle
 
     def _release(self, handle: int) -> None:
-        transfer = self._transfers.pop(handle)
-        if transfer.file is not None:
-            transfer.file.close()
+        self._transfers.pop(handle).stream.close()
 
-    def _find(self, request: Request, *commands: str) -> Transfer | None:
+    def _find(self, request: Request, command: str) -> Transfer | None:
         transfer = self._transfers.get(request.number("handle"))
-        return transfer if transfer is not None and transfer.command in commands else None
+        return transfer if transfer is not None and transfer.command == command else None
 
     def _is_name(self, path: bytes) -> bool:
         """Whether a file may have this name. One that it may not have is an error in the log."""
@@ -202,7 +203,7 @@ class SystemCommands:
         file = files.open_to_write(path)
         if file is None:
             return _refused(SystemStatus.UNKNOWN_HANDLE)
-        handle = self._add(Transfer(request.channel, "BEGIN_DOWNLOAD", files.locate(path), file, size))
+        handle = self._add(Transfer(request.channel, "BEGIN_DOWNLOAD", file, size, files.locate(path)))
         assert handle is not None
         return self._download(handle, bytes(request.fields.get("data", b"")))
 
@@ -216,7 +217,7 @@ class SystemCommands:
     def _download(self, handle: int, data: bytes) -> Answer:
         transfer = self._transfers[handle]
         data = data[: transfer.size - transfer.done]
-        if not self._write(transfer, data):
+        if not (isinstance(transfer.stream, StoredFile) and transfer.stream.put(data)):
             self._release(handle)
             return _refused(SystemStatus.SIZE_ERROR)
         transfer.done += len(data)
@@ -225,106 +226,86 @@ class SystemCommands:
         self._release(handle)
         return Answer(SystemStatus.END_OF_FILE, {"handle": handle})
 
-    def _write(self, transfer: Transfer, data: bytes) -> bool:
-        return transfer.file is not None and transfer.file.put(data)
-
     # From the brick
 
     @_answers("BEGIN_UPLOAD")
     def begin_upload(self, request: Request) -> Answer:
         """Opens a file and sends its first piece."""
-        return self._begin_reading(
-            request, "BEGIN_UPLOAD", SystemStatus.NO_HANDLES_AVAILABLE, SystemStatus.UNKNOWN_HANDLE
-        )
+        return self._open(request, "BEGIN_UPLOAD", SystemStatus.NO_HANDLES_AVAILABLE, SystemStatus.UNKNOWN_HANDLE)
 
     @_answers("BEGIN_GETFILE")
     def begin_getfile(self, request: Request) -> Answer:
-        """The same for a file that may still grow."""
-        return self._begin_reading(request, "BEGIN_GETFILE", SystemStatus.UNKNOWN_HANDLE, SystemStatus.HANDLE_NOT_READY)
+        """Does the same for a file that may still grow."""
+        return self._open(request, "BEGIN_GETFILE", SystemStatus.UNKNOWN_HANDLE, SystemStatus.HANDLE_NOT_READY)
 
-    def _begin_reading(self, request: Request, command: str, bad_name: SystemStatus, missing: SystemStatus) -> Answer:
+    def _open(self, request: Request, command: str, bad_name: SystemStatus, missing: SystemStatus) -> Answer:
         path = request.text("path")
-        nothing = {"size": 0, "handle": NO_HANDLE, "data": b""}
         if not self._is_name(path) or len(self._transfers) >= HANDLES:
-            return Answer(bad_name, nothing)
+            return Answer(bad_name, _EMPTY)
         file = self._brick.files.open_to_read(path)
         if file is None:
-            return Answer(missing, nothing)
-        transfer = Transfer(request.channel, command, self._brick.files.locate(path), file, _size(file))
+            return Answer(missing, _EMPTY)
+        return self._begin(
+            request, Transfer(request.channel, command, file, 0, self._brick.files.locate(path)), missing
+        )
+
+    @_answers("LIST_FILES")
+    def list_files(self, request: Request) -> Answer:
+        """Makes the listing of a folder, and sends its first piece."""
+        listing = self._brick.files.listing(request.text("path"))
+        if listing is None:
+            return Answer(SystemStatus.UNKNOWN_ERROR, _EMPTY)
+        transfer = Transfer(request.channel, "LIST_FILES", io.BytesIO(listing), len(listing))
+        return self._begin(request, transfer, SystemStatus.UNKNOWN_ERROR)
+
+    def _begin(self, request: Request, transfer: Transfer, no_handle: SystemStatus) -> Answer:
         handle = self._add(transfer)
-        assert handle is not None
-        status, data = self._read(handle, request.number("max_bytes"), _ROOM_FIRST)
-        return Answer(status, {"size": transfer.size, "handle": handle, "data": data})
+        return Answer(no_handle, _EMPTY) if handle is None else self._piece(request, handle, has_size=True)
 
     @_answers("CONTINUE_UPLOAD")
     def continue_upload(self, request: Request) -> Answer:
-        """The next piece."""
-        if self._find(request, "BEGIN_UPLOAD") is None:
-            return Answer(SystemStatus.UNKNOWN_HANDLE, {"handle": NO_HANDLE, "data": b""})
-        handle = request.number("handle")
-        status, data = self._read(handle, request.number("max_bytes"), _ROOM_NEXT)
-        return Answer(status, {"handle": handle, "data": data})
+        """Sends the next piece."""
+        return self._continue(request, "BEGIN_UPLOAD", SystemStatus.UNKNOWN_HANDLE)
 
     @_answers("CONTINUE_GETFILE")
     def continue_getfile(self, request: Request) -> Answer:
-        """The next piece, and the size that the file has now."""
-        transfer = self._find(request, "BEGIN_GETFILE")
-        if transfer is None or transfer.file is None:
-            return Answer(SystemStatus.UNKNOWN_HANDLE, {"size": 0, "handle": NO_HANDLE, "data": b""})
-        transfer.size = _size(transfer.file)
-        handle = request.number("handle")
-        status, data = self._read(handle, request.number("max_bytes"), _ROOM_FIRST)
-        return Answer(status, {"size": transfer.size, "handle": handle, "data": data})
+        """Sends the next piece, and the present size of the file."""
+        return self._continue(request, "BEGIN_GETFILE", SystemStatus.UNKNOWN_HANDLE)
 
-    def _read(self, handle: int, most: int, room: int) -> tuple[SystemStatus, bytes]:
+    @_answers("CONTINUE_LIST_FILES")
+    def continue_list_files(self, request: Request) -> Answer:
+        """Sends the next piece, cut wherever it is full."""
+        return self._continue(request, "LIST_FILES", SystemStatus.UNKNOWN_ERROR)
+
+    def _continue(self, request: Request, command: str, unknown: SystemStatus) -> Answer:
+        if self._find(request, command) is None:
+            return Answer(unknown, _EMPTY)
+        return self._piece(request, request.number("handle"), has_size=command == "BEGIN_GETFILE")
+
+    def _piece(self, request: Request, handle: int, *, has_size: bool) -> Answer:
+        """Reads a piece, and ends the transfer with the last one."""
         transfer = self._transfers[handle]
-        assert transfer.file is not None
-        data = transfer.file.read(min(most, room, max(0, transfer.size - transfer.done))) or b""
+        if has_size and isinstance(transfer.stream, StoredFile):
+            transfer.size = os.fstat(transfer.stream.fileno()).st_size
+        room = _ROOM_WITH_SIZE if has_size else _ROOM
+        data = (
+            transfer.stream.read(min(request.number("max_bytes"), room, max(0, transfer.size - transfer.done))) or b""
+        )
         transfer.done += len(data)
+        sizes = {"size": transfer.size, "list_size": transfer.size}
+        fields = sizes | {"handle": handle, "data": data, "list": data.decode(STRING_CODING)}
         if transfer.done < transfer.size or self._is_growing(transfer):
-            return SystemStatus.SUCCESS, data
+            return Answer(SystemStatus.SUCCESS, fields)
         self._release(handle)
-        return SystemStatus.END_OF_FILE, data
+        return Answer(SystemStatus.END_OF_FILE, fields)
 
     def _is_growing(self, transfer: Transfer) -> bool:
-        """Whether a user's program still has the file open to write, which only GETFILE minds."""
+        """Whether a user's program still has the file open to write; only GETFILE asks."""
         program = self._machine.slots[USER_SLOT]
         if transfer.command != "BEGIN_GETFILE" or program is None:
             return False
         files = (entry for entry in program.handles.entries() if isinstance(entry, OpenFile))
         return any(file.for_writing and file.place == transfer.place for file in files)
-
-    @_answers("LIST_FILES")
-    def list_files(self, request: Request) -> Answer:
-        """A folder's list, and its first piece."""
-        listing = self._brick.files.listing(request.text("path"))
-        handle = None
-        if listing is not None:
-            transfer = Transfer(request.channel, "LIST_FILES", None, None, len(listing), listing=listing)
-            handle = self._add(transfer)
-        if listing is None or handle is None:
-            return Answer(SystemStatus.UNKNOWN_ERROR, {"list_size": 0, "handle": NO_HANDLE, "list": ""})
-        status, piece = self._list(handle, request.number("max_bytes"), _ROOM_FIRST)
-        return Answer(status, {"list_size": len(listing), "handle": handle, "list": piece})
-
-    @_answers("CONTINUE_LIST_FILES")
-    def continue_list_files(self, request: Request) -> Answer:
-        """The next piece."""
-        if self._find(request, "LIST_FILES") is None:
-            return Answer(SystemStatus.UNKNOWN_ERROR, {"handle": NO_HANDLE, "list": ""})
-        handle = request.number("handle")
-        status, piece = self._list(handle, request.number("max_bytes"), _ROOM_NEXT)
-        return Answer(status, {"handle": handle, "list": piece})
-
-    def _list(self, handle: int, most: int, room: int) -> tuple[SystemStatus, str]:
-        """A piece of a list, cut wherever it is full."""
-        transfer = self._transfers[handle]
-        piece = transfer.listing[transfer.done : transfer.done + min(most, room)]
-        transfer.done += len(piece)
-        if transfer.done < transfer.size:
-            return SystemStatus.SUCCESS, piece.decode(STRING_CODING)
-        self._release(handle)
-        return SystemStatus.END_OF_FILE, piece.decode(STRING_CODING)
 
     # The rest
 
@@ -369,20 +350,20 @@ class SystemCommands:
 
     @_answers("SETBUNDLEID")
     def set_bundle_id(self, request: Request) -> Answer:
-        """As long as there is room for."""
-        return self._set_bundle("SETBUNDLEID", request)
+        """Accepts any that fits."""
+        return _set_bundle("SETBUNDLEID", request)
 
     @_answers("SETBUNDLESEEDID")
     def set_bundle_seed_id(self, request: Request) -> Answer:
-        """As long as there is room for."""
-        return self._set_bundle("SETBUNDLESEEDID", request)
+        """Accepts any that fits."""
+        return _set_bundle("SETBUNDLESEEDID", request)
 
-    @staticmethod
-    def _set_bundle(command: str, request: Request) -> Answer:
-        entry = next(entry for entry in SYSTEM_BY_NUMBER.values() if entry.name == command)
-        most = entry.request[0].most
-        fits = most is None or len(request.text("id")) < most
-        return Answer(SystemStatus.SUCCESS if fits else SystemStatus.SIZE_ERROR, {})
+
+def _set_bundle(command: str, request: Request) -> Answer:
+    entry = next(entry for entry in SYSTEM_BY_NUMBER.values() if entry.name == command)
+    most = entry.request[0].most
+    fits = most is None or len(request.text("id")) < most
+    return Answer(SystemStatus.SUCCESS if fits else SystemStatus.SIZE_ERROR, {})
 
 
 def _refused(status: SystemStatus) -> Answer:
@@ -391,8 +372,3 @@ def _refused(status: SystemStatus) -> Answer:
 
 def _permitted(is_done: bool) -> Answer:
     return Answer(SystemStatus.SUCCESS if is_done else SystemStatus.NO_PERMISSION, {})
-
-
-def _size(file: io.FileIO) -> int:
-    """Bytes of an open file."""
-    return os.fstat(file.fileno()).st_size

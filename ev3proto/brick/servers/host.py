@@ -11,7 +11,7 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Protocol
 
-from ev3proto.brick.brick import Brick, Outgoing
+from ev3proto.brick.brick import Addressed, Brick
 from ev3proto.brick.servers.faults import Faults
 from ev3proto.brick.servers.limits import MOST_BUFFERED, MOST_DELAYED, MOST_QUEUED, PATIENCE
 from ev3proto.errors import counted
@@ -344,7 +344,7 @@ class Host:
         if not self._let(lambda: self.brick.receive_from(connection, frame), f"at the frame {shown}"):
             self._current = None
 
-    def _let(self, act: Callable[[], list[Outgoing]], place: str) -> bool:
+    def _let(self, act: Callable[[], list[Addressed]], place: str) -> bool:
         """Has the brick do something, and delivers the replies. Returns False, and says so, for a defect of it.
 
         A defect must not take the brick away from all clients.
@@ -406,7 +406,7 @@ class Host:
         """Whether the brick's clock has more to catch up with than can be done at once."""
         return (self._loop.time() - self._begin) * _MICROSECONDS - self._now > _MOST_STEP
 
-    def _deliver(self, replies: list[Outgoing]) -> None:
+    def _deliver(self, replies: list[Addressed]) -> None:
         for channel, reply in replies:
             sent = self.faults.befall(reply)
             if isinstance(channel, Connection) and not channel.is_gone and sent is not None:

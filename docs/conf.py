@@ -15,7 +15,7 @@ myst_heading_anchors = 3
 exclude_patterns: list[str] = []
 templates_path = ["_templates"]
 html_theme = "furo"
-# Furo's own, with a link to the playground.
+# Furo's default, with a link to the playground.
 html_sidebars = {
     "**": [
         f"sidebar/{part}.html" for part in ("brand", "search", "playground", "scroll-start", "navigation", "scroll-end")
@@ -24,6 +24,6 @@ html_sidebars = {
 html_show_copyright = False
 html_show_sphinx = False
 html_copy_source = False
-# The pages show bytes and texts of the firmware: quotes and dashes stay as they are written.
+# The pages show bytes and texts of the firmware, so quotes and dashes must stay unchanged.
 smartquotes = False
 highlight_language = "none"

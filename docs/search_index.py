@@ -1,4 +1,4 @@
-"""What the search of the documentation finds by name or number: an extension of docs/conf.py.
+"""Makes the documentation's search find names and numbers: an extension of docs/conf.py.
 
 Operations, opcodes, system commands and the names of values become objects of a domain, which Sphinx's search lists
 with a link to the entry itself.
@@ -20,13 +20,13 @@ from ev3proto.tables.enumerations import ENUMERATIONS
 from ev3proto.tables.system import SYSTEM
 
 Entry = tuple[str, str, str, str, str, int]
-"""Name, name shown, type, page, anchor, priority: what a domain tells the search."""
+"""Name, name shown, type, page, anchor, priority, as the search gets them from a domain."""
 
 FIRST, SECOND = 0, 1
-"""Priorities of Sphinx: before and after pages that have a word in their text."""
+"""Priorities of Sphinx: before and after pages that contain a word."""
 
 MOST_USERS = 5
-"""An enumeration of more operations than these has its names listed on its own page only."""
+"""The names of an enumeration are listed at its operations if there are at most this many."""
 
 
 def setup(app: Sphinx) -> dict[str, Any]:
@@ -43,7 +43,7 @@ class Instructions(Domain):
     object_types: ClassVar = {kind: ObjType(kind) for kind in ("opcode", "operation", "system command", "value")}
 
     def get_objects(self) -> Iterator[Entry]:
-        """Yields an entry for each thing that has a heading in the reference."""
+        """Yields an entry for each heading in the reference."""
         users: dict[str, list[tuple[str, str]]] = {}
         for area, opcodes in AREAS.items():
             page = f"reference/{area}"
@@ -66,7 +66,7 @@ class Instructions(Domain):
                 yield _entry(f"{declared.name}.{member}", "value", "reference/enumerations", declared.name, SECOND)
 
     def resolve_any_xref(self, *_: Any, **__: Any) -> list[Any]:
-        """Returns no place: the pages link to headings."""
+        """Returns an empty list: the pages link to headings."""
         return []
 
     def merge_domaindata(self, docnames: Any, otherdata: Any) -> None:

@@ -1,6 +1,6 @@
-"""What the playground asks of Python: what the command line says of a text, and a virtual brick.
+"""The Python side of the playground: it runs the command line on the input, and a virtual brick.
 
-Every function takes and returns what JSON and JavaScript have, too. Runs in Pyodide, and anywhere else.
+Every function takes and returns types that JavaScript also has. It runs in Pyodide and in CPython.
 """
 
 from __future__ import annotations
@@ -24,20 +24,20 @@ from ev3proto.tables.declaration import Declaration, declarations
 from ev3proto.text.assembly.recognising import OBJECT
 
 MOST_SHOWN = 200_000
-"""Characters of an answer that are shown."""
+"""Maximum characters shown of an answer."""
 
 MOST_DIALOGUES = 1000
 
 MOST_SENT = 100
-"""Frames that are sent to the brick at once."""
+"""Maximum number of frames sent to the brick at once."""
 
 MOST_COMPLETIONS = 40
 
 MOST_STEP = 0.25
-"""Seconds that the brick's clock advances at most from one tick to the next: a page that sleeps does not catch up."""
+"""Maximum seconds that the brick's clock advances per tick: a page that was asleep does not catch up."""
 
 STRETCH = 0.02
-"""Seconds for which a command or program may compute before the page gets its turn."""
+"""Seconds that a command or program may run before the page gets its turn."""
 
 _FOLDERS = [TemporaryDirectory() for _ in range(2)]
 _PLACE, _ROOT = (Path(folder.name) for folder in _FOLDERS)
@@ -45,7 +45,7 @@ _TEXT, _SOURCE, _IMAGE, _FRAMES, _CHART = (
     _PLACE / name for name in ("input", "input.lms", "input.rbf", "frames", "chart.json")
 )
 _OFFSET = re.compile(r" +(\d+)  +\S")
-"""How lines of the tree begin that are about bytes: with the offset of the first."""
+"""The start of a line of the tree that is about bytes: the offset of the first."""
 
 _FINDING = re.compile(r"^(?:error|warning|hint)\[(\w+)\]")
 _FILE_NAME = re.compile(r"\w[\w .()-]{0,80}", re.ASCII)
@@ -54,7 +54,7 @@ _WORD = re.compile(r"[A-Za-z_][\w.]*$")
 
 
 class Said(NamedTuple):
-    """What a command printed, and its exit status."""
+    """The output of a command, and its exit status."""
 
     out: str
     errors: str
@@ -78,16 +78,16 @@ def command(*arguments: str) -> Said:
     return Said(texts[0], texts[1], status)
 
 
-# What stands in the input
+# The input
 
 
 class Input(NamedTuple):
-    """What is being looked at.
+    """The current input.
 
-    names   it, or the files that have it, as arguments of subcommands
-    image   of a program
-    source  of a program, as an argument of subcommands
-    errors  what the assembler complained of
+    names   the input, or the files with it, as arguments of subcommands
+    image   the image of a program
+    source  the source of a program, as arguments of subcommands
+    errors  the errors of the assembler
     """
 
     names: tuple[str, ...] = ()
@@ -113,11 +113,11 @@ def look(text: str) -> str:
 
 
 def open_file(name: str, data: Any) -> str:
-    """Reads a file, as `look` does a text.
+    """Reads a file, as `look` reads a text.
 
     Args:
-        name: Its name, which is shown.
-        data: Its bytes, or an array of JavaScript.
+        name: The name of the file, which is shown.
+        data: The contents, as bytes or as a JavaScript array.
     """
     global _now
     contents = data if isinstance(data, bytes) else data.to_bytes()
@@ -147,7 +147,7 @@ def _typed(text: str) -> Input:
 
 
 def _as_names(frames: str) -> tuple[str, ...]:
-    """Frames as arguments: a single one itself, so that what is said of it names no file."""
+    """Frames as arguments: a single frame itself, so that messages about it do not name a file."""
     if frames.count("\n") == 1:
         return ("--", frames.strip())
     if frames:
@@ -195,11 +195,11 @@ def _shortened(text: str) -> str:
     if len(text) <= MOST_SHOWN:
         return text
     kept = text[: text.rindex("\n", 0, MOST_SHOWN) + 1]
-    return f"{kept}... and {text.count(chr(10), len(kept))} more lines: ev3proto on the command line shows all\n"
+    return f"{kept}... and {text.count(chr(10), len(kept))} more lines; ev3proto on the command line shows all\n"
 
 
 def _lines(tree: str, records: list[dict[str, Any]]) -> list[list[Any]]:
-    """The lines of the tree, and which bytes each is about: messages begin without a blank, bytes with their offset."""
+    """The lines of the tree, each with its bytes: messages are not indented, bytes begin with an offset."""
     lines: list[list[Any]] = []
     number = -1
     lengths: dict[int, int] = {}
@@ -217,13 +217,13 @@ def _lines(tree: str, records: list[dict[str, Any]]) -> list[list[Any]]:
 
 
 def _spans(record: dict[str, Any]) -> list[tuple[int, int]]:
-    """Offset and number of bytes of all that a message has of them."""
+    """Offset and length of each part of a message."""
     parts = [*record.get("operations", ()), *(record.get("values") or ())]
     return [(part["offset"], part["length"]) for each in parts for part in (each, *each.get("args", ()))]
 
 
 def _findings(text: str) -> list[dict[str, str]]:
-    """What `check` printed, cut before each finding."""
+    """The output of `check`, split before each finding."""
     found = [{"text": "", "code": ""}]
     for line in text.splitlines(keepends=True):
         if begin := _FINDING.match(line):
@@ -242,7 +242,7 @@ def _dialogues(names: tuple[str, ...]) -> list[dict[str, Any]]:
 
 
 def timeline() -> str:
-    """The picture of the input as a Vega-Lite specification with its data: JSON; null where there is none."""
+    """Returns the timeline of the input as a Vega-Lite specification with its data: JSON; null if it is empty."""
     command("timeline", *_now.names, "-o", str(_CHART))
     if not _CHART.exists():
         return "null"
@@ -252,12 +252,12 @@ def timeline() -> str:
 
 
 def explain(code: str) -> str:
-    """What a code of `check` means, as a string of JSON."""
+    """Returns what a code of `check` means, as a JSON string."""
     return json.dumps(command("check", "--explain", code).out)
 
 
 def fix() -> str:
-    """What the input becomes with all that is certain put right, in the lesson's notation: JSON."""
+    """Returns the input with every certain fix applied, in the lesson's notation, as a JSON string."""
     fixed = [json.loads(line) for line in command("check", "--fix", "--json", *_now.names).out.splitlines()]
     frames = [each["hex"] for each in fixed if each.get("hex")]
     _FRAMES.write_text("\n".join(frames), encoding="utf-8")
@@ -265,7 +265,7 @@ def fix() -> str:
 
 
 def as_assembly(frame: str) -> str:
-    """A frame as text that can be edited, and encoded again: JSON."""
+    """Returns a frame as text that can be edited and encoded again, as a JSON string."""
     return json.dumps(command("decode", "--format", "asm", "--", frame).out)
 
 
@@ -273,14 +273,14 @@ def as_assembly(frame: str) -> str:
 
 
 def complete(before: str) -> str:
-    """What may follow.
+    """Returns the completions at the cursor.
 
     Args:
         before: The line up to the cursor.
 
     Returns:
         JSON: `word`, the letters that a completion replaces; `words`, each with what to insert and what to show; `hint`
-        on the parameter at the cursor.
+        about the parameter at the cursor.
     """
     found = _WORD.search(before)
     word = found[0] if found else ""
@@ -342,7 +342,7 @@ _changes = Changes(_brick, _watcher.open(), tuple)
 
 
 def tick(seconds: float) -> str:
-    """Lets time pass on the brick. Returns what is new on it as JSON, empty where nothing is."""
+    """Advances the brick's clock. Returns what is new on it as JSON; empty if nothing is."""
     for _, reply in _brick.advance_all(min(seconds, MOST_STEP)):
         _watcher.frame(_page, reply, False)
     new = _changes.take()
@@ -350,25 +350,26 @@ def tick(seconds: float) -> str:
 
 
 def act(action: str) -> str:
-    """Does something to the brick, given as JSON. Returns what the page is told, as JSON."""
+    """Runs an action on the brick, given as JSON. Returns the answer for the page, as JSON."""
     return json.dumps(answer(_brick, action))
 
 
 def send() -> str:
-    """Sends the commands that stand in the input, or starts the program. Returns a sentence where it cannot: JSON."""
+    """Sends the commands in the input, or starts the program. Returns an error message or "", as a JSON string."""
     if _now.image is not None:
         program = _brick.start(_now.image)
-        return json.dumps("" if program is not None else "The brick refuses the program: see what check says.")
+        return json.dumps("" if program is not None else "The brick refuses the program; see the findings.")
     records = (
         [json.loads(line) for line in command("decode", "--json", *_now.names).out.splitlines()] if _now.names else []
     )
     frames = [bytes.fromhex(each["hex"]) for each in records if each["kind"].endswith("command") and each.get("hex")]
     if not frames:
-        return json.dumps("There is no command in the input.")
+        return json.dumps("The input has no command to send.")
     for frame in frames[:MOST_SENT]:
         if len(frame) < frame_size(frame):
             return json.dumps("The frame is cut off: a brick would wait for the rest.")
         _watcher.frame(_page, frame, True)
         for _, reply in _brick.receive_from(_page, frame):
             _watcher.frame(_page, reply, False)
-    return json.dumps("" if len(frames) <= MOST_SENT else f"Of {len(frames)} commands the first {MOST_SENT} were sent.")
+    sent = f"Only the first {MOST_SENT} of {len(frames)} commands were sent."
+    return json.dumps(sent if len(frames) > MOST_SENT else "")

@@ -25,7 +25,7 @@ from ev3proto.version import VERSION
 HERE = Path(__file__).parent
 LESSON = HERE.parents[1] / "captures" / "lesson-02.log"
 WITHOUT = "no_playground"
-"""The tag with which Sphinx builds the rest only."""
+"""The tag with which Sphinx builds everything except the playground."""
 
 PAGE = ("index.html", "playground.css", "playground.js", "worker.js")
 BRICK = ("brick.css", "brick.js", "icon.svg")
@@ -40,7 +40,7 @@ _TIME = (1980, 1, 1, 0, 0, 0)
 
 
 def setup(app: Sphinx) -> dict[str, Any]:
-    """Registers what is done when the pages are there."""
+    """Registers the step that runs when the pages are built."""
     app.connect("builder-inited", _begun)
     app.connect("build-finished", _finished)
     return {"parallel_read_safe": True}
@@ -52,7 +52,7 @@ def _is_wanted(app: Sphinx) -> bool:
 
 def _begun(app: Sphinx) -> None:
     if _is_wanted(app) and shutil.which("npm") is None:
-        raise ExtensionError(f"the playground needs npm, which is not installed: -t {WITHOUT} builds the rest")
+        raise ExtensionError(f"npm is not installed, which the playground needs; -t {WITHOUT} builds the rest")
 
 
 def _finished(app: Sphinx, error: Exception | None) -> None:
@@ -61,11 +61,11 @@ def _finished(app: Sphinx, error: Exception | None) -> None:
 
 
 def build(site: Path, npm: Path) -> None:
-    """Makes the playground.
+    """Builds the playground.
 
     Args:
-        site: The folder to put it into.
-        npm: A folder in which npm may install.
+        site: The output folder.
+        npm: A folder in which npm may install packages.
 
     Raises:
         ExtensionError: npm cannot install them.
@@ -82,7 +82,7 @@ def build(site: Path, npm: Path) -> None:
         shutil.copy(modules / "pyodide" / name, site / "pyodide" / name)
     for name in VEGA:
         text = (modules / name).read_text(encoding="utf-8")
-        # Of what this one imports, vega.min.js has the same; the maps of their sources are not in the site.
+        # vega.min.js already contains what this module imports. The source maps are not part of the site.
         text = re.sub(
             r"^import \{(.*)\} from 'vega-util';$", r"const {\1} = globalThis.vega;", text, flags=re.MULTILINE
         )
@@ -94,7 +94,7 @@ def build(site: Path, npm: Path) -> None:
 
 
 def _installed(npm: Path) -> Path:
-    """The folder of what npm has installed."""
+    """Returns the folder of the installed packages."""
     npm.mkdir(parents=True, exist_ok=True)
     for name in ("package.json", "package-lock.json"):
         shutil.copy(HERE / name, npm / name)
@@ -107,7 +107,7 @@ def _installed(npm: Path) -> Path:
 
 
 def _pack(path: Path) -> None:
-    """Packs ev3proto, what it needs, and what the page asks of them."""
+    """Packs ev3proto, its dependencies and the bridge."""
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as packed:
         for name, file in sorted(_modules()):
             packed.writestr(zipfile.ZipInfo(name, _TIME), file.read_bytes(), zipfile.ZIP_DEFLATED)
@@ -120,13 +120,13 @@ def _modules() -> Iterator[tuple[str, Path]]:
     yield "bridge.py", HERE / "bridge.py"
     for package in PACKAGES:
         for entry in importlib.metadata.files(package) or ():
-            # Distributions have their licences beside the code.
+            # Distributions have their licences next to the code.
             if entry.parts[0] != ".." and entry.suffix in (".py", ""):
                 yield entry.as_posix(), Path(str(entry.locate()))
 
 
 def _lesson() -> Iterator[dict[str, str]]:
-    """The commands of the lesson, each with what it is."""
+    """The commands of the lesson, each with its title."""
     title = ""
     seen: dict[str, int] = {}
     for line in LESSON.read_text(encoding="utf-8").splitlines():
@@ -140,7 +140,7 @@ def _lesson() -> Iterator[dict[str, str]]:
 
 
 def _licences(modules: Path) -> Iterator[str]:
-    """What the site has of others, with the licence of each as its package has it."""
+    """The third-party parts of the site, each with the licence in its package."""
     yield "Works of others that are in the playground, or come with the packages it is built from, and their licences."
     named: dict[str, list[str]] = {}
     for title, text in (*_npm_licences(modules), *_python_licences()):
@@ -150,7 +150,7 @@ def _licences(modules: Path) -> Iterator[str]:
 
 
 def _npm_licences(modules: Path) -> Iterator[tuple[str, str]]:
-    """Each package of npm, and its licence. Vega's builds contain most packages that came with it."""
+    """Each npm package with its licence. Vega's builds contain most packages that came with it."""
     known = modules / LICENCES
     for file in sorted(modules.rglob("package.json")):
         about = json.loads(file.read_text(encoding="utf-8"))
@@ -167,13 +167,13 @@ def _npm_licences(modules: Path) -> Iterator[tuple[str, str]]:
 
 
 def _is_package(file: Path) -> bool:
-    """Whether it describes a package, not a part of one."""
+    """Returns whether a file describes a package, not a part of one."""
     parent = file.parent.parent
     return parent.name == "node_modules" or (parent.name.startswith("@") and parent.parent.name == "node_modules")
 
 
 def _known_licence(known: Path, name: str) -> str:
-    """The text of a licence by its SPDX name, for packages that have none in a file."""
+    """Returns the text of a licence by its SPDX name, for packages without a licence file."""
     text: str = json.loads((known / "licenses" / f"{name}.json").read_text(encoding="utf-8"))["licenseText"]
     return text
 

@@ -1,4 +1,4 @@
-// The page: what stands in the input, and what Python says of it. Every text is set as text, never as markup.
+// The page: the input, and Python's answers about it. Every text is set as text, never as markup.
 
 import { showBrick } from "./brick.js";
 
@@ -35,14 +35,14 @@ worker.onmessage = ({ data }) => {
     if (data.error === undefined) resolve(data.answer); else reject(new Error(data.error));
   }
 };
-const fail = (text) => { find("status").textContent = `Python cannot be loaded here: ${text}`; };
+const fail = (text) => { find("status").textContent = `Python cannot be loaded: ${text}`; };
 
 const brick = showBrick(find("brick"), async (action) => {
   const said = await ask("act", JSON.stringify(action));
   if (said) brick.take(said);
 });
 
-// What is looked at: the newest question only, while Python is at work on an older one
+// Only the newest question waits while Python works on an older one
 
 let wanted = null, isAtWork = false, shown = { lines: [], frames: [], made: {} };
 const look = (call, ...given) => {
@@ -59,7 +59,7 @@ const work = async () => {
       show(await ask(...question));
       find("status").textContent = "";
     } catch (error) {
-      find("error").textContent = `A defect of ev3proto, please report it: ${error.message}`;
+      find("error").textContent = `ev3proto has a bug, please report it: ${error.message}`;
     }
     clearTimeout(late);
   }
@@ -216,7 +216,7 @@ const showDialogues = (dialogues) => {
   }));
 };
 
-// The timeline, drawn when it is asked for: Vega-Lite by Vega, whose expressions are interpreted, not made into code
+// The timeline, drawn on request. Vega interprets its expressions: the page's policy forbids eval.
 
 const showTimeline = async () => {
   const place = find("timeline").querySelector("div");
@@ -227,10 +227,10 @@ const showTimeline = async () => {
   const { expressionInterpreter } = await import("./vega/vega-interpreter.js");
   const chart = await ask("timeline");
   if (!chart) {
-    place.textContent = "There is nothing to draw.";
+    place.textContent = "Nothing to draw.";
     return;
   }
-  // As wide as the page: of a narrow one less is left of what is drawn over time.
+  // As wide as the page: names get a smaller share of a narrow one.
   const parameter = (name) => chart.params.find((each) => each.name === name);
   const width = place.clientWidth - 40;
   parameter("margin").value = Math.min(parameter("margin").value, Math.max(110, 0.36 * width));
@@ -253,7 +253,7 @@ const type = (text) => {
 };
 const changed = () => {
   const text = input.value;
-  // A link that is too long for a forum is none.
+  // Longer links do not work in forums.
   history.replaceState(null, "", text && text.length <= MOST_LINK ? `#text=${encodeURIComponent(text)}` : location.pathname);
   look("look", text);
 };
@@ -262,7 +262,7 @@ input.oninput = () => { find("file").value = ""; changed(); suggest(); };
 const open = async (file) => {
   if (!file) return;
   if (file.size > MOST_FILE) {
-    find("error").textContent = `${file.name} has more than ${MOST_FILE >> 20} MiB: ev3proto on the command line reads it.`;
+    find("error").textContent = `${file.name} is larger than ${MOST_FILE >> 20} MiB; use ev3proto on the command line.`;
     return;
   }
   const bytes = new Uint8Array(await file.arrayBuffer());

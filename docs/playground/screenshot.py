@@ -1,6 +1,6 @@
 """Makes docs/playground.png, the picture on the first page: `python docs/playground/screenshot.py SITE`.
 
-SITE is the folder of the built documentation. It needs chromium and chromium-driver, as the tests do.
+SITE is the folder of the built documentation. The script needs chromium and chromium-driver, as the tests do.
 """
 
 from __future__ import annotations

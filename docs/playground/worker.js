@@ -1,4 +1,4 @@
-// Runs Python beside the page: ev3proto's command line, and a virtual brick that lives as long as the page.
+// Runs Python in a worker: ev3proto's command line, and a virtual brick that lives as long as the page.
 
 import { loadPyodide } from "./pyodide/pyodide.mjs";
 

@@ -137,7 +137,7 @@ def test_actions_and_what_is_wrong_with_them(brick: Served, tmp_path: Path) -> N
     assert "facts" in messages[0] or "facts" in messages[1]
     errors = [message["error"] for message in messages if "error" in message]
     assert len(errors) == 8
-    assert errors[-2:] == ["there is no folder /etc", "there is no file /home/root/lms2012/../../../etc/passwd"]
+    assert errors[-2:] == ["no such folder: /etc", "no such file: /home/root/lms2012/../../../etc/passwd"]
     (file,) = [message["file"] for message in messages if "file" in message]
     assert file == {"path": "/home/root/lms2012/prjs/robot.rbf", "contents": "TEVHTw=="}
     (folder,) = [message["folder"] for message in messages if "folder" in message]

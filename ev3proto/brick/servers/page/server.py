@@ -1,6 +1,6 @@
-"""Serves the page. Only who has the link, with the token in it, gets anything; pages of other sites get nothing.
+"""The server of the page. It answers only to the link, which contains a token, and never to pages of other sites.
 
-The token is made anew at each start. The page turns it into a cookie that scripts cannot read. Names and texts go to
+Each start makes a new token. The page turns it into a cookie that scripts cannot read. Names and texts go to
 the page as JSON, and it shows them as text.
 """
 
@@ -25,10 +25,10 @@ from ev3proto.brick.servers.page.state import Changes, answer
 from ev3proto.brick.servers.page.watcher import Watcher
 
 PERIOD = 0.05
-"""Seconds from one look at the brick to the next."""
+"""Seconds between updates of the pages."""
 
 MOST_PAGES = 16
-"""Pages at once."""
+"""Maximum number of open pages."""
 
 _MOST_MESSAGE = 1 << 14
 _STATIC = {
@@ -51,7 +51,7 @@ Handler = Callable[[web.Request], Awaitable[web.StreamResponse]]
 
 
 class PageError(Exception):
-    """The page cannot be served; the text says why and what to do."""
+    """The page cannot be served; the message says why and what to do."""
 
 
 @asynccontextmanager
@@ -60,11 +60,11 @@ async def serving(host: Host, address: str, port: int) -> AsyncIterator[tuple[st
 
     Args:
         host: What drives the brick.
-        address: Of this computer.
-        port: 0 for any that is free.
+        address: An address of this computer.
+        port: The TCP port; 0 for any that is free.
 
     Yields:
-        The link that opens it, and an event that is set when somebody has.
+        The link that opens the page, and an event that is set when a browser has opened it.
 
     Raises:
         PageError: The port cannot be opened.
@@ -100,7 +100,7 @@ async def serving(host: Host, address: str, port: int) -> AsyncIterator[tuple[st
 
 
 class _Log(logging.Handler):
-    """What the server library logs, as a sentence of the brick."""
+    """Reports messages of the server library as messages of the brick."""
 
     def __init__(self, host: Host) -> None:
         super().__init__(logging.WARNING)
@@ -111,11 +111,11 @@ class _Log(logging.Handler):
         if isinstance(error, HttpProcessingError):
             self._host.say_once("a request to the page was not HTTP, and was refused")
         else:
-            self._host.say_once(f"a defect of the page, please report it: {error or record.getMessage()!r}")
+            self._host.say_once(f"the page has a bug, please report it: {error or record.getMessage()!r}")
 
 
 class _Page:
-    """What answers the browser."""
+    """The handlers of the browser's requests."""
 
     def __init__(self, host: Host) -> None:
         self.port = 0
@@ -127,15 +127,15 @@ class _Page:
         self._sockets: set[web.WebSocketResponse] = set()
 
     async def close(self) -> None:
-        """Ends all pages."""
+        """Closes all pages."""
         for socket in list(self._sockets):
             with suppress(OSError, TimeoutError):
                 await asyncio.wait_for(socket.close(), 1)
 
-    # Who may come in
+    # Access
 
     async def guard(self, request: web.Request, handler: Handler) -> web.StreamResponse:
-        """Lets nobody in who was not given the link, nor a page of another site that sends its visitors here."""
+        """Refuses requests without the token of the link, and requests that a page of another site makes."""
         reason = self._refusal(request)
         if reason is not None:
             response: web.StreamResponse = web.Response(status=403, text=f"{reason}\n")
@@ -152,19 +152,19 @@ class _Page:
         return response
 
     def _refusal(self, request: web.Request) -> str | None:
-        """Why a request is refused."""
+        """Returns why a request is refused; None if it is allowed."""
         if not self._is_own_host(request.host):
-            return "this page is reached by its address only, not by another name"
+            return "open this page by localhost or its IP address, not by another name"
         origin = request.headers.get("Origin")
         if origin is not None and origin != f"http://{request.host}":
-            return "another site's page may not come here"
+            return "pages of other sites have no access"
         given = request.query.get("token") or request.cookies.get(self._cookie, "")
         if not hmac.compare_digest(given.encode(errors="replace"), self.token.encode()):
-            return "open the link that ev3proto printed: it has a token, which is another one at each start"
+            return "open the link that ev3proto printed: it contains a token, which changes at each start"
         return None
 
     def _is_own_host(self, host: str) -> bool:
-        """Whether a Host header names this computer by number: a name could be one that others let lead here."""
+        """Returns whether a Host header is an IP address or localhost: DNS rebinding needs another name."""
         name, _, port = host.rpartition(":")
         if port != str(self.port):
             return False
@@ -189,18 +189,18 @@ class _Page:
             " base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
         )
 
-    # What there is
+    # Contents
 
     async def static(self, request: web.Request) -> web.StreamResponse:
-        """The page itself."""
+        """Answers with the page itself."""
         name, kind = _STATIC[request.path]
         body = (files("ev3proto.brick.servers.page") / "static" / name).read_bytes()
         return web.Response(body=body, content_type=kind, charset="utf-8")
 
     async def live(self, request: web.Request) -> web.StreamResponse:
-        """All that happens, as it happens, and what is asked for."""
+        """Sends updates over a WebSocket, and runs the actions of the page."""
         if len(self._sockets) >= MOST_PAGES:
-            return web.Response(status=503, text=f"there are {MOST_PAGES} pages already\n")
+            return web.Response(status=503, text=f"too many open pages: at most {MOST_PAGES}\n")
         socket = web.WebSocketResponse(max_msg_size=_MOST_MESSAGE, heartbeat=20)
         await socket.prepare(request)
         self._sockets.add(socket)
@@ -222,7 +222,7 @@ class _Page:
         return socket
 
     async def _send(self, socket: web.WebSocketResponse) -> None:
-        """Sends what has changed. A page that does not read is sent nothing more until it does."""
+        """Sends what has changed, and waits for a page that does not read."""
         unshown = self.watcher.open()
         changes = Changes(self._host.brick, unshown, lambda: [each.name for each in self._host.connections])
         try:

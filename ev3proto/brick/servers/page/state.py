@@ -1,4 +1,4 @@
-"""What a page shows of a brick, as JSON; and what a page may do to it. Whatever carries it: a socket, or a worker."""
+"""The state of a brick that a page shows, and the actions of a page, both as JSON, for a socket or a worker."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ MOST_FILES = 500
 
 _MOST_TERMINAL = 2000
 _MOST_TALKS = 25
-"""Dialogues that are decoded at each look."""
+"""Dialogues that are decoded per update."""
 
 _MOTOR = CONN.members["CONN_OUTPUT_TACHO"]
 _NONE = TYPE.members["TYPE_NONE"]
@@ -33,7 +33,7 @@ _NAMES = {number: name.removeprefix("TYPE_") for name, number in TYPE.members.it
 
 
 def _facts() -> dict[str, Any]:
-    """What never changes: the devices there are, the names of the light's patterns, the deviations."""
+    """Returns what never changes: known devices, names of the light's patterns, deviations from a real brick."""
     types = [
         {
             "number": number,
@@ -59,7 +59,7 @@ def _facts() -> dict[str, Any]:
 
 
 class Changes:
-    """What one page has not been sent yet: first what never changes, then what has changed since the last look."""
+    """The updates for one page: first what never changes, then what has changed since the last update."""
 
     def __init__(self, brick: Brick, unshown: Unshown, clients: Callable[[], Sequence[str]]) -> None:
         self._brick = brick
@@ -68,7 +68,7 @@ class Changes:
         self._last: dict[str, Any] = {}
 
     def take(self) -> dict[str, Any]:
-        """What is new, by key; empty where nothing is."""
+        """Returns what is new, by key; an empty dict if nothing is."""
         now = _state(self._brick) | {"clients": list(self._clients())}
         last, self._last = self._last, now
         new: dict[str, Any] = {} if last else {"facts": _facts()}
@@ -83,7 +83,7 @@ _UNSEEN = object()
 
 
 def _state(brick: Brick) -> dict[str, Any]:
-    """All that changes, by key."""
+    """The state that may change, by key."""
     playing = brick.sound.playing
     program = brick.machine.slots[USER_SLOT]
     return {
@@ -130,19 +130,19 @@ def _sensors(brick: Brick) -> list[dict[str, Any]]:
 
 
 def answer(brick: Brick, text: str) -> dict[str, Any] | None:
-    """Does what a page asks for.
+    """Runs an action of a page.
 
     Args:
-        brick: To which it is done.
-        text: An object as JSON with `do`: press, release, plug, read, list, fetch.
+        brick: The brick to act on.
+        text: A JSON object with `do`: press, release, plug, read, list, fetch.
 
     Returns:
-        What is to be sent back to the page, None where there is nothing; an `error` where it asked for what cannot be.
+        What to send back to the page, or None; an `error` if the action is impossible.
     """
     try:
         return _act(brick, json.loads(text))
     except (json.JSONDecodeError, RecursionError):
-        return {"error": "that was no JSON"}
+        return {"error": "the action is not valid JSON"}
     except (ValueError, IndexError, OSError) as error:
         return {"error": str(error)}
 
@@ -164,20 +164,20 @@ def _act(brick: Brick, action: Any) -> dict[str, Any] | None:
         case {"do": "fetch", "path": str(path)}:
             found = brick.files.read(_path(path))
             if found is None:
-                raise ValueError(f"there is no file {path}")
+                raise ValueError(f"no such file: {path}")
             return {"file": {"path": path, "contents": base64.b64encode(found).decode()}}
         case _:
-            raise ValueError("there is no such action")
+            raise ValueError("unknown action")
     return None
 
 
 def _listing(brick: Brick, path: str) -> dict[str, Any]:
-    """A folder of the brick. ValueError where there is none."""
+    """Returns a folder of the brick; raises ValueError if it does not exist."""
     files = brick.files
     name = _path(path)
     place = files.locate(name)
     if place is None or not files.is_folder(name):
-        raise ValueError(f"there is no folder {path}")
+        raise ValueError(f"no such folder: {path}")
     entries = []
     for entry in files.shown(name)[:MOST_FILES]:
         below = name.rstrip(b"/") + b"/" + entry
@@ -191,7 +191,7 @@ def _listing(brick: Brick, path: str) -> dict[str, Any]:
 def _numbers(values: list[Any], most: int) -> tuple[float, ...]:
     numbers = [value for value in values if isinstance(value, int | float) and math.isfinite(value)]
     if len(numbers) != len(values) or len(numbers) > most:
-        raise ValueError(f"readings are 1 to {most} numbers")
+        raise ValueError(f"expected 1 to {most} numbers")
     return tuple(float(number) for number in numbers)
 
 
@@ -199,4 +199,4 @@ def _path(path: str) -> bytes:
     try:
         return path.encode(STRING_CODING)
     except UnicodeEncodeError:
-        raise ValueError("no name on a brick has such characters") from None
+        raise ValueError("names on a brick have characters of ISO-8859-1 only") from None

@@ -1,4 +1,4 @@
-"""The dialogue as it happens, for pages: each command with its reply, decoded only when a page is there to show it."""
+"""The dialogue as it happens, for pages: each command with its reply, decoded only while a page is open."""
 
 from __future__ import annotations
 
@@ -14,17 +14,17 @@ from ev3proto.text.phrases import command_spans, dialogue_line
 from ev3proto.text.spans import Role, plain_text
 
 MOST_KEPT = 200
-"""Dialogues that a page finds when it is opened."""
+"""Recent dialogues that a new page shows."""
 
 MOST_PENDING = 256
 """Commands that may wait for a reply."""
 
 MOST_UNSHOWN = 400
-"""Dialogues that a page has not been sent yet; older ones are counted only."""
+"""Dialogues that wait to be sent to a page; older ones are only counted."""
 
 
 class Client(Protocol):
-    """Who sends commands: a connection of the brick, or the page itself."""
+    """A client that sends commands: a connection of the brick, or the page itself."""
 
     number: int
     name: str
@@ -35,10 +35,10 @@ class Talk:
     """A command and its reply.
 
     number   counted from 1
-    client   who sent it
+    client   the name of the client
     begun    seconds since the brick was switched on
-    command  the frame; None for a reply to nothing that was seen
-    reply    the frame; None while there is none
+    command  the frame; None for a reply to an unknown command
+    reply    the frame; None while it has not come
     latency  seconds between them
     """
 
@@ -50,7 +50,7 @@ class Talk:
     latency: float | None = None
 
     def entry(self, dialect: str) -> dict[str, Any]:
-        """It for a page: what both say, decoded, and whether something went wrong."""
+        """Returns the dialogue for a page: command and reply, decoded, and whether something went wrong."""
         dialogue = Dialogue()
         command = None if self.command is None else parse(self.command, strict=False, dialect=dialect)
         if command is not None:
@@ -66,21 +66,21 @@ class Talk:
 
 
 class Unshown:
-    """What one page has not been sent yet."""
+    """The dialogues that one page has not been sent yet."""
 
     def __init__(self, kept: deque[Talk]) -> None:
         self.left_out = 0
         self._talks: OrderedDict[int, Talk] = OrderedDict((talk.number, talk) for talk in kept)
 
     def add(self, talk: Talk) -> None:
-        """Something is new about a dialogue."""
+        """Adds a dialogue that has changed."""
         self._talks[talk.number] = talk
         if len(self._talks) > MOST_UNSHOWN:
             self._talks.popitem(last=False)
             self.left_out += 1
 
     def take(self, most: int) -> list[Talk]:
-        """The next ones to send."""
+        """Removes and returns the next dialogues to send."""
         return [self._talks.popitem(last=False)[1] for _ in range(min(most, len(self._talks)))]
 
 
@@ -88,10 +88,10 @@ class Watcher:
     """Watches the brick's connections for all pages."""
 
     def __init__(self, clock: Callable[[], float]) -> None:
-        """Sees nothing yet.
+        """Creates a watcher without dialogues.
 
         Args:
-            clock: Seconds since the brick was switched on.
+            clock: Returns the seconds since the brick was switched on.
         """
         self._clock = clock
         self._count = 0
@@ -100,26 +100,26 @@ class Watcher:
         self._pages: set[Unshown] = set()
 
     def open(self) -> Unshown:
-        """A page is there."""
+        """Opens a page."""
         unshown = Unshown(self._kept)
         self._pages.add(unshown)
         return unshown
 
     def close(self, unshown: Unshown) -> None:
-        """A page has gone."""
+        """Closes a page."""
         self._pages.discard(unshown)
 
     def opened(self, connection: Client) -> None:
-        """Nothing to show yet."""
+        """Does nothing: a connection alone shows nothing."""
 
     def left(self, connection: Client, data: bytes, reason: str) -> None:
-        """Nothing to show: the host says it."""
+        """Does nothing: the host reports it."""
 
     def closed(self, connection: Client) -> None:
-        """Nothing to show."""
+        """Does nothing."""
 
     def frame(self, connection: Client, frame: bytes, is_from_host: bool) -> None:
-        """A command begins a dialogue, the reply with its counter ends it."""
+        """Begins a dialogue with a command, or ends it with the reply of the same counter."""
         if len(frame) < HEADER_SIZE:
             return
         key = connection.number, Header.read(frame).counter

@@ -1,4 +1,4 @@
-// Shows a virtual brick and does things to it, wherever it runs. Every name and text is set as text, never as markup.
+// Shows a virtual brick and controls it, wherever it runs. Every name and text is set as text, never as markup.
 
 const WIDTH = 178, HEIGHT = 128, ROW_BYTES = 23;
 const LIGHT = [210, 217, 195], DARK = [30, 36, 30];
@@ -33,7 +33,7 @@ const BRICK = `
 </section>
 <section class="talk" aria-label="Dialogue">
   <h2>Dialogue</h2>
-  <p><input id="filter" type="search" placeholder="only lines with ..." aria-label="Show only lines with this">
+  <p><input id="filter" type="search" placeholder="filter lines by text" aria-label="Show only lines with this text">
   <span id="clients"></span> <span id="left-out"></span></p>
   <ol id="talks" tabindex="0" aria-label="Commands and replies"></ol>
 </section>
@@ -283,7 +283,7 @@ export const showBrick = (place, send) => {
     }
     if (isAtEnd) box.scrollTop = box.scrollHeight;
   };
-  show.left_out = (count) => { find("left-out").textContent = count ? `${count} came too fast to be shown` : ""; };
+  show.left_out = (count) => { find("left-out").textContent = count ? `${count} not shown: they came too fast` : ""; };
   find("filter").oninput = () => { for (const line of lines.values()) line.hidden = !isWanted(line); };
 
   // Files

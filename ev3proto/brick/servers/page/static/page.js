@@ -1,8 +1,8 @@
-// The page of a virtual brick that runs elsewhere: what happens comes over a socket.
+// The page of a virtual brick that runs in another process and sends its changes over a WebSocket.
 
 import { showBrick } from "./brick.js";
 
-// The token is in the cookie now; it need not stay in the address, the history and what others see of the screen.
+// The token is in the cookie now; keep it out of the address bar and the history.
 history.replaceState(null, "", "/");
 
 const socket = new WebSocket(`ws://${location.host}/live`);

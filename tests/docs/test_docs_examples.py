@@ -173,7 +173,7 @@ def test_the_javascript_program_reads_the_frame(tmp_path: Path) -> None:
 
 def test_the_transfer_on_the_page_of_the_protocol_is_what_a_brick_says(tmp_path: Path) -> None:
     page = (ROOT / "docs" / "protocol.md").read_text(encoding="utf-8")
-    lines = page.partition("This is the dialogue that sends three bytes to the brick:")[2].partition("A listing is text")[0]
+    lines = page.partition("sends three bytes to the brick:")[2].partition("A listing is text")[0]
     begin, begun, continued, ended = [
         bytes.fromhex(line.replace(":", "").replace("|", "")) for line in re.findall(r"^0x\|(\S+)", lines, re.MULTILINE)
     ]

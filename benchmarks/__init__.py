@@ -1,1 +1,1 @@
-"""Benchmarks: run them with `pytest benchmarks`; nothing here is a test that a clock could fail."""
+"""Benchmarks: run them with `pytest benchmarks`. The tests do not run them, as times depend on the machine."""

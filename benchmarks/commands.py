@@ -1,4 +1,4 @@
-"""Direct commands at random, the same ones every time: every operation of the tables as often as any other."""
+"""Random direct commands, the same in every run; all operations of the tables are equally frequent."""
 
 from __future__ import annotations
 

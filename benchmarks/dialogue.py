@@ -1,4 +1,4 @@
-"""Long dialogues with a brick, a frame a packet of TCP: at random, and as programs have them."""
+"""Long dialogues with a brick, one frame per TCP packet: random ones, and typical ones of programs."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from ev3proto import ops
 
 
 def dialogue(count: int) -> Iterator[Segment]:
-    """So many random commands with their replies, and whether each comes from the host. Nearly none comes twice."""
+    """This number of random commands with their replies, each with its direction. Almost all are different."""
     rng = random.Random(1)
     for number, frame in enumerate(commands(count)):
         command = ev3proto.parse(frame)
@@ -32,12 +32,12 @@ def dialogue(count: int) -> Iterator[Segment]:
 
 
 def unanswered(count: int) -> Iterator[Segment]:
-    """Twice as many of these commands, whose replies never come: as many packets as in the dialogues."""
+    """Twice this number of commands without replies: as many packets as in the dialogues."""
     return (segment for segment in dialogue(2 * count) if segment.from_host)
 
 
 def usual_dialogue(count: int) -> Iterator[Segment]:
-    """So many commands as programs send them, with replies: sensors, motors, the battery, now and then a new speed."""
+    """This number of typical commands with replies: sensors, motors, the battery, now and then a new speed."""
     rng = random.Random(1)
     asked = [
         ev3proto.command(*(ops.input_readsi(0, port, 0, 0) for port in range(4))),

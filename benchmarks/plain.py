@@ -1,7 +1,7 @@
-"""The yardstick: byte code taken apart by the plainest code that does it.
+"""The yardstick: the simplest code that reads byte code.
 
-It returns numbers and texts, and knows nothing of names, offsets, encodings or what could be wrong. How much longer the
-codec takes, which knows all of that, is what the benchmark prints.
+It returns numbers and texts, without names, offsets, encodings or faults. The benchmark prints how much longer the
+codec takes, which has all of those.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ for _entry in operations().values():
 
 
 def argument(frame: bytes, at: int, kind: Type) -> tuple[object, int]:
-    """The value at an offset and the offset after it."""
+    """Returns the value at an offset, and the offset after it."""
     first = frame[at]
     if first < 32:
         return first, at + 1
@@ -57,7 +57,7 @@ def argument(frame: bytes, at: int, kind: Type) -> tuple[object, int]:
 
 
 def decode(frame: bytes) -> list[tuple[str, list[object]]]:
-    """The operations of a direct command: names and values."""
+    """Returns the operations of a direct command: names and values."""
     length, _counter, _type, _memory = _header(frame)
     at, end = 7, length + 2
     found = []

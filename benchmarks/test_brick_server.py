@@ -1,7 +1,7 @@
 """How fast the virtual brick answers over loopback, server and client on one core: `pytest benchmarks -k server`.
 
-The lines above the table that pytest-benchmark prints have the numbers: commands a second of one client, that each read
-one value; of fifty clients at once, every reply compared; a file of 1 MB there and back.
+The lines above the table of pytest-benchmark have the results: commands per second of one client, each reading
+one value; of fifty clients at once, with every reply compared; a file of 1 MB in both directions.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ CLIENTS = 50
 
 @pytest.fixture
 def port(tmp_path: Path) -> Iterator[int]:
-    """The port of a brick in a process of its own, which has to share one core with this one."""
+    """The port of a brick in another process, on the same core as this one."""
     cores = os.sched_getaffinity(0)
     os.sched_setaffinity(0, {min(cores)})
     words = ["brick", "--port", "0", "--no-beacon", "--quiet", "--clients", str(CLIENTS), "--root", str(tmp_path)]
@@ -40,7 +40,7 @@ def port(tmp_path: Path) -> Iterator[int]:
 
 
 def _best(benchmark: BenchmarkFixture, work: Callable[[], None]) -> float:
-    """Has some work measured; the seconds of the quickest round."""
+    """Measures some work; returns the seconds of the fastest round."""
     times = []
 
     def timed() -> None:
@@ -54,7 +54,7 @@ def _best(benchmark: BenchmarkFixture, work: Callable[[], None]) -> float:
 
 
 def test_one_client(port: int, benchmark: BenchmarkFixture, capsys: pytest.CaptureFixture[str]) -> None:
-    """One after the other: each command reads a value, its reply is read before the next is sent."""
+    """Each command reads a value; the next one is sent after its reply."""
     benchmark.group = "virtual brick over loopback"
     frame = command("DATA8 value\nINPUT_READ(0, 0, TYPE_KEEP, MODE_KEEP, value)")
     with Client(port) as client:
@@ -70,7 +70,7 @@ def test_one_client(port: int, benchmark: BenchmarkFixture, capsys: pytest.Captu
 
 
 def test_fifty_clients(port: int, benchmark: BenchmarkFixture, capsys: pytest.CaptureFixture[str]) -> None:
-    """All have a command under way at any time; each gets its own replies."""
+    """Every client always has a command in flight, and each gets its own replies."""
     benchmark.group = "virtual brick over loopback"
     clients = [Client(port) for _ in range(CLIENTS)]
     rounds = COMMANDS // CLIENTS
@@ -95,7 +95,7 @@ def test_fifty_clients(port: int, benchmark: BenchmarkFixture, capsys: pytest.Ca
 
 
 def test_file(port: int, benchmark: BenchmarkFixture, capsys: pytest.CaptureFixture[str]) -> None:
-    """1 MB, intact both ways."""
+    """A file of 1 MB, intact in both directions."""
     benchmark.group = "virtual brick over loopback"
     data = Random(1).randbytes(1_000_000)
     times = []

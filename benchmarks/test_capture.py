@@ -3,10 +3,10 @@
     pytest benchmarks -k capture
 
 Two captures of one TCP connection are read: 30,000 packets with a random command each, and 30,000 packets of a
-dialogue, in which every command gets its reply. Each is read by a program of its own, from its start to its end,
-imports included. What counts is the CPU time of all its processes, of ours the best of three. pyshark is in its fastest
-mode (EK), which does not know the protocol by itself; so it has our dissector: the one that `OLD` names, where this is
-a git repository that has it, so that a faster dissector does not move the goal.
+dialogue, in which every command gets its reply. Each is read by its own program, from start to end,
+with imports. The result is the CPU time of all its processes, for ev3proto the best of three runs. pyshark is in its
+fastest mode (EK) and loads our dissector, as it does not know the protocol itself: the version of `OLD`, if this is
+a git repository that has it, so that a faster dissector does not change the goal.
 """
 
 from __future__ import annotations
@@ -68,7 +68,7 @@ LOOKS = {"messages": "record.message", "messages and values": "record.message, r
 
 
 def capture(folder: Path, packets: int) -> Path:
-    """A capture of so many packets; a long one repeats the dialogue."""
+    """A capture with this number of packets; a long one repeats the dialogue."""
     path = folder / f"{packets}.pcap"
     path.write_bytes(
         tcp_capture(segment for _ in range(max(packets // PACKETS, 1)) for segment in _part(min(packets, PACKETS)))
@@ -82,13 +82,13 @@ def _part(packets: int) -> list[Segment]:
 
 
 def run(program: str, *words: str) -> list[float]:
-    """What a program prints, as numbers."""
+    """Returns the numbers that a program prints."""
     done = subprocess.run([sys.executable, "-c", program, *words], check=True, capture_output=True, text=True)
     return [float(word) for word in done.stdout.split()]
 
 
 def processor_seconds(program: str, *words: str) -> tuple[float, float]:
-    """What a program prints, and the CPU time of it and of all that it started."""
+    """Returns the output of a program, and the CPU time of it and its child processes."""
     before = os.times()
     (count,) = run(program, *words)
     after = os.times()
@@ -97,7 +97,7 @@ def processor_seconds(program: str, *words: str) -> tuple[float, float]:
 
 
 def dissector(folder: Path) -> Path:
-    """The dissector that pyshark's tshark loads."""
+    """The dissector for pyshark's tshark."""
     found = subprocess.run(["git", "show", OLD], cwd=ROOT, capture_output=True, check=False)
     if found.returncode:
         return ROOT / "dissector" / "ev3.lua"
@@ -117,7 +117,7 @@ def dissector(folder: Path) -> Path:
 def test_capture_ratios(
     what: str, segments: Callable[[], Iterable[Segment]], tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """Prints packets for each second of CPU time, and the ratios."""
+    """Prints packets per second of CPU time, and the ratios."""
     path = tmp_path / "compared.pcap"
     path.write_bytes(tcp_capture(segments()))
     count, theirs = processor_seconds(PYSHARK, str(path), str(dissector(tmp_path)))
@@ -136,7 +136,7 @@ def test_capture_ratios(
 
 
 def test_a_capture_out_of_step(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """Prints how fast packets of 98 bytes are read in which twelve frames may start each, and none does."""
+    """Prints the rate for packets of 98 bytes with twelve possible starts of a frame each, none of which is one."""
     path = tmp_path / "lost.pcap"
     begin = bytes.fromhex("0e002a0080000094010182b80182e803")
     lost = b"\xff\xff" + bytes.fromhex("1400000080000082") * 12
@@ -147,7 +147,7 @@ def test_a_capture_out_of_step(tmp_path: Path, capsys: pytest.CaptureFixture[str
 
 
 def test_capture_memory_and_time(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """A hundred times as many packets take a hundred times as long, and hardly more memory."""
+    """A hundred times as many packets take a hundred times as long, with hardly more memory."""
     program = OURS.format(look=LOOKS["messages and values"])
     few, short, small = run(program, str(capture(tmp_path, FEW)))
     middle, seconds, _ = run(program, str(capture(tmp_path, PACKETS)))

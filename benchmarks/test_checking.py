@@ -1,6 +1,6 @@
-"""How many frames a second a check looks at, verdict and findings: `pytest benchmarks -k checking`.
+"""How many frames per second are checked, with verdict and findings: `pytest benchmarks -k checking`.
 
-The frames are random: nearly every value in them is worth a finding, and writing those costs half the time.
+The frames are random: almost every value has a finding, and writing those takes half of the time.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ TRIAD = bytes.fromhex(
     "2C002A0080000094010182060182F4019694010182" + "4A0182F4019694010182880182F40196" + "940102820B0282E803"
 )
 LEAST = 10_000
-"""Frames a second, on one core."""
+"""Frames per second, on one core."""
 
 
 def test_verdict(benchmark: BenchmarkFixture) -> None:
@@ -34,7 +34,7 @@ def test_check(benchmark: BenchmarkFixture) -> None:
 
 
 def _rate(work: Callable[[bytes], object], frames: list[bytes]) -> float:
-    """Frames a second in the best of some rounds."""
+    """Frames per second in the best round."""
     best = 0.0
     for _ in range(7):
         start = time.perf_counter()

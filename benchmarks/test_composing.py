@@ -1,6 +1,6 @@
 """How long composing a command takes, as a ratio to a plain builder in the same run: `pytest benchmarks -k compos`.
 
-The plain builder is what anybody writes who needs this one command: it knows its bytes and checks nothing.
+The plain builder is what you would write for this one command: it knows the bytes and checks nothing.
 """
 
 from __future__ import annotations
@@ -56,7 +56,7 @@ WORKS: dict[str, tuple[Callable[[int, int, int], bytes], float]] = {
     "command of an operation": (one, 10),
     "command with an output": (two, 20),
 }
-"""Each builder, and how often the plain one's time it may take."""
+"""Each builder, and its limit as a multiple of the plain builder's time."""
 
 
 @pytest.mark.parametrize("name", WORKS)
@@ -72,12 +72,12 @@ def _same() -> list[Tone]:
 
 
 def _others(random: Random) -> list[Tone]:
-    """Values that hardly ever come again."""
+    """Values that hardly ever repeat."""
     return [(random.randint(0, 100), random.randint(250, 10000), random.randint(0, 32767)) for _ in range(1000)]
 
 
 def _ratios(rounds: Callable[[], list[Tone]]) -> dict[str, float]:
-    """Rounds alternate, the median round counts. Time is that of the processor, whatever else the machine does."""
+    """Rounds alternate, the median round counts. Times are CPU times, so other programs do not matter."""
     times: dict[str, list[float]] = {name: [] for name in WORKS}
     for _ in range(ROUNDS):
         for name, (work, _) in WORKS.items():

@@ -1,15 +1,15 @@
-"""What the dissector costs, measured beside tshark without any, in one run: time as a ratio, memory as a difference.
+"""The cost of the dissector, compared with tshark without it in the same run: time as a ratio, memory as a difference.
 
     pytest benchmarks -k dissector -s
 
 Each capture has 30,000 packets of one TCP connection: 15,000 commands that want a reply, and their replies. In the
-usual one commands come again and again, as programs send them; in the random one nearly every command is another; in
-the unanswered one there are 30,000 of them and no replies. Time is that of the processor, so that other programs on the
-machine disturb little; the shortest round counts. Which tshark is measured is a setting: EV3PROTO_TSHARK, as for the
+usual capture, commands repeat, as programs send them; in the random one, almost all commands differ; in
+the unanswered one, there are 30,000 commands and no replies. Times are CPU times, so that other programs on the
+machine matter little; the shortest round counts. EV3PROTO_TSHARK selects the tshark to measure, as for the
 tests.
 
-The goals are 1.8 for one line with tshark 4.0 and 2.5 with 4.4 and later, 3.0 for -V, and 150 bytes a packet in a
-capture of 300,000. The limits below are what it must not exceed: machines differ.
+The goals are 1.8 for one line with tshark 4.0 and 2.5 with 4.4 and later, 3.0 for -V, and 150 bytes per packet in a
+capture of 300,000. The limits below must not be exceeded; they are looser because machines differ.
 """
 
 from __future__ import annotations
@@ -36,18 +36,18 @@ MOST = {
     ("unanswered", "one line"): 2.5,
     ("unanswered", "-V"): 3.6,
 }
-"""How many times tshark's own time each kind of output may take."""
+"""Limit of each kind of output, as a multiple of tshark's own time."""
 MOST_BYTES = 900
-"""Bytes of memory a packet; in a capture as short as these, a good part of it is what the dissector is itself."""
+"""Bytes of memory per packet; in a capture as short as these, much of it is the dissector itself."""
 MOST_EACH = {"one line": 60, "-V": 250}
-"""Microseconds that a packet may take more on any carrier. No ratio, as without the dissector tshark does next to
-nothing with what USB's and Bluetooth's packets carry."""
+"""Additional microseconds per packet on any carrier. It is not a ratio, as tshark without the dissector does almost
+nothing with the contents of USB and Bluetooth packets."""
 LONG, LONG_ROUNDS, MOST_LONG, MOST_LONG_BYTES = 150_000, 2, 2.3, 150
-"""The same of a long capture: commands, rounds, and what one line may take."""
+"""The same for a long capture: commands, rounds, and the limit for one line."""
 
 
 def cost(command: list[str]) -> tuple[float, float]:
-    """Seconds of the processor, and the most memory in bytes, that a program takes."""
+    """CPU seconds, and the maximum memory in bytes, of a program."""
     to_nothing = [
         (os.POSIX_SPAWN_OPEN, 0, os.devnull, os.O_RDONLY, 0),
         (os.POSIX_SPAWN_OPEN, 1, os.devnull, os.O_WRONLY, 0),
@@ -95,13 +95,13 @@ def test_dissector_ratios(
 
 
 def usb_capture(segments: Iterable[Segment]) -> bytes:
-    """The same in USB reports of a device that nobody knows, as in most captures."""
+    """The same in USB reports of an unknown device, as in most captures."""
     capture = Capture(USBMON)
     return over(capture, Device(capture), segments)
 
 
 def rfcomm_capture(segments: Iterable[Segment]) -> bytes:
-    """The same on Bluetooth's channel."""
+    """The same on a Bluetooth channel."""
     capture = Capture(HCI_WITH_DIRECTION)
     return over(capture, SerialPort(capture), segments)
 
@@ -112,7 +112,7 @@ def rfcomm_capture(segments: Iterable[Segment]) -> bytes:
 def test_dissector_on_each_carrier(
     name: str, capture: Callable[[Iterable[Segment]], bytes], tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """What the usual dialogue adds to the time of a packet, on USB and Bluetooth beside WiFi."""
+    """The additional time per packet of the usual dialogue, on USB and Bluetooth next to WiFi."""
     path = tmp_path / "commands.pcap"
     path.write_bytes(capture(usual_dialogue(COMMANDS)))
     with Tshark.from_setting() as tshark:
@@ -128,7 +128,7 @@ def test_dissector_on_each_carrier(
 
 
 def test_dissector_in_a_long_capture(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """One line of 300,000 packets: what is kept of messages counts here."""
+    """One line of 300,000 packets: this measures what is kept of messages."""
     capture = tmp_path / "commands.pcap"
     capture.write_bytes(tcp_capture(usual_dialogue(LONG)))
     with Tshark.from_setting() as tshark:

@@ -1,7 +1,7 @@
-"""How many frames a second become a capture: `pytest benchmarks -k export`.
+"""How many frames per second become a capture: `pytest benchmarks -k export`.
 
-`ev3proto export pcapng` reads lines of hex, and a capture, from a start of the program to its end. Seconds are those of
-CPU time.
+`ev3proto export pcapng` reads lines of hex, or a capture, from the start of the program to its end. Times are
+CPU times.
 """
 
 from __future__ import annotations
@@ -18,11 +18,11 @@ from benchmarks.commands import commands
 
 FRAMES = 50_000
 LEAST = 8_000
-"""Frames a second at which something has gone wrong. The goal is 20,000 of either."""
+"""Frames per second below which something is wrong. The goal is 20,000 for both."""
 
 
 def _rate(source: Path, target: Path) -> float:
-    """Frames a second in the better of two runs."""
+    """Frames per second in the better of two runs."""
     env = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
     taken = []
     for _ in range(2):

@@ -1,10 +1,10 @@
-"""How long messages take to be written out, as a ratio to tshark with the dissector, side by side in one run.
+"""How long it takes to print messages, as a ratio to tshark with the dissector in the same run.
 
     pytest benchmarks -k printing
 
-The capture has 10,000 packets of one TCP connection with a random command each. Each program reads it from its start to
-its end, imports included; what counts is CPU time. tshark loads the dissector of a certain commit, so that a faster
-dissector does not move the goal; without the repository's history it loads the present one, and the output says so.
+The capture has 10,000 packets of one TCP connection with a random command each. Each program reads it from start to
+end, with imports; the result is CPU time. tshark loads the dissector of a fixed commit, so that a faster
+dissector does not change the goal; without the repository's history it loads the present one, and the output says so.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from benchmarks.commands import commands
 COMMANDS = 10_000
 ROUNDS = 3
 DISSECTOR_OF = "9d4ed06"
-"""The commit whose dissector sets the goal."""
+"""The commit of the dissector that sets the goal."""
 
 PAIRS = {
     "decode / tshark -V": (("decode",), ("-V",)),
@@ -33,11 +33,11 @@ PAIRS = {
     "check / tshark -V": (("check",), ("-V",)),
 }
 MOST = {"decode / tshark -V": 0.8, "decode --json / tshark -T json": 0.7, "check / tshark -V": 2.0}
-"""Ratios at which something has gone wrong. The goals are half of these."""
+"""Ratios above which something is wrong. The goals are half of these."""
 
 
 def _dissector(folder: Path) -> tuple[Path, str]:
-    """The file to load, and what it is."""
+    """The file to load, and a description of it."""
     asked = ["git", "-C", str(DISSECTOR.parent), "show", f"{DISSECTOR_OF}:./{DISSECTOR.name}"]
     done = subprocess.run(asked, check=False, capture_output=True)
     if done.returncode:
@@ -48,7 +48,7 @@ def _dissector(folder: Path) -> tuple[Path, str]:
 
 
 def _spent(command: Sequence[str]) -> float:
-    """Seconds of CPU time that a program takes. Compiled modules are kept, as on any user's machine."""
+    """CPU seconds of a program. Compiled modules are kept, as on a user's machine."""
     env = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
     before = os.times()
     subprocess.run(command, check=False, env=env, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)

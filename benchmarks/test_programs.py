@@ -1,4 +1,4 @@
-"""How long an image of 100 kB takes: parsed, built, written as a source, assembled again."""
+"""How long an image of 100 kB takes to be parsed, built, written as a source, and assembled again."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """How fast the codec is, as a ratio to a plain decoder in the same run: `pytest benchmarks`.
 
-The benchmarks go over the same 2,000 random direct commands. The table that pytest-benchmark prints has their times,
+The benchmarks use the same 2,000 random direct commands. The table of pytest-benchmark has the times,
 the lines above it the ratios.
 """
 
@@ -30,7 +30,7 @@ def test_plain(benchmark: BenchmarkFixture) -> None:
 
 
 def test_parse(benchmark: BenchmarkFixture) -> None:
-    """Parsing with every argument's value read."""
+    """Parses frames and reads the value of every argument."""
     benchmark.group = "2,000 commands"
     found = benchmark(lambda: [_values(frame) for frame in FRAMES])
     assert len(found) == len(FRAMES)
@@ -81,13 +81,13 @@ def test_ratios(capsys: pytest.CaptureFixture[str]) -> None:
     construct, own = (_start(code) for code in codes)
     with capsys.disabled():
         print(f"\nparse  {median(times['parse']) / base:.2f} x the plain decoder's time")
-        print(f"stream cut into messages that nobody looks into  {median(times['stream']) / base:.2f} x")
+        print(f"stream cut into messages without reading them  {median(times['stream']) / base:.2f} x")
         print(f"build  {median(times['build']) / base:.2f} x the plain decoder's time")
         print(f"import and first frame  {1000 * (own - construct):.0f} ms more than importing construct alone")
 
 
 def _start(code: str) -> float:
-    """Seconds of a Python that runs this code, its compiled modules kept as on any user's machine."""
+    """Seconds of a Python process that runs this code, with compiled modules kept as on a user's machine."""
     env = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
     times = []
     for _ in range(9):

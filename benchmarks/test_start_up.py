@@ -1,4 +1,4 @@
-"""How long the command line takes to start, as a ratio to what it cannot do without.
+"""How long the command line takes to start, as a ratio to the minimum.
 
     pytest benchmarks -k start_up
 
@@ -21,11 +21,11 @@ FRAME = "0e002a0080000094010182b80182e803"
 BARE = (sys.executable, "-c", "import click, construct")
 OURS = (sys.executable, "-m", "ev3proto", "decode", FRAME)
 MOST = 1.6
-"""The ratio that it is to stay under."""
+"""The limit of the ratio."""
 
 
 def _seconds(command: Sequence[str]) -> float:
-    """From start to end. Compiled modules are kept, as on any user's machine."""
+    """Seconds from start to end. Compiled modules are kept, as on a user's machine."""
     env = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
     start = time.perf_counter()
     subprocess.run(command, check=True, env=env, stdout=subprocess.DEVNULL)

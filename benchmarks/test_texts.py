@@ -1,4 +1,4 @@
-"""How many frames a second are read out of text, nothing printed: `pytest benchmarks/test_texts.py -s`."""
+"""How many frames per second are read from text, without printing: `pytest benchmarks/test_texts.py -s`."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ LINES = {
     "lines of logcat": f"01-31 12:30:{{:02}}.123  1234  1250 D EV3: send {TONE}\n",
 }
 LEAST = {"hex": 50_000, "the lesson's notation": 50_000, "log lines": 20_000, "lines of logcat": 20_000}
-"""Frames a second that are wanted."""
+"""The goal, in frames per second."""
 
 
 @pytest.mark.parametrize("name", LINES)

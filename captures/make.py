@@ -1,8 +1,8 @@
-"""Makes the captures of EV3 traffic in this folder, the same bytes every time.
+"""Makes the captures in this folder, with the same bytes every time.
 
     .venv/bin/python captures/make.py [FOLDER]
 
-They are written into FOLDER, or where this script is. README.md says what each one is.
+They are written into FOLDER, by default the folder of this script. README.md describes each.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ ETHERNET, BLUETOOTH_H4_WITH_DIRECTION, USBMON, USBMON_MAPPED, USBPCAP = 1, 201, 
 
 
 def main(folder: Path) -> None:
-    """Writes them all."""
+    """Writes all captures."""
     write_pcapng(folder / "wifi.pcapng", wifi.whole(), ETHERNET)
     write_pcapng(folder / "conformance.pcapng", conformance.whole(), ETHERNET)
     write_pcapng(folder / "wifi-long.pcapng", wifi.long_downloads(), ETHERNET)

@@ -1,1 +1,1 @@
-"""Fuzzing: functions that take any bytes and must not fail, and what drives them. `python -m fuzz --help` says how."""
+"""Fuzzing: targets, which accept any bytes and must not fail, and their driver. See `python -m fuzz --help`."""

@@ -1,7 +1,7 @@
 """Drives a target: `python -m fuzz codec --seconds 60`.
 
-With atheris (`pip install atheris`) inputs are chosen by what they reach in the code. Without it, or with --plain,
-seeds are changed at random. An input that makes a target fail is written into fuzz/regressions, where the tests try it.
+With atheris (`pip install atheris`), inputs are chosen by code coverage. Without it, or with --plain, seeds are
+changed at random. An input that makes a target fail is written into fuzz/regressions, which the tests try.
 """
 
 from __future__ import annotations
@@ -18,11 +18,11 @@ from random import Random
 from fuzz.corpus import REGRESSIONS, TARGETS, inputs, mutated
 
 _SLOW = 2.0
-"""Seconds for one input that are too many."""
+"""Maximum seconds for one input."""
 
 
 def main() -> None:
-    """Runs what the arguments say."""
+    """Runs a target."""
     parser = argparse.ArgumentParser("python -m fuzz", description=__doc__)
     parser.add_argument("target", choices=TARGETS)
     parser.add_argument("--seconds", type=float, default=60.0)
@@ -50,7 +50,7 @@ def _target(name: str) -> Callable[[bytes], None]:
 
 
 def _corpus(name: str) -> list[str]:
-    """Folders: the first takes what is found on the way, and is not kept."""
+    """Folders of inputs; the first also collects new inputs, and is temporary."""
     found = Path("build") / "fuzz" / name
     found.mkdir(parents=True, exist_ok=True)
     seeds = found.with_name(f"{name}-seeds")

@@ -1,4 +1,4 @@
-"""Assembly: each text is refused with a place that is in it, or makes frames that say the same when they are shown."""
+"""Assembly: each text is refused with a place inside it, or makes frames whose assembly makes the same frames."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Captures: every one is read to its end or refused in a sentence, and every byte of it is accounted for."""
+"""Captures: each is read to its end or refused with a message, and every byte of it is accounted for."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ _MEMORY = 1 << 20
 
 
 def one_input(data: bytes) -> None:
-    """Takes a capture file, packed or not."""
+    """Takes a capture file, compressed or not."""
     account = Account()
     events = []
     try:

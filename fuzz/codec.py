@@ -1,4 +1,4 @@
-"""Frames: whatever the bytes are, they are read, come back as they were, and can be shown, checked and fixed."""
+"""Frames: any bytes are read, build to the same bytes, and can be shown, checked and fixed."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def one_input(data: bytes) -> None:
 
 
 def _fixed(data: bytes) -> None:
-    """A fix makes a frame better, or nothing; a second one changes nothing."""
+    """A fix improves a frame or does nothing; a second one changes nothing."""
     before, fixed = check(data), fix(data)
     after = fixed.report
     if fixed.frame != data:
@@ -46,7 +46,7 @@ def _fixed(data: bytes) -> None:
 
 
 def _stream(data: bytes) -> None:
-    """The bytes in chunks: every frame is there, and only zeros between them, up to where no frame can start."""
+    """The bytes in chunks: every frame is found, and only zeros are skipped, up to where no frame can start."""
     decoder = ev3proto.Decoder(strict=False)
     at = 0
     with suppress(StreamError):

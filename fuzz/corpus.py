@@ -1,4 +1,4 @@
-"""What the targets start from: the seeds beside this file, the captures, and the inputs that once made one fail."""
+"""The initial inputs of the targets: the seeds in this folder, the captures, and inputs that made a target fail."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def inputs(target: str) -> list[bytes]:
     found = [path.read_bytes() for path in sorted((HERE / "seeds" / target).glob("*"))]
     found += [path.read_bytes() for path in sorted((REGRESSIONS / target).glob("[!.]*"))]
     if target in ("codec", "text", "lines", "harm", "files"):
-        # Each line of a file of seeds is one, so that they can be read.
+        # In a file of seeds, each line is a seed, so that people can read them.
         found = [line for data in found for line in _lines(target, data)]
     if target == "captures":
         found += [path.read_bytes()[:_MOST_SEED] for path in sorted(_CAPTURES.glob("*.pcap*"))]
@@ -40,7 +40,7 @@ def _lines(target: str, data: bytes) -> list[bytes]:
 
 
 def mutated(data: bytes, random: Random, others: list[bytes]) -> bytes:
-    """An input with a few changes: bytes that are other, gone, twice, or from another input."""
+    """Changes an input in a few places: bytes are replaced, removed, doubled, or taken from another input."""
     found = bytearray(data)
     for _ in range(random.randint(1, _MOST_CHANGES)):
         at = random.randint(0, len(found))

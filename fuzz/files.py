@@ -1,4 +1,4 @@
-"""Files of the virtual brick, opened, written, deleted and moved in any order: its quota counts what is on the disk."""
+"""Files of the virtual brick, opened, written, deleted and moved in any order: the quota equals the use of the disk."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ _MOST_OPERATIONS = 30
 
 
 def one_input(data: bytes) -> None:
-    """Takes actions, one a byte: its low half says what is done, its high half to which file or handle."""
-    # Downloads must leave more free than there is here.
+    """Takes actions, one per byte: the low half selects the action, the high half the file or handle."""
+    # Downloads must leave more space free than there is here.
     with TemporaryDirectory() as folder, patch("ev3proto.brick.system_commands.RESERVE", 0):
         root = Path(folder)
         brick = Brick(root)

@@ -1,4 +1,4 @@
-"""Filters: each is refused with a column that is in it, or chooses among records without failing."""
+"""Filters: each is refused with a column inside it, or selects records without failing."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Direct commands: whatever runs on the virtual brick was announced, or it was said that it is not known what will."""
+"""Direct commands: every effect on the virtual brick was announced, or the command was called unpredictable."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def one_input(data: bytes) -> None:
 
 @cache
 def _recording() -> Dispatch:
-    """The brick's table, whose functions also note what they do."""
+    """The brick's table, whose functions also record their effects."""
     names = {
         (declaration.opcode.number, declaration.command.number if declaration.command else None): name
         for name, declaration in operations(_DIALECT).items()

@@ -1,4 +1,4 @@
-"""Lines of repeated units, as one line or as many: eight times the text takes about eight times the time."""
+"""Lines of repeated units, together or as separate lines: eight times the text takes about eight times the time."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ from ev3proto.text.paste import read_text
 _SHORT = 1 << 11
 _FACTOR = 8
 _MOST_GROWTH = 16
-"""Linear work takes 8 times as long, quadratic work 64 times; with another end another reading may be likelier."""
+"""Linear work takes 8 times as long, quadratic work 64 times; a different end may make another reading likelier."""
 _SEPARATORS = (" ", " x ", "\n")
 _LEAST = 0.003
-"""Seconds below which a measurement says nothing."""
+"""Measurements below these seconds are ignored."""
 _ROUNDS = 6
 
 

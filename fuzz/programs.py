@@ -1,4 +1,4 @@
-"""Programs: images are read as far as they go and come back as they were; sources are assembled or refused."""
+"""Programs: images are read as far as possible and build to the same bytes; sources are assembled or refused."""
 
 from __future__ import annotations
 
@@ -36,5 +36,5 @@ def _source(data: bytes) -> None:
     except AssemblyError as error:
         assert str(error)
         return
-    # What LEGO's own assembler makes of a faulty source is made as it makes it, with a warning.
+    # LEGO's own assembler turns some faulty sources into an image; so does ours, with a warning.
     assert build(parse(made.image, strict=not made.warnings)) == made.image

@@ -1,4 +1,4 @@
-"""Texts that people paste: logs, hex, arrays of C, JSON. Whatever they are, what is read of them was in them."""
+"""Pasted texts: logs, hex, arrays of C, JSON. Every byte that is read from any text was in it."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""What `make.py` makes the captures from: the two ends' frames, the carriers around them, and the files."""
+"""The sources of the captures that `make.py` writes: the frames of both ends, the carriers, and the file formats."""

@@ -1,4 +1,4 @@
-"""Bluetooth: a connection, the search for the serial port, RFCOMM with credits, and frames cut to fit it."""
+"""Bluetooth: a connection, the search for the serial port, RFCOMM with credits, and frames split to fit it."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ SDP, RFCOMM = 1, 3
 SIGNALS = 1
 L2CAP_MTU = 672
 FRAME_SIZE = 250
-"""Bytes in a frame of RFCOMM: less than there could be, so that frames are cut."""
+"""Bytes in an RFCOMM frame: fewer than possible, so that frames are split."""
 
 # HCI and L2CAP
 
@@ -67,7 +67,7 @@ class Link:
         self.wire.add(packet, received)
 
     def connect(self) -> None:
-        """The host's controller reaches the brick."""
+        """The host's controller connects to the brick."""
         create = HCI_Cmd_Create_Connection(bd_addr=ADDRESS)
         self._add(HCI_Hdr() / HCI_Command_Hdr() / create, False)
         self.wire.wait(1000)
@@ -79,7 +79,7 @@ class Link:
         self.wire.wait(2000)
 
     def completed(self) -> None:
-        """The controller says how many packets it has sent since it said so last."""
+        """The controller reports how many packets it has sent since its last report."""
         event = HCI_Event_Number_Of_Completed_Packets(
             num_handles=1, connection_handle_list=[CONNECTION], num_completed_packets_list=[self.sent]
         )
@@ -88,7 +88,7 @@ class Link:
         self.wire.wait(300)
 
     def packet(self, received: bool, cid: int, payload: Packet, fragment: int = 0) -> None:
-        """An L2CAP packet, in ACL packets of at most `fragment` bytes where that is given."""
+        """An L2CAP packet, in ACL packets of at most `fragment` bytes if that is given."""
         data = bytes(L2CAP_Hdr(cid=cid) / payload)
         for at in range(0, len(data), fragment or len(data)):
             boundary = 1 if at else 2 * received
@@ -103,7 +103,7 @@ class Link:
         self.packet(received, SIGNALS, L2CAP_CmdHdr(id=identifier) / payload)
 
     def open(self, psm: int, ours: int, theirs: int) -> None:
-        """An L2CAP channel: connected, then configured from both ends."""
+        """An L2CAP channel: connected, then configured by both ends."""
         self.channels[psm] = ours, theirs
         mtu = Raw(b"\x01\x02" + L2CAP_MTU.to_bytes(2, "little"))
         self.signals += 2
@@ -116,14 +116,14 @@ class Link:
         self.signal(False, L2CAP_ConfResp(scid=theirs) / mtu, ask)
 
     def close(self, psm: int) -> None:
-        """The end of an L2CAP channel."""
+        """Closes an L2CAP channel."""
         ours, theirs = self.channels.pop(psm)
         self.signals += 1
         self.signal(False, L2CAP_DisconnReq(dcid=theirs, scid=ours), self.signals)
         self.signal(True, L2CAP_DisconnResp(dcid=theirs, scid=ours), self.signals)
 
     def search(self) -> None:
-        """The host asks the brick's directory for its serial port."""
+        """The host searches the brick's service directory for the serial port."""
         self.open(SDP, 0x0040, 0x0050)
         ours, theirs = self.channels[SDP]
         self.packet(False, theirs, Sdp(kind=6, transaction=1) / Raw(SEARCH))
@@ -132,7 +132,7 @@ class Link:
 
 
 class SerialPort:
-    """RFCOMM over an L2CAP channel that the host has opened: the brick's channel 1."""
+    """RFCOMM over an L2CAP channel that the host has opened, with the brick's channel 1."""
 
     DLCI = RFCOMM_CHANNEL << 1
 
@@ -146,7 +146,7 @@ class SerialPort:
         self.link.packet(received, self.cids[received], Raw(frame), fragment)
 
     def ask(self, dlci: int, control: int) -> None:
-        """A request of the host about a DLCI, and the brick's consent."""
+        """A request of the host about a DLCI, and the brick's agreement."""
         self.frame(False, rfcomm_frame(dlci << 2 | 3, control | POLL))
         self.frame(True, rfcomm_frame(dlci << 2 | 3, DONE | POLL))
 
@@ -155,7 +155,7 @@ class SerialPort:
         self.frame(received, rfcomm_frame((not received) << 1 | 1, UIH, multiplexed(kind, is_command, body)))
 
     def open(self) -> None:
-        """From nothing to a serial port."""
+        """Opens the serial port."""
         self.ask(0, OPEN)
         self.multiplexer(False, NEGOTIATION, True, negotiated(ASKS, FRAME_SIZE))
         self.multiplexer(True, NEGOTIATION, False, negotiated(AGREES, FRAME_SIZE))
@@ -165,12 +165,12 @@ class SerialPort:
             self.multiplexer(not received, MODEM_STATUS, False, modem_status(self.DLCI))
 
     def close(self) -> None:
-        """The end of the serial port."""
+        """Closes the serial port."""
         self.ask(self.DLCI, CLOSED)
         self.ask(0, CLOSED)
 
     def data(self, received: bool, *pieces: bytes, fragment: int = 0) -> None:
-        """Pieces of data, one a frame. A frame brings credits when the other end has few left."""
+        """Pieces of data, one per frame. A frame brings credits when the other end has few left."""
         for piece in pieces:
             granted = self.lacking(received)
             self.credits[received] -= bool(piece)
@@ -182,12 +182,12 @@ class SerialPort:
             self.frame(received, rfcomm_frame(address, control, piece, credit), fragment)
 
     def lacking(self, received: bool) -> int:
-        """How many credits an end gives with its next frame: none while the other one has enough."""
+        """The credits that an end gives with its next frame: none while the other end has enough."""
         left = self.credits[not received]
         return CREDITS - left if left <= ENOUGH else 0
 
     def write(self, received: bool, data: bytes, fragment: int = 0) -> None:
-        """Data in frames as full as can be; a frame with credits holds one byte less."""
+        """Data in frames as long as possible; a frame with credits holds one byte less."""
         first = FRAME_SIZE - bool(self.lacking(received))
         rest = (data[at : at + FRAME_SIZE] for at in range(first, len(data), FRAME_SIZE))
         self.data(received, data[:first], *rest, fragment=fragment)
@@ -202,7 +202,7 @@ class SerialPort:
 
 
 def whole() -> Wire:
-    """From the connection to its end: search, serial port, dialogue."""
+    """A connection from beginning to end: search, serial port, dialogue."""
     wire = Wire()
     link = Link(wire)
     host = Host()
@@ -218,13 +218,13 @@ def whole() -> Wire:
     pair = dialogue.voltage(host)
     port.write(False, silent + pair.command)
     port.write(True, pair.reply)
-    # A command cut inside its length field; its reply cut, too, and the end of it with the next reply's.
+    # A command split inside its length field; its reply also split, and its end sent with the next reply's.
     first, second = dialogue.sensors(host), dialogue.touch(host, 100)
     port.data(False, first.command[:1], first.command[1:])
     port.data(False, second.command)
     port.data(True, first.reply[:7], first.reply[7:] + second.reply[:1], second.reply[1:])
     port.data(False, b"")
-    # An ACL packet that is cut, from the host and from the brick.
+    # An ACL packet that is split, from the host and from the brick.
     port.write(False, host.tell(dialogue.light("LED_RED_PULSE"), *dialogue.start_motors()), fragment=10)
     pair = dialogue.gyro(host)
     port.write(False, pair.command)
@@ -246,7 +246,7 @@ def whole() -> Wire:
 
 
 def begun_late() -> Wire:
-    """From the L2CAP channel on: neither the connection nor the search for the serial port was seen."""
+    """Begins with the L2CAP channel: neither the connection nor the search for the serial port was captured."""
     wire = Wire()
     link = Link(wire)
     host = Host(300)
@@ -254,7 +254,7 @@ def begun_late() -> Wire:
     port = SerialPort(link)
     port.open()
     port.exchange(dialogue.voltage(host))
-    # A reply in three frames, the second of which is cut into ACL packets; two commands in one frame.
+    # A reply in three frames, the second of which is split into ACL packets; two commands in one frame.
     pair = dialogue.sensors(host)
     port.write(False, pair.command)
     port.data(True, pair.reply[:1])
@@ -272,7 +272,7 @@ def begun_late() -> Wire:
 
 
 def with_direction(wire: Wire) -> Wire:
-    """The same with a word in front of each packet that says which way it went."""
+    """The same with a word before each packet that gives its direction."""
     found = Wire(wire.now)
     found.records = [
         Record(time, HCI_PHDR_Hdr(direction=int(received)) / packet, received)

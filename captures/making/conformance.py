@@ -1,6 +1,6 @@
-"""300 conversations that do a brick no harm, over all areas: what a real one answers otherwise than the virtual one.
+"""300 harmless conversations from all areas: they show where a real brick answers differently than the virtual one.
 
-No motor, no file is written or deleted, no setting changes, nothing is drawn or heard.
+No motor turns, no file is written or deleted, no setting changes, nothing is drawn or played.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from making.files import SECOND, Wire
 from making.wifi import Connection
 
 _PACE, _TICK = 100_000, 2_000
-"""Microseconds from one command to the next, and from one look at the brick to the next."""
+"""Microseconds between commands, and between checks for a reply."""
 
 _TYPES = {"8": "DATA8", "16": "DATA16", "32": "DATA32", "F": "DATAF"}
 _PAIRS = {"8": ((7, 5), (-100, 3)), "16": ((1000, 7), (-30000, 2)), "32": ((100000, 70), (-2000000000, 3))}
@@ -67,7 +67,7 @@ def _functions() -> Iterator[str]:
 
 
 def _jumps() -> Iterator[str]:
-    """What jumps, and what does not."""
+    """Jumps that are taken, and jumps that are not."""
     for name, values in (
         ("JR_FALSE", "0"),
         ("JR_TRUE", "0"),
@@ -170,7 +170,7 @@ def _states() -> Iterator[str]:
 
 
 def _names() -> Iterator[str]:
-    """Names of files, and what is no file."""
+    """Names of files, and names without a file."""
     for name in ("../prjs", "../sys", "/none", "../prjs/none/x.rbf"):
         yield f"DATA8 x\nFILENAME(EXIST, '{name}', x)"
     for name in ("a", "ab c", "a.rbf", "a*b"):
@@ -199,7 +199,7 @@ def _transfers() -> Iterator[Message]:
 
 
 def commands() -> list[bytes]:
-    """All of them, in their order."""
+    """All conversations, in order."""
     texts = chain(_numbers(), _functions(), _jumps(), _texts(), _memory(), _states(), _names())
     direct = (message for text in texts for message in assemble(text, reply=True))
     frames = [message.build() for message in chain(direct, _transfers())]

@@ -1,4 +1,4 @@
-"""What host and brick say: frames, built by ev3proto, without any carrier around them."""
+"""The messages of host and brick: frames, built by ev3proto, without a carrier around them."""
 
 from __future__ import annotations
 
@@ -21,16 +21,16 @@ from ev3proto.messages import FieldValue
 from ev3proto.tables.enumerations import LEDPATTERN, TYPE
 
 HANDLE = 0
-"""The handle that the brick gives for the one file that is open."""
+"""The handle that the brick gives for the only open file."""
 
 NO_HANDLE = 0xFF
-"""What the brick gives instead of a handle when it opens nothing."""
+"""The handle in a reply if the brick opens nothing."""
 
 CONTENTS = "".join(f"{number};{number * number / 7:.3f}\r\n" for number in range(210)).encode()
 """A file: lines of numbers, as a data log has them."""
 
 IMAGE = b"LEGO" + bytes(number * 7 % 251 for number in range(2496))
-"""A file of 2500 bytes: the start of a program, then bytes that follow a rule."""
+"""A file of 2500 bytes: the start of a program, then bytes by a rule."""
 
 
 class Exchange(NamedTuple):
@@ -41,7 +41,7 @@ class Exchange(NamedTuple):
 
 
 class Host:
-    """Makes commands, each with the next counter, and what the brick answers to them."""
+    """Makes commands, each with the next counter, and the replies of the brick."""
 
     def __init__(self, counter: int = 1) -> None:
         self.counter = counter
@@ -55,7 +55,7 @@ class Host:
         return direct_command(*operations, counter=self._count()).build()
 
     def ask(self, *operations: Operation, memory: bytes = b"", refused: int = 0) -> Exchange:
-        """A direct command with its reply, which carries this memory; `refused`: asks for so much, gets an error."""
+        """A direct command and its reply, which carries this memory; `refused` bytes are requested and refused."""
         counter = self._count()
         command = direct_command(*operations, counter=counter, reply=True, global_size=refused or len(memory))
         reply = direct_reply(memory, counter=counter, error=bool(refused))
@@ -75,7 +75,7 @@ class Host:
         return Exchange(asked.build(), reply.build())
 
     def mail(self, name: str, payload: bytes) -> bytes:
-        """A message for a mailbox, which is never answered."""
+        """A message to a mailbox, which is never answered."""
         return system_command("WRITEMAILBOX", counter=self._count(), reply=False, name=name, payload=payload).build()
 
 
@@ -130,7 +130,7 @@ def sensors(host: Host) -> Exchange:
 
 
 def gyro(host: Host, angle: float = -12.0, rate: float = 3.0) -> Exchange:
-    """Angle and rate of the gyro sensor on port 2 in SI units: as many outputs as the operation says."""
+    """Angle and rate of the gyro sensor on port 2 in SI units: the number of outputs is an argument."""
     ready = operation(
         "INPUT_DEVICE.READY_SI", LAYER=0, NO=1, TYPE=TYPE.members["TYPE_GYRO"], MODE=3, VALUES=[GV(0), GV(4)]
     )
@@ -147,7 +147,7 @@ def versions(host: Host) -> Exchange:
 
 
 def misaligned(host: Host) -> Exchange:
-    """A command that the brick refuses: no float can stand at an odd place in its memory."""
+    """A command that the brick refuses: a float at an odd place in its memory."""
     return host.ask(operation("UI_READ.GET_VBATT", GV(1)), refused=5)
 
 
@@ -155,12 +155,12 @@ def misaligned(host: Host) -> Exchange:
 
 
 def status_at(end: int, size: int) -> SystemStatus:
-    """What the brick says when so much of a file was moved."""
+    """The brick's status when this much of a file was transferred."""
     return SystemStatus.END_OF_FILE if end >= size else SystemStatus.SUCCESS
 
 
 def listing(host: Host, path: str, piece: int) -> list[Exchange]:
-    """A folder's contents, in pieces."""
+    """The contents of a folder, in pieces."""
     files = {"values.rtf": CONTENTS, "first.rbf": IMAGE}
     lines = [
         "../",
@@ -205,7 +205,7 @@ def download(host: Host, path: str, data: bytes, piece: int = 1017) -> list[Exch
 
 
 def long_download(host: Host, path: str, data: bytes, first: int) -> list[Exchange]:
-    """A file to the brick: its first bytes with its name, all the others in one frame."""
+    """A file to the brick: its first bytes with its name, the rest in one frame."""
     begin: dict[str, FieldValue] = {"size": len(data), "path": path, "data": data[:first]}
     found = [host.system("BEGIN_DOWNLOAD", {"handle": HANDLE}, status_at(first, len(data)), **begin)]
     if data[first:]:
@@ -215,7 +215,7 @@ def long_download(host: Host, path: str, data: bytes, first: int) -> list[Exchan
 
 
 def illegal_download(host: Host) -> Exchange:
-    """A file that the brick will not take."""
+    """A file that the brick refuses."""
     return host.system(
         "BEGIN_DOWNLOAD", {"handle": NO_HANDLE}, SystemStatus.ILLEGAL_PATH, size=3, path="/home/root/none/here.rtf"
     )

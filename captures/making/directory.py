@@ -1,4 +1,4 @@
-"""The messages of the service directory, SDP, in which a host finds the serial port."""
+"""The messages of the service discovery protocol, SDP, by which a host finds the serial port."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ SERIAL_PORT = 0x1101
 
 
 class Sdp(Packet):
-    """The head of a message to or from a service directory."""
+    """The header of a message to or from a service directory."""
 
     name = "SDP"
     fields_desc = [XByteField("kind", 0), ShortField("transaction", 0), LenField("length", None)]  # noqa: RUF012
@@ -39,7 +39,7 @@ def sequence(*elements: bytes) -> bytes:
 
 
 SEARCH = sequence(uuid(SERIAL_PORT)) + b"\x02\x00" + sequence(number(0x0000FFFF, 4)) + b"\0"
-"""The search for a serial port: pattern, most bytes, all attributes, no continuation."""
+"""The search for a serial port: pattern, maximum size, all attributes, no continuation."""
 
 FOUND = sequence(
     sequence(
@@ -50,4 +50,4 @@ FOUND = sequence(
         *(number(0x0100, 2), text("Serial Port")),
     )
 )
-"""What the directory knows: handle, classes, protocols (L2CAP, RFCOMM channel 1), where to browse it, name."""
+"""The record in the directory: handle, classes, protocols (L2CAP, RFCOMM channel 1), browse group, name."""

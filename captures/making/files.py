@@ -1,4 +1,4 @@
-"""Packets with their times, and the file formats they are written in."""
+"""Packets with their times, and the formats of capture files."""
 
 from __future__ import annotations
 
@@ -13,17 +13,17 @@ SECOND = 1_000_000
 """Times are whole microseconds since 1970."""
 
 START = 1_767_261_600 * SECOND
-"""When every capture begins: 1 January 2026, 10:00 UTC."""
+"""The time when every capture begins: 1 January 2026, 10:00 UTC."""
 
 BTSNOOP_EPOCH = 0x00DCDDB30F2F8000
-"""1970 as btsnoop files count: microseconds since the year 0."""
+"""1970 in btsnoop files: microseconds since the year 0."""
 
 BTSNOOP_H4 = 1002
-"""The data link of Android's Bluetooth logs: HCI packets with their type in front, as a UART carries them."""
+"""The link type of Android's Bluetooth logs: HCI packets after their type, as on a UART."""
 
 
 class Record(NamedTuple):
-    """One packet: when, what, and for carriers that record it, whether this end received it."""
+    """One packet: time, bytes, and for carriers that record it, whether this end received it."""
 
     time: int
     packet: Packet | bytes
@@ -31,18 +31,18 @@ class Record(NamedTuple):
 
 
 class Wire:
-    """What was captured so far. Its clock stands still between two calls of `wait`."""
+    """The packets captured so far. The clock advances only by `wait`."""
 
     def __init__(self, now: int = START) -> None:
         self.now = now
         self.records: list[Record] = []
 
     def wait(self, microseconds: int) -> None:
-        """Lets time go by."""
+        """Advances the clock."""
         self.now += microseconds
 
     def add(self, packet: Packet | bytes, received: bool = False) -> None:
-        """A packet goes by now."""
+        """Adds a packet at the current time."""
         self.records.append(Record(self.now, packet, received))
 
 
@@ -61,7 +61,7 @@ def write_pcapng(path: Path, wire: Wire, link: int) -> None:
         writer.linktype = link
         writer.write_header(None)
         for time, packet, _ in wire.records:
-            # The writer cuts off what is less than a microsecond: half of one makes up for what a float cannot hold.
+            # The writer truncates to microseconds; adding half of one compensates for the precision of floats.
             writer.write_packet(bytes(packet), sec=(time + 0.5) / SECOND)
 
 
@@ -77,7 +77,7 @@ class BtsnoopHeader(Packet):
 
 
 class BtsnoopRecord(Packet):
-    """What stands in front of a packet in a btsnoop file."""
+    """The header of a packet in a btsnoop file."""
 
     name = "btsnoop record"
     fields_desc = [  # noqa: RUF012
@@ -90,7 +90,7 @@ class BtsnoopRecord(Packet):
 
 
 def write_btsnoop(path: Path, wire: Wire) -> None:
-    """A btsnoop file of HCI packets, each with its H4 type in front. Flags: 1 received, 2 command or event."""
+    """A btsnoop file of HCI packets, each after its H4 type. Flags: 1 received, 2 command or event."""
     with path.open("wb") as file:
         file.write(bytes(BtsnoopHeader()))
         for time, packet, received in wire.records:

@@ -1,4 +1,4 @@
-"""How operating systems record USB: Linux by usbmon, Windows by USBPcap."""
+"""The formats in which operating systems record USB: Linux by usbmon, Windows by USBPcap."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from ev3proto.tables.frame import MAX_FRAME
 from making.files import Wire
 
 ESHUTDOWN = 108
-"""Linux' number, whatever system this runs on."""
+"""Linux' number of an error, on any system."""
 
 DIRECTION_IN = 0x200
 """Linux' flag of a request whose data goes to the host."""
@@ -23,22 +23,22 @@ NANOSECONDS_EACH = 1000
 """In a microsecond."""
 
 BULK_OR_INTERRUPT = 0x0009
-"""Windows' number for what an URB on an interrupt endpoint does."""
+"""Windows' number for the function of an URB on an interrupt endpoint."""
 
 
 class Urbs(Protocol):
-    """How an operating system records what goes to and from the interrupt endpoints of one device."""
+    """The records of an operating system about the interrupt endpoints of one device."""
 
     wire: Wire
 
     def out(self, endpoint: int, data: bytes) -> None:
-        """Data for the device: submitted, and done a little later."""
+        """Data for the device: submitted, and completed a little later."""
 
     def listen(self, endpoint: int) -> None:
-        """The device may send a report."""
+        """Asks the device for a report."""
 
     def heard(self, endpoint: int, data: bytes) -> None:
-        """The device sent it."""
+        """The device sends the report."""
 
 
 class Linux:
@@ -67,21 +67,21 @@ class Linux:
         self.wire.add(stamped(packet, self.wire.now * NANOSECONDS_EACH))
 
     def out(self, endpoint: int, data: bytes) -> None:
-        """Data for the device: submitted, and done a little later."""
+        """Data for the device: submitted, and completed a little later."""
         self._add(SUBMITTED, endpoint, data, len(data))
         self.wire.wait(900)
         self._add(DONE, endpoint, b"", len(data))
 
     def listen(self, endpoint: int) -> None:
-        """The device may send a report."""
+        """Asks the device for a report."""
         self._add(SUBMITTED, endpoint, b"", self.size)
 
     def heard(self, endpoint: int, data: bytes, failure: int = 0) -> None:
-        """The device sent it."""
+        """The device sends the report."""
         self._add(DONE, endpoint, data, len(data), -failure)
 
     def control(self, kind: int, request: int, value: int, index: int, length: int, data: bytes = b"") -> None:
-        """A request on endpoint 0; `data` is what the device gives."""
+        """A request on endpoint 0; `data` is the answer of the device."""
         endpoint = kind & 0x80
         setup = struct.pack("<BBHHH", kind, request, value, index, length)
         self._add(SUBMITTED, endpoint, b"", length, setup=setup)
@@ -112,15 +112,15 @@ class Windows:
         self.wire.add(head / Raw(data) if data else head)
 
     def out(self, endpoint: int, data: bytes) -> None:
-        """Data for the device: submitted, and done a little later."""
+        """Data for the device: submitted, and completed a little later."""
         self._add(endpoint, data, done=False)
         self.wire.wait(900)
         self._add(endpoint, b"", done=True)
 
     def listen(self, endpoint: int) -> None:
-        """The device may send a report; USBPcap does not record of what size."""
+        """Asks the device for a report; USBPcap does not record its size."""
         self._add(endpoint, b"", done=False)
 
     def heard(self, endpoint: int, data: bytes) -> None:
-        """The device sent it."""
+        """The device sends the report."""
         self._add(endpoint, data, done=True)

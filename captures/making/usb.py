@@ -1,4 +1,4 @@
-"""USB: what a brick's reports are on the bus, how it is enumerated, and other devices beside it."""
+"""USB: the reports of a brick on the bus, its enumeration, and other devices."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ from making.urbs import ESHUTDOWN, Linux, Urbs, Windows
 
 
 class Brick:
-    """The brick's reports. Both ends write each frame over the start of a buffer that keeps what was there before."""
+    """The brick's reports. Both ends write each frame over the start of a buffer, which keeps older bytes after it."""
 
     def __init__(self, urbs: Urbs, size: int = MAX_FRAME) -> None:
         self.urbs = urbs
@@ -52,7 +52,7 @@ class Brick:
         self.urbs.out(OUT, bytes(self.sent))
 
     def receive(self, frame: bytes) -> None:
-        """The brick sends a frame, and the host asks for the next one."""
+        """The brick sends a frame, and the host asks for the next."""
         self.received[: len(frame)] = frame
         self.urbs.wire.wait(3100)
         self.urbs.heard(IN, bytes(self.received))
@@ -73,7 +73,7 @@ class Brick:
 
 
 def enumerate_device(usb: Linux, product: int, names: tuple[str, str, str]) -> None:
-    """What Linux asks a brick that was plugged in: descriptors, names (maker, product, serial number), its reports."""
+    """Linux' requests to a brick that was plugged in: descriptors, names (maker, product, serial number), reports."""
     whole = configuration()
     usb.control(0x80, GET_DESCRIPTOR, DEVICE_DESCRIPTOR << 8, 0, 18, device(product))
     usb.control(0x80, GET_DESCRIPTOR, CONFIGURATION << 8, 0, CONFIGURATION_SIZE, whole)
@@ -112,7 +112,7 @@ def plugged_in() -> Wire:
 
 
 def among_others() -> Wire:
-    """A brick, a mouse and a security key that were plugged in before; only the brick speaks the protocol."""
+    """A brick, a mouse and a security key that were plugged in before; only the brick uses the protocol."""
     wire = Wire()
     usb = Linux(wire, device=7, mapped=False)
     mouse = Linux(wire, device=3, mapped=False, size=8)
@@ -159,11 +159,11 @@ KEY_ANSWER = KEY_REQUEST.replace(b"\0\x08", b"\0\x11") + bytes.fromhex("0A 00 00
 """A security key is asked for a channel; it gives 0A000001."""
 
 KEY_PING = bytes.fromhex("0A 00 00 01 81 00 05 68 65 6C 6C 6F")
-"""A message on that channel. Its head looks like that of a frame: length 10, type SYSTEM_COMMAND_NO_REPLY."""
+"""A message on that channel. Its start looks like a frame: length 10, type SYSTEM_COMMAND_NO_REPLY."""
 
 
 def windows() -> Wire:
-    """A short dialogue under Windows, the brick plugged in before."""
+    """A short dialogue under Windows, with a brick that was plugged in before."""
     usb = Windows(Wire(), device=11, bus=2)
     brick, host = Brick(usb), Host(41)
     brick.listen()
@@ -177,17 +177,17 @@ def windows() -> Wire:
 
 
 def bootloader() -> Wire:
-    """A brick in its firmware updater: a new firmware, and one reply with the request written over its start."""
+    """A brick in its firmware updater: a new firmware, and one reply whose start is overwritten by the request."""
     usb = Linux(Wire(), device=8, bus=2)
     enumerate_device(usb, USB_BOOTLOADER, ("LEGO Group", "EV3 Firmware Update", "06165300000a"))
     brick, host = Brick(usb), Host(0)
     brick.listen()
-    # The known fault: as seen in the field, byte for byte.
+    # The known fault, with the bytes seen on a real brick.
     request = system_command("GET_VERSION", counter=host.counter).build()
     brick.send(request)
     brick.receive(request + FAULTY_END)
     host.counter += 1
-    # Asked again, it answers well.
+    # Asked again, it answers correctly.
     version: dict[str, int | str | bytes] = {"hardware_version": 0xB67F, "firmware_version": 0x0600}
     brick.exchange(host.system("GET_VERSION", version))
     brick.exchange(host.system("BEGIN_DOWNLOAD_WITH_ERASE", address=0, image_size=len(IMAGE)))
@@ -195,18 +195,18 @@ def bootloader() -> Wire:
         brick.exchange(host.system("DOWNLOAD_DATA", data=IMAGE[at : at + 1018]))
     brick.exchange(host.system("GET_CHECKSUM", {"checksum": zlib.crc32(IMAGE)}, address=0, image_size=len(IMAGE)))
     brick.exchange(host.system("START_APP"))
-    # It goes away, and comes back as another device.
+    # It disconnects, and returns as another device.
     usb.wire.wait(SECOND // 2)
     usb.heard(IN, b"", ESHUTDOWN)
     return usb.wire
 
 
 FAULTY_END = bytes.fromhex("7F B6 00 00 00 06 00 00")
-"""What stood behind the request in that reply."""
+"""The bytes after the request in that reply."""
 
 
 def chain() -> Wire:
-    """Two bricks joined by USB, as the upper one sees it: reports of 64 bytes."""
+    """Two bricks joined by USB, as the upper one sees it, in reports of 64 bytes."""
     usb = Linux(Wire(), device=2, size=REPORT_SIZES[0])
     lower = Brick(usb, usb.size)
     lower.listen()
@@ -240,6 +240,6 @@ def up(kind: MessageType, counter: int, payload: bytes) -> bytes:
 
 
 def sensor_report(port: int, kind: int, value: bytes) -> bytes:
-    """A sensor of the lower brick. How the checksum is made is a guess: by exclusive or."""
+    """A sensor of the lower brick. The algorithm of the checksum, exclusive or, is a guess."""
     data = bytes((1, port, 0, kind, 0)) + value.ljust(daisy.SENSOR_DATA_SIZE, b"\0")
     return data + bytes((reduce(xor, data),))

@@ -1,4 +1,4 @@
-"""WiFi: the beacon, the host's answer, and a TCP connection of two ends that number and acknowledge what they send."""
+"""WiFi: the beacon, the host's answer, and a TCP connection whose ends number and acknowledge their bytes."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ class End:
 
 
 class Connection:
-    """A host and a brick, and what goes between them."""
+    """A host and a brick, and the packets between them."""
 
     def __init__(self, wire: Wire) -> None:
         self.wire = wire
@@ -48,7 +48,7 @@ class Connection:
         self.brick = End("02:00:00:00:00:0a", "192.0.2.10", TCP_PORT, 64, 457, 0x20000000, 1)
 
     def other(self, end: End) -> End:
-        """The end that is not this one."""
+        """The other end."""
         return self.brick if end is self.host else self.host
 
     def _ip(self, sender: End, mac: str, ip: str) -> Packet:
@@ -59,12 +59,12 @@ class Connection:
     # Before the connection
 
     def beacon(self, name: str) -> None:
-        """The brick tells everybody that it is there."""
+        """The brick broadcasts its beacon."""
         datagram = UDP(sport=BRICK_SOURCE, dport=BEACON_PORT) / Beacon(SERIAL, name=name).build()
         self.wire.add(self._ip(self.brick, "ff:ff:ff:ff:ff:ff", "192.0.2.255") / datagram)
 
     def answer_beacon(self) -> None:
-        """The host sends the brick a datagram, no matter of what."""
+        """The host sends the brick a datagram, whose content does not matter."""
         datagram = UDP(sport=BEACON_PORT, dport=BRICK_SOURCE) / b"\0"
         self.wire.add(self._ip(self.host, self.brick.mac, self.brick.ip) / datagram)
 
@@ -73,7 +73,7 @@ class Connection:
     def segment(
         self, sender: End, data: bytes = b"", flags: str = "A", options: Sequence[tuple[str, object]] = ()
     ) -> Packet:
-        """The sender's next segment, which is not sent yet."""
+        """The sender's next segment, without sending it."""
         receiver = self.other(sender)
         head = TCP(
             sport=sender.port,
@@ -89,7 +89,7 @@ class Connection:
         return packet / data if data else packet
 
     def deliver(self, sender: End, packet: Packet) -> None:
-        """A segment goes by and arrives, nothing before it missing."""
+        """A segment passes and arrives in order."""
         self.wire.add(packet)
         self.other(sender).expects = sender.number
 
@@ -101,7 +101,7 @@ class Connection:
             self.wire.wait(1800)
 
     def send(self, sender: End, *pieces: bytes, after: int = 4000) -> None:
-        """Pieces of data, one a segment."""
+        """Pieces of data, one per segment."""
         self.wire.wait(after)
         for index, piece in enumerate(pieces):
             last = index == len(pieces) - 1
@@ -109,7 +109,7 @@ class Connection:
             self.wire.wait(300)
 
     def write(self, sender: End, data: bytes, after: int = 4000) -> None:
-        """Data in segments as full as can be."""
+        """Data in segments as long as possible."""
         self.send(sender, *(data[at : at + MSS] for at in range(0, len(data), MSS)), after=after)
 
     def acknowledge(self, sender: End, after: int = 40000) -> None:
@@ -118,19 +118,19 @@ class Connection:
         self.deliver(sender, self.segment(sender))
 
     def exchange(self, pair: Exchange) -> None:
-        """A command and its reply, each in segments of their own."""
+        """A command and its reply, each in its own segments."""
         self.write(self.host, pair.command)
         self.write(self.brick, pair.reply)
 
     def unlock(self) -> None:
-        """The text that the brick wants to see first, and what it says then."""
+        """The unlock text, and the brick's answer."""
         self.send(self.host, Unlock(SERIAL).build(), after=500)
         self.acknowledge(self.brick, after=2000)
         self.send(self.brick, ACCEPT + b"\0")
         self.acknowledge(self.host)
 
     def close(self) -> None:
-        """Both ends say that they are done."""
+        """Both ends close the connection."""
         self.wire.wait(SECOND)
         for sender, flags in ((self.host, "FA"), (self.brick, "FA"), (self.host, "A")):
             self.deliver(sender, self.segment(sender, flags=flags))
@@ -151,7 +151,7 @@ def whole() -> Wire:
     wire.wait(30_000)
     connection.open()
     connection.unlock()
-    # Without reply: the brick's TCP answers, a little later.
+    # Without reply: the brick's TCP acknowledges it, a little later.
     connection.send(computer, host.tell(dialogue.tone()))
     connection.acknowledge(brick)
     connection.exchange(dialogue.sensors(host))
@@ -161,11 +161,11 @@ def whole() -> Wire:
     pair = dialogue.voltage(host)
     connection.send(computer, silent + pair.command)
     connection.send(brick, pair.reply)
-    # A command cut inside its length field, its reply too.
+    # A command split inside its length field, and its reply, too.
     pair = dialogue.motor_angles(host, 421, -17)
     connection.send(computer, pair.command[:1], pair.command[1:])
     connection.send(brick, pair.reply[:1], pair.reply[1:9], pair.reply[9:])
-    # Two commands cut so that a segment ends inside the second one's length field; two replies at once.
+    # Two commands split so that a segment ends inside the second one's length field; two replies at once.
     first, second = dialogue.touch(host, 100), dialogue.versions(host)
     both = first.command + second.command
     cut = len(first.command) + 1
@@ -207,12 +207,12 @@ def long_downloads() -> Wire:
     computer, brick = connection.host, connection.brick
     connection.open()
     connection.unlock()
-    # All of the file after its beginning, in one frame of 2500 bytes; then the zeros of a poll.
+    # The rest of the file in one frame of 2500 bytes; then the zeros of a poll.
     begin, rest = dialogue.long_download(host, "../prjs/log/first.rbf", IMAGE, 3)
     connection.exchange(begin)
     connection.write(computer, rest.command + bytes(2))
     connection.write(brick, rest.reply)
-    # All of the file with its name.
+    # The whole file with its name.
     (whole,) = dialogue.long_download(host, "../prjs/log/hello.rtf", b"hello", 5)
     connection.send(computer, bytes(4) + whole.command)
     connection.send(brick, whole.reply)
@@ -224,7 +224,7 @@ def long_downloads() -> Wire:
 
 
 def reordered() -> Wire:
-    """A connection with a segment sent twice and two that arrive in the wrong order."""
+    """A connection with a repeated segment and two segments in the wrong order."""
     wire = Wire()
     connection = Connection(wire)
     host = Host(0x8000)
@@ -232,7 +232,7 @@ def reordered() -> Wire:
     connection.open()
     connection.unlock()
     connection.exchange(dialogue.voltage(host))
-    # The brick's answer to this one is long in coming, so the host sends it again.
+    # The brick's answer to this one is late, so the host sends it again.
     pair = dialogue.gyro(host)
     wire.wait(4000)
     packet = connection.segment(computer, pair.command, "PA")
@@ -259,7 +259,7 @@ def reordered() -> Wire:
     wire.wait(100)
     connection.deliver(brick, two)
     connection.acknowledge(computer, after=200)
-    # A command of two segments, of which the second comes first.
+    # A command of two segments, which arrive in the wrong order.
     begin, rest = dialogue.download(host, "../prjs/log/first.rbf", IMAGE[:40])
     one, two = (connection.segment(computer, piece, "PA") for piece in (begin.command[:1], begin.command[1:]))
     wire.wait(4000)

@@ -225,7 +225,7 @@ def test_files(address: str, tmp_path: Path) -> None:
         assert printed("decode", CAPTURES / "ev3_dc.pcap").startswith(shown)
         assert (len(shown) > 190_000, rest.split(" ", 1)[1]) == (
             True,
-            "more lines: ev3proto on the command line shows all\n",
+            "more lines; ev3proto on the command line shows all\n",
         )
         page.browser.find_element(By.CSS_SELECTOR, "#dialogues summary").click()
         row = [each.text for each in page.browser.find_elements(By.CSS_SELECTOR, "#dialogues tbody tr:nth-child(2) td")]
@@ -319,7 +319,7 @@ def test_without_npm_the_rest_can_be_built(tmp_path: Path) -> None:
 
     refused = build()
     assert refused.returncode != 0
-    assert "the playground needs npm, which is not installed: -t no_playground builds the rest" in refused.stderr
+    assert "npm is not installed, which the playground needs; -t no_playground builds the rest" in refused.stderr
     done = build("-t", "no_playground")
     assert (done.returncode, done.stderr) == (0, "")
     assert (tmp_path / "site" / "index.html").exists()

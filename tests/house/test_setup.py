@@ -343,7 +343,7 @@ def test_several_extras_at_once(checkout: Checkout) -> None:
     process = checkout.start("plots")
     _, said = process.communicate(timeout=30)
     assert process.returncode == 2
-    assert said.startswith("bin/setup: unknown extra 'plots'; there are: docs page plot sample scapy")
+    assert said.startswith("bin/setup: unknown extra 'plots'; it must be one of: docs page plot sample scapy")
 
 
 def test_help_installs_nothing(checkout: Checkout) -> None:

@@ -15,7 +15,7 @@ GAP = r"(?:[^\S\n]|\n\s*(?:#|--|//|>)?[^\S\n]*)+"
 
 PHRASES = {
     r"is (?-i:none)": "does not exist, has none, is not one",
-    r"(?<!there\s)(?:is|are) no(?! longer| more)": "unknown X, not an X, no such X ('there is no' and 'is no longer' are right)",
+    r"(?<!there\s)(?:is|are) no(?! longer| more)": "not an X, unknown X ('there is no X' and 'is no longer' are right)",
     r"whoever": "the caller, the client, the reader",
     r"nobody": "not ... by anyone; or the passive",
     r"somebody": "a user, a client; or the passive",

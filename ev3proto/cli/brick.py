@@ -9,7 +9,6 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from inspect import cleandoc
 from pathlib import Path
-from random import Random
 
 import click
 
@@ -20,54 +19,59 @@ from ev3proto.brick.servers.limits import PATIENCE, UNLOCK_TIME
 from ev3proto.brick.servers.reporting import Reporter
 from ev3proto.brick.servers.script import Script, ScriptError, read_script
 from ev3proto.brick.servers.server import Options, ServerError, running
-from ev3proto.cli.commands import FiniteRange, given_options, incompatible
 from ev3proto.cli.ending import stopped_by_signals
+from ev3proto.cli.faults import fault_options
+from ev3proto.cli.options import dialect_option, given_options, incompatible
 from ev3proto.cli.output import Failure, Printer, complain, failing_on, failing_to, flush, say
-from ev3proto.tables.declaration import DIALECTS
 from ev3proto.tables.discovery import TCP_PORT
 from ev3proto.temporary import temporary_folder
 
-_SHARE = FiniteRange(0, 1)
 _PORT = click.IntRange(0, 65535)
-_MOST_DELAY = 60
-
 _MOST_CLIENTS = 1000
 
 
 class _WithDifferences(click.Command):
-    """A command whose help also says what the virtual brick does on purpose in another way than a real one."""
+    """A command whose help also lists how the virtual brick differs from a real one on purpose."""
 
     def format_help_text(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         limits = (
-            f"A direct command that has taken {PATIENCE:g} s is ended when another client waits.",
+            f"A direct command is ended after {PATIENCE:g} s if another client waits.",
             f"A client that has not sent the unlock text after {UNLOCK_TIME:g} s is disconnected.",
         )
         differences = "\n\n".join(f"- {sentence}" for sentence in (*limits, *DEVIATIONS))
         about = self.help
         # The examples come last, as in every help.
         text, examples_mark, examples = cleandoc(about or "").rpartition("\n\n\b\n")
-        self.help = (
-            f"{text}\n\nWhere it differs from a real brick on purpose:\n\n{differences}{examples_mark}{examples}"
-        )
+        self.help = f"{text}\n\nIt differs from a real brick on purpose:\n\n{differences}{examples_mark}{examples}"
         super().format_help_text(ctx, formatter)
         self.help = about
 
 
 @click.command(cls=_WithDifferences)
 @click.option(
-    "--address", default="127.0.0.1", metavar="ADDRESS", help="Where to listen; only this computer by default."
+    "--address", default="127.0.0.1", metavar="ADDRESS", help="Address to listen on; by default only this computer's."
 )
-@click.option("--port", type=_PORT, default=TCP_PORT, show_default=True, help="TCP port of WiFi; 0 takes any.")
-@click.option("--beacon/--no-beacon", default=True, help="Whether it says by UDP that it is there.")
-@click.option("--wifi/--no-wifi", default=True, help="Whether there is WiFi at all.")
+@click.option(
+    "--port",
+    type=_PORT,
+    default=TCP_PORT,
+    show_default=True,
+    metavar="PORT",
+    help="TCP port for WiFi; 0 takes a free one.",
+)
+@click.option("--beacon/--no-beacon", default=True, help="Announce the brick by UDP beacon.")
+@click.option("--wifi/--no-wifi", default=True, help="Let programs connect by WiFi.")
 @click.option(
     "--clients",
     type=click.IntRange(1, _MOST_CLIENTS),
     default=1,
     show_default=True,
+    metavar="NUMBER",
     help="Clients served at once; a real brick serves one, and others wait.",
 )
-@click.option("--serial", type=click.Path(path_type=Path), metavar="PATH", help="A serial port too, by this link.")
+@click.option(
+    "--serial", type=click.Path(path_type=Path), metavar="PATH", help="Also offer a serial port, linked to this path."
+)
 @click.option(
     "--http",
     "page",
@@ -75,46 +79,44 @@ class _WithDifferences(click.Command):
     is_flag=False,
     flag_value=0,
     metavar="[PORT]",
-    help="A page that shows the brick; the link is printed.",
+    help="Also serve a web page that shows the brick; its link is printed.",
 )
 @click.option(
     "--root",
     type=click.Path(file_okay=False, path_type=Path),
     metavar="DIR",
-    help="Folder that stands for /home/root/lms2012; otherwise one that is gone at the end.",
+    help="Folder to use as /home/root/lms2012; by default a temporary one.",
 )
 @click.option(
     "--script",
     type=click.Path(path_type=Path),
     metavar="FILE",
-    help="TOML file that says what is plugged in and what happens.",
+    help="TOML file that describes what is plugged in and what happens.",
 )
 @click.option(
-    "--record", type=click.Path(dir_okay=False, path_type=Path), metavar="FILE", help="Capture (pcapng) to write."
+    "--record",
+    type=click.Path(dir_okay=False, path_type=Path),
+    metavar="FILE",
+    help="Record to this capture file (pcapng).",
 )
 @click.option(
-    "--report", is_flag=True, help="At the end, say what `check` finds in the clients' frames; status 1 with errors."
+    "--report",
+    is_flag=True,
+    help="At the end, report what `check` finds in the clients' frames; exit status 1 if there are errors.",
 )
 @click.option("--errors-only", is_flag=True, help="Report errors only.")
 @click.option("--json", "as_json", is_flag=True, help="Report one JSON object a line.")
-@click.option("--serial-number", metavar="HEX", help="12 hexadecimal digits to show as the brick's own.")
+@click.option("--serial-number", metavar="HEX", help="Serial number of the brick, 12 hexadecimal digits.")
 @click.option(
     "--screenshot",
     type=click.Path(dir_okay=False, path_type=Path),
     metavar="FILE",
-    help="Picture (PNG) of the display at the end.",
+    help="Save the display as a picture (PNG) at the end.",
 )
-@click.option(
-    "--delay", type=FiniteRange(0, _MOST_DELAY), default=0.0, metavar="SECONDS", help="Hold every reply back."
-)
-@click.option("--drop", type=_SHARE, default=0.0, metavar="SHARE", help="Share of replies that are lost, 0 to 1.")
-@click.option(
-    "--corrupt", type=_SHARE, default=0.0, metavar="SHARE", help="Share of replies with a wrong byte, 0 to 1."
-)
-@click.option("--seed", type=int, metavar="NUMBER", help="Lose and change the same replies every time.")
-@click.option("--dialect", type=click.Choice(list(DIALECTS)), default="official", show_default=True)
-@click.option("--quiet", is_flag=True, help="Do not say at the start where it differs from a real brick.")
-@click.option("--coverage", is_flag=True, help="List the operations that it cannot do, and end.")
+@fault_options
+@dialect_option
+@click.option("--quiet", is_flag=True, help="Do not list the differences from a real brick at the start.")
+@click.option("--coverage", is_flag=True, help="List the operations that are not implemented, and exit.")
 def brick(
     address: str,
     port: int,
@@ -131,24 +133,22 @@ def brick(
     as_json: bool,
     serial_number: str | None,
     screenshot: Path | None,
-    delay: float,
-    drop: float,
-    corrupt: float,
-    seed: int | None,
+    faults: Faults,
     dialect: str,
     quiet: bool,
     coverage: bool,
 ) -> None:
-    """A virtual brick: WiFi on this computer, a folder for files, and whatever else is asked for.
+    """Runs a virtual brick for programs to connect to.
 
-    It answers as the firmware V1.04H does. The first line that it prints says where it listens; Ctrl-C switches it off.
+    It answers as the firmware V1.04H does. Programs connect by WiFi on this computer, or on a serial port. The first
+    line of its output says where it listens; Ctrl-C switches it off.
 
     \b
-    A script says what is plugged in, with raw readings by mode, and what happens:
+    A script describes what is plugged in, with raw readings, and what happens:
       name = "EV3"               # at most 12 characters
       voltage = 7.9              # volt
       current = 0.18             # ampere
-      period = 4.0               # seconds after which the steps begin again
+      period = 4.0               # seconds after which the steps start again
       [ports.1]
       type = "TYPE_TOUCH"        # a name or number of TYPE
       readings.0 = [0]           # mode 0
@@ -176,7 +176,7 @@ def brick(
         clients=clients,
         serial=serial,
         page=page,
-        faults=Faults(delay, drop, corrupt, Random(seed)),
+        faults=faults,
         record=record,
         report=report,
         screenshot=screenshot,

@@ -1,4 +1,4 @@
-"""`ev3proto check`: will the brick take a frame, which byte is wrong if not, and what a careful sender would change."""
+"""`ev3proto check`: whether the brick accepts a frame, which byte is wrong if not, and how to fix it."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from ev3proto.checking.codes import CODES, Code
 from ev3proto.checking.fixing import fix
 from ev3proto.checking.program_codes import PROGRAM_CODES
 from ev3proto.checking.report import Finding, Fix, Report
-from ev3proto.cli.commands import given_options, incompatible
+from ev3proto.cli.options import given_options, incompatible, json_option
 from ev3proto.cli.output import Printer, complain
 from ev3proto.cli.reading import SOURCE_SUFFIX, CaptureOptions, Piece, introduction, reading_options
 from ev3proto.cli.sources import Source, SourceReader, looks_like_assembly, sources
@@ -358,20 +358,20 @@ def _frames(count: int) -> str:
 
 @click.command()
 @click.argument("names", nargs=-1, metavar="[FRAME|FILE|-]...")
-@click.option("--json", "as_json", is_flag=True, help="One JSON object a line.")
-@click.option("--strict", is_flag=True, help="Warnings count as errors for the exit status.")
-@click.option("--fix", "fixes", is_flag=True, help="Print each frame fixed where the fix is certain, and what is left.")
+@json_option
+@click.option("--strict", is_flag=True, help="Count warnings as errors in the exit status.")
+@click.option("--fix", "fixes", is_flag=True, help="Print each frame with its certain fixes, and what remains.")
 @click.option("--no-hints", is_flag=True, help="Show errors and warnings only.")
-@click.option("--errors-only", is_flag=True, help="Show errors only, and of many frames those that have some.")
-@click.option("--quiet", is_flag=True, help="Show only how many frames there are and what was found.")
+@click.option("--errors-only", is_flag=True, help="Show errors only; of many frames, only those that have some.")
+@click.option("--quiet", is_flag=True, help="Show only the numbers of frames and findings.")
 @click.option(
     "--format",
     "style",
     type=click.Choice(FORMATS),
-    help="How to show findings: text, unless you say otherwise; sarif and github are for continuous integration.",
+    help="How to show findings (default: text); sarif and github are for continuous integration.",
 )
-@click.option("--carrier", type=click.Choice(CARRIERS), help="What is to carry the frames; a capture says so itself.")
-@click.option("--explain", "code", metavar="CODE", help=f"Explain a code, with an example; {ALL_CODES} lists them.")
+@click.option("--carrier", type=click.Choice(CARRIERS), help="What carries the frames; a capture says so itself.")
+@click.option("--explain", "code", metavar="CODE", help=f"Explain a code, with an example; '{ALL_CODES}' lists them.")
 @reading_options
 def check(
     names: tuple[str, ...],
@@ -386,13 +386,13 @@ def check(
     code: str | None,
     reading: CaptureOptions,
 ) -> None:
-    """Says whether the brick will take a frame, which byte is wrong if not, and how to fix it.
+    """Checks whether the brick accepts a frame, which byte is wrong if not, and how to fix it.
 
-    The verdict is that of the firmware itself, quirks included. Beside it stands what a careful sender would change:
-    errors will not do what was meant, warnings may not, hints only could be done better. Frames come in every form that
-    decode reads, or as assembly; of logs and captures, the replies of the brick are passed over.
+    The verdict is the firmware's own, quirks included. Findings say what a careful sender would change: an error will
+    not do what was meant, a warning may not, a hint marks something that could be done better. Frames can be written in
+    any form that decode reads, or as assembly. In logs and captures, the brick's replies are skipped.
 
-    Exit status: 1 where the brick refuses a frame, where there are errors, and where the input cannot be read; else 0.
+    Exit status: 1 if the brick refuses a frame, if there are errors, or if the input cannot be read; else 0.
 
     \b
       ev3proto check 08 00 2a 00 80 00 00 81 01 60

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import errno
-import math
 import os
 import sys
 from collections.abc import Iterator, Sequence
@@ -16,7 +15,6 @@ from traceback import walk_tb
 from typing import Any, NoReturn, TextIO
 
 import click
-from click.core import ParameterSource
 
 from ev3proto.cli.ending import ended_behind
 from ev3proto.cli.output import OutputError, complain, flush
@@ -58,58 +56,27 @@ def first_sentence(command: click.Command) -> str:
     return paragraph.partition(". ")[0].removesuffix(".")
 
 
-class FiniteRange(click.FloatRange):
-    """A finite number in a range."""
-
-    name = "number"
-
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
-        """The number that was written."""
-        number = float(super().convert(value, param, ctx))
-        if not math.isfinite(number):
-            self.fail(f"{number} is not a finite number", param, ctx)
-        return number
-
-
-def incompatible(first: str, second: str, reason: str = "") -> click.UsageError:
-    """Returns the error for two options that exclude each other, with a reason where it is not obvious."""
-    return click.UsageError(f"{first} and {second} cannot be used together{reason and ': '}{reason}")
-
-
-def given_options(*names: str) -> list[str]:
-    """Those of some options that were typed, as they are written; of two opposite ones, the one that was."""
-    context = click.get_current_context()
-    typed = [name for name in names if context.get_parameter_source(name) is ParameterSource.COMMANDLINE]
-    options = {str(option.name): option for option in context.command.params}
-    return [
-        (options[name].secondary_opts or options[name].opts)[-1]
-        if context.params.get(name) is False
-        else options[name].opts[-1]
-        for name in typed
-    ]
-
-
 SUBCOMMANDS = {
-    "brick": "A virtual brick: WiFi on this computer, a folder for files, and whatever else is asked for",
-    "check": "Says whether the brick will take a frame, which byte is wrong if not, and how to fix it",
-    "copy": "Copies a file to a brick, or from it",
-    "decode": "Shows what frames and programs say",
-    "dissector": "The dissector for Wireshark: a Lua file that lets Wireshark read frames, and one for statistics",
-    "encode": "Makes frames",
-    "export": "Writes the protocol, or frames, for other tools",
-    "extcap": "Lets Wireshark capture through `ev3proto proxy`: Wireshark calls this, users do not",
-    "files": "Puts the files that were moved to or from the brick back together",
-    "help": "Shows the help of a subcommand; of an operation or a code, what is known of it",
-    "live": "Shows dialogues while they happen: a line each, with values and latency",
-    "ops": "Lists the operations, searches them, or shows one in full",
-    "proxy": "Stands between a program and a brick, shows what they say and records it",
-    "replay": "Sends the commands of a capture again, and reports replies that differ from the recorded ones",
-    "run": "Runs a program, an image (.rbf) or a source (.lms), on a virtual brick until it ends",
-    "sample": "Draws frames at random, from all that the tables have",
-    "send": "Sends frames to a brick and shows what it answers",
-    "stats": "Counts what is in captures, or in texts that have frames; of several files together",
-    "timeline": "Draws who said what when, how long the brick took to answer, and what went wrong",
-    "values": "Prints values over time: battery, sensors, motors, latencies, messages to mailboxes",
+    "brick": "Runs a virtual brick for programs to connect to",
+    "check": "Checks whether the brick accepts a frame, which byte is wrong if not, and how to fix it",
+    "copy": "Copies a file to or from a brick",
+    "decode": "Shows the contents of frames, captures and programs",
+    "dissector": "Builds, installs or removes the dissector for Wireshark",
+    "encode": "Builds frames from assembly, JSON or other notations, and programs from their sources",
+    "export": "Writes the protocol, or frames, in the formats of other tools",
+    "extcap": "Captures for Wireshark through `ev3proto proxy`; Wireshark runs this, users do not",
+    "files": "Recovers the files that were transferred to or from the brick",
+    "help": "Shows the help of a subcommand, or explains an operation or a code",
+    "live": "Shows dialogues live, one a line, with values and latency",
+    "ops": "Lists or searches the operations, or shows one in full",
+    "proxy": "Relays between a program and a brick, shows the dialogues and records them",
+    "replay": "Sends the commands of a capture again, and compares the replies with the recorded ones",
+    "run": "Runs a program (.rbf or .lms) on a virtual brick until it ends",
+    "sample": "Generates random frames for testing other programs",
+    "send": "Sends frames to a brick and shows the replies",
+    "stats": "Counts the messages, errors and files in captures and logs",
+    "timeline": "Draws a timeline of messages, latencies, files and faults",
+    "values": "Shows values over time: battery, sensors, motors, latencies, mailbox messages",
 }
 """The subcommands, each with the first sentence of its help. Each is a module of its own, which is imported when its
 command is used: to import all of them takes 300 ms."""
@@ -243,9 +210,10 @@ def _say_last(sentence: str) -> None:
 @click.group(cls=Commands, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100})
 @click.version_option(VERSION, "-V", "--version", prog_name="ev3proto")
 def cli() -> None:
-    """The wire protocol of the LEGO MINDSTORMS EV3: read frames and captures, look operations up.
+    """Decodes, checks, builds and sends messages of the LEGO MINDSTORMS EV3's wire protocol.
 
-    Exit status: 0 fine, 1 the input is at fault, 2 the call is, 70 ev3proto itself is, 130 after Ctrl-C.
+    Exit status: 0 fine, 1 the input is at fault, 2 the command was used wrongly, 70 a defect of ev3proto, 130 after
+    Ctrl-C.
 
     \b
       ev3proto decode robot.pcapng

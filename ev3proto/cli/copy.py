@@ -1,4 +1,4 @@
-"""`ev3proto copy`: a file to a brick, or from it, with a bar that shows how far it is."""
+"""`ev3proto copy`: a file to or from a brick, with a progress bar."""
 
 from __future__ import annotations
 
@@ -26,11 +26,11 @@ ON_BRICK = "brick:"
 @click.argument("source")
 @click.argument("destination")
 def copy(target: Target, source: str, destination: str) -> None:
-    """Copies a file to a brick, or from it.
+    """Copies a file to or from a brick.
 
-    TARGET is the brick, as in `ev3proto send`. One of SOURCE and DESTINATION is a path on the brick, with brick: before
-    it: absolute, or relative to /home/root/lms2012/sys. The other is a file of this computer. Missing folders of the
-    brick are made. Afterwards the MD5 sums of both files are compared.
+    TARGET is the brick, as for `ev3proto send`. Either SOURCE or DESTINATION is a path on the brick, written
+    brick:PATH, absolute or relative to /home/root/lms2012/sys; the other is a file of this computer. Missing folders on
+    the brick are created. Afterwards, the MD5 sums of the two files are compared.
 
     \b
       ev3proto copy wifi tone.rbf brick:../prjs/tone/tone.rbf

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from ev3proto.cli.commands import incompatible
+from ev3proto.cli.options import incompatible
 from ev3proto.cli.output import complain
 from ev3proto.cli.reading import MIB, CaptureOptions, Piece, given_up, reading_options
 from ev3proto.cli.show import FORMATS, Show
@@ -95,12 +95,12 @@ class Decoding(SourceReader):
     "--format",
     "style",
     type=click.Choice((*FORMATS, *PROGRAM_FORMATS)),
-    help="How to show messages (tree, unless you say otherwise) and programs (listing); encode reads asm, lego, json.",
+    help="How to show messages (default: tree) and programs (default: listing); `encode` reads asm, lego and json.",
 )
-@click.option("--json", "as_json", is_flag=True, help="One JSON object a line: the same as --format json.")
-@click.option("--dialogues", "as_dialogues", is_flag=True, help="A line for each command, with its reply and time.")
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON object a line, as --format json.")
+@click.option("--dialogues", "as_dialogues", is_flag=True, help="Print a line for each command with its reply.")
 @click.option(
-    "--programs", "as_programs", is_flag=True, help="Of a capture: the programs that it moves, in place of its frames."
+    "--programs", "as_programs", is_flag=True, help="Show the programs that a capture transfers, not its frames."
 )
 @reading_options
 def decode(
@@ -111,11 +111,11 @@ def decode(
     as_programs: bool,
     reading: CaptureOptions,
 ) -> None:
-    """Shows what frames and programs say.
+    """Shows the contents of frames, captures and programs.
 
-    Give frames themselves, files that have them in their lines, captures (pcap, pcapng, btsnoop, packed with gzip or
-    not), programs (.rbf), or - (or nothing) for standard input. Any form of frames will do: log lines with their times,
-    hex with or without spaces and colons, C arrays, Python byte strings.
+    The input is frames, files with frames in their lines, captures (pcap, pcapng, btsnoop, also gzipped), programs
+    (.rbf), or - (or nothing) for standard input. Frames can be written in many forms: log lines with times, hex with or
+    without spaces and colons, C arrays, Python byte strings.
 
     \b
       ev3proto decode "0x|0E:00|2A:00|80|00:00|94|01|01|82:B8:01|82:E8:03|"

@@ -1,14 +1,14 @@
-"""`ev3proto dissector`: writes the dissector for Wireshark, or puts it where Wireshark looks for it."""
+"""`ev3proto dissector`: builds the dissector for Wireshark, and installs it where Wireshark looks for it."""
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 
 import click
 
 from ev3proto.cli.commands import Group
-from ev3proto.cli.output import failing_on, put, say
+from ev3proto.cli.options import tshark_option
+from ev3proto.cli.output import failing_on, output_options, say, write_text
 from ev3proto.generate.dissector.build import FILE_NAME, build
 from ev3proto.generate.dissector.install import (
     Folders,
@@ -25,7 +25,9 @@ from ev3proto.generate.dissector.install import (
 
 @click.group(cls=Group)
 def dissector() -> None:
-    """The dissector for Wireshark: a Lua file that lets Wireshark read frames, and one for statistics.
+    """Builds, installs or removes the dissector for Wireshark.
+
+    It is a Lua file that lets Wireshark read the frames; a second one adds statistics.
 
     \b
       ev3proto dissector install --profile
@@ -34,44 +36,40 @@ def dissector() -> None:
 
 
 @dissector.command("build")
-@click.option(
-    "-o", "--output", type=click.Path(path_type=Path, dir_okay=False), help="Write to this file, not standard output."
-)
-@click.option("--check", is_flag=True, help="Write nothing; exit status 1 if the file is not what would be written.")
+@output_options
 def build_command(output: Path | None, check: bool) -> None:
-    """Writes ev3.lua, the same bytes every time.
+    """Writes the dissector, ev3.lua, which is the same every time.
 
     \b
       ev3proto dissector build > ev3.lua
       ev3proto dissector build -o dissector/ev3.lua --check
     """  # noqa: D301 - the mark by which click leaves lines as they are
-    if check and output is None:
-        raise click.UsageError("--check needs -o")
-    if not put(build().encode(), output, check=check):
-        sys.exit(1)
+    write_text(build(), output, check=check)
 
 
-@dissector.command()
-@click.option(
+_folder_option = click.option(
     "--dir",
     "folder",
     type=click.Path(path_type=Path, file_okay=False),
-    help="Folder for Lua plugins; without it, tshark is asked, or Wireshark's usual folders are taken.",
+    help="Folder for Lua plugins; by default the one that tshark names, or else Wireshark's usual one.",
 )
-@click.option("--profile", "with_profile", is_flag=True, help="Also add the profile EV3: columns and colours.")
-@click.option("--tshark", metavar="PATH", help="The tshark to ask, where it is not on the path.")
-@click.option("--force", is_flag=True, help="Overwrite files that are not ours, or that you changed.")
+
+
+@dissector.command()
+@_folder_option
+@click.option("--profile", "with_profile", is_flag=True, help="Install the profile EV3, too: columns and colours.")
+@tshark_option
+@click.option("--force", is_flag=True, help="Overwrite also files that ev3proto did not write, or that were changed.")
 def install(folder: Path | None, with_profile: bool, tshark: str | None, force: bool) -> None:
-    """Installs the dissector for the user who runs this.
+    """Installs the dissector for the current user.
 
-    ev3.lua, which dissects, and ev3_statistics.lua, which adds statistics and the export of files, go into the
+    ev3.lua, the dissector, and ev3_statistics.lua, with statistics and the export of files, are written to the
     personal folder for Lua plugins that tshark names, and tshark is asked whether it loads ev3.lua. The program
-    ev3proxy, which lets Wireshark capture through `ev3proto extcap`, goes into the personal folder for extcap.
-    The profile goes into tshark's personal configuration. Where there is no tshark, the folders are those that
-    Wireshark's manual names for this system.
+    ev3proxy, with which Wireshark captures through `ev3proto extcap`, is written to the personal extcap folder, and the
+    profile to tshark's personal configuration. Without tshark, the folders are those of Wireshark's manual.
 
-    With --dir, all goes below that folder, the profile into profiles/EV3, and there is no ev3proxy; no tshark is
-    needed, and none is asked, unless --tshark names it.
+    With --dir, everything is written below that folder, the profile to profiles/EV3, but not ev3proxy; tshark is not
+    needed then, and asked only if --tshark names it.
 
     \b
       ev3proto dissector install --profile
@@ -82,16 +80,11 @@ def install(folder: Path | None, with_profile: bool, tshark: str | None, force: 
 
 
 @dissector.command("uninstall")
-@click.option(
-    "--dir",
-    "folder",
-    type=click.Path(path_type=Path, file_okay=False),
-    help="Folder for Lua plugins; without it, tshark is asked, or Wireshark's usual folders are taken.",
-)
-@click.option("--tshark", metavar="PATH", help="The tshark to ask, where it is not on the path.")
-@click.option("--force", is_flag=True, help="Remove files that are not ours, or that you changed, too.")
+@_folder_option
+@tshark_option
+@click.option("--force", is_flag=True, help="Remove also files that ev3proto did not write, or that were changed.")
 def uninstall_command(folder: Path | None, tshark: str | None, force: bool) -> None:
-    """Removes what install has written: the dissector, ev3proxy, and the profile EV3 as far as it is unchanged.
+    """Removes what `install` wrote: the dissector, ev3proxy, and the profile EV3 where it is unchanged.
 
     \b
       ev3proto dissector uninstall

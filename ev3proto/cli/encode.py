@@ -1,4 +1,4 @@
-"""`ev3proto encode`: assembly, JSON or frames in any form, to frames in the form that another program takes."""
+"""`ev3proto encode`: assembly, JSON or frames in any form, to frames in the format of another program."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ import click
 
 from ev3proto.cli.assembly import assembled_messages
 from ev3proto.cli.captures import CaptureSource
-from ev3proto.cli.commands import given_options, incompatible
+from ev3proto.cli.options import given_options, incompatible, reply_option
 from ev3proto.cli.output import binary_output, failing_to, is_terminal, say
 from ev3proto.cli.reading import CaptureOptions, Piece, Unread, introduction, reading_options
 from ev3proto.cli.sources import Source, SourceReader, sources
@@ -249,34 +249,27 @@ class _Version(click.ParamType):
     "--to",
     "form",
     type=click.Choice((*FORMS, RBF)),
-    help="What to write: hex, unless you say otherwise; rbf is a program's image, as -o FILE.rbf makes one.",
+    help="Format of the output (default: hex); rbf is the image of a program, as for -o FILE.rbf.",
 )
-@click.option("-o", "--output", "path", metavar="FILE", help="Where to write it; without this: standard output.")
+@click.option("-o", "--output", "path", metavar="FILE", help="Write to this file, not standard output.")
 @click.option(
     "--counter",
     type=click.IntRange(0, COUNTERS - 1),
     default=0,
     show_default=True,
-    help="Message counter of the first message of assembly that states none.",
+    metavar="NUMBER",
+    help="Message counter of the first assembled message that states none.",
 )
-@click.option(
-    "--reply/--no-reply",
-    default=None,
-    help="Whether the brick is to answer assembly without a header; by default where there is something to answer.",
-)
-@click.option(
-    "--unchecked", is_flag=True, help="Take values of assembly that mean nothing to the brick, such as motor port 16."
-)
+@reply_option
+@click.option("--unchecked", is_flag=True, help="Accept values that mean nothing to the brick, such as motor port 16.")
 @click.option(
     "--source",
     "source_dialect",
     type=click.Choice(("strict", "lego", "basic")),
-    help="Of a program: the dialect that its source is in; without this, strict, LEGO's own and EV3 Basic's are tried.",
+    help="Dialect of a program's source; by default strict, LEGO's own and EV3 Basic's are tried.",
 )
-@click.option("--version", "version", type=_Version(), metavar="NUMBER", help="Of a program: the image's version.")
-@click.option(
-    "--shortest", is_flag=True, help="Of a program: labels as short as they can be, equal objects share their code."
-)
+@click.option("--version", "version", type=_Version(), metavar="NUMBER", help="Version of a program's image.")
+@click.option("--shortest", is_flag=True, help="Shorten a program's labels, and share the code of equal objects.")
 @reading_options
 def encode(
     names: tuple[str, ...],
@@ -290,10 +283,10 @@ def encode(
     shortest: bool,
     reading: CaptureOptions,
 ) -> None:
-    """Makes frames.
+    """Builds frames from assembly, JSON or other notations, and programs from their sources.
 
-    Give assembly, objects as `decode --json` prints them, frames in any form that decode reads, captures, or files that
-    have them; or - (or nothing) for standard input. The first line of a text says what it is.
+    The input is assembly, objects as `decode --json` prints them, frames in any form that decode reads, captures, files
+    with any of these, or - (or nothing) for standard input. The first line of a text decides what it is.
 
     \b
       ev3proto encode 'SOUND(TONE, 1, 440, 1000)'

@@ -3,16 +3,24 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable
 from pathlib import Path
-from typing import TypeVar
 
 import click
 
 from ev3proto.capture.text_log import Clock
 from ev3proto.cli.captures import CaptureSource
-from ev3proto.cli.commands import FiniteRange, Group
-from ev3proto.cli.output import binary_output, failing_to, is_terminal, put
+from ev3proto.cli.commands import Group
+from ev3proto.cli.options import FiniteRange, dialect_option
+from ev3proto.cli.output import (
+    binary_output,
+    check_option,
+    failing_to,
+    is_terminal,
+    output_option,
+    output_options,
+    put,
+    write_text,
+)
 from ev3proto.cli.reading import CaptureOptions, Piece, reading_options
 from ev3proto.cli.sources import Source, SourceReader, sources
 from ev3proto.errors import BuildError
@@ -22,11 +30,8 @@ from ev3proto.generate.cheader import build as header
 from ev3proto.generate.kaitai import build as description
 from ev3proto.generate.tables_json import build as tables
 from ev3proto.tables.carriers import CARRIERS, DEFAULT_CARRIER
-from ev3proto.tables.declaration import DIALECTS
 from ev3proto.text.paste import Pasted
 from ev3proto.whole_files import whole_file
-
-F = TypeVar("F", bound=Callable[..., object])
 
 _MOST_INTERVAL = 3_600_000.0
 _NANOSECONDS_EACH = 1_000_000
@@ -34,9 +39,9 @@ _NANOSECONDS_EACH = 1_000_000
 
 @click.group(cls=Group)
 def export() -> None:
-    """Writes the protocol, or frames, for other tools.
+    """Writes the protocol, or frames, in the formats of other tools.
 
-    The files that are made of the tables are the same every time; --check says whether one is what would be written.
+    Files that describe the protocol are the same every time; --check says whether one is up to date.
 
     \b
       ev3proto export all exports
@@ -45,43 +50,20 @@ def export() -> None:
     """  # noqa: D301 - the mark by which click leaves lines as they are
 
 
-def _file_options(command: F) -> F:
-    """Adds -o and --check."""
-    check = "Write nothing; exit status 1 if the file is not what would be written."
-    click.option("--check", is_flag=True, help=check)(command)
-    click.option(
-        "-o",
-        "--output",
-        type=click.Path(path_type=Path, dir_okay=False),
-        help="Write to this file, not standard output.",
-    )(command)
-    return command
-
-
-def _write(text: str, output: Path | None, *, check: bool) -> None:
-    """Writes the text of a file; with `check` says whether it is there already. Ends the program where it is not."""
-    if check and output is None:
-        raise click.UsageError("--check needs -o")
-    if not put(text.encode(), output, check=check):
-        sys.exit(1)
-
-
 @export.command("c-header")
-@_file_options
+@output_options
 def c_header(output: Path | None, check: bool) -> None:
     """Writes ev3proto.h: names, encoding macros and functions that fill a frame, for C99 and C++11.
 
     \b
       ev3proto export c-header -o ev3proto.h
     """  # noqa: D301 - the mark by which click leaves lines as they are
-    _write(header.build(), output, check=check)
+    write_text(header.build(), output, check=check)
 
 
 @export.command()
-@click.option(
-    "--dialect", type=click.Choice(DIALECTS), default=DIALECTS[0], show_default=True, help="Whose instruction set."
-)
-@_file_options
+@dialect_option
+@output_options
 def kaitai(dialect: str, output: Path | None, check: bool) -> None:
     """Writes ev3.ksy: frames for the Kaitai Struct compiler (0.11 and later), which makes parsers in many languages.
 
@@ -89,47 +71,47 @@ def kaitai(dialect: str, output: Path | None, check: bool) -> None:
       ev3proto export kaitai -o ev3.ksy
       ev3proto export kaitai --dialect xtended -o ev3.ksy
     """  # noqa: D301
-    _write(description.build(dialect), output, check=check)
+    write_text(description.build(dialect), output, check=check)
 
 
 @export.command("json")
-@_file_options
+@output_options
 def json_tables(output: Path | None, check: bool) -> None:
     """Writes ev3-tables.json: opcodes, CMDs, parameters, enumerations, system commands of all dialects.
 
     \b
       ev3proto export json | jq '.areas.sound[0].commands[].name'
     """  # noqa: D301
-    _write(tables.build_tables(), output, check=check)
+    write_text(tables.build_tables(), output, check=check)
 
 
 @export.command("json-schema")
-@_file_options
+@output_options
 def json_schema(output: Path | None, check: bool) -> None:
-    """Writes ev3-tables.schema.json: what stands in ev3-tables.json, as JSON Schema (draft 2020-12).
+    """Writes ev3-tables.schema.json: the JSON Schema (draft 2020-12) of ev3-tables.json.
 
     \b
       ev3proto export json-schema -o ev3-tables.schema.json
     """  # noqa: D301
-    _write(tables.build_schema(), output, check=check)
+    write_text(tables.build_schema(), output, check=check)
 
 
 @export.command("output-schema")
-@_file_options
+@output_options
 def output_schema(output: Path | None, check: bool) -> None:
-    """Writes ev3-output.schema.json: what decode, check, stats and values print with --json, as JSON Schema.
+    """Writes ev3-output.schema.json: the JSON Schema of what decode, check, stats and values print with --json.
 
     \b
       ev3proto export output-schema -o ev3-output.schema.json
     """  # noqa: D301
-    _write(output_schemas.build(), output, check=check)
+    write_text(output_schemas.build(), output, check=check)
 
 
 @export.command("all")
 @click.argument("folder", type=click.Path(path_type=Path, file_okay=False))
-@click.option("--check", is_flag=True, help="Write nothing; exit status 1 if a file is not what would be written.")
+@check_option
 def everything(folder: Path, check: bool) -> None:
-    """Writes every file that is made of the tables into FOLDER, under its usual name.
+    """Writes every file that describes the protocol into FOLDER, under its usual name.
 
     \b
       ev3proto export all exports
@@ -187,15 +169,13 @@ class _Carrying(SourceReader):
 
 @export.command()
 @click.argument("names", nargs=-1, metavar="[FRAME|FILE|-]...")
-@click.option(
-    "-o", "--output", type=click.Path(path_type=Path, dir_okay=False), help="Write to this file, not standard output."
-)
+@output_option
 @click.option(
     "--carrier",
     type=click.Choice(CARRIERS),
     default=DEFAULT_CARRIER.value,
     show_default=True,
-    help="What carries them.",
+    help="What carries the frames.",
 )
 @click.option(
     "--interval",
@@ -203,13 +183,13 @@ class _Carrying(SourceReader):
     default=1.0,
     show_default=True,
     metavar="MS",
-    help="Milliseconds from frame to frame; those of captures keep their times.",
+    help="Milliseconds from frame to frame; frames of captures keep their times.",
 )
 @reading_options
 def pcapng(names: tuple[str, ...], output: Path | None, carrier: str, interval: float, reading: CaptureOptions) -> None:
-    """Writes frames as a capture that Wireshark reads: a whole conversation over WiFi, USB or Bluetooth.
+    """Writes frames as a capture for Wireshark: a complete conversation over WiFi, USB or Bluetooth.
 
-    Frames are given as to decode. Commands go from the computer to the brick, replies come back.
+    The input is the same as for decode. Commands go from the computer to the brick, and replies back.
 
     \b
       ev3proto export pcapng robot.log -o talk.pcapng

@@ -1,4 +1,4 @@
-"""`ev3proto extcap`: the proxy as an interface in Wireshark's list, by the interface that Wireshark calls extcap."""
+"""`ev3proto extcap`: the proxy in Wireshark's list of interfaces, by Wireshark's extcap."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ _CONFIGURATION = (
     f"arg {{number=1}}{{call=--port}}{{display=Port}}{{type=unsigned}}{{range=1,65535}}{{default={TCP_PORT}}}"
     "{tooltip=Programs connect to this port of 127.0.0.1}",
     "arg {number=2}{call=--read-only}{display=Read only}{type=boolflag}{default=false}"
-    "{tooltip=Let nothing through that changes the brick}",
+    "{tooltip=Block commands that change the brick}",
 )
 
 
@@ -42,14 +42,14 @@ _CONFIGURATION = (
 @click.option("--extcap-interfaces", "lists_interfaces", is_flag=True, help="List the interfaces.")
 @click.option("--extcap-dlts", "lists_link_types", is_flag=True, help="List the link types of the interface.")
 @click.option("--extcap-config", "lists_options", is_flag=True, help="List the options of the interface.")
-@click.option("--extcap-interface", "interface", metavar="NAME", help=f"The interface: {INTERFACE}.")
+@click.option("--extcap-interface", "interface", metavar="NAME", help=f"Name of the interface: {INTERFACE}.")
 @click.option("--capture", is_flag=True, help="Capture until interrupted.")
 @click.option("--fifo", type=click.Path(path_type=Path), metavar="PATH", help="Where to write the capture.")
+@click.option("--target", type=TargetType(), default="usb", show_default=True, help="Brick, as for `ev3proto send`.")
 @click.option(
-    "--target", type=TargetType(), default="usb", show_default=True, help="The brick, as for `ev3proto send`."
+    "--port", type=click.IntRange(0, 65535), default=TCP_PORT, show_default=True, help="TCP port to listen on."
 )
-@click.option("--port", type=click.IntRange(0, 65535), default=TCP_PORT, show_default=True, help="Where to listen.")
-@click.option("--read-only", is_flag=True, help="Let nothing through that changes the brick.")
+@click.option("--read-only", is_flag=True, help="Block commands that change the brick.")
 def extcap(
     lists_interfaces: bool,
     lists_link_types: bool,
@@ -61,11 +61,11 @@ def extcap(
     port: int,
     read_only: bool,
 ) -> None:
-    """Lets Wireshark capture through `ev3proto proxy`: Wireshark calls this, users do not.
+    """Captures for Wireshark through `ev3proto proxy`; Wireshark runs this, users do not.
 
-    `ev3proto dissector install` puts a launcher into Wireshark's personal extcap folder. Then "EV3 proxy" is in the
-    list of interfaces. Start it, and connect a program to port 5555 of this computer, as to a brick. No root, no
-    sniffer.
+    `ev3proto dissector install` writes a launcher to Wireshark's personal extcap folder. Then "EV3 proxy" is in the
+    list of interfaces. Start it, and connect a program to port 5555 of this computer, as to a brick. This needs neither
+    root nor a sniffer.
 
     \b
       ev3proto extcap --extcap-interfaces

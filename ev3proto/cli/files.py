@@ -1,4 +1,4 @@
-"""`ev3proto files`: the files that a capture moves to or from the brick, listed or written to disk."""
+"""`ev3proto files`: the files that a capture transfers to or from the brick, listed or written to disk."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ import click
 from ev3proto.capture import CaptureError
 from ev3proto.capture.files import FileState, RecoveredFile, recover, survey
 from ev3proto.cli.captures import CaptureSource
+from ev3proto.cli.options import json_option
 from ev3proto.cli.output import complain, say
 from ev3proto.cli.reading import CaptureOptions, reading_options
 from ev3proto.cli.tables import Tables
@@ -28,18 +29,18 @@ from ev3proto.text.spans import visible
     "--output",
     "folder",
     type=click.Path(path_type=Path, file_okay=False),
-    help="Write the files into this folder, which is made if it is not there.",
+    help="Write the files into this folder, which is created if it is missing.",
 )
-@click.option("--listings", is_flag=True, help="Also the listings of folders, as text.")
-@click.option("--force", is_flag=True, help="Overwrite files that are in the folder.")
-@click.option("--json", "as_json", is_flag=True, help="One JSON object a line.")
+@click.option("--listings", is_flag=True, help="Include listings of folders, as text.")
+@click.option("--force", is_flag=True, help="Overwrite existing files.")
+@json_option
 def files(
     names: tuple[str, ...], reading: CaptureOptions, folder: Path | None, listings: bool, force: bool, as_json: bool
 ) -> None:
-    """Puts the files that were moved to or from the brick back together.
+    """Recovers the files that were transferred to or from the brick.
 
-    Without -o they are only listed. With it, each is written under its path on the brick, always inside the folder; a
-    file that is not whole gets .part after its name, and the exit status is 1.
+    Without -o, they are only listed. With -o, each is written under its path on the brick, always inside the folder; an
+    incomplete file gets the suffix .part, and the exit status is 1.
 
     \b
       ev3proto files robot.pcapng
@@ -81,7 +82,7 @@ def files(
 
 
 def _complaining(found: Iterator[RecoveredFile], source: CaptureSource) -> Iterator[RecoveredFile]:
-    """What is found, and a sentence when finding it comes to a bad end."""
+    """Yields the files, and complains if that ends early."""
     try:
         yield from found
     except CaptureError as error:

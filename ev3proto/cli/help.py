@@ -1,4 +1,4 @@
-"""`ev3proto help`: the help of a subcommand, or what is known of an operation or of a code of the checker."""
+"""`ev3proto help`: the help of a subcommand, or what is known of an operation or a code of the checker."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from ev3proto.cli.output import Failure, say
 @click.argument("words", nargs=-1)
 @click.pass_context
 def help(context: click.Context, words: tuple[str, ...]) -> None:  # noqa: A001 - what it is called
-    """Shows the help of a subcommand; of an operation or a code, what is known of it.
+    """Shows the help of a subcommand, or explains an operation or a code.
 
     \b
       ev3proto help decode

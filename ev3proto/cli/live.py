@@ -1,4 +1,4 @@
-"""`ev3proto live`: what computer and brick say to each other, while they say it."""
+"""`ev3proto live`: the dialogues between computer and brick, live."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from ev3proto.cli.show import Show
 from ev3proto.pyshark.tshark import Run, Tshark
 
 PATIENCE_NS = 2_000_000_000
-"""After so long without a reply a command is shown without one, as soon as anything else happens."""
+"""Time without a reply after which a command is shown as unanswered, at the next event."""
 
 MOST_BEACONS = 256
 """Different beacons of which each is shown once; a brick sends its own every few seconds."""
@@ -31,15 +31,17 @@ MOST_BEACONS = 256
     multiple=True,
     required=True,
     metavar="NAME",
-    help="Where to capture, such as wlan0 or usbmon1; several are allowed. tshark -D lists them.",
+    help="Interface to capture on, such as wlan0 or usbmon1; can be repeated. `tshark -D` lists them.",
 )
 @reading_options
-@click.option("--json", "as_json", is_flag=True, help="One JSON object a line: a command with its reply, or a text.")
+@click.option(
+    "--json", "as_json", is_flag=True, help="Print one JSON object a line: a command with its reply, or a text."
+)
 def live(interfaces: tuple[str, ...], reading: CaptureOptions, as_json: bool) -> None:
-    """Shows dialogues while they happen: a line each, with values and latency.
+    """Shows dialogues live, one a line, with values and latency.
 
-    tshark captures, so it must be here, and have the right to. A command stands there once its reply came, or with
-    "no reply" after two seconds without one. --filter is about a command together with its reply.
+    tshark captures, so it must be installed and have permission to capture. A command is shown when its reply arrives,
+    or as "no reply" after two seconds. --filter applies to a command together with its reply.
 
     \b
       ev3proto live -i wlan0

@@ -11,11 +11,12 @@ from typing import Any
 
 import click
 
+from ev3proto.cli.options import AREA, AREAS_HELP, dialect_option, json_option
 from ev3proto.cli.output import Failure, Printer
 from ev3proto.errors import near_misses
 from ev3proto.schema.instructions import instruction_set
 from ev3proto.semantics.domain import element, facts
-from ev3proto.tables import AREAS, OPCODES, area_of, operations
+from ev3proto.tables import OPCODES, area_of, operations
 from ev3proto.tables.declaration import DIALECTS, UNRELEASED, Declaration, Parameter
 from ev3proto.tables.frame import TYPE_ADVICE, TYPE_MEANINGS
 from ev3proto.tables.system import SYSTEM, UNUSED_STATUSES, Field, SystemCommand, SystemStatus
@@ -24,22 +25,14 @@ from ev3proto.text.spans import Line, Role
 
 @click.command()
 @click.argument("words", nargs=-1)
-@click.option(
-    "--area",
-    type=click.Choice([*AREAS, "system"]),
-    metavar="AREA",
-    help=f"Only those of one area of the firmware: {', '.join(AREAS)}, system.",
-)
-@click.option("--json", "as_json", is_flag=True, help="One JSON object a line.")
-@click.option(
-    "--dialect", type=click.Choice(DIALECTS), default="official", show_default=True, help="Whose instruction set."
-)
+@click.option("--area", type=AREA, metavar="AREA", help=f"Only operations {AREAS_HELP}")
+@json_option
+@dialect_option
 def ops(words: tuple[str, ...], area: str | None, as_json: bool, dialect: str) -> None:
-    """Lists the operations, searches them, or shows one in full.
+    """Lists or searches the operations, or shows one in full.
 
-    WORDS is a name or number (sound.tone, 0x94, 148), then it is shown in full; or anything else, then
-    every operation is listed that has all the words in its name, its meaning, its parameters or the names of their
-    values. Those that have them in their name come first.
+    WORDS is the name or number of an operation to show in full (sound.tone, 0x94, 148), or words to search for in the
+    names, meanings, parameters and values of operations. Matches in names come first.
 
     \b
       ev3proto ops sound.tone

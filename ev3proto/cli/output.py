@@ -14,7 +14,7 @@ import time
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, BinaryIO, TextIO, cast
+from typing import TYPE_CHECKING, Any, BinaryIO, TextIO, TypeVar, cast
 
 import click
 
@@ -23,6 +23,8 @@ from ev3proto.text.spans import Line, Role, plain_text, visible, visible_lines
 if TYPE_CHECKING:
     from _typeshed import WriteableBuffer
 
+
+F = TypeVar("F", bound=Callable[..., Any])
 
 STYLES: dict[str, dict[str, Any]] = {
     Role.HEADING: {"bold": True},
@@ -213,6 +215,26 @@ def put(data: bytes, path: Path | None, *, check: bool = False) -> bool:
         complain(f"{path}: cannot be {'read' if check else 'written'}: {error.strerror or error}")
         return False
     return True
+
+
+output_option = click.option(
+    "-o", "--output", type=click.Path(path_type=Path, dir_okay=False), help="Write to this file, not standard output."
+)
+
+check_option = click.option("--check", is_flag=True, help="Write nothing; exit status 1 if a file is out of date.")
+
+
+def output_options(command: F) -> F:
+    """Adds the options -o and --check to a command."""
+    return output_option(check_option(command))
+
+
+def write_text(text: str, output: Path | None, *, check: bool) -> None:
+    """Writes the text of a file, or checks whether it has that text. Ends the program with status 1 where not."""
+    if check and output is None:
+        raise click.UsageError("--check needs -o")
+    if not put(text.encode(), output, check=check):
+        sys.exit(1)
 
 
 class Awaited(io.RawIOBase):

@@ -1,4 +1,4 @@
-"""`ev3proto proxy`: a WiFi brick that hands everything on to another brick, shows it and records it."""
+"""`ev3proto proxy`: a relay between a program and a brick that shows and records the dialogues."""
 
 from __future__ import annotations
 
@@ -6,32 +6,29 @@ import ipaddress
 import sys
 from contextlib import ExitStack, closing
 from pathlib import Path
-from random import Random
 from typing import BinaryIO, cast
 
 import click
 
 from ev3proto.brick.servers.faults import Faults
 from ev3proto.capture.dialogues import RequestReply
-from ev3proto.cli.commands import FiniteRange, incompatible
 from ev3proto.cli.ending import stopped_by_signals
+from ev3proto.cli.faults import fault_options
+from ev3proto.cli.options import dialect_option, incompatible, json_option
 from ev3proto.cli.output import Failure, complain, failing_on, failing_to, flush, is_terminal, say, writing_output
 from ev3proto.cli.recorded import show_dialogue
 from ev3proto.cli.show import Show
-from ev3proto.cli.targets import TargetType
+from ev3proto.cli.targets import target_option
 from ev3proto.generate.captures.recording import Recording
 from ev3proto.link.carriers import open_wire
 from ev3proto.link.errors import LinkError
 from ev3proto.link.proxy import Proxy, ProxyOptions
 from ev3proto.link.targets import Target, Way
-from ev3proto.tables.declaration import DIALECTS
 from ev3proto.tables.discovery import TCP_PORT
 from ev3proto.whole_files import GrowingFile
 
 _LOOPBACK = "127.0.0.1"
 _UNKNOWN_SERIAL = "0" * 12
-_SHARE = FiniteRange(0, 1)
-_MOST_DELAY = 60
 
 
 @click.command()
@@ -40,28 +37,23 @@ _MOST_DELAY = 60
     default="wifi",
     show_default=True,
     metavar="wifi[:ADDRESS[:PORT]]",
-    help="Where programs connect; only this computer and port 5555 unless another address is named.",
+    help="Address to listen on; by default only this computer's, and port 5555.",
 )
-@click.option("--to", "target", type=TargetType(), required=True, help="The brick, as `ev3proto send` takes it.")
-@click.option("--beacon/--no-beacon", default=True, help="Whether it says by UDP that it is there, as a brick does.")
-@click.option("--record", metavar="FILE", help="Capture (pcapng) to write; - writes it to standard output.")
-@click.option("--read-only", is_flag=True, help="Let nothing through that changes the brick.")
+@target_option
+@click.option("--beacon/--no-beacon", default=True, help="Announce the proxy by UDP beacon, as a brick does.")
+@click.option("--record", metavar="FILE", help="Record to this capture file (pcapng); - is standard output.")
+@click.option("--read-only", is_flag=True, help="Block commands that change the brick.")
 @click.option(
     "--hide",
     is_flag=True,
-    help="Write over names, addresses and PINs in what is recorded and shown. Lost are all values of commands about"
+    help="Mask names, addresses and PINs in what is recorded and shown. This loses all values of commands about"
     " communication and texts, faulty frames, error replies and replies without their command. Files and messages of"
-    " WRITEMAILBOX stay.",
+    " WRITEMAILBOX are not masked.",
 )
 @click.option("--from", "only_from", metavar="ADDRESS", help="Serve only clients with this address.")
-@click.option("--delay", type=FiniteRange(0, _MOST_DELAY), default=0.0, metavar="SECONDS", help="Hold replies back.")
-@click.option("--drop", type=_SHARE, default=0.0, metavar="SHARE", help="Share of replies that are lost, 0 to 1.")
-@click.option(
-    "--corrupt", type=_SHARE, default=0.0, metavar="SHARE", help="Share of replies with a wrong byte, 0 to 1."
-)
-@click.option("--seed", type=int, metavar="NUMBER", help="Lose and change the same replies every time.")
-@click.option("--json", "as_json", is_flag=True, help="One JSON object a line: a command with its reply.")
-@click.option("--dialect", type=click.Choice(DIALECTS), default=DIALECTS[0], show_default=True)
+@fault_options
+@json_option
+@dialect_option
 def proxy(
     listen: str,
     target: Target,
@@ -70,17 +62,15 @@ def proxy(
     read_only: bool,
     hide: bool,
     only_from: str | None,
-    delay: float,
-    drop: float,
-    corrupt: float,
-    seed: int | None,
+    faults: Faults,
     as_json: bool,
     dialect: str,
 ) -> None:
-    """Stands between a program and a brick, shows what they say and records it.
+    """Relays between a program and a brick, shows the dialogues and records them.
 
-    The program sees a WiFi brick; the real one may be on USB, Bluetooth or WiFi. No sniffer is needed, and no rights.
-    One client is served at a time. Ctrl-C ends it. The first line that it prints says where it listens.
+    The program connects to the proxy as to a WiFi brick; the real one may be on USB, Bluetooth or WiFi. This needs
+    neither a sniffer nor special permissions. One client is served at a time. The first line of the output says where
+    the proxy listens; Ctrl-C ends it.
 
     \b
       ev3proto proxy --to usb
@@ -90,7 +80,6 @@ def proxy(
     if record == "-" and as_json:
         raise incompatible("--record -", "--json", "both write to standard output")
     address, port = _place(listen)
-    faults = Faults(delay, drop, corrupt, Random(seed))
     announced = target.serial_number or _UNKNOWN_SERIAL if beacon else None
     options = ProxyOptions(address, port, _address(only_from), read_only, hide, faults, dialect, announced)
     with ExitStack() as stack:

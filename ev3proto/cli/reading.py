@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 import click
 
 from ev3proto.bounded import DEFAULT_MEMORY
-from ev3proto.cli.commands import incompatible
+from ev3proto.cli.options import dialect_option, incompatible, tshark_option
 from ev3proto.cli.output import say
 from ev3proto.messages import Message
 from ev3proto.schema.frame import parse
@@ -312,9 +312,7 @@ def _explain_filters(context: click.Context, _parameter: click.Parameter, is_wan
 F = TypeVar("F", bound=Callable[..., Any])
 
 _OPTIONS = (
-    click.option(
-        "--dialect", type=click.Choice(DIALECTS), default=DIALECTS[0], show_default=True, help="Whose instruction set."
-    ),
+    dialect_option,
     click.option(
         "--port",
         "ports",
@@ -322,22 +320,23 @@ _OPTIONS = (
         multiple=True,
         default=(TCP_PORT,),
         show_default=True,
-        help="TCP port on which a brick listens; several are allowed.",
+        metavar="PORT",
+        help="TCP port of the brick; can be repeated.",
     ),
     click.option(
         "--engine",
         type=click.Choice((BUILTIN, "wireshark")),
         default=BUILTIN,
         show_default=True,
-        help="What takes packets apart: ev3proto itself, or the tshark on this computer.",
+        help="Program that dissects packets: ev3proto itself, or tshark.",
     ),
-    click.option("--tshark", metavar="PATH", help="The tshark to use, where it is not on the path."),
+    tshark_option,
     click.option(
         "--filter",
         "chosen",
         callback=_compiled,
         metavar="EXPRESSION",
-        help="Only frames for which this is true, such as 'op==SOUND.TONE && FREQUENCY>400'.",
+        help="Only frames that match this, such as 'op==SOUND.TONE && FREQUENCY>400'.",
     ),
     click.option(
         "--help-filter",
@@ -345,18 +344,18 @@ _OPTIONS = (
         is_eager=True,
         expose_value=False,
         callback=_explain_filters,
-        help="List all that a filter can ask for, with examples, and exit.",
+        help="Explain filters and list their fields, with examples, and exit.",
     ),
     click.option(
         "--no-length",
         is_flag=True,
-        help="Each line of a text is a frame without the two bytes of its length field.",
+        help="Read each line of a text as a frame without the two bytes of its length field.",
     ),
     click.option(
         "--operations",
         "only_operations",
         is_flag=True,
-        help="Each line of a text is operations without the header of a frame.",
+        help="Read each line of a text as operations without the header of a frame.",
     ),
     click.option(
         "--memory",
@@ -364,7 +363,7 @@ _OPTIONS = (
         default=DEFAULT_MEMORY // MIB,
         show_default=True,
         metavar="MIB",
-        help="What all that waits in a capture may take, such as commands without a reply; the oldest goes first.",
+        help="Memory limit for unfinished frames, transfers and unanswered commands; the oldest are dropped first.",
     ),
 )
 

@@ -1,4 +1,4 @@
-"""`ev3proto replay`: the commands of a capture once more, and how the replies differ."""
+"""`ev3proto replay`: the commands of a capture sent again, and how the replies differ."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from ev3proto.cli.output import Failure, Printer, complain
 from ev3proto.cli.reading import CaptureOptions, reading_options
 from ev3proto.cli.recorded import show_dialogue
 from ev3proto.cli.show import Show
-from ev3proto.cli.targets import TargetType, channel_to, timeout_option
+from ev3proto.cli.targets import channel_to, target_option, timeout_option
 from ev3proto.errors import counted, near_misses
 from ev3proto.link.channel import Channel
 from ev3proto.link.errors import ConnectionLostError, NoAnswerError
@@ -32,7 +32,7 @@ _NANOSECONDS = 1_000_000_000
 
 
 def _allowed(_context: click.Context, _parameter: click.Parameter, given: tuple[str, ...]) -> frozenset[str]:
-    """What is allowed: groups in lower case, operations in upper case. Raises click.BadParameter for anything else."""
+    """Returns what is allowed: groups in lower case, operations in upper case. Raises click.BadParameter."""
     known = {*operations(), *(entry.name for entry in SYSTEM)}
     found: set[str] = set()
     for name in (part.strip() for text in given for part in text.split(",")):
@@ -50,18 +50,19 @@ def _allowed(_context: click.Context, _parameter: click.Parameter, given: tuple[
 
 @click.command()
 @click.argument("name", metavar="CAPTURE")
-@click.option("--to", "target", type=TargetType(), required=True, help="The brick, as `ev3proto send` takes it.")
+@target_option
 @click.option(
     "--allow",
     "allowed",
     multiple=True,
     callback=_allowed,
     metavar="NAME",
-    help=f"Send also what does this: {', '.join(Harm)}, {_EVERYTHING}, or an operation such as OUTPUT_START.",
+    help=f"Send also commands with this effect ({', '.join(Harm)}), {_EVERYTHING}, or an operation such as"
+    " OUTPUT_START; can be repeated.",
 )
-@click.option("--dry-run", is_flag=True, help="Send nothing; show what would be sent and what omitted.")
+@click.option("--dry-run", is_flag=True, help="Send nothing; show which commands would be sent or omitted.")
 @click.option("--differences", is_flag=True, help="Show only the dialogues that differ from the recorded ones.")
-@click.option("--fast", is_flag=True, help="As fast as answers come, not at the pace of the capture.")
+@click.option("--fast", is_flag=True, help="Send as fast as replies arrive, not at the pace of the capture.")
 @timeout_option
 @reading_options
 def replay(
@@ -74,18 +75,17 @@ def replay(
     timeout: float,
     reading: CaptureOptions,
 ) -> None:
-    """Sends the commands of a capture again, and reports replies that differ from the recorded ones.
+    """Sends the commands of a capture again, and compares the replies with the recorded ones.
 
-    Values that differ from brick to brick or from moment to moment are shown and count as recorded: times, the battery,
-    sensors, names, what is in files. The last lines count the replies and say which firmware answered, if a command
-    asks for it.
+    Values that differ between bricks or moments are shown, but count as recorded: times, the battery, sensors, names,
+    the contents of files. The last lines count the replies, and name the brick's firmware if a command asks for it.
 
-    What changes or harms a brick is omitted and listed, unless --allow names it: what deletes or writes files, moves
-    motors, changes settings, controls programs, presses buttons, writes to devices, restarts the brick, erases
-    firmware, runs SYSTEM, and what cannot be read. Handles of files are those that the brick gives now; counters are
-    new.
+    Commands that change or harm a brick are omitted and listed, unless --allow names their effect: deleting or writing
+    files, moving motors, changing settings, controlling programs, sending messages, pressing buttons, writing to
+    devices, restarting the brick, erasing firmware, running SYSTEM. So are commands that cannot be decoded. File
+    handles are those that the brick assigns now; message counters are new.
 
-    Exit status: 0 where every reply is of the recorded kind, with whatever values; 1 where one is missing or other.
+    Exit status: 0 if every reply is of the recorded kind, whatever its values; 1 if one is missing or of another kind.
 
     \b
       ev3proto replay robot.pcapng --to virtual
@@ -125,7 +125,7 @@ def _why(step: Step) -> str:
 
 
 class _Replaying:
-    """Sends the steps and shows what comes of them."""
+    """Sends the steps and shows the results."""
 
     def __init__(
         self, channel: Channel, peer: str, timeout: float, dialect: str, *, fast: bool, only_different: bool

@@ -18,7 +18,7 @@ from ev3proto.brick.running_programs import FAIL, RUNNING, Program
 from ev3proto.brick.servers.server import Options, Running, ServerError, running
 from ev3proto.cli.assembly import show_errors
 from ev3proto.cli.brick import folder, interrupted, read_script_file
-from ev3proto.cli.commands import FiniteRange, incompatible
+from ev3proto.cli.options import FiniteRange, incompatible
 from ev3proto.cli.output import complain, failing_on, failing_to, flush, is_terminal, say
 from ev3proto.cli.programs import complain_of_warnings
 from ev3proto.cli.reading import is_image
@@ -56,22 +56,27 @@ _KEYS = {
     is_flag=False,
     flag_value=0,
     metavar="[PORT]",
-    help="Show it on a page, and start when that is opened; Ctrl-C ends it.",
+    help="Show the brick on a web page, and start when the page is opened; Ctrl-C ends it.",
 )
-@click.option("--root", type=click.Path(file_okay=False, path_type=Path), metavar="DIR", help="As for `brick`.")
+@click.option(
+    "--root",
+    type=click.Path(file_okay=False, path_type=Path),
+    metavar="DIR",
+    help="Folder to use as /home/root/lms2012, as for `brick`.",
+)
 @click.option(
     "--script",
     type=click.Path(path_type=Path),
     metavar="TOML",
-    help="What is plugged in and what happens, as for `brick`.",
+    help="File that describes what is plugged in and what happens, as for `brick`.",
 )
 @click.option(
     "--screenshot",
     type=click.Path(dir_okay=False, path_type=Path),
     metavar="PNG",
-    help="Picture of the display at the end.",
+    help="Save the display as a picture at the end.",
 )
-@click.option("--limit", type=FiniteRange(0), metavar="SECONDS", help="End the program after so long.")
+@click.option("--limit", type=FiniteRange(0), metavar="SECONDS", help="End the program after this time.")
 def run(
     file: Path,
     page: int | None,
@@ -80,10 +85,10 @@ def run(
     screenshot: Path | None,
     limit: float | None,
 ) -> None:
-    """Runs a program, an image (.rbf) or a source (.lms), on a virtual brick until it ends.
+    """Runs a program (.rbf or .lms) on a virtual brick until it ends.
 
-    On a terminal the display is shown while it runs, and arrow keys, Enter and Backspace are the brick's buttons;
-    otherwise it is printed at the end. Exit status 1: the program failed.
+    On a terminal, the display is shown while the program runs, and the arrow keys, Enter and Backspace are the brick's
+    buttons; otherwise the display is printed at the end. Exit status 1: the program failed.
 
     \b
       ev3proto run hello.lms

@@ -1,4 +1,4 @@
-"""`ev3proto sample`: valid frames at random, or nearly valid ones, for trying other programs with."""
+"""`ev3proto sample`: random frames, valid or nearly valid, for testing other programs."""
 
 from __future__ import annotations
 
@@ -9,14 +9,12 @@ from itertools import islice
 
 import click
 
-from ev3proto.cli.commands import incompatible
+from ev3proto.cli.options import AREA, AREAS_HELP, dialect_option, incompatible
 from ev3proto.cli.output import Failure, binary_output, complain, say
 from ev3proto.cli.show import FORMATS, Show
 from ev3proto.dialogue import Exchange
 from ev3proto.extras import install_command
 from ev3proto.schema.frame import parse
-from ev3proto.tables import AREAS
-from ev3proto.tables.declaration import DIALECTS
 from ev3proto.text.forms import as_hex
 from ev3proto.text.phrases import Seen
 
@@ -24,30 +22,31 @@ MOST_SEEDS = 1 << 64
 
 
 @click.command()
-@click.option("-n", "--count", type=click.IntRange(1), default=10, show_default=True, help="How many frames.")
+@click.option(
+    "-n", "--count", type=click.IntRange(1), default=10, show_default=True, metavar="NUMBER", help="Number of frames."
+)
 @click.option(
     "--seed",
     type=click.IntRange(0, MOST_SEEDS - 1),
     default=0,
     show_default=True,
-    help="The same seed gives the same frames, the first ones for any count.",
+    metavar="NUMBER",
+    help="Start of the random numbers: the same seed gives the same frames.",
 )
 @click.option("--op", "names", multiple=True, metavar="NAME", help="Only SOUND.TONE, all of SOUND, or LIST_FILES.")
+@click.option("--area", "areas", multiple=True, type=AREA, metavar="AREA", help=f"Only operations {AREAS_HELP}")
+@click.option("--type", "types", multiple=True, metavar="TYPE", help="Only DIRECT_REPLY, or the kind direct-reply.")
+@click.option("--accepted", is_flag=True, help="Only commands in which `check` finds no errors.")
+@click.option("--mutate", is_flag=True, help="Change, cut or lengthen the frames.")
 @click.option(
-    "--area",
-    "areas",
-    multiple=True,
-    type=click.Choice([*AREAS, "system"]),
-    metavar="AREA",
-    help=f"Only those of one area of the firmware: {', '.join(AREAS)}, system.",
+    "--format",
+    "style",
+    type=click.Choice(["hex", "raw", *FORMATS]),
+    default="hex",
+    show_default=True,
+    help="Format of the output.",
 )
-@click.option("--type", "types", multiple=True, metavar="TYPE", help="Only DIRECT_REPLY, or all that is direct-reply.")
-@click.option("--accepted", is_flag=True, help="Only commands that the brick accepts: check finds no errors in them.")
-@click.option("--mutate", is_flag=True, help="Frames that are no longer right: changed, cut, lengthened.")
-@click.option(
-    "--format", "style", type=click.Choice(["hex", "raw", *FORMATS]), default="hex", show_default=True, help="How."
-)
-@click.option("--dialect", type=click.Choice(DIALECTS), default="official", show_default=True, help="Whose operations.")
+@dialect_option
 def sample(
     count: int,
     seed: int,
@@ -59,11 +58,10 @@ def sample(
     style: str,
     dialect: str,
 ) -> None:
-    """Draws frames at random, from all that the tables have.
+    """Generates random frames for testing other programs.
 
-    They can be read, but a brick would refuse many of them. With --accepted, it would not: `check` finds no errors,
-    warnings and hints at most. The options that choose can be given several times; of --op, --area and --type together,
-    all must hold. raw writes the bytes of one frame after the other.
+    They can be decoded, but a brick refuses many of them; with --accepted, it accepts all. --op, --area and --type can
+    be repeated; together, all of them must match. --format raw writes the bytes of one frame after the other.
 
     \b
       ev3proto sample --count 100 --seed 7 > frames.txt

@@ -1,4 +1,4 @@
-"""`ev3proto send`: frames to a brick, real or virtual, and what it answers."""
+"""`ev3proto send`: sends frames to a brick, real or virtual, and shows the replies."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ import click
 
 from ev3proto.capture.dialogues import RequestReply, is_error
 from ev3proto.cli.encode import Encoding, Wants
+from ev3proto.cli.options import dialect_option, json_option, reply_option
 from ev3proto.cli.output import Failure, complain
 from ev3proto.cli.reading import CaptureOptions, Piece
 from ev3proto.cli.recorded import show_dialogue
@@ -21,7 +22,6 @@ from ev3proto.link.records import Records
 from ev3proto.link.targets import Target
 from ev3proto.messages import Message
 from ev3proto.schema.header import HEADER_SIZE
-from ev3proto.tables.declaration import DIALECTS
 from ev3proto.text.paste import Pasted
 
 
@@ -60,15 +60,11 @@ class _Commands(Encoding):
 @click.command()
 @click.argument("target", type=TargetType())
 @click.argument("names", nargs=-1, metavar="[FRAME|TEXT|FILE|-]...")
-@click.option("--json", "as_json", is_flag=True, help="One JSON object a line: a command with its reply.")
-@click.option("--force", is_flag=True, help="Send also what the brick would refuse.")
+@json_option
+@click.option("--force", is_flag=True, help="Send also frames that the brick would refuse.")
 @timeout_option
-@click.option(
-    "--reply/--no-reply",
-    default=None,
-    help="Whether the brick is to answer assembly without a header; by default where there is something to answer.",
-)
-@click.option("--dialect", type=click.Choice(DIALECTS), default=DIALECTS[0], show_default=True)
+@reply_option
+@dialect_option
 def send(
     target: Target,
     names: tuple[str, ...],
@@ -78,14 +74,14 @@ def send(
     reply: bool | None,
     dialect: str,
 ) -> None:
-    """Sends frames to a brick and shows what it answers.
+    """Sends frames to a brick and shows the replies.
 
     TARGET is the brick: wifi, wifi:ADDRESS, wifi:ADDRESS:PORT, usb, usb:SERIALNUMBER, bluetooth:MAC, serial:PORT, or
-    virtual for one that is gone at the end. Frames come as `encode` takes them: hex, assembly, files that have them,
-    captures; or - (or nothing) for standard input. Replies of a brick among them are passed over.
+    virtual for a temporary virtual brick. The input is the same as for `encode`: hex, assembly, files, captures, or -
+    (or nothing) for standard input. A brick's replies in it are skipped.
 
-    Each frame is checked first, and its errors are shown. One that the brick would refuse is not sent.
-    Each reply is awaited before the next frame is sent.
+    All frames are checked first, and their errors are shown; if the brick would refuse one, nothing is sent. Each reply
+    is awaited before the next frame is sent.
 
     \b
       ev3proto send wifi 'SOUND(TONE, 1, 440, 1000)'

@@ -1,4 +1,4 @@
-"""`ev3proto stats`: what is in a capture, counted, as tables or JSON."""
+"""`ev3proto stats`: the contents of captures, counted, as tables or JSON."""
 
 from __future__ import annotations
 
@@ -23,12 +23,12 @@ _MILLISECONDS = 1000
 @click.command()
 @click.argument("files", nargs=-1, required=True, metavar="FILE...")
 @reading_options
-@click.option("--json", "as_json", is_flag=True, help="One JSON object.")
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
 def stats(files: tuple[str, ...], reading: CaptureOptions, as_json: bool) -> None:
-    """Counts what is in captures, or in texts that have frames; of several files together.
+    """Counts the messages, errors and files in captures and logs.
 
-    Messages by kind and by operation, latencies, errors, commands that got no reply, the files that were moved, and
-    where every captured byte went. Everything but the last is about the frames that --filter lets through.
+    Shows messages by kind and by operation, latencies, errors, unanswered commands, transferred files, and what each
+    captured byte is, for all files together. --filter applies to all but the last.
 
     \b
       ev3proto stats robot.pcapng

@@ -9,7 +9,7 @@ from typing import Any
 import click
 
 from ev3proto.checking.checking import check
-from ev3proto.cli.commands import FiniteRange
+from ev3proto.cli.options import FiniteRange
 from ev3proto.cli.output import complain, failing_on
 from ev3proto.link.carriers import open_wire
 from ev3proto.link.channel import Channel
@@ -19,7 +19,7 @@ from ev3proto.text.diagnostics import diagnostics
 from ev3proto.text.spans import plain_text
 
 REPLY_TIMEOUT = 30.0
-"""Seconds to wait for a reply unless something else is asked for."""
+"""Seconds to wait for a reply by default."""
 
 timeout_option = click.option(
     "--timeout",
@@ -27,17 +27,17 @@ timeout_option = click.option(
     default=REPLY_TIMEOUT,
     show_default=True,
     metavar="SECONDS",
-    help="How long to wait for each reply.",
+    help="Time to wait for each reply.",
 )
 
 
 class TargetType(click.ParamType):
-    """A brick as it is written on the command line."""
+    """The name of a brick."""
 
     name = "target"
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Target:
-        """The brick that was written."""
+        """Returns the brick."""
         if isinstance(value, Target):
             return value
         try:
@@ -46,9 +46,12 @@ class TargetType(click.ParamType):
             self.fail(str(error), param, ctx)
 
 
+target_option = click.option("--to", "target", type=TargetType(), required=True, help="Brick, as for `ev3proto send`.")
+
+
 @contextmanager
 def channel_to(target: Target) -> Iterator[Channel]:
-    """A connection to a brick for as long as the context lasts. Ends the program where there can be none."""
+    """Connects to a brick for the length of the context. Ends the program if that fails."""
     with failing_on(LinkError):
         channel = Channel(open_wire(target))
     with closing(channel):
@@ -56,13 +59,13 @@ def channel_to(target: Target) -> Iterator[Channel]:
 
 
 def is_refused(frame: bytes, place: str, *, dialect: str, carrier: str) -> bool:
-    """Checks a frame before it is sent; what is wrong with it is shown on standard error.
+    """Checks a frame before it is sent, and prints its errors on standard error.
 
     Args:
         frame: The frame.
-        place: Where it comes from, for complaints.
+        place: Its origin, for complaints.
         dialect: The firmware whose instruction set it is in.
-        carrier: What is to carry it.
+        carrier: What will carry it.
 
     Returns:
         Whether the brick would refuse it.

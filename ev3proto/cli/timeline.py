@@ -12,7 +12,7 @@ import click
 from ev3proto.capture import Event
 from ev3proto.capture.timeline import Form, MissingLibraryError, Window, collect, render, require_library
 from ev3proto.cli.captures import CaptureSource
-from ev3proto.cli.commands import FiniteRange
+from ev3proto.cli.options import FiniteRange
 from ev3proto.cli.output import Failure, complain, put, say
 from ev3proto.cli.reading import CaptureOptions, reading_options
 
@@ -33,17 +33,16 @@ _SECONDS = FiniteRange(0, MOST_SECONDS)
     required=True,
     help="Write to this file: .html, .svg, .png or .json.",
 )
-@click.option("--from", "first", type=_SECONDS, metavar="SECONDS", help="Begin so long after the first message.")
-@click.option("--to", "last", type=_SECONDS, metavar="SECONDS", help="End so long after the first message.")
+@click.option("--from", "first", type=_SECONDS, metavar="SECONDS", help="Begin this long after the first message.")
+@click.option("--to", "last", type=_SECONDS, metavar="SECONDS", help="End this long after the first message.")
 def timeline(
     files: tuple[str, ...], reading: CaptureOptions, output: Path, first: float | None, last: float | None
 ) -> None:
-    """Draws who said what when, how long the brick took to answer, and what went wrong.
+    """Draws a timeline of messages, latencies, files and faults.
 
-    The file's suffix says what is drawn: .html is a page to zoom and point at, which needs no network; .svg and
-    .png are pictures for texts; .json is the chart of Vega-Lite with its data, for other tools. With --filter, a
-    command is drawn with its reply where either of them is let through. A log without times is drawn in its order,
-    and --from and --to count its lines.
+    The suffix of the file decides the format: .html is an interactive page that needs no network; .svg and .png are
+    pictures; .json is the Vega-Lite chart with its data, for other tools. With --filter, a command is drawn with its
+    reply if either of them matches. A log without times is drawn in its order, and --from and --to count its lines.
 
     \b
       ev3proto timeline robot.pcapng -o robot.html

@@ -16,7 +16,7 @@ from ev3proto.capture.plot import draw
 from ev3proto.capture.series import MOST_CELLS, Cell, Row, Series, series_of
 from ev3proto.capture.timeline import MissingLibraryError
 from ev3proto.cli.captures import CaptureSource
-from ev3proto.cli.commands import incompatible
+from ev3proto.cli.options import incompatible
 from ev3proto.cli.output import complain, put, say
 from ev3proto.cli.reading import CaptureOptions, reading_options
 from ev3proto.cli.tables import Tables
@@ -39,8 +39,8 @@ MOST_COLUMNS = {None: MOST_SHOWN, "csv": 1_000, "json": None}
 @click.command()
 @click.argument("files", nargs=-1, required=True, metavar="FILE...")
 @reading_options
-@click.option("--csv", "as_csv", is_flag=True, help="Comma-separated values, a column for each.")
-@click.option("--json", "as_json", is_flag=True, help="One JSON object a line, for each reply.")
+@click.option("--csv", "as_csv", is_flag=True, help="Print comma-separated values.")
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON object a line, for each reply.")
 @click.option(
     "--plot",
     type=click.Path(path_type=Path, dir_okay=False),
@@ -48,11 +48,11 @@ MOST_COLUMNS = {None: MOST_SHOWN, "csv": 1_000, "json": None}
     help="Draw numbers over time into this file: .svg or .png.",
 )
 def values(files: tuple[str, ...], reading: CaptureOptions, as_csv: bool, as_json: bool, plot: Path | None) -> None:
-    """Prints values over time: battery, sensors, motors, latencies, messages to mailboxes.
+    """Shows values over time: battery, sensors, motors, latencies, mailbox messages.
 
-    Each value is a column, named after its operation, what that was asked with, and the parameter. --filter chooses the
-    replies; a value that an operation gives for another port is another column. A message to a mailbox has a column for
-    each reading that fits: text, number, logic (1 is true). Of several files, each row names its file.
+    Each value has a column, named after its operation, that operation's arguments such as the port, and the parameter.
+    --filter selects replies. A mailbox message has a column for each reading that fits: text, number, logic (1 is
+    true). With several files, each row names its file.
 
     \b
       ev3proto values robot.pcapng

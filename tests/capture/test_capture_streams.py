@@ -763,10 +763,8 @@ def test_frames_are_cut_anywhere_in_rfcomm() -> None:
 
 def test_what_is_no_serial_port_of_a_brick_is_left_alone() -> None:
     link = Link()
-    link.ask(service=1, ours=0x40, theirs=0x50)  # service discovery
     link.ask()
     link.l2cap(True, 0x50, voltage(1))
-    link.rfcomm(True, voltage(1), channel=0x50)
     link.rfcomm(True, voltage(2), port=4)
     link.l2cap(True, 0x04, voltage(3))  # of Bluetooth LE
     link.l2cap(True, 0x60, b"\x09\xef\x15" + voltage(4) + b"\x00")  # wrong check sum

@@ -9,14 +9,9 @@ from construct import Int8ul, Int16ul, Struct
 from ev3proto.capture.carriers.bluetooth.adapters import (
     ACL,
     ACL_PACKET,
-    ANSWER,
-    ASK,
-    CLOSE,
     CLOSED,
     COMMAND_PACKET,
     CONNECTED,
-    CONNECTION_REQUEST,
-    CONNECTION_RESPONSE,
     DIRECTION,
     DISCONNECTED,
     DONE,
@@ -24,9 +19,6 @@ from ev3proto.capture.carriers.bluetooth.adapters import (
     HANDLE_BITS,
     L2CAP,
     OPEN,
-    SERVICE_RFCOMM,
-    SIGNAL,
-    SIGNALS,
     UIH,
     frame_check,
 )
@@ -47,10 +39,16 @@ CREDITS = 7
 ENOUGH = 4
 """Number of remaining credits at which an end gets more."""
 
+SIGNAL = Struct("code" / Int8ul, "identifier" / Int8ul, "length" / Int16ul)
+CONNECTION_REQUEST = Struct("service" / Int16ul, "source" / Int16ul)
+CONNECTION_RESPONSE = Struct("target" / Int16ul, "source" / Int16ul, "result" / Int16ul)
+SIGNALS, SERVICE_RFCOMM = 1, 3
+"""The L2CAP channel on which channels are set up, and the number of RFCOMM."""
+
 CREATE_CONNECTION, DISCONNECT = 0x0405, 0x0406
 COMMAND_STATUS, COMPLETED_PACKETS = 0x0F, 0x13
-CONFIGURE, CONFIGURED, DISCONNECTED_CHANNEL = 4, 5, 7
-"""HCI commands and events and L2CAP signals that only writing needs."""
+ASK, ANSWER, CONFIGURE, CONFIGURED, CLOSE, DISCONNECTED_CHANNEL = 2, 3, 4, 5, 6, 7
+"""HCI commands and events, and L2CAP signals."""
 
 POLL = 0x10
 """The poll/final bit of RFCOMM's control field; in frames with data it says that credits follow."""

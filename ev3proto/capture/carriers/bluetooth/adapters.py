@@ -1,7 +1,7 @@
 """Bluetooth as host and controller exchange it: connections, L2CAP channels, and what RFCOMM carries in them.
 
-A capture may begin before or after any of them was set up. Where it has not the request for an L2CAP channel, RFCOMM is
-recognised by its check sum.
+A capture may begin before or after any of them was set up, so RFCOMM is recognised by its checksum, on any L2CAP
+channel. A packet that the capture has cut counts on channels that had whole ones.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
-from construct import Int8ul, Int16ub, Int16ul, Int32ub, Struct
+from construct import Int16ub, Int16ul, Int32ub, Struct
 
 from ev3proto.bounded import Bounded
 from ev3proto.capture.packets import Packet
@@ -22,15 +22,11 @@ ACL = Struct("handle" / Int16ul, "length" / Int16ul)
 """Head of a packet of data; the upper bits of the handle say whether it starts a packet or continues one."""
 
 L2CAP = Struct("length" / Int16ul, "channel" / Int16ul)
-SIGNAL = Struct("code" / Int8ul, "identifier" / Int8ul, "length" / Int16ul)
-CONNECTION_REQUEST = Struct("service" / Int16ul, "source" / Int16ul)
-CONNECTION_RESPONSE = Struct("target" / Int16ul, "source" / Int16ul, "result" / Int16ul)
 DIRECTION = Struct("received" / Int32ub)
 MONITOR = Struct("adapter" / Int16ub, "kind" / Int16ub)
 """What Linux's monitor writes before each packet."""
 
-_acl, _l2cap, _signal = packed(ACL), packed(L2CAP), packed(SIGNAL)
-_request, _response = packed(CONNECTION_REQUEST), packed(CONNECTION_RESPONSE)
+_acl, _l2cap = packed(ACL), packed(L2CAP)
 _direction, _monitor = packed(DIRECTION, ">"), packed(MONITOR, ">")
 
 COMMAND_PACKET, ACL_PACKET, EVENT_PACKET = 1, 2, 4
@@ -49,14 +45,8 @@ HANDLE_BITS = 12
 _HANDLE_MASK = (1 << HANDLE_BITS) - 1
 _GOES_ON = 1
 
-SIGNALS = 1
-"""The L2CAP channel on which channels are set up."""
-
-ASK, ANSWER, CLOSE = 2, 3, 6
-"""Signals."""
-
-SERVICE_RFCOMM = 3
 _LEAST_DYNAMIC = 0x40
+"""The first L2CAP channel that is given to services."""
 
 UIH, OPEN, DONE, REFUSED, CLOSED = 0xEF, 0x2F, 0x63, 0x0F, 0x43
 """RFCOMM's frame types: data, and those that open and close ports."""
@@ -67,7 +57,7 @@ MOST_CONNECTIONS = 64
 """Connections of all adapters together that are followed at the same time. An adapter has 7 at most."""
 
 MOST_CHANNELS = 128
-"""Channels of a connection of which it is known what they are for."""
+"""Maximum number of remembered RFCOMM channels of a connection."""
 
 MOST_ADAPTERS = 1024
 """Adapters whose own addresses are remembered."""
@@ -152,16 +142,14 @@ class _Part:
 
 @dataclass(slots=True)
 class _Connection:
-    """One connection of an adapter. The channels are by direction: those in which the host gets data, and the device.
+    """One connection of an adapter.
 
-    asked     services that were asked for, by who asked and the identifier of the signal: service and channel
-    services  what is known of a channel: its service
+    channels  the L2CAP channels of RFCOMM, with their directions
     """
 
     address: str | None
     generation: int
-    asked: dict[tuple[bool | None, int], tuple[int, int]] = field(default_factory=dict)
-    services: dict[tuple[bool | None, int], int] = field(default_factory=dict)
+    channels: set[tuple[bool | None, int]] = field(default_factory=set)
     parts: dict[object, _Part] = field(default_factory=dict)
 
 
@@ -245,25 +233,9 @@ class Bluetooth:
         if len(part.data) < part.size and not is_cut:
             connection.parts[side] = part
             return
-        serial = self._channel(connection, is_from_host, part.data[: part.size])
+        serial = _serial(connection, is_from_host, part)
         ends = Ports(self._own.get(adapter, HOST), connection.address or f"handle 0x{handle:04x}")
         yield Carried(ends, (adapter, handle, connection.generation), serial, part.weight)
-
-    def _channel(self, connection: _Connection, is_from_host: bool | None, data: bytes) -> Serial | None:
-        _, channel = _l2cap.unpack_from(data)
-        payload = data[_l2cap.size :]
-        if channel == SIGNALS:
-            _signalled(connection, is_from_host, payload)
-            return None
-        if channel < _LEAST_DYNAMIC:
-            return None
-        service = connection.services.get((is_from_host, channel))
-        if service is None:
-            serial = _serial(payload, is_from_host, is_checked=True)
-            if serial is not None and len(connection.services) < MOST_CHANNELS:
-                connection.services[is_from_host, channel] = SERVICE_RFCOMM
-            return serial
-        return _serial(payload, is_from_host) if service == SERVICE_RFCOMM else None
 
 
 def _unwrap(packet: Packet) -> tuple[int | None, bool | None, bytes]:
@@ -302,36 +274,13 @@ def _address(data: bytes) -> str:
     return data[::-1].hex(":")
 
 
-def _signalled(connection: _Connection, is_from_host: bool | None, data: bytes) -> None:
-    """Remembers the service of a channel that is being set up."""
-    at = 0
-    while at + _signal.size <= len(data):
-        code, identifier, length = _signal.unpack_from(data, at)
-        body = data[at + _signal.size : at + _signal.size + length]
-        at += _signal.size + length
-        if len(connection.asked) + len(connection.services) > MOST_CHANNELS:
-            connection.asked.clear()
-            connection.services.clear()
-        other = None if is_from_host is None else not is_from_host
-        if code == ASK and len(body) >= _request.size:
-            connection.asked[is_from_host, identifier] = _request.unpack_from(body)
-        elif code == ANSWER and len(body) >= _response.size:
-            target, source, result = _response.unpack_from(body)
-            service, _ = connection.asked.get((other, identifier), (None, 0))
-            if result == 0 and service is not None:
-                # Who answers sends to the channel of who asked, and the other way round.
-                connection.services[is_from_host, source] = service
-                connection.services[other, target] = service
-                connection.asked.pop((other, identifier), None)
-        elif code == CLOSE and len(body) >= _request.size:
-            target, source = _request.unpack_from(body)
-            connection.services.pop((is_from_host, target), None)
-            connection.services.pop((other, source), None)
-
-
-def _serial(data: bytes, is_from_host: bool | None, *, is_checked: bool = False) -> Serial | None:
-    """The RFCOMM frame in an L2CAP packet; with `is_checked` only if all of it fits. None where there is none."""
-    if len(data) < 4 or not data[0] & 1:
+def _serial(connection: _Connection, is_from_host: bool | None, part: _Part) -> Serial | None:
+    """Returns the RFCOMM frame in an L2CAP packet, if there is one."""
+    _, channel = _l2cap.unpack_from(part.data)
+    data = part.data[_l2cap.size : part.size]
+    way = is_from_host, channel
+    is_known_cut = len(part.data) < part.size and way in connection.channels
+    if channel < _LEAST_DYNAMIC or len(data) < 4 or not data[0] & 1:
         return None
     address, control = data[0], data[1]
     kind = control & ~_POLL
@@ -342,10 +291,11 @@ def _serial(data: bytes, is_from_host: bool | None, *, is_checked: bool = False)
     number = address >> 2
     has_credits = kind == UIH and bool(control & _POLL) and number != 0
     start = head + has_credits
-    if is_checked:
-        checked = data[:2] if kind == UIH else data[:head]
-        if len(data) != start + length + 1 or data[-1] != frame_check(checked):
-            return None
+    checked = data[:2] if kind == UIH else data[:head]
+    if not is_known_cut and (len(data) != start + length + 1 or data[-1] != frame_check(checked)):
+        return None
+    if len(connection.channels) < MOST_CHANNELS:
+        connection.channels.add(way)
     if is_from_host is None:
         # In data frames this bit is set by the side that opened the connection, which a brick does not do.
         is_from_host = bool(address & 2)

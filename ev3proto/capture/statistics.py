@@ -11,12 +11,12 @@ one by one is listed up to a limit, with the number of all beside it.
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Iterable
 from dataclasses import asdict, dataclass, field
 from functools import cache
 from typing import Any, NamedTuple
 
-from ev3proto.bounded import Bounded
 from ev3proto.capture.byte_account import Account
 from ev3proto.capture.dialogues import is_error
 from ev3proto.capture.latencies import Latencies, Percentiles
@@ -270,14 +270,6 @@ class _Peer:
         return counts
 
 
-class _OpenCommand(NamedTuple):
-    """A command that waits for its reply; not the record itself, which would keep its frame and message."""
-
-    number: int
-    peer: str
-    carried: tuple[OperationName, ...]
-
-
 @dataclass(slots=True)
 class _Moving:
     transfer: Transfer
@@ -313,7 +305,7 @@ class Statistics:
         self._peers: dict[str, _Peer] = {}
         self._further = 0
         self._texts: dict[str, Amount] = {}
-        self._waiting: Bounded[int, _OpenCommand] = Bounded(MOST_PENDING)
+        self._waiting: deque[Record] = deque()
         self._unanswered: list[Noted] = []
         self._faults: list[Noted] = []
         self._skipped: list[Noted] = []
@@ -332,11 +324,6 @@ class Statistics:
         else:
             self._skip(event)
 
-    def look(self, event: Event) -> None:
-        """Looks at an event that may not be counted: a reply to a command that was counted is one all the same."""
-        if isinstance(event, Record):
-            self._answered(event)
-
     def summary(self, account: Account | None = None) -> Summary:
         """What there was so far. Commands whose reply did not come are unanswered.
 
@@ -344,7 +331,7 @@ class Statistics:
             account: That of the capture, after it was read.
         """
         while self._waiting:
-            self._give_up(self._waiting.pop_oldest())
+            self._settle_oldest()
         self._unanswered.sort(key=lambda noted: noted.packet)
         return Summary(
             self._whole.summary(),
@@ -376,13 +363,14 @@ class Statistics:
             carried = _carried(message)
             for each in counted:
                 each.command(record, carried)
-            if message.wants_reply and record.answered is None:
-                self._wait(record, carried)
+            if message.wants_reply:
+                self._waiting.append(record)
+            while self._waiting and (self._waiting[0].answered is not None or len(self._waiting) > MOST_PENDING):
+                self._settle_oldest()
         else:
             carried = _carried(message if record.request is None else record.request.message)
             for each in counted:
                 each.reply(record, carried, is_error(message))
-            self._answered(record)
         if record.transfer is not None:
             self._move(record, record.transfer)
 
@@ -394,28 +382,17 @@ class Statistics:
             self._peers[peer] = _Peer(peer)
         return self._whole, self._peers[peer]
 
-    # Commands and their replies. A record that is no longer referred to can have no reply, and then another one can
-    # have its id: what waits under that id waits in vain.
-
-    def _wait(self, record: Record, carried: dict[OperationName, int]) -> None:
-        same = self._waiting.pop(id(record), None)
-        oldest = self._waiting.add(id(record), _OpenCommand(record.number, record.peer, tuple(carried)))
-        for forgotten in (same, oldest):
-            if forgotten is not None:
-                self._give_up(forgotten)
-
-    def _answered(self, reply: Record) -> None:
-        request = reply.request
-        waiting = None if request is None else self._waiting.get(id(request))
-        if request is not None and waiting is not None and waiting.number == request.number:
-            del self._waiting[id(request)]
-
-    def _give_up(self, waiting: _OpenCommand) -> None:
-        for each in self._counted(waiting.peer):
-            each.no_reply(waiting.carried)
-        self._unanswered.append(Noted(waiting.number, waiting.peer, _listed(waiting.carried)))
+    def _settle_oldest(self) -> None:
+        """Stops waiting for the oldest command, which is unanswered unless its reply came meanwhile."""
+        command = self._waiting.popleft()
+        if command.answered is not None:
+            return
+        carried = _carried(command.message)
+        for each in self._counted(command.peer):
+            each.no_reply(carried)
+        self._unanswered.append(Noted(command.number, command.peer, _listed(tuple(carried))))
         if len(self._unanswered) > 2 * MOST_LISTED:
-            # Commands are not always given up in their order.
+            # Commands are not always settled in their order.
             self._unanswered.sort(key=lambda noted: noted.packet)
             del self._unanswered[MOST_LISTED:]
 

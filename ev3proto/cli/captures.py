@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 from contextlib import AbstractContextManager
 from dataclasses import dataclass, field
 from typing import Any
@@ -69,11 +69,8 @@ class CaptureSource:
         """What complaints call it."""
         return "standard input" if self.name == "-" else visible(self.name)
 
-    def events(self, look: Callable[[Event], None] | None = None) -> Iterator[Event]:
+    def events(self) -> Iterator[Event]:
         """Reads the capture. What cannot be read is complained about; nothing is raised.
-
-        Args:
-            look: With a filter it is called with each event before that is chosen, also with those that are not.
 
         Yields:
             All events, or with a filter the frames that it lets through and nothing else.
@@ -85,8 +82,7 @@ class CaptureSource:
         from ev3proto.capture.filter import Choosing  # loaded already where there is a filter
 
         choosing = Choosing(chosen, self.options.memory * MIB)
-        events = self._all_events()
-        yield from choosing.chosen(events if look is None else _looked_at(events, look))
+        yield from choosing.chosen(self._all_events())
         if choosing.given_up:
             complain(
                 f"{self.label}: {choosing.given_up} commands were taken for unanswered before the capture ended: what"
@@ -242,9 +238,3 @@ def _stream(name: str) -> Any:
     if sys.stdin is None:
         raise OSError("standard input is closed")
     return sys.stdin.buffer
-
-
-def _looked_at(events: Iterable[Event], look: Callable[[Event], None]) -> Iterator[Event]:
-    for event in events:
-        look(event)
-        yield event

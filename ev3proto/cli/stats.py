@@ -40,7 +40,7 @@ def stats(files: tuple[str, ...], reading: CaptureOptions, as_json: bool) -> Non
     units = set()
     for file in files:
         source = CaptureSource(file, reading)
-        for event in source.events(statistics.look):
+        for event in source.events():
             statistics.add(event)
         source.expect_frames()
         units.add(source.unit)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Collection, Generator, Iterable, Iterator
+from collections.abc import Collection, Generator, Iterator
 from types import TracebackType
 from typing import BinaryIO, Self
 
@@ -127,36 +127,6 @@ def _opened(source: str | os.PathLike[str] | BinaryIO) -> CaptureFile:
 _CARRIERS = {int(link): carrier for carrier in Carrier for link in carrier.facts.links}
 
 
-class _Readers(dict[int, Callable[[Packet], Iterable[Event]]]):
-    """What reads packets, by their link. The reader of a carrier is made for the first of its packets."""
-
-    def __init__(self, context: Context) -> None:
-        super().__init__()
-        self._context = context
-        self._carriers: dict[Carrier, CarrierReader] = {}
-        self.unknown: set[int] = set()
-
-    def __missing__(self, link: int) -> Callable[[Packet], Iterable[Event]]:
-        carrier = _CARRIERS.get(link)
-        if carrier is None:
-            self.unknown.add(link)
-            self[link] = self._pass_over
-        else:
-            if carrier not in self._carriers:
-                self._carriers[carrier] = reader(carrier, self._context)
-            self[link] = self._carriers[carrier].feed
-        return self[link]
-
-    def end(self) -> Iterator[Event]:
-        """The events that are left once there are no more packets."""
-        for each in self._carriers.values():
-            yield from each.end()
-
-    def _pass_over(self, packet: Packet) -> Iterable[Event]:
-        self._context.account.other += len(packet.data)
-        return ()
-
-
 def _events_in(
     packets: Iterator[Packet], account: Account, *, dialect: str, ports: Collection[int], memory: int = DEFAULT_MEMORY
 ) -> Iterator[Event]:
@@ -178,7 +148,8 @@ def _events_in(
     """
     budget = Budget(memory)
     context = Context(frame_schema(dialect), account, frozenset(ports), budget)
-    readers, late = _Readers(context), context.late
+    readers: dict[Carrier, CarrierReader] = {}
+    unknown: set[int] = set()
     trouble: CaptureError | None = None
     try:
         for packet in packets:
@@ -191,22 +162,27 @@ def _events_in(
             account.captured += captured
             if captured < size:
                 account.cut += 1
-            feed = readers[interface.link]
-            if not captured:
-                # A file of a megabyte has ten million of these once it is unpacked.
+            carrier = _CARRIERS.get(interface.link)
+            if carrier is None:
+                unknown.add(interface.link)
+                account.other += captured
                 continue
-            yield from feed(packet)
-            if late:
-                yield from late
-                late.clear()
+            if carrier not in readers:
+                readers[carrier] = reader(carrier, context)
+            if captured:
+                yield from readers[carrier].feed(packet)
+            if context.late:
+                yield from context.late
+                context.late.clear()
     except CaptureError as error:
         trouble = error
-    yield from readers.end()
+    for each in readers.values():
+        yield from each.end()
     account.forgotten = budget.dropped
     if trouble is not None:
         raise trouble
-    if readers.unknown:
+    if unknown:
         raise CaptureError(
-            f"packets of link type {', '.join(map(str, sorted(readers.unknown)))} were not read: none of them is one of"
-            " those that are known here; --engine wireshark reads all that Wireshark knows"
+            f"packets of link type {', '.join(map(str, sorted(unknown)))} were not read; --engine wireshark reads all"
+            " link types of Wireshark"
         )

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 
 from construct import Int16ul, Int32ul, Struct
 
-from ev3proto.capture.packets import MOST_PACKET, Interface, Packet, new_packet
+from ev3proto.capture.packets import MOST_PACKET, Interface, Packet
 from ev3proto.capture.record import CaptureError
 from ev3proto.schema.bytewise import packed
 
@@ -77,11 +77,11 @@ def packets(stream: io.BufferedIOBase) -> Iterator[Packet]:
             offset += start
             piece, start, end = _continued(stream, piece[start:], length), 0, length
             if end > len(piece):
-                yield new_packet((number, time_ns, piece, on_wire, interface, None))
+                yield Packet(number, time_ns, piece, on_wire, interface)
                 raise CaptureError(
                     f"the file is cut off in packet {number}: {len(piece)} of its {length} bytes are there"
                 )
-        yield new_packet((number, time_ns, piece[start:end], on_wire, interface, None))
+        yield Packet(number, time_ns, piece[start:end], on_wire, interface)
         at = end
 
 

@@ -22,6 +22,7 @@ from ev3proto.tables.enumerations import FORMAT_TYPES
 CMD = ArgumentSchema(Parameter("CMD", DATA8, "the command of the family"))
 """CMD is a parameter like any other: one byte if it is 31 or less, but senders may use longer encodings."""
 
+_CMD = (CMD.reader,)
 _LISTS = (Type.COUNT, Type.VALUES)
 _IN_ORDER = (tuple, list)
 
@@ -144,7 +145,9 @@ class OperationSchema(Bytewise):
         """
         if self.declaration.command is None:
             return None
-        return CMD.read(data, at + 1)[0]
+        found: list[Argument] = []
+        read_arguments(_CMD, data, at + 1, len(data), found)
+        return found[0]
 
     def arguments(self, data: bytes, at: int, end: int) -> tuple[Argument, ...]:
         """Reads the arguments of an operation again after it was built, copied, or moved into a frame.
@@ -420,7 +423,7 @@ class InstructionSet(Bytewise):
         if schema is not None:
             return schema, at + 2
         found: list[Argument] = []
-        stop = read_arguments((CMD.reader,), data, at + 1, end, found)
+        stop = read_arguments(_CMD, data, at + 1, end, found)
         _, form, number, *_ = found[0]
         if form.kind != CONSTANT:
             raise DecodeError(at + 1, f"CMD of {family.opcode.name} is {form.name}, but must be a constant")

@@ -110,13 +110,15 @@ class Excerpt:
         operation = self._operation_at(finding.offset)
         if operation is None:
             return ""
-        cmd = operation.cmd
         if span == (operation.offset, operation.length):
             return _cut(operation.full_name, _MOST_LABEL)
+        for argument in operation.arguments:
+            if span == (argument.offset, argument.length):
+                return _cut(_said(argument), _MOST_LABEL)
+        cmd = operation.cmd
         if cmd is not None and span == (cmd.offset, cmd.length):
             return _cut(f"CMD = {cmd.value} {operation.command}", _MOST_LABEL)
-        said = [_said(one) for one in operation.arguments if one.offset == finding.offset and one.length == span[1]]
-        return _cut("".join(said), _MOST_LABEL)
+        return ""
 
     def _header(self, offset: int) -> str:
         message = self._message

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
+from operator import itemgetter
 from typing import Final
 
 _HARMFUL = re.compile(
@@ -58,8 +59,9 @@ class Role:
 
 Span = tuple[str, str]
 Line = list[Span]
+_TEXT = itemgetter(0)
 
 
 def plain_text(line: Iterable[Span]) -> str:
     """Returns the line without its roles, safe to show."""
-    return visible("".join([text for text, _ in line]).rstrip())
+    return visible("".join(map(_TEXT, line)).rstrip())

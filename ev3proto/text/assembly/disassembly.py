@@ -160,8 +160,9 @@ def operation_line(operation: Operation) -> str:
     if not isinstance(operation, Operation):
         raise TypeError(f"a line is made of an Operation, not of {type(operation).__name__}")
     pieces = [f"op{operation.name}"]
-    if operation.cmd is not None:
-        pieces.append(in_macro(operation.cmd, operation.command or ""))
+    cmd = operation.cmd
+    if cmd is not None:
+        pieces.append(in_macro(cmd, operation.command or ""))
     pieces += map(_macro, operation.arguments)
     if not operation.is_complete:
         pieces.append(CUT)

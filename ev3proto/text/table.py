@@ -92,19 +92,21 @@ def _bands(cells: list[Cell]) -> Iterator[list[Cell]]:
         yield band
 
 
-def _draw(cells: list[Cell], first: bool) -> Iterator[Line]:
-    rule = "-" * (3 + sum(cell.width + 1 for cell in cells))
-    prefix = "0x" if first else "  "
-    yield [(rule, Role.ASIDE)]
-    yield [("  \\" + "".join(f"{cell.label.ljust(cell.width)}\\" for cell in cells), Role.NAME)]
-    yield [(rule, Role.ASIDE)]
-    yield [(f"{prefix}|" + "".join(f"{cell.hex.ljust(cell.width)}|" for cell in cells), Role.HEADING)]
-    yield [(rule, Role.ASIDE)]
-    height = max(len(cell.rows) for cell in cells)
+def _draw(cells: list[Cell], first: bool) -> list[Line]:
+    rule: Line = [("-" * (3 + sum([cell.width + 1 for cell in cells])), Role.ASIDE)]
+    labels = "".join([f"{cell.label.ljust(cell.width)}\\" for cell in cells])
+    digits = "".join([f"{cell.hex.ljust(cell.width)}|" for cell in cells])
+    height = max([len(cell.rows) for cell in cells])
     columns = [cell.rows + [" " * cell.width] * (height - len(cell.rows)) for cell in cells]
-    for pieces in zip(*columns, strict=True):
-        yield [("  \\" + "\\".join(pieces) + "\\", Role.VALUE)]
-    yield [(rule, Role.ASIDE)]
+    return [
+        rule,
+        [(f"  \\{labels}", Role.NAME)],
+        rule,
+        [(f"{'0x' if first else '  '}|{digits}", Role.HEADING)],
+        rule,
+        *[[("  \\" + "\\".join(pieces) + "\\", Role.VALUE)] for pieces in zip(*columns, strict=True)],
+        rule,
+    ]
 
 
 def _cells(message: Message) -> Iterator[Cell]:

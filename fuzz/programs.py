@@ -6,8 +6,7 @@ import json
 
 from ev3proto.errors import DecodeError
 from ev3proto.program import assemble, build, check_program, parse, source_of
-from ev3proto.program.json_format import program_record
-from ev3proto.program.listing import listing, program_tree
+from ev3proto.program.listing import listing, program_record, program_tree
 from ev3proto.text.assembly.errors import AssemblyError
 
 _SIGN = b"LEGO"

@@ -19,8 +19,7 @@ from ev3proto.cli.reading import is_image
 from ev3proto.cli.sources import Source
 from ev3proto.errors import DecodeError, counted
 from ev3proto.program import Program, assemble, check_program, parse, source_of
-from ev3proto.program.json_format import program_record
-from ev3proto.program.listing import listing, program_tree
+from ev3proto.program.listing import listing, program_record, program_tree
 from ev3proto.program.report import program_findings
 from ev3proto.program.sources import MAX_SOURCE
 from ev3proto.text.assembly.errors import AssemblyError, SourceWarning

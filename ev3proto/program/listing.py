@@ -1,8 +1,12 @@
-"""A program as a listing: its header, its objects, each operation with its offset, labels where jumps lead."""
+"""A program as a listing: its header, its objects, each operation with its offset, labels where jumps lead.
+
+Also as one JSON object, with every key that other tools may rely on.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Any
 
 from ev3proto.errors import counted
 from ev3proto.messages import Operation
@@ -12,6 +16,8 @@ from ev3proto.program.writing import ObjectCode, Writer
 from ev3proto.tables.declaration import Direction
 from ev3proto.tables.encoding import CONSTANT
 from ev3proto.tables.program import VERSIONS, ObjectKind
+from ev3proto.text.assembly.disassembly import goal_of
+from ev3proto.text.json_format.from_messages import operation_record
 from ev3proto.text.phrases import spaced_hex
 from ev3proto.text.spans import Line, Role
 from ev3proto.text.tree import operation_lines
@@ -121,3 +127,59 @@ def _rest(code: ObjectCode) -> Iterator[Line]:
 def _faults(program: Program) -> Iterator[Line]:
     for fault in program.faults:
         yield [(f"fault at {fault}", Role.FAULT)]
+
+
+def program_record(program: Program, size: int) -> dict[str, Any]:
+    """Returns the object of a program whose image has `size` bytes.
+
+    An object that uses the code of an earlier one has `shares`, and no operations of its own.
+    """
+    return {
+        "kind": "program",
+        "size": size,
+        "version": program.version,
+        "globals": program.global_size,
+        "objects": [_object_record(part) for part in program.objects],
+        "faults": [{"offset": fault.offset, "reason": fault.reason} for fault in program.faults],
+    }
+
+
+def _object_record(part: CodeObject) -> dict[str, Any]:
+    entry: dict[str, Any] = {
+        "number": part.number,
+        "kind": str(part.kind),
+        "owner": part.owner,
+        "triggers": part.triggers,
+        "locals": part.local_size,
+        "offset": part.offset,
+        "parameters": [
+            {
+                "type": str(parameter.type),
+                "direction": str(parameter.direction),
+                "offset": place.offset,
+                "size": place.size,
+            }
+            for parameter, place in zip(part.parameters, part.places, strict=True)
+        ]
+        if part.shares is None
+        else [],
+    }
+    if part.shares is not None:
+        entry["shares"] = part.shares
+        return entry
+    entry["length"] = len(part.code)
+    entry["calls"] = called_by(part)
+    entry["operations"] = [_operation_record(operation) for operation in part.operations]
+    if part.rest:
+        entry["rest"] = part.rest.hex()
+    if part.fault is not None:
+        entry["fault"] = {"offset": part.fault.offset, "reason": part.fault.reason}
+    return entry
+
+
+def _operation_record(operation: Operation) -> dict[str, Any]:
+    entry = operation_record(operation)
+    goal = goal_of(operation)
+    if goal is not None:
+        entry["target"] = goal
+    return entry

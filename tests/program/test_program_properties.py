@@ -7,8 +7,7 @@ from hypothesis import HealthCheck, given, settings
 
 from ev3proto import program as programs
 from ev3proto.program import Program, assemble, check_program, source_of
-from ev3proto.program.json_format import program_record
-from ev3proto.program.listing import listing, program_tree
+from ev3proto.program.listing import listing, program_record, program_tree
 from ev3proto.tables.declaration import DIALECTS
 from ev3proto.testing import program_images
 from ev3proto.testing import programs as any_programs

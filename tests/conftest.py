@@ -1,7 +1,7 @@
-"""What all tests share: the tshark, the marker on tests that use it, hypothesis's settings, where temporary files are.
+"""What all tests share: tshark, the marker of tests that use it, the settings of hypothesis, temporary files.
 
-By default hypothesis draws the same few examples in every run, so that a change turns a test red and chance does not.
-With EV3PROTO_THOROUGH it draws many, others each time, and keeps those that fail.
+By default, hypothesis draws the same few examples in every run, so that a test fails by a change and not by chance.
+With EV3PROTO_THOROUGH it draws many, new ones each time, and keeps those that fail.
 """
 
 from __future__ import annotations
@@ -22,19 +22,19 @@ from support.digests import digest_of
 from support.effort import THOROUGH
 from support.wireshark import Tshark
 
-# Hundreds of processes are started, and without compiled modules each would compile the package anew.
+# Hundreds of processes are started; without compiled modules, each would compile the package.
 os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 sys.dont_write_bytecode = False
 
-# Few users set it, and without it output waits in a buffer, where faults of ending show.
+# Few users set it, and without it output waits in a buffer, which reveals faults at the end of a program.
 os.environ.pop("PYTHONUNBUFFERED", None)
 
-# What a shell starts in the background ignores Ctrl-C, and so does what that starts: tests that interrupt would wait
-# forever.
+# Processes that a shell starts in the background ignore Ctrl-C, and so do their children: tests that interrupt would
+# wait forever.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
-# What runs under nohup ignores that its terminal is gone, and so does what it starts.
+# Under nohup, processes and their children ignore that their terminal has gone.
 if signal.getsignal(signal.SIGHUP) is signal.SIG_IGN:
     signal.signal(signal.SIGHUP, signal.SIG_DFL)
 
@@ -46,27 +46,27 @@ settings.register_profile(
 )
 settings.load_profile("thorough" if THOROUGH else "usual")
 if not THOROUGH:
-    # Hypothesis draws some values from the source of all modules that are imported at the time. Without that a test has
+    # Hypothesis takes some values from the source of all imported modules. Without that, a test has
     # the same examples whatever runs before it.
     providers._get_local_constants = Constants
 
-# What a test draws depends on its source, which is read anew for each of those that are made within other tests.
+# The examples of a test depend on its source, which is read again for each test that is made within another one.
 vars(core)["function_digest"] = digest_of(reflection.function_digest)
 
-# Where tests/run installs the compiler of Kaitai Struct.
+# The folder where tests/run installs the compiler of Kaitai Struct.
 COMPILER = Path(__file__).parents[1] / ".kaitai" / "node_modules" / "kaitai-struct-compiler"
 if COMPILER.is_dir():
     os.environ.setdefault("EV3PROTO_KSC", str(COMPILER))
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """Gives the session a folder of its own for temporary files, where nothing must be left at the end."""
+    """Gives the session its own folder for temporary files, which must be empty at the end."""
     if not hasattr(config, "workerinput"):
         scratch.begin()
 
 
 def pytest_sessionfinish(session: pytest.Session) -> None:
-    """Fails the session where something was left."""
+    """Fails the session if files were left."""
     left = [] if hasattr(session.config, "workerinput") else scratch.end()
     if left:
         print(f"\nleft in the folder for temporary files: {', '.join(left)}")
@@ -75,13 +75,13 @@ def pytest_sessionfinish(session: pytest.Session) -> None:
 
 @pytest.fixture(scope="session")
 def tshark() -> Iterator[Tshark]:
-    """The tshark that EV3PROTO_TSHARK names, with the dissector loaded."""
+    """The tshark of EV3PROTO_TSHARK, or the default, with the dissector loaded."""
     with Tshark.from_setting() as tshark:
         yield tshark
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Lets `pytest -m wireshark` select what another tshark can change."""
+    """Lets `pytest -m wireshark` select the tests that depend on the version of tshark."""
     for item in items:
         if "tshark" in getattr(item, "fixturenames", ()):
             item.add_marker("wireshark")

@@ -1,4 +1,4 @@
-"""Tries what bin/release has built: the checksums, the wheel in a clean environment, what the source distribution has.
+"""Tries the files of bin/release: checksums, the wheel in a clean environment, the contents of the source distribution.
 
 python tests/release.py dist
 
@@ -20,14 +20,14 @@ from pathlib import Path
 ROOT = Path(__file__).parents[1]
 
 LEFT_OUT = {".ci/run", ".gitignore"}
-"""What the repository has and the source distribution does not need."""
+"""Files of the repository that the source distribution does not need."""
 
 EXPORTED = {"ev3proto.h": "c-header", "ev3.ksy": "kaitai"}
-"""The word after `ev3proto export` that prints each file."""
+"""The argument of `ev3proto export` that prints each file."""
 
 
 def main(dist: Path) -> None:
-    """Ends with a sentence and status 1 where something is wrong."""
+    """Checks a folder; prints what is wrong and exits with status 1."""
     for line in (dist / "SHA256SUMS").read_text().splitlines():
         total, name = line.split(maxsplit=1)
         expect(hashlib.sha256((dist / name).read_bytes()).hexdigest() == total, f"the checksum of {name} is wrong")
@@ -44,7 +44,7 @@ def main(dist: Path) -> None:
 
 
 def try_wheel(wheel: Path, dist: Path, folder: Path) -> None:
-    """Installs the wheel into a clean environment, and runs it there as README.md shows."""
+    """Installs the wheel into a clean environment, and runs it there as in README.md."""
     venv.create(folder / "environment", with_pip=True)
     programs = folder / "environment" / ("Scripts" if os.name == "nt" else "bin")
     python = programs / "python"
@@ -74,7 +74,7 @@ def try_wheel(wheel: Path, dist: Path, folder: Path) -> None:
 
 
 def run(*words: str | Path, cwd: Path) -> str:
-    """What a command prints; the end where it fails. Nothing of this program's environment leads it elsewhere."""
+    """Returns the output of a command, or exits if it fails. The environment of this program does not influence it."""
     environment = {name: text for name, text in os.environ.items() if not name.startswith("PYTHONPATH")}
     done = subprocess.run(
         [str(word) for word in words], cwd=cwd, env=environment, capture_output=True, text=True, encoding="utf-8"
@@ -84,7 +84,7 @@ def run(*words: str | Path, cwd: Path) -> str:
 
 
 def expect(is_so: bool, sentence: str) -> None:
-    """Ends with a sentence unless something is so."""
+    """Exits with a message unless something is true."""
     if not is_so:
         sys.exit(f"tests/release.py: {sentence}")
 

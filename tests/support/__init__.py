@@ -1,1 +1,1 @@
-"""What the tests share and is no test itself: captures built by hand, drawn frames, tshark, the command line."""
+"""Helpers shared by the tests: captures built by hand, random frames, tshark, the command line."""

@@ -1,6 +1,6 @@
 """Follows the helps of `check`: yields the resulting frames, one for each number that a help names.
 
-The numbers of a help are put where a person would put them. Only the length field changes with them; it keeps being off
+The numbers of a help are put where a user would put them. Only the length field changes with them; it remains wrong
 by the same number of bytes as before.
 """
 
@@ -31,9 +31,9 @@ class Advised:
         self._shift = 0
 
     def frames(self) -> Iterator[tuple[str, bytes, int]]:
-        """Yields the advice followed, the resulting frame, and the offset of what the finding was about.
+        """Yields the applied advice, the resulting frame, and the offset of the finding in it.
 
-        Nothing if the help names no number to put in.
+        Yields nothing if the help does not name a number.
         """
         for pattern, doing in _DOINGS:
             for found in re.finditer(pattern, self.finding.help):
@@ -52,13 +52,13 @@ class Advised:
 
     @property
     def operations(self) -> tuple[Operation, ...]:
-        """The operations of the frame as far as its length field says."""
+        """The operations of the frame, up to the end that its length field gives."""
         end = min(max(self.stated + 2, HEADER_SIZE), len(self.frame))
         message = ev3proto.parse(with_length(self.frame[2:end]), strict=False, dialect=self._dialect)
         return message.operations if isinstance(message, DirectCommand) else ()
 
     def argument(self, name: str | None = None) -> Argument:
-        """The argument that the finding is about, or another one of the same operation."""
+        """Returns the argument that the finding is about, or another one of the same operation."""
         at = self.finding.offset
         for operation in self.operations:
             if operation.offset <= at < operation.offset + operation.length:
@@ -71,9 +71,9 @@ class Advised:
         return next(it for it in self.operations if it.offset == self.finding.offset)
 
     def with_number(self, value: int, name: str | None = None) -> bytes:
-        """The frame with another number for an argument, in as many bytes as before where that is possible.
+        """Returns the frame with another number for an argument, in as many bytes as before if possible.
 
-        name  of another parameter of the operation than the one that the finding is about
+        name  another parameter of the operation than that of the finding
         """
         start, length = self.finding.offset, self.finding.length
         if name is not None:
@@ -170,10 +170,10 @@ def _count(at: Advised, name: str, number: str) -> Iterator[bytes]:
 
 
 def _shorten(at: Advised, number: str) -> Iterator[bytes]:
-    """Fewer characters or bytes, from the start of what is too long."""
+    """Shortens what is too long to fewer characters or bytes."""
     start = at.finding.offset + (1 if at.finding.code == "E502" else 0)
     shorter = at.spliced(start, int(number), b"")
-    if at.finding.message.startswith("the message has"):  # of a mailbox: two bytes before it count its own
+    if at.finding.message.startswith("the message has"):  # a mailbox has its length in the two bytes before it
         count = (at.finding.length - int(number)).to_bytes(2, "little")
         shorter = shorter[: start - 2] + count + shorter[start:]
     yield shorter
@@ -243,4 +243,4 @@ _DOINGS: tuple[tuple[str, Doing], ...] = (
     (r"put UI_DRAW.UPDATE \(([0-9A-F]{2}):([0-9A-F]{2})\)", _update),
     (r"write (-?\d+) as a float", _as_float),
 )
-"""What is done with each number, by the words around it."""
+"""The action for each number, by the words around it."""

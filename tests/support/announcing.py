@@ -1,4 +1,4 @@
-"""Beacons on loopback, to a UDP port of the test's own: the usual one is there once for all tests of a computer."""
+"""Beacons on loopback, sent to a UDP port of the test: the usual port exists once per computer."""
 
 from __future__ import annotations
 

@@ -14,15 +14,15 @@ _DECLARATION = re.compile(r"((?:local )?DATA\w+ \w+(?: \d+)?)(?=\s)")
 
 
 class RefusedError(Exception):
-    """The brick answered with an error; the text says what its memory holds."""
+    """The brick answered with an error; the message has its memory."""
 
 
 def ask(brick: Brick, text: str, seconds: float = 0.0) -> str:
-    """Sends operations as one direct command and returns the reply's memory in hex, `busy` while there is no reply.
+    """Sends operations as one direct command and returns the reply's memory in hex, or `busy` if no reply comes.
 
     Values that a careful sender avoids are sent, too: the brick has to cope with them.
 
-    text     the operations; variables that are declared in it are what the reply brings; all may stand on one line
+    text     the operations, also in one line; the reply brings the variables that are declared in it
     seconds  how long to wait for a reply
     """
     (message,) = assemble(_DECLARATION.sub(r"\1\n", text), reply=True, unchecked=True)
@@ -32,7 +32,7 @@ def ask(brick: Brick, text: str, seconds: float = 0.0) -> str:
 
 
 def answer(replies: list[bytes]) -> str:
-    """The memory that the one reply brings, in hex; `busy` where there is none."""
+    """Returns the memory in the only reply, in hex; `busy` without a reply."""
     if not replies:
         return "busy"
     (reply,) = replies

@@ -11,22 +11,22 @@ from selenium.webdriver import Chrome, ChromeOptions
 from selenium.webdriver.chrome.service import Service
 
 LEAST_WINDOW = 500
-"""Pixels below which Chromium makes no window narrower."""
+"""The minimum width of Chromium's windows, in pixels."""
 
 
 def scrolls_sideways(browser: Any) -> bool:
-    """Whether the page is wider than the window."""
+    """Returns whether the page is wider than the window."""
     script = "return document.documentElement.scrollWidth > document.documentElement.clientWidth"
     return bool(browser.execute_script(script))
 
 
 @contextmanager
 def chromium(profile: Path, width: int = 1400) -> Iterator[Chrome]:
-    """A browser that has never been used, and ends with the block.
+    """Yields a browser with a new profile, which is closed at the end of the block.
 
     Args:
         profile: A folder that does not exist yet.
-        width: Of its window, in pixels; one narrower than 500 is a phone's.
+        width: The width of its window, in pixels; less than 500 emulates a phone.
     """
     options = ChromeOptions()
     for argument in (
@@ -56,5 +56,5 @@ def chromium(profile: Path, width: int = 1400) -> Iterator[Chrome]:
 
 
 def complaints(browser: Any) -> list[str]:
-    """What pages complained of on the console since the last call."""
+    """Returns the complaints of pages on the console since the last call."""
     return [entry["message"] for entry in browser.get_log("browser") if entry["level"] == "SEVERE"]

@@ -1,4 +1,4 @@
-"""Direct commands as a careful sender builds them, drawn by hypothesis from the tables."""
+"""Random direct commands as a careful sender builds them, drawn by hypothesis from the tables."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ NOT_FOR_COMMANDS = {"ERROR", "OBJECT_END", "RETURN"} | {name for name, entry in 
 
 
 def careful_value(parameter: Parameter, lengths: set[str]) -> st.SearchStrategy[Any]:
-    """Values as a careful sender gives them.
+    """Draws values that a careful sender would use.
 
-    lengths  the parameters that tell how long others are
+    lengths  the parameters that give the lengths of others
     """
     size = max(parameter.type.size, 1)
     step = 4 if parameter.type in (Type.ARRAY_TYPED, Type.STRING) else size
@@ -70,7 +70,7 @@ KNOWN = [declaration for name, declaration in operations().items() if name not i
 
 @st.composite
 def careful_frames(draw: st.DrawFn) -> bytes:
-    """Direct commands as a careful sender builds them."""
+    """Draws direct commands as a careful sender builds them."""
     found = draw(st.lists(st.sampled_from(KNOWN).flatmap(careful_operation), min_size=1, max_size=5))
     return ev3proto.direct_command(
         *found, counter=draw(st.integers(0, 65535)), reply=draw(st.booleans()), global_size=ROOM, local_size=ROOM

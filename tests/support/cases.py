@@ -1,4 +1,4 @@
-"""Many small cases in one test: pytest takes longer for each test than they do, most of all with several workers."""
+"""Many small cases in one test: for such cases, pytest's overhead per test is larger than the test."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ _MOST_SHOWN = 10
 
 
 def each(names: str, cases: Iterable[Any]) -> Callable[[Callable[..., None]], Callable[..., None]]:
-    """Like `pytest.mark.parametrize`, but all cases are one test. It tries all of them and says which ones fail.
+    """Like `pytest.mark.parametrize`, but all cases are one test. It tries all of them and reports those that fail.
 
     Args:
-        names: The names of the parameters, with commas between them.
-        cases: A value for each case, or a tuple of as many as there are names.
+        names: The names of the parameters, separated by commas.
+        cases: A value for each case, or a tuple with a value for each name.
     """
     parameters = [name.strip() for name in names.split(",")]
     given = [case if len(parameters) > 1 else (case,) for case in cases]

@@ -1,7 +1,7 @@
-"""Runs the command line as a user types it, in this process: what it reads, what it prints, its exit status.
+"""Runs the command line in this process, with its input, output and exit status.
 
-A process of its own takes a third of a second to start. A test starts one where the process is the point: a terminal, a
-pipe that is closed early, a signal, what is imported.
+Starting another process takes a third of a second. A test does so only if it is about the process: a terminal, a
+pipe that is closed early, a signal, imports.
 """
 
 from __future__ import annotations
@@ -23,12 +23,12 @@ ROOT = Path(__file__).parents[2]
 def run_ev3proto(
     *words: str | Path, stdin: bytes = b"", env: Mapping[str, str] | None = None, cwd: Path = ROOT
 ) -> subprocess.CompletedProcess[bytes]:
-    """`ev3proto WORDS`, in the folder of the project unless another is given.
+    """Runs `ev3proto WORDS`, by default in the folder of the project.
 
     Args:
         words: The arguments.
-        stdin: What comes on standard input.
-        env: The whole environment; that of the tests where it is not given.
+        stdin: The standard input.
+        env: The whole environment; by default that of the tests.
         cwd: The folder in which it runs.
 
     Returns:
@@ -49,7 +49,7 @@ def run_ev3proto(
 def run_ev3proto_text(
     *words: str | Path, stdin: str | bytes = "", env: Mapping[str, str] | None = None, cwd: Path = ROOT
 ) -> subprocess.CompletedProcess[str]:
-    """The same with texts in place of bytes."""
+    """Does the same with texts instead of bytes."""
     done = run_ev3proto(*words, stdin=stdin.encode() if isinstance(stdin, str) else stdin, env=env, cwd=cwd)
     return subprocess.CompletedProcess(done.args, done.returncode, done.stdout.decode(), done.stderr.decode())
 

@@ -1,9 +1,9 @@
-"""CPU time that work takes, measured so that a slow or busy machine does not turn a test red.
+"""The CPU time of work, measured so that a slow or busy machine does not make a test fail.
 
-Only the time of the calling thread counts, and Python's garbage collector does not run meanwhile: it looks through the
-objects of all tests, at moments that have nothing to do with the work. What a measurement is compared with is measured
-right beside it: the same work on a smaller input, or a loop of a known cost. Both are then slowed down alike. A
-measurement that is over its limit is repeated, and the best one counts: chance makes work slower, never faster.
+Only the time of the calling thread counts, and Python's garbage collector is off: it would visit the
+objects of all tests, at times that have nothing to do with the work. A measurement is compared with one made
+right next to it: the same work on a smaller input, or a loop of known cost. A slow machine slows down both. A
+measurement over its limit is repeated, and the best one counts: chance makes work slower, never faster.
 """
 
 from __future__ import annotations
@@ -13,15 +13,15 @@ import time
 from collections.abc import Callable
 
 FACTOR = 8
-"""How much longer the long input of a test of growth is than the short one."""
+"""The size of the long input of a test of growth, as a multiple of the short one."""
 
 MOST_GROWTH = 2.2**3
-"""Times as long that work may take on an input FACTOR times as long: twice the input, 2.2 times the time.
+"""The limit of the ratio of the times for the long and the short input: 2.2 times the time for twice the input.
 
 Linear work takes 8 times as long, quadratic work 64 times."""
 
 _LEAST = 0.012
-"""Seconds that the work on the short input takes at least."""
+"""The minimum seconds of the work on the short input."""
 _ROUNDS = 12
 _ROUNDS_OF_A_MILLISECOND = 5_700
 
@@ -29,7 +29,7 @@ Work = Callable[[], object]
 
 
 def seconds(work: Work) -> float:
-    """The CPU time, in seconds, that some work takes in this thread."""
+    """Returns the CPU time, in seconds, of some work in this thread."""
     collecting = gc.isenabled()
     gc.disable()
     try:
@@ -42,9 +42,9 @@ def seconds(work: Work) -> float:
 
 
 def growth(short: Work, long: Work) -> float:
-    """How many times as long the long work takes as the short one, which is done FACTOR times, half of them before it.
+    """Returns the ratio of the times of long and short work. The short work runs FACTOR times, half of them first.
 
-    So both are measured for the same time, and whatever else the machine does is as likely to hit the one as the other.
+    So both are measured for the same time, and disturbances hit both alike.
     """
     half = FACTOR // 2
     before = sum(seconds(short) for _ in range(half))
@@ -54,16 +54,16 @@ def growth(short: Work, long: Work) -> float:
 
 
 def assert_linear(make: Callable[[int], Work], size: int, most_size: int | None = None) -> None:
-    """Fails where work that is FACTOR times as much takes more than MOST_GROWTH times as long.
+    """Fails if FACTOR times the input takes more than MOST_GROWTH times as long.
 
     Args:
-        make: Gives the work for an input of a size.
-        size: The size of the short input. It is doubled until the work takes long enough for what is the same with any
-            input not to count.
-        most_size: A size beyond which it is not doubled.
+        make: Returns the work for an input of a size.
+        size: The size of the short input. It is doubled until the work takes so long that constant costs do not
+            matter.
+        most_size: The largest size.
     """
     short = make(size)
-    short()  # what is made once in a process
+    short()  # what a process computes only once
     while seconds(short) < _LEAST and (most_size is None or 2 * size <= most_size):
         size *= 2
         short = make(size)
@@ -78,14 +78,14 @@ def assert_linear(make: Callable[[int], Work], size: int, most_size: int | None 
 
 
 def milliseconds(work: Work, most: float) -> float:
-    """What some work takes, in milliseconds of the machine that the tests were written on.
+    """Returns the time of some work, in milliseconds of the machine on which the tests were written.
 
-    A millisecond there is some rounds of a loop. It is measured beside the work, so the result is about the same on a
-    slower machine.
+    A millisecond there is a number of rounds of a loop, which is measured next to the work. So the result is about the
+    same on a slower machine.
 
     Args:
-        work: What is done, up to some times.
-        most: What it may take. Once it has taken no more than that it is not repeated.
+        work: The work, which may run several times.
+        most: The limit. Work that has kept it is not repeated.
     """
     best = float("inf")
     for _ in range(_ROUNDS):

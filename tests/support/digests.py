@@ -1,4 +1,4 @@
-"""What hypothesis tells tests apart by, worked out once for all functions that the same `def` makes."""
+"""The digests by which hypothesis tells tests apart, computed once for all functions of the same `def`."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from typing import Any
 
 
 def digest_of(reckoned: Callable[[Any], bytes]) -> Callable[[Any], bytes]:
-    """The same function, which reads the source of each `def` once: that takes longer than most of such tests."""
+    """Returns the same function, but reads the source of each `def` once: reading takes longer than most such tests."""
     known: dict[tuple[CodeType, bytes | None], bytes] = {}
 
     def digest(function: Any) -> bytes:
-        # Where one function stands around another, the source is that of the other.
+        # The source of an inner function is that of the outer one.
         if not isinstance(function, FunctionType) or hasattr(function, "__wrapped__"):
             return reckoned(function)
         key = function.__code__, getattr(function, "_hypothesis_internal_add_digest", None)

@@ -1,14 +1,14 @@
-"""Messages as plain records, from two sides: what tshark shows of them, and what ev3proto makes of their frames.
+"""Messages as plain records, from two sources: the output of tshark, and ev3proto's reading of the frames.
 
-`packets` reads a capture through pyshark and keeps of each packet its EV3 layers as tshark nests them; `shown` makes a
-record of such a layer. `Follower` makes the same record from the bytes alone, by `ev3proto.parse` and a `Dialogue`. A
-record names fields as filters do, and has all offsets from the start of the frame.
+`packets` reads a capture through pyshark and keeps the EV3 layers of each packet as tshark nests them; `shown` makes a
+record from such a layer. `Follower` makes the same record from the bytes alone, by `ev3proto.parse` and a `Dialogue`. A
+record names fields as filters do, and all offsets count from the start of the frame.
 
-Where both say the same thing differently, by design, the codec's side is brought into the form of the other:
+If both present the same thing differently on purpose, the codec's form is converted:
 
 - Texts are ISO-8859-1 on the brick and UTF-8 in Wireshark. PDML writes control characters as `\\x1f`, except tab and
-  line ends, which XML makes spaces in an attribute. A zero, which only a listing can have in it, is shown as a symbol.
-- tshark prints six digits of a single and fifteen of a double: `Float` compares what so many digits can tell.
+  line ends, which become spaces in XML attributes. A zero, which can only occur in a listing, is shown as a symbol.
+- tshark prints six digits of a single and fifteen of a double: `Float` compares only these digits.
 - A variable is shown as `GV(0)`, and a constant whose type is not that of its parameter as a text.
 """
 
@@ -52,7 +52,7 @@ from support.wireshark import Tshark
 
 
 class Float(float):
-    """A float that equals another when the six digits that are printed of a single could be those of both."""
+    """A float that equals another if the six printed digits of a single could be those of both."""
 
     PRECISION: ClassVar = 5.1e-6
 
@@ -70,7 +70,7 @@ class Float(float):
 
 
 class Double(Float):
-    """The same with the fifteen digits that are printed of a double."""
+    """A float that is compared by the fifteen printed digits of a double."""
 
     PRECISION: ClassVar = 5.1e-15
 
@@ -79,7 +79,7 @@ Shown = int | str | bytes | Float | None
 
 
 class Item(NamedTuple):
-    """A field with a value: of a system message, a reply, a daisy message. `said` is the line without the name."""
+    """A field with a value, of a system message, a reply or a daisy message. `said` is the line without the name."""
 
     field: str
     value: Shown
@@ -102,7 +102,7 @@ class ArgumentItem(NamedTuple):
 
 
 class OperationItem(NamedTuple):
-    """An operation; `cmd` is offset, length and, where it has more than one byte, encoding of its CMD."""
+    """An operation; `cmd` is the offset, length and, if it has more than one byte, encoding of its CMD."""
 
     opcode: int
     name: str
@@ -113,7 +113,7 @@ class OperationItem(NamedTuple):
 
 
 class Answer(NamedTuple):
-    """What a reply says of one operation; a list is an item without value in front of its elements."""
+    """A value of an operation in a reply; a list is an item without value before its elements."""
 
     name: str
     offset: int
@@ -131,12 +131,12 @@ class Transfer(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Record:
-    """All that is said of a message.
+    """The whole reading of a message.
 
-    packet      where it is complete
-    size        bytes of the whole
-    fields      those of system and daisy messages, the memory of replies, what is not read, padding
-    complaints  what is wrong with it, what the brick refused, what has no partner; none about single variables
+    packet      the packet in which it is complete
+    size        its number of bytes
+    fields      those of system and daisy messages, the memory of replies, unread bytes, padding
+    complaints  faults, refusals, missing partners; not those of single variables
     """
 
     packet: int
@@ -157,7 +157,7 @@ class Record:
 
 
 def difference(shown_record: Record, expected: Record) -> str:
-    """Line by line what differs; empty where nothing does."""
+    """Returns the differences line by line; empty if there are none."""
     lines: list[str] = []
 
     def compare(where: str, one: Any, other: Any) -> None:
@@ -175,11 +175,11 @@ def difference(shown_record: Record, expected: Record) -> str:
     return "\n".join(lines)
 
 
-# What tshark shows
+# The output of tshark
 
 
 class Tree(NamedTuple):
-    """An item of the tree that tshark shows, as PDML has it; `bytes` is None where there is none of the packet."""
+    """An item of tshark's tree, as in PDML; `bytes` is None if it has none of the packet."""
 
     name: str
     line: str
@@ -190,14 +190,14 @@ class Tree(NamedTuple):
     children: tuple[Tree, ...]
 
     def walk(self) -> Iterator[Tree]:
-        """This one and all below it."""
+        """Yields this item and all below it."""
         yield self
         for child in self.children:
             yield from child.walk()
 
 
 class Layer(XmlLayer):  # type: ignore[misc]
-    """pyshark's layer, which also keeps how its fields are nested, and its own place in the packet."""
+    """pyshark's layer, which also keeps the nesting of its fields, and its index in the packet."""
 
     __slots__ = ("tree",)
 
@@ -220,31 +220,31 @@ def _tree(element: Any) -> Tree:
 
 
 def packets(tshark: Tshark, capture: Path, *words: str) -> list[tuple[int, Tree]]:
-    """The EV3 layers of a capture, each with the number of its packet."""
+    """Yields the EV3 layers of a capture, each with the number of its packet."""
     with mock.patch.object(pyshark.tshark.output_parser.tshark_xml, "XmlLayer", Layer):
         found = tshark.packets(capture, "-J", "frame ev3", *words)
     return [(int(packet.number), layer.tree) for packet in found for layer in packet.layers if layer.tree is not None]
 
 
 def is_message(layer: Tree) -> bool:
-    """Whether a layer is a message, not one of the texts before them or a part of a frame."""
+    """Returns whether a layer is a message, not one of the texts before them or a part of a frame."""
     return any(child.name == "ev3.msg_len" for child in layer.children[:2])
 
 
 def shown(packet: int, layer: Tree) -> Record:
-    """The record of a message that tshark shows."""
+    """Returns the record of a message in tshark's output."""
     return _Reading(packet, layer).record()
 
 
 def unshown(layer: Tree, data: bytes) -> str:
-    """What of a frame's bytes no item stands for, or an item whose bytes are others than those at its place."""
+    """Returns the bytes of a frame that no item covers, or an item whose bytes differ from those at its place."""
     left = set(range(layer.size))
     for item in layer.walk():
         start = item.position - layer.position
         if item.bytes is not None and item.bytes != data[start : start + item.size]:
             return f"{item.name} at offset {start} has the bytes {item.bytes.hex(' ')}"
         if item.name.startswith("ev3."):
-            # The opcode is the heading of its operation: it spans all of it, but stands for one byte.
+            # The opcode is the heading of its operation: it spans all of it, but covers one byte.
             left -= set(range(start, start + (1 if item.name == "ev3.op" else item.size)))
     return f"the bytes at {sorted(left)} are not shown" if left else ""
 
@@ -258,7 +258,7 @@ FAULTS = ("fault", "unknown_opcode", "unknown_cmd", "cut_off", "no_boundary")
 
 
 class _Reading:
-    """A message's layer being read; what has no place of its own in the record goes to `fields`."""
+    """The layer of a message being read; what has no place of its own in the record goes to `fields`."""
 
     def __init__(self, packet: int, layer: Tree) -> None:
         self.layer = layer
@@ -349,7 +349,7 @@ class _Reading:
 
 
 def _said(item: Tree) -> tuple[str, str | None]:
-    """The firmware's name in front of a line, and what stands after it where that is a whole number."""
+    """Returns the firmware's name at the start of a line, and the value after it if that is a whole number."""
     name, _, said = item.line.partition(": ")
     for mark in (" [truncated]", " […]"):
         name = name.removesuffix(mark)
@@ -371,7 +371,7 @@ def _value(item: Tree) -> Shown:
 
 @cache
 def kinds() -> dict[str, type]:
-    """What each field holds, from the tables."""
+    """The type of each field, from the tables."""
     found: dict[str, type] = {
         "ev3.argument.variable": str,
         "ev3.argument.value": str,
@@ -415,19 +415,19 @@ def _tell(found: dict[str, type], name: str, kind: type) -> None:
     assert found.setdefault(name, kind) is kind, f"{name} would be a field of two kinds"
 
 
-# What the codec gives
+# The output of the codec
 
 
 @dataclass(frozen=True, slots=True)
 class Frame:
-    """A frame as it was taken from a capture, or put into one.
+    """A frame taken from a capture, or put into one.
 
-    packet         where it is complete
-    milliseconds   when that was
-    from_host      which way it went
+    packet         the packet in which it is complete
+    milliseconds   its time
+    from_host      its direction
     data           its bytes
-    padding        what follows it in a USB report
-    talk           which conversation it belongs to
+    padding        the bytes after it in a USB report
+    talk           the conversation that it belongs to
     """
 
     packet: int
@@ -440,7 +440,7 @@ class Frame:
 
 @dataclass(slots=True)
 class Follower:
-    """Makes the records of a conversation's frames, in their order; `passes` is how often tshark reads the capture."""
+    """Makes the records of a conversation's frames, in order; tshark reads the capture `passes` times."""
 
     dialect: str = "official"
     passes: int = 1
@@ -449,7 +449,7 @@ class Follower:
     _asked: dict[int, tuple[int, Frame, Message]] = field(default_factory=dict)
 
     def follow(self, frames: Iterable[Frame]) -> list[Record]:
-        """The records of frames that came after all those that were followed before."""
+        """Returns the records of new frames, which come after all earlier ones."""
         for frame in frames:
             self._follow(frame)
         return self.records
@@ -482,7 +482,7 @@ class Follower:
         self.records.append(replace(record, **body))
 
     def _linked(self, record: Record, exchange: Exchange, frame: Frame) -> Record:
-        """With what a message has to do with others; a command's record gets to know its reply."""
+        """Returns the message with its relations to others; the record of a command gets its reply."""
         message, complaints = exchange.message, list(record.complaints)
         if isinstance(message, DirectReply) and message.is_error:
             complaints.append("error_reply")
@@ -499,7 +499,7 @@ class Follower:
                 kept = tuple(it for it in self.records[index].complaints if it != "unanswered")
                 self.records[index] = replace(self.records[index], response_in=frame.packet, complaints=kept)
         elif message.wants_reply:
-            # The message is kept, so that no other one gets its identity.
+            # Keep the message, so that its identity is not reused.
             self._asked[id(message)] = len(self.records), frame, message
             if self.passes == 2:
                 complaints.append("unanswered")
@@ -510,7 +510,7 @@ class Follower:
 
 
 def _is_overwritten(message: Message, frame: Frame) -> bool:
-    """The known fault of the bootloader: a request that comes from the brick."""
+    """Returns whether this is the known fault of the bootloader: a request from the brick."""
     if frame.from_host or not isinstance(message, SystemCommand):
         return False
     entry = SYSTEM_BY_NUMBER.get(message.number)
@@ -518,7 +518,7 @@ def _is_overwritten(message: Message, frame: Frame) -> bool:
 
 
 def shown_text(text: str) -> str:
-    """A text as it is when it has gone through Wireshark, PDML and an XML parser."""
+    """Returns a text as Wireshark, PDML and an XML parser change it."""
     return "".join(_shown_letter(letter) for letter in text.replace("\r\n", "\n"))
 
 
@@ -582,13 +582,13 @@ def _argument(operation: Operation, argument: Argument) -> ArgumentItem:
 
 
 def _declared(operation: Operation, name: str) -> Parameter:
-    """A parameter as the tables have it; `VALUES[0]` is one of `VALUES`."""
+    """Returns a parameter of the tables; `VALUES[0]` is one of `VALUES`."""
     plain = name.partition("[")[0]
     return next(it for it in operation.declaration.parameters if it.name == plain)
 
 
 def _typed(operation: Operation, argument: Argument, value: int | float | str) -> tuple[str, Shown, str | None]:
-    """The field of a parameter, the value there, and what its line says: for constants, and for values in a reply."""
+    """The field of a parameter, its value, and its line: for constants, and for values in a reply."""
     declared = _declared(operation, argument.name)
     is_element = "[" in argument.name
     name = f"ev3.{operation.full_name}.{declared.name}".lower()
@@ -606,7 +606,7 @@ def _typed(operation: Operation, argument: Argument, value: int | float | str) -
 
 
 def _line(parameter: Parameter, value: int, in_list: bool = False) -> str:
-    """What Wireshark says of a whole number: its name, or its unit (which a list says only once), and its meaning."""
+    """Wireshark's text for a whole number: its name, or its unit (only once in a list), and its meaning."""
     enum, line = parameter.enum, str(value)
     if enum is not None and not enum.flags:
         name = enum.name_of(value) or ("" if in_list else "Unknown")
@@ -622,7 +622,7 @@ def _line(parameter: Parameter, value: int, in_list: bool = False) -> str:
 
 
 def _answers(exchange: Exchange) -> Iterator[Answer]:
-    """The values that the dialogue gives, operation by operation."""
+    """Yields the values of the dialogue, operation by operation."""
     message, request = exchange.message, exchange.request
     if not exchange.values:
         return
@@ -633,7 +633,7 @@ def _answers(exchange: Exchange) -> Iterator[Answer]:
         values = list(reply_values(replace(request, operations=(operation,)), message))
         if not values:
             continue
-        assert repr(left[: len(values)]) == repr(values)  # "not a number" is not equal to itself
+        assert repr(left[: len(values)]) == repr(values)  # "not a number" does not equal itself
         del left[: len(values)]
         start = min(value.offset for value in values)
         length = max(value.offset + value.length for value in values) - start

@@ -1,4 +1,4 @@
-"""How much the tests try: little by default, so that they are quick, and a lot where EV3PROTO_THOROUGH is set."""
+"""The effort of the tests: small by default, so that they are quick, and large if EV3PROTO_THOROUGH is set."""
 
 from __future__ import annotations
 
@@ -9,5 +9,5 @@ THOROUGH = bool(os.environ.get(SETTING))
 
 
 def effort(usual: int, thorough: int) -> int:
-    """A number of examples, frames or rounds, for the usual tests and for the thorough ones."""
+    """Returns a number of examples, frames or rounds, for the usual or the thorough tests."""
     return thorough if THOROUGH else usual

@@ -1,4 +1,4 @@
-"""Capture files in the making, of every format and byte order: what stands around packets, written out.
+"""Capture files of every format and byte order, built by hand.
 
 A packet here is its time and its bytes; `packets.py` makes packets.
 """
@@ -19,7 +19,7 @@ _BTSNOOP_EPOCH = 0x00DCDDB30F2F8000
 
 
 class Timed(NamedTuple):
-    """A packet: nanoseconds since 1970, what was captured of it, and its size where that is less."""
+    """A packet: nanoseconds since 1970, its captured bytes, and its original size if that is larger."""
 
     time_ns: int
     data: bytes
@@ -27,7 +27,7 @@ class Timed(NamedTuple):
 
 
 def timed(packets: Sequence[bytes]) -> list[Timed]:
-    """Packets a millisecond apart."""
+    """Packets that are a millisecond apart."""
     return [Timed(BEGIN_NS + number * 1_000_000, data) for number, data in enumerate(packets)]
 
 
@@ -90,7 +90,7 @@ class Blocks:
         self.block(1, struct.pack(self.order + "HHI", link, 0, most) + self.options(options))
 
     def packet(self, time: int, data: bytes, *, interface: int = 0, size: int = 0) -> None:
-        """An enhanced packet; `time` counts in the interface's units."""
+        """An enhanced packet; `time` is in the interface's units."""
         head = struct.pack(self.order + "IIIII", interface, time >> 32, time & 0xFFFFFFFF, len(data), size or len(data))
         self.block(6, head + data + bytes(-len(data) % 4) + self.options([(1, b"a comment")]))
 

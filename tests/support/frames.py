@@ -1,4 +1,4 @@
-"""Frames to show to a dissector: drawn from strategies, and put into a capture of a TCP connection with a brick."""
+"""Frames for a dissector: drawn from strategies, and put into a capture of a TCP connection with a brick."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ T = TypeVar("T")
 
 
 class Segment(NamedTuple):
-    """What one packet of the connection carries, and which way it goes."""
+    """The bytes of one packet of the connection, and its direction."""
 
     from_host: bool
     data: bytes
 
 
 def drawn(strategy: SearchStrategy[T], count: int) -> list[T]:
-    """So many examples of a strategy, the same ones every time."""
+    """Returns this number of examples of a strategy, the same every time."""
     found: list[T] = []
 
     @settings(

@@ -1,4 +1,4 @@
-"""A disk that is full: while it lasts, no file of this process can grow beyond so many bytes."""
+"""A full disk: in this block, no file of this process can grow beyond a number of bytes."""
 
 from __future__ import annotations
 
@@ -11,15 +11,15 @@ from unittest import mock
 
 @contextmanager
 def full_disk(most: int) -> Iterator[None]:
-    """Python ignores the signal that goes with the limit, so that writing more is an OSError.
+    """Writing more raises OSError, because Python ignores the signal that comes with the limit.
 
     Args:
-        most: Bytes of a file for which there is room.
+        most: The maximum bytes of a file.
     """
     soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (most, hard))
     try:
-        # Some Pythons leave half of a compiled module behind, and cannot load it any more.
+        # Some Pythons leave half of a compiled module, and then cannot load it.
         with mock.patch.object(sys, "dont_write_bytecode", True):
             yield
     finally:

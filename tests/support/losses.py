@@ -1,4 +1,4 @@
-"""Captures of which a part of the packets is missing, and which of the messages in them are whole all the same."""
+"""Captures with missing packets, and the messages in them that are complete nevertheless."""
 
 from __future__ import annotations
 
@@ -12,27 +12,27 @@ from support.frames import Segment
 from support.packets import HCI_WITH_DIRECTION, RAW_IP, Capture, Connection, SerialPort
 
 SHARE = 0.03
-"""Of 100 packets so many are missing."""
+"""The number of missing packets per 100."""
 
 BEGINNING = bytes.fromhex("0e00feff80000094010182b80182e803")
-"""SOUND.TONE, which is never missing: what comes before the first frame of a capture is another matter."""
+"""SOUND.TONE, which is never missing: what comes before the first frame of a capture is a different subject."""
 
 UNLOCK = ev3proto.Unlock("06165300000a").build()
-"""What every program sends first over TCP."""
+"""The first data of every program over TCP."""
 
 MOST_TOGETHER = 20
-"""Messages that one side sends before the other one does, at most."""
+"""The maximum number of messages that one side sends before the other."""
 
 
 class Lossy(NamedTuple):
-    """A capture, and its messages of which no byte is missing, with the side that sent them."""
+    """A capture, and its complete messages, each with the side that sent it."""
 
     data: bytes
     whole: Counter[Segment]
 
 
 def lossy(carrier: str, sizes: tuple[int, int], dialogues: Iterable[Iterable[Segment]]) -> Lossy:
-    """A capture of dialogues, each in a connection of its own; packets have so many bytes, whatever frames have."""
+    """A capture of dialogues, each in its own connection; packets have a fixed size, independent of the frames."""
     capture = Capture(RAW_IP if carrier == "tcp" else HCI_WITH_DIRECTION)
     whole: Counter[Segment] = Counter()
     for number, messages in enumerate(dialogues):
@@ -67,7 +67,7 @@ def _say(
 
 
 def _turns(messages: Iterable[Segment], rng: random.Random) -> Iterator[tuple[bool, list[bytes]]]:
-    """Commands that are sent one after the other, then their replies, and so on."""
+    """Commands that are sent one after the other, followed by their replies, and so on."""
     waiting: dict[bool, list[bytes]] = {True: [], False: []}
     most = 1
     for from_host, data in messages:

@@ -1,6 +1,6 @@
-"""Captures in the making: frames put into what carries them, packet by packet and fast.
+"""Captures in the making: frames put into packets of their carriers, quickly.
 
-What stands around the frames is only what Wireshark needs to hand them over; `captures/` has carriers as they are.
+The packets contain only what Wireshark needs to find the frames; `captures/` has complete ones.
 Packet numbers are Wireshark's: the first packet is 1.
 """
 
@@ -13,28 +13,28 @@ from ev3proto.tables.discovery import BEACON_PORT, TCP_PORT
 from ev3proto.tables.frame import MAX_FRAME
 
 RAW_IP, HCI_WITH_DIRECTION, USBMON = 101, 201, 220
-"""Kinds of captures: IP without anything below, Bluetooth's HCI, USB under Linux."""
+"""Kinds of captures: IP without a lower layer, Bluetooth's HCI, USB under Linux."""
 
 HOST, BRICK, EVERYBODY = (bytes((192, 0, 2, number)) for number in (1, 10, 255))
 HOST_PORT = 49152
-"""The first port that a computer gives to a program; the next programs get the next ones."""
+"""The first port that a computer gives to a program; later programs get the next ones."""
 
 MILLISECONDS_EACH = 1
-"""From one packet to the next."""
+"""The time between packets."""
 
 _HEAD_SIZE = 24
 _RECORD = struct.Struct("<IIII")
 
 
 class Capture:
-    """A pcap file; `size` is what a packet had on the wire where less of it was captured."""
+    """A pcap file; `size` is the original size of a packet if it was captured only in part."""
 
     def __init__(self, link: int) -> None:
         self.count = 0
         self._pieces = [struct.pack("<IHHiIII", 0xA1B2C3D4, 2, 4, 0, 0, 0x40000, link)]
 
     def add(self, packet: bytes, size: int = 0) -> int:
-        """Adds a packet, a while after the one before; returns its number."""
+        """Adds a packet, a fixed time after the one before; returns its number."""
         seconds, milliseconds = divmod(self.count * MILLISECONDS_EACH, 1000)
         head = _RECORD.pack(seconds, 1000 * milliseconds, len(packet), size or len(packet))
         self._pieces += [head, packet]
@@ -46,7 +46,7 @@ class Capture:
 
 
 def packets_of(capture: bytes) -> Iterator[bytes]:
-    """The packets of a pcap file with times in microseconds or nanoseconds."""
+    """Yields the packets of a pcap file with times in microseconds or nanoseconds."""
     at = _HEAD_SIZE
     while at < len(capture):
         size = _RECORD.unpack_from(capture, at)[2]
@@ -55,7 +55,7 @@ def packets_of(capture: bytes) -> Iterator[bytes]:
 
 
 def cut(capture: bytes, most: int) -> bytes:
-    """The same capture as if at most so many bytes of each packet had been recorded."""
+    """Returns the capture with each packet truncated to a number of bytes."""
     found = Capture(struct.unpack_from("<I", capture, 20)[0])
     for packet in packets_of(capture):
         found.add(packet[:most], len(packet))
@@ -86,7 +86,7 @@ class Connection:
         self.numbers = {True: 1, False: 1}
 
     def segment(self, from_host: bool, data: bytes) -> bytes:
-        """The next segment, which is not sent yet."""
+        """Returns the next segment without sending it."""
         own, acknowledged = self.numbers[from_host], self.numbers[not from_host]
         self.numbers[from_host] += len(data)
         ports = self.ports if from_host else self.ports[::-1]
@@ -112,7 +112,7 @@ def segment(
     port: int = HOST_PORT,
     brick_port: int = TCP_PORT,
 ) -> bytes:
-    """A packet of TCP with the numbers given, which wrap; with `acknowledged` it has the flag for that, too."""
+    """Adds a TCP packet with the given numbers, which wrap; with `acknowledged`, also with that flag."""
     ports = (port, brick_port) if from_host else (brick_port, port)
     flags |= 0 if acknowledged is None else ACK
     numbers = (sequence % 2**32, (acknowledged or 0) % 2**32)
@@ -127,12 +127,12 @@ FIN, SYN, RST, PUSH, ACK = 0x01, 0x02, 0x04, 0x08, 0x10
 def datagram(
     data: bytes, source: bytes = BRICK, port: int = 3016, target: bytes = EVERYBODY, target_port: int = BEACON_PORT
 ) -> bytes:
-    """A packet of UDP: a brick's beacon where nothing else is said."""
+    """A UDP packet: by default a brick's beacon."""
     return _ip(source, target, 17, struct.pack(">HHHH", port, target_port, 8 + len(data), 0) + data)
 
 
 def fragments(packet: bytes, size: int, identity: int = 1) -> list[bytes]:
-    """The same packet of IP, whose header has no options, in parts of so many bytes, a multiple of eight."""
+    """The same IP packet, without options in its header, in fragments of a number of bytes, a multiple of eight."""
     data, found = packet[20:], []
     for at in range(0, len(data), size):
         part = data[at : at + size]
@@ -163,7 +163,7 @@ def in_tunnels(data: bytes) -> bytes:
 
 
 def over(capture: Capture, carrier: Connection | SerialPort | Device, said: Iterable[tuple[bool, bytes]]) -> bytes:
-    """The capture, after all that was said over a carrier, each with whether the host says it."""
+    """Returns a capture of a dialogue over a carrier; each part has whether the host sends it."""
     for from_host, data in said:
         (carrier.send if from_host else carrier.receive)(data)
     return capture.data()
@@ -173,7 +173,7 @@ def over(capture: Capture, carrier: Connection | SerialPort | Device, said: Iter
 
 
 class Device:
-    """A USB device that was plugged in before the capture began; `kind` is how it transfers reports."""
+    """A USB device that was plugged in before the capture; `kind` is the transfer type of its reports."""
 
     INTERRUPT, CONTROL, BULK = 1, 2, 3
     OUT, IN = 0x01, 0x81
@@ -185,7 +185,7 @@ class Device:
         self.kind = self.INTERRUPT
 
     def _add(self, event: bytes, kind: int, endpoint: int, data: bytes, setup: bytes = b"") -> int:
-        """What Linux records of a request when it is submitted and when it is done."""
+        """Linux' records of a request, when it is submitted and when it is done."""
         is_empty = bool(endpoint & 0x80) == (event == b"S")
         head = struct.pack(
             "<QcBBBHBBqiiII8siiII",
@@ -211,7 +211,7 @@ class Device:
         return self.capture.add(head + data)
 
     def enumerate(self, vendor: int, product: int, interface_class: int = 3) -> None:
-        """The host asks which product it is, and what its interface is for."""
+        """The host asks for the product, and for the class of its interface."""
         device = struct.pack("<BBHBBBBHHHBBBB", 18, 1, 0x0200, 0, 0, 0, 64, vendor, product, 0x0100, 0, 0, 0, 1)
         inside = struct.pack("<BBBBBBBBB", 9, 4, 0, 0, 2, interface_class, 0, 0, 0)
         inside += struct.pack("<BBHBBBH", 9, 0x21, 0x0110, 0, 1, 0x22, 29) if interface_class == 3 else b""
@@ -226,7 +226,7 @@ class Device:
         self._add(b"C", self.CONTROL, 0x00, b"")
 
     def send(self, data: bytes, padding: bytes = b"") -> int:
-        """The host sends a report that starts with this; the rest is zero, or starts with `padding`."""
+        """The host sends a report that starts with these bytes; the rest is zero, or starts with `padding`."""
         return self._add(b"S", self.kind, self.OUT, (data + padding).ljust(self.size, b"\0")[: self.size])
 
     def receive(self, data: bytes, padding: bytes = b"") -> int:
@@ -247,9 +247,9 @@ def _frame_check(data: bytes) -> int:
 
 
 class SerialPort:
-    """A channel of RFCOMM, from the L2CAP connection on; `connection` tells devices apart.
+    """An RFCOMM channel, beginning with the L2CAP connection; `connection` tells devices apart.
 
-    With an `address` the capture has the beginning of the connection, too. Wireshark tells devices apart by that alone.
+    With an `address`, the capture also has the beginning of the connection, by which Wireshark tells devices apart.
     """
 
     UIH = 0xEF
@@ -284,7 +284,7 @@ class SerialPort:
         return self._packet(from_host, self.THEIRS if from_host else self.OURS, packet)
 
     def send(self, data: bytes) -> int:
-        """The host sends an RFCOMM frame with this in it."""
+        """The host sends an RFCOMM frame with these bytes."""
         return self._data(True, data)
 
     def receive(self, data: bytes) -> int:

@@ -1,4 +1,4 @@
-"""How much memory a subcommand takes: run in a process of its own, which says it last."""
+"""The memory of a subcommand: a process of its own runs it and prints the maximum last."""
 
 from __future__ import annotations
 
@@ -12,4 +12,4 @@ finally:
     with open("/proc/self/status") as status:
         print(next(line.split()[1] for line in status if line.startswith("VmHWM")), file=sys.stderr)
 """
-"""Runs a subcommand, and says last how many KiB of memory it had at most."""
+"""Runs a subcommand, and prints last the maximum of its memory in KiB."""

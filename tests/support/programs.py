@@ -1,4 +1,4 @@
-"""The program that the tests of images and sources share: its source, and the bytes that it has to become."""
+"""The program that the tests of images and sources share: its source, and the expected bytes."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ IMAGE = bytes.fromhex(
     + "02840843 358280FF4E 3F0048"
     + "84050104 4E40 080A"
 )
-"""What LEGO's assembler makes of it, with the version of release 1.09."""
+"""The image of LEGO's assembler, with the version of release 1.09."""
 
 SHORTEST = bytes.fromhex(
     "4C45474F 67000000 6D00 0200 08000000"
@@ -55,11 +55,11 @@ SHORTEST = bytes.fromhex(
     + "02840843 358280FF4E 3F830000000048"
     + "840501044E40 080A"
 )
-"""What the rules of EV3-G make of it."""
+"""The image by the rules of EV3-G."""
 
 
 def image_of(*objects: tuple[int, int, str | None], global_size: int = 0, local_size: int = 0) -> bytes:
-    """An image of objects by owner, triggers and code in hex; no code: that of the object before it."""
+    """An image of objects by owner, triggers and code in hex; without code, it shares that of the object before it."""
     at = 16 + 12 * len(objects)
     table = codes = b""
     start = at

@@ -1,12 +1,12 @@
-"""Everything that users can name, as text: a line a function, a class, an attribute, an option of the command line.
+"""All names that users can use, as text: a line for each function, class, attribute and option of the command line.
 
-`tests/public_face.txt` is this text as of the last change that was meant. test_public_face.py compares the two, so that
+`tests/public_face.txt` is this text after the last intended change. test_public_face.py compares the two, so that
 a change of the public face shows as a diff in a review. To renew the file:
 
     .venv/bin/python tests/support/public_face.py
 
-The text is the same with every supported release of Python, click and hypothesis: annotations are written as they
-stand in the source, and what those packages add of their own is omitted.
+The text is the same with every supported release of Python, click and hypothesis: annotations are as in the
+source, and additions of those packages are omitted.
 """
 
 from __future__ import annotations
@@ -48,10 +48,10 @@ MODULES = (
     "ev3proto.testing",
     "ev3proto.sampling",
 )
-"""Modules of which all public names are listed. `ops`, `enums`, `system` and `scapy` have sections of their own."""
+"""Modules whose public names are all listed. `ops`, `enums`, `system` and `scapy` have their own sections."""
 
 MOST_CHARACTERS = 40
-"""Of a default value; what is longer is `...`."""
+"""Maximum length of a default value; a longer one is `...`."""
 
 _MODULE_PATH = re.compile(r"\b(?:[a-z_]\w*\.)+(?=[A-Z])")
 _FORWARD = re.compile(r"ForwardRef\('([^']*)'\)")
@@ -59,7 +59,7 @@ _OBJECT = re.compile(r"<.*>", re.DOTALL)
 
 
 def text() -> str:
-    """The whole public face."""
+    """Returns the whole public face."""
     sections = [
         *_Listing().sections(),
         ("ev3proto: the constants of the instruction set", _constants()),
@@ -76,7 +76,7 @@ def text() -> str:
 
 
 class _Listing:
-    """The public names of modules. A class or function stands once, in the first module that has it."""
+    """The public names of modules. A class or function is listed once, in the first module that has it."""
 
     def __init__(self) -> None:
         self._modules = {name: import_module(name) for name in ("ev3proto", *MODULES)}
@@ -104,7 +104,7 @@ class _Listing:
         yield from (f"as in {home}: {' '.join(names)}" for home, names in known.items())
 
     def _class(self, name: str, found: type) -> Iterator[str]:
-        """A class with what it adds to those of its bases that are listed too."""
+        """A class with its additions to those of its bases that are also listed."""
         bases = ", ".join(base.__name__ for base in found.__bases__ if base is not object)
         head = f"class {name}({bases})" if bases else f"class {name}"
         if issubclass(found, enum.Enum):
@@ -128,7 +128,7 @@ class _Listing:
 
 
 def _names(module: ModuleType) -> list[str]:
-    """What `__all__` says, or else what is defined in the module; modules in it are no names of their own."""
+    """The names in `__all__`, or else those defined in the module, without modules."""
     own = [name for name, value in vars(module).items() if getattr(value, "__module__", "") == module.__name__]
     names = sorted(getattr(module, "__all__", own))
     return [name for name in names if not name.startswith("_") and not isinstance(getattr(module, name), ModuleType)]
@@ -170,7 +170,7 @@ def _parameter(parameter: inspect.Parameter) -> str:
 
 
 def _annotation(annotation: Any) -> str:
-    """An annotation as it stands in the source, without the modules of its names."""
+    """An annotation as in the source, without the modules of its names."""
     if annotation is inspect.Signature.empty:
         return ""
     words = annotation if isinstance(annotation, str) else inspect.formatannotation(annotation)
@@ -186,11 +186,11 @@ def _value(value: Any) -> str:
     return "..." if _OBJECT.search(words) or len(words) > MOST_CHARACTERS else words
 
 
-# What is drawn from the tables
+# Generated from the tables
 
 
 def _wrapped(words: list[str]) -> Iterator[str]:
-    """Many short words, a paragraph for each first letter: a new word changes few lines."""
+    """Many short words, in a paragraph for each first letter: a new word changes few lines."""
     for _, group in groupby(words, key=lambda word: word[0]):
         yield from textwrap.wrap(" ".join(group), 118, break_long_words=False, break_on_hyphens=False)
 
@@ -219,7 +219,7 @@ def _operations(dialect: str) -> list[str]:
 
 
 def _operation_lines(dialect: str) -> list[str]:
-    """A line a function: parameters and what they may be without. Types are not given: stubs have them, or the code."""
+    """A line per function: its parameters, and which are optional. Types are in the stubs or in the code."""
     module: Any = import_module("ev3proto.ops" if dialect == "official" else f"ev3proto.ops.{dialect}")
     paths = [name.split(".") for name in operations(dialect)]
     return sorted(_untyped(module, [_python_name(part) for part in path]) for path in paths)
@@ -231,7 +231,7 @@ def _python_name(name: str) -> str:
 
 
 def _untyped(module: Any, path: list[str]) -> str:
-    """A function with names and defaults of its parameters only; parameters that may be omitted have `=...`."""
+    """A function with the names and defaults of its parameters; optional parameters have `=...`."""
     function = module
     for part in path:
         function = getattr(function, part)
@@ -276,7 +276,7 @@ def _scapy() -> Iterator[str]:
             yield f"{name}{_signature(value)}"
         else:
             yield name
-    # The layers of operations, whose fields are the parameters.
+    # The layers of operations; their fields are the parameters.
     layers = [name for name in dir(module) if name.isupper() and isinstance(getattr(module, name), type)]
     yield from _wrapped(sorted(set(layers) - set(module.__all__)))
 

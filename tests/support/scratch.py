@@ -1,6 +1,6 @@
-"""The folder for temporary files that a session of tests has to itself: what the program leaves behind is seen there.
+"""A temporary folder for each session of tests, in which files that the program leaves behind are found.
 
-Processes that tests start have it, too. The folders of pytest's own stay where they always are.
+Processes that tests start use it, too. The folders of pytest itself are elsewhere.
 """
 
 from __future__ import annotations
@@ -11,19 +11,19 @@ import tempfile
 from pathlib import Path
 
 USUAL = "PYTEST_DEBUG_TEMPROOT"
-"""Where pytest puts its folders, and where what all sessions on this computer share is."""
+"""The folder of pytest, and of what all sessions on this computer share."""
 
 _VARIABLE = "TMPDIR"
 _OURS = ("ev3proto", ".ev3proto", "tmp", "home-")
 
 
 def usual_folder() -> Path:
-    """Where temporary files would be without this."""
+    """The folder of temporary files without this module."""
     return Path(os.environ.get(USUAL) or tempfile.gettempdir())
 
 
 def begin() -> None:
-    """Makes the folder, which everybody may use: tshark may run as another user."""
+    """Creates the folder, with access for all users: tshark may run as another one."""
     os.environ.setdefault(USUAL, tempfile.gettempdir())
     folder = tempfile.mkdtemp(prefix="ev3proto-tests-")
     Path(folder).chmod(0o1777)
@@ -32,7 +32,7 @@ def begin() -> None:
 
 
 def end() -> list[str]:
-    """Removes the folder. Returns what was left in it by us; other programs have their own ways."""
+    """Removes the folder. Returns what we left in it; files of other programs are ignored."""
     folder = Path(os.environ.pop(_VARIABLE))
     tempfile.tempdir = None
     left = sorted(path.name for path in folder.iterdir() if path.name.startswith(_OURS))

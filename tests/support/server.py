@@ -23,11 +23,11 @@ ACCEPT = b"Accept:EV340\r\n\r\n"
 
 
 MOST_WAITING = 60
-"""Seconds for which the tests of another process may keep the beacon's port."""
+"""Seconds for which another process of the tests may keep the beacon's port."""
 
 
 class Served(NamedTuple):
-    """A brick that is on: what it has around it, and the sentences it said."""
+    """A brick that is switched on, with its surroundings and its messages."""
 
     now: Running
     said: list[str]
@@ -39,7 +39,7 @@ class Served(NamedTuple):
 
 @contextmanager
 def served(root: Path, options: Options | None = None) -> Iterator[Served]:
-    """Switches a brick on, by default without a beacon on any free port, for as long as the context lasts."""
+    """Switches a brick on while the context lasts, by default without a beacon and on any free port."""
     options = options or Options(port=0, beacon=False)
     said: list[str] = []
     found: list[Running | BaseException] = []
@@ -76,7 +76,7 @@ def served(root: Path, options: Options | None = None) -> Iterator[Served]:
 
 
 class Client:
-    """A connection to a brick: TCP that has been unlocked, unless that is not wanted."""
+    """A connection to a brick over TCP, unlocked by default."""
 
     def __init__(self, port: int, *, unlocks: bool = True, timeout: float = 30.0) -> None:
         self.socket = socket.create_connection(("127.0.0.1", port), timeout)
@@ -112,7 +112,7 @@ class Client:
         return self.reply()
 
     def is_silent(self, seconds: float = 0.2) -> bool:
-        """Whether nothing comes for a while."""
+        """Returns whether nothing arrives for a while."""
         self.socket.settimeout(seconds)
         try:
             return self.socket.recv(1) == b"never"
@@ -123,7 +123,7 @@ class Client:
 
 
 def command(text: str, counter: int = 1) -> bytes:
-    """The frame of a direct command that wants a reply, written in assembly."""
+    """The frame of a direct command that wants a reply, from assembly."""
     (message,) = assemble(text, reply=True, unchecked=True)
     frame = message.build()
     return frame[:2] + counter.to_bytes(2, "little") + frame[4:]
@@ -131,7 +131,7 @@ def command(text: str, counter: int = 1) -> bytes:
 
 @contextmanager
 def beacon_port() -> Iterator[None]:
-    """Has the UDP port of beacons to itself: the tests run in several processes, and it is one for all of them."""
+    """Reserves the UDP port of beacons: the tests run in several processes, and the port exists once."""
     until = time.monotonic() + MOST_WAITING
     with (usual_folder() / "ev3proto-tests-beacon.lock").open("w") as lock:
         while True:
@@ -145,9 +145,9 @@ def beacon_port() -> Iterator[None]:
 
 
 def free_port(lowest: int = 6000, highest: int = 9999) -> int:
-    """A TCP port of four digits that nobody uses: some clients take no others from a beacon.
+    """Returns a free TCP port of four digits: some clients accept only those from a beacon.
 
-    By chance, so that tests that run at the same time do not find the same one.
+    It is random, so that simultaneous tests do not choose the same one.
     """
     for port in SystemRandom().sample(range(lowest, highest), 100):
         with contextlib.suppress(OSError), socket.socket() as probe:
@@ -168,7 +168,7 @@ def system(number: int, body: bytes) -> bytes:
 
 
 def upload(client: Client, path: bytes, data: bytes) -> int:
-    """Sends a file to the brick in pieces; the last status."""
+    """Sends a file to the brick in pieces; returns the last status."""
     reply = client.ask(system(0x92, len(data).to_bytes(4, "little") + path + b"\0"))
     status, handle = reply[6], reply[7]
     for at in range(0, len(data), 1017):

@@ -14,7 +14,7 @@ ROOT = Path(__file__).parents[2]
 
 
 def built_site(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The documentation, built by the command that CONTRIBUTING.md names; once for all workers of a run."""
+    """The documentation, built by the command in CONTRIBUTING.md, once for all workers of a run."""
     base = tmp_path_factory.getbasetemp()
     shared = base.parent if "PYTEST_XDIST_WORKER" in os.environ else base
     folder = shared / "documentation"

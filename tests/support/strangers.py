@@ -1,4 +1,4 @@
-"""What other programs say on the ports, channels and devices that bricks use."""
+"""Traffic of other programs on the ports, channels and devices that bricks use."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from collections.abc import Iterator
 from ev3proto.tables.frame import MAX_FRAME, MessageType
 
 Said = tuple[bool, bytes]
-"""Whether the host says it, and what."""
+"""Whether the host sends it, and the bytes."""
 
 
 def debug_bridge(rng: random.Random) -> Iterator[Said]:
-    """Android's debugger on TCP port 5555: a head of six numbers, then data."""
+    """Android's debugger on TCP port 5555: a header of six numbers, then data."""
 
     def packet(command: bytes, first: int, second: int, data: bytes) -> bytes:
         number = int.from_bytes(command, "little")
@@ -29,7 +29,7 @@ def debug_bridge(rng: random.Random) -> Iterator[Said]:
 
 
 def encrypted(rng: random.Random) -> Iterator[Said]:
-    """TLS, whose records begin with their type, the version and their length."""
+    """TLS, whose records begin with type, version and length."""
 
     def record(kind: int, data: bytes) -> bytes:
         return struct.pack(">BHH", kind, 0x0303, len(data)) + data
@@ -71,7 +71,7 @@ def nxt(rng: random.Random) -> Iterator[Said]:
         yield True, telegram(bytes((0, 7, rng.randrange(4))))
         yield False, telegram(bytes((2, 7, 0, rng.randrange(4), 1, 0, 1, 0x20)) + rng.randbytes(8))
         yield True, telegram(bytes((0, 9, rng.randrange(20), 20)) + rng.randbytes(20))
-        # A text for mailbox 0, a question to the ultrasonic sensor, a file: as commands of ours they have no fault.
+        # A text for mailbox 0, a request to the ultrasonic sensor, a file: read as EV3 commands, they have no fault.
         yield True, telegram(b"\x80\x09\x00\x05abcd\0")
         yield True, telegram(b"\x00\x0f\x00\x02\x01\x02\x42")
         yield True, telegram(b"\x01\x83\x01\x93" + rng.randbytes(60))
@@ -87,7 +87,7 @@ def modbus(rng: random.Random) -> Iterator[Said]:
 
 
 def numbered(rng: random.Random) -> Iterator[Said]:
-    """A protocol of somebody: two bytes of length, a kind, a number where a frame has its type, a text."""
+    """An invented protocol: two bytes of length, a kind, a number at the place of a frame's type, a text."""
     words = (b"temperature", b"hello", b"SELECT 1", b"admin")
     first = rng.randrange(100)
     for number in range(first, first + 40):
@@ -120,14 +120,14 @@ def database(rng: random.Random) -> Iterator[Said]:
 
 
 def torrent(rng: random.Random) -> Iterator[Said]:
-    """BitTorrent's datagrams: bencoded questions, and the heads of its own transport."""
+    """BitTorrent's datagrams: bencoded queries, and headers of its own transport."""
     for _ in range(100):
         yield True, b"d1:ad2:id20:" + rng.randbytes(20) + b"e1:q4:ping1:t2:aa1:y1:qe"
         yield False, bytes((0x21, 0)) + rng.randbytes(18)
 
 
 def pieces(rng: random.Random) -> Iterator[Said]:
-    """BitTorrent over TCP: who wants a part of a piece says its number, where in it, and how much."""
+    """BitTorrent over TCP: a request has the index of a piece, an offset and a length."""
     for number in range(7, 47):
         wanted = struct.pack(">III", number % 8, 0x4000 * rng.randrange(8), 0x4000)
         yield True, struct.pack(">IB", 13, 6) + wanted
@@ -143,7 +143,7 @@ def similar_beacons(rng: random.Random) -> Iterator[Said]:
 
 
 def reports(rng: random.Random, count: int) -> Iterator[Said]:
-    """USB reports of some vendor: any bytes, of a length and a type that a frame may have."""
+    """USB reports of another vendor: any bytes, with a length and a type that a frame may have."""
     for _ in range(count):
         size = rng.randint(5, MAX_FRAME)
         kind = rng.choice(list(MessageType))
@@ -159,13 +159,13 @@ def opcodes(rng: random.Random) -> Iterator[Said]:
 
 
 def cards(_rng: random.Random) -> Iterator[Said]:
-    """Business cards: their beginning says by chance that it is a command, and their letters are operations."""
+    """Business cards: by chance, their beginning looks like a command, and their letters like operations."""
     for number in range(20):
         yield number % 2 == 0, bytes.fromhex("9000 DBC3 00 006C 8E 4800D3") + b"BEGIN:VCARD\r\n" * 17
 
 
 def moves(rng: random.Random) -> Iterator[Said]:
-    """What a joystick does, in small packets: the first ones say by chance that they begin a system command."""
+    """A joystick in small packets: by chance, the first ones look like the beginning of a system command."""
     data = bytes.fromhex("6D00 0001 01 93 0000")
     for number in range(100):
         data += struct.pack(

@@ -1,4 +1,4 @@
-"""A server on loopback that takes a client for a brick and answers as a test says: also what no brick would."""
+"""A server on loopback that answers a client as a test says, also as a brick never would."""
 
 from __future__ import annotations
 
@@ -10,21 +10,21 @@ from contextlib import contextmanager
 from support.server import ACCEPT, UNLOCK
 
 Answer = Callable[[bytes, Callable[[bytes], None]], object]
-"""Gets a frame, and what sends bytes back; what it raises ends the connection."""
+"""Receives a frame and a function that sends bytes; raising an exception ends the connection."""
 
 
 class HangUp(Exception):  # noqa: N818 - no error: the test wants it
-    """Raised by an answer: the connection is closed."""
+    """Raised by an answer to close the connection."""
 
 
 def reply(frame: bytes, memory: bytes = b"", type: int = 2) -> bytes:
-    """The reply to a frame, as the specification has it."""
+    """Returns the reply to a frame, as specified."""
     return (3 + len(memory)).to_bytes(2, "little") + frame[2:4] + bytes((type,)) + memory
 
 
 @contextmanager
 def stub_brick(answer: Answer, accept: bytes = ACCEPT) -> Iterator[int]:
-    """A server for one client after the other. Yields its port."""
+    """Serves one client after the other. Yields its port."""
     with socket.create_server(("127.0.0.1", 0)) as listening:
         thread = threading.Thread(target=_serve, args=(listening, answer, accept), daemon=True)
         thread.start()

@@ -1,4 +1,4 @@
-"""A terminal that writes down what a subcommand sends it, and what of that would steer it."""
+"""A terminal that records the output of a subcommand, and finds control characters in it."""
 
 from __future__ import annotations
 
@@ -25,10 +25,10 @@ _PATIENCE = 60
 """Seconds without any output."""
 
 OURS = re.compile("\x1b\\[(0|[12]|(3|9)[0-7])(;(0|[12]|(3|9)[0-7]))*m")
-"""The sequences for the colours that the command line uses."""
+"""The sequences of the colours that the command line uses."""
 
 SCREEN = re.compile("\x1b\\[(\\?25[lh]|2K|1A|0?[JK])")
-"""What a progress bar, or the display of `run`, moves the cursor with."""
+"""The sequences with which a progress bar, or the display of `run`, moves the cursor."""
 
 _STEERS = re.compile(
     "[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2060-\u206f\ufeff\ud800-\udfff\ufff9-\ufffb]"
@@ -39,7 +39,7 @@ def on_a_terminal(*words: str | bytes | Path) -> tuple[int, str]:
     """Runs `ev3proto WORDS` in a process whose three standard streams are one terminal.
 
     Returns:
-        The exit status, and all that the terminal was sent.
+        The exit status, and all output to the terminal.
     """
     child, terminal = _started([os.fsdecode(word) for word in words])
     shown = b""
@@ -56,19 +56,19 @@ def on_a_terminal(*words: str | bytes | Path) -> tuple[int, str]:
         pass  # the other end is closed
     os.close(terminal)
     status = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
-    # The terminal itself makes a carriage return of each new line.
+    # The terminal itself turns each new line into a carriage return and a new line.
     return status, shown.decode("utf-8", "surrogateescape").replace("\r\n", "\n")
 
 
 def _started(words: list[str]) -> tuple[int, int]:
-    """The number of the process, and the terminal's other end."""
+    """The number of the process, and the other end of the terminal."""
     if threading.active_count() == 1 and not _DRAWING & set(words):
         child, terminal = pty.fork()
         if child == 0:
             _become_ev3proto(words)
         return child, terminal
-    # A process with threads cannot be forked safely, and starting one from the beginning takes longer. What draws
-    # pictures has threads of its own, which Python does not know of.
+    # A process with threads cannot be forked safely, and starting a new one takes longer. The library that draws
+    # charts has its own threads, which Python does not know of.
     terminal, end = pty.openpty()
     call = [sys.executable, "-m", "ev3proto", *words]
     child = subprocess.Popen(call, stdin=end, stdout=end, stderr=end, start_new_session=True).pid
@@ -94,10 +94,10 @@ def _become_ev3proto(words: list[str]) -> None:
 
 
 def steering(shown: str, *, draws: bool = False) -> set[str]:
-    """What in an output steers the terminal, besides colours.
+    """Returns what in an output controls the terminal, except colours.
 
     Args:
-        shown: What the terminal was sent.
+        shown: The output to the terminal.
         draws: Whether the cursor may be moved.
     """
     left = OURS.sub("", shown)

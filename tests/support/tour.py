@@ -1,6 +1,6 @@
-"""A tour of what `ev3_dc`, a client nobody here wrote, can do with a brick over WiFi.
+"""A tour of what the independent client `ev3_dc` can do with a brick over WiFi.
 
-As a program it shows a virtual brick to the client and prints what that says; `captures/making/record-tour` captures
+As a program, it shows a virtual brick to the client and prints the results; `captures/making/record-tour` captures
 it.
 """
 
@@ -41,10 +41,10 @@ PROJECTS = "/home/root/lms2012/prjs"
 
 @contextmanager
 def connected(root: Path, port: int | None = None) -> Iterator[tuple[Served, Any]]:
-    """A virtual robot and the client that has found it by its beacon."""
+    """A virtual robot, and the client that has found it by its beacon."""
     options = Options(port=port or free_port(), script=ROBOT)
     with beacon_port(), ThreadPoolExecutor() as pool:
-        # It listens before the brick is switched on: the next beacon would come five seconds later.
+        # Listen before the brick is switched on: the next beacon would come five seconds later.
         listening = pool.submit(ev3_dc.EV3, protocol=ev3_dc.WIFI)
         while not listening.done() and f":{BEACON_PORT:04X} " not in Path("/proc/net/udp").read_text():
             time.sleep(0.01)
@@ -54,8 +54,8 @@ def connected(root: Path, port: int | None = None) -> Iterator[tuple[Served, Any
 
 
 def _used(brick: Served, client: Any) -> Iterator[tuple[Served, Any]]:
-    """Lends both, and lets go of the client."""
-    # Its objects talk to the brick when they are deleted: that must not happen in the thread that is the brick.
+    """Yields both, and releases the client at the end."""
+    # Its objects talk to the brick when they are deleted, which must not happen in the thread of the brick.
     gc.disable()
     client._physical_ev3._socket.settimeout(30)
     try:
@@ -68,7 +68,7 @@ def _used(brick: Served, client: Any) -> Iterator[tuple[Served, Any]]:
 
 
 def about(client: Any) -> Iterator[Any]:
-    """What it says of the brick, and what can be set."""
+    """Information about the brick, and its settings."""
     yield client.name
     yield client.battery
     yield client.sensors
@@ -105,7 +105,7 @@ def motor(client: Any) -> Iterator[Any]:
 
 
 def square(client: Any) -> Any:
-    """Drives a square and says where the vehicle is then."""
+    """Drives a square and returns the final position of the vehicle."""
     vehicle = ev3_dc.TwoWheelVehicle(0.0282, 0.1175, ev3_obj=client, speed=100)
     sides = [part for _ in range(4) for part in (vehicle.drive_straight(0.02), vehicle.drive_turn(90, 0.0))]
     concat(*sides).start(thread=False)
@@ -113,7 +113,7 @@ def square(client: Any) -> Any:
 
 
 def jukebox(client: Any, brick: Served) -> Iterator[Any]:
-    """Light and tones. A command that wants no reply is served before one that does: the battery is asked for."""
+    """Light and tones. A command without a reply is run before a later one with a reply, here the battery's."""
     jukebox = ev3_dc.Jukebox(ev3_obj=client)
     jukebox.volume = 12
     jukebox.change_color(ev3_dc.LED_ORANGE)
@@ -130,13 +130,13 @@ def jukebox(client: Any, brick: Served) -> Iterator[Any]:
 
 
 def _frequency(brick: Served) -> int | None:
-    """Of the tone that sounds."""
+    """The tone that is playing."""
     playing = brick.now.brick.sound.playing
     return None if playing is None else playing.frequency
 
 
 def files(client: Any) -> Iterator[Any]:
-    """A folder, a file there and back, a copy, and all of it removed."""
+    """A folder, a file in both directions, a copy, and their removal."""
     system = ev3_dc.FileSystem(ev3_obj=client)
     folders, names = system.list_dir("/home/root/lms2012")
     yield sorted(folders), sorted(names)
@@ -153,7 +153,7 @@ def files(client: Any) -> Iterator[Any]:
 
 
 def main(say: Callable[[Any], None] = print) -> None:
-    """The whole tour."""
+    """Makes the whole tour."""
     with tempfile.TemporaryDirectory() as root, connected(Path(root), TCP_PORT) as (brick, client):
         for part in (about(client), sensors(client, brick), motor(client), jukebox(client, brick), files(client)):
             for said in part:

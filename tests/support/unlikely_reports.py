@@ -1,4 +1,4 @@
-"""USB reports that are no frame of a brick in every respect, by what is odd about them."""
+"""USB reports that differ from those of a brick in one respect, by that respect."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 """Runs tshark with the dissector: the distribution's, or the one that the variable EV3PROTO_TSHARK names.
 
-As root, tshark 4.4 and later load no Lua script. So there the user nobody runs it, and captures and scripts
-lie in a work folder that everybody can read.
+As root, tshark 4.4 and later do not load Lua scripts. Then the user `nobody` runs it, and captures and scripts
+are in a work folder that all users can read.
 """
 
 from __future__ import annotations
@@ -29,14 +29,14 @@ import pyshark.ek_field_mapping
 SETTING = "EV3PROTO_TSHARK"
 DISSECTOR = Path(__file__).parents[2] / "dissector" / "ev3.lua"
 
-# A capture of no packets, and a script that says which Lua runs it.
+# A capture without packets, and a script that prints the version of Lua.
 _EMPTY = bytes.fromhex("d4c3b2a1 0200 0400 00000000 00000000 00000400 01000000")
 _PROBE = b'print("loaded by " .. _VERSION)\n'
-# Lua errors, and what Wireshark calls bugs of a dissector: 4.6 says so of errors inside dissect_tcp_pdus too.
+# Lua errors, and what Wireshark calls bugs of a dissector; 4.6 also reports errors inside dissect_tcp_pdus this way.
 _BUG_GROUP = 0x11000000
 _ERRORS = f"_ws.lua.error || _ws.expert.group == {_BUG_GROUP}"
 _TROUBLE = re.compile(r"\bLua\b|\.lua:\d|[Dd]issector bug")
-# Prints the packets that filters let through. The fields of other scripts are there when the reading begins.
+# Prints the packets that match filters. The fields of other scripts exist when the reading begins.
 _TAPS = """\
 local filters = {{ {filters} }}
 local taps = Proto("filter_taps", "Taps")
@@ -48,16 +48,16 @@ function taps.init()
     filters = {{}}
 end
 """
-# Run by nobody where root runs the tests, and without anybody's own preferences and plugins.
+# Run as `nobody` if root runs the tests, and without any user's preferences and plugins.
 _AS_NOBODY = ["setpriv", "--reuid=65534", "--regid=65534", "--clear-groups", "--"]
 _CLEAN = ["env", "-u", "XDG_CONFIG_HOME", "-u", "WIRESHARK_CONFIG_DIR", "-u", "WIRESHARK_PLUGIN_DIR"]
 _CLEAN += ["HOME=/nonexistent", "LC_ALL=C.UTF-8", "TZ=UTC"]
 
 
 class _Reader(pyshark.FileCapture):  # type: ignore[misc]
-    """pyshark kills tshark when its output ends; if it just ended by itself, its exit status is lost, and read as 255.
+    """pyshark kills tshark when its output ends; if it was just ending by itself, its exit status is lost and read as 255.
 
-    So this one waits for it.
+    So this class waits for it.
     """
 
     async def _cleanup_subprocess(self, process: asyncio.subprocess.Process) -> None:
@@ -69,22 +69,22 @@ class _Reader(pyshark.FileCapture):  # type: ignore[misc]
 
 @dataclass
 class Tshark:
-    """A tshark that loads `script`; open in a `with`."""
+    """A tshark that loads `script`; use it in a `with`."""
 
     program: Path
     script: Path | None = None
     timeout: float = 120
 
-    folder: Path = field(init=False)  # the work folder; everything tshark reads lies there
-    path: Path = field(init=False)  # what runs tshark as it must be run, for pyshark too
+    folder: Path = field(init=False)  # the work folder, with everything that tshark reads
+    path: Path = field(init=False)  # the path of a script that runs tshark as required, also for pyshark
     version: tuple[int, int] = field(init=False)
-    lua: str = field(init=False)  # "Lua 5.2"; empty when no script is loaded
+    lua: str = field(init=False)  # "Lua 5.2"; empty if no script is loaded
     _fields: dict[str, Any] | None = field(init=False, repr=False, default=None)
     _cleanup: contextlib.ExitStack = field(init=False, repr=False, default_factory=contextlib.ExitStack)
 
     @classmethod
     def from_setting(cls, script: Path | None = DISSECTOR) -> Self:
-        """The tshark of EV3PROTO_TSHARK, or else the one on the path; `script` is copied into its work folder."""
+        """Yields the tshark of EV3PROTO_TSHARK, or the one on the path; `script` is copied into its work folder."""
         setting = os.environ.get(SETTING) or "tshark"
         found = shutil.which(setting)
         assert found, f"there is no {setting}: install tshark, or set {SETTING} to the path of one"
@@ -118,14 +118,14 @@ class Tshark:
             self.load(self.script)
 
     def _plain(self) -> Path:
-        """A program in the work folder that runs a tshark of this system, as nobody if we are root."""
+        """Creates a program in the work folder that runs a tshark of this system, as `nobody` if we are root."""
         words = [*_CLEAN, str(self.program)]
         if os.geteuid() == 0:
             as_nobody = [*_AS_NOBODY, *words]
             with contextlib.suppress(OSError, subprocess.TimeoutExpired):
                 if subprocess.run([*as_nobody, "-v"], capture_output=True, timeout=self.timeout).returncode == 0:
                     words = as_nobody
-        # pyshark takes the folder from the path it is given, and looks for "tshark" there.
+        # pyshark takes the folder of its path, and looks for "tshark" there.
         path = self.folder / "tshark"
         path.write_text(f'#!/bin/sh\nexec {shlex.join(words)} "$@"\n')
         path.chmod(0o755)
@@ -144,7 +144,7 @@ class Tshark:
         return found[1] if found else ""
 
     def _execute(self, *words: str) -> subprocess.CompletedProcess[str]:
-        """Runs tshark; fails when its exit status says that it failed."""
+        """Runs tshark; fails if its exit status reports an error."""
         done = subprocess.run(
             [str(self.path), *words],
             stdin=subprocess.DEVNULL,
@@ -158,7 +158,7 @@ class Tshark:
 
     @property
     def words(self) -> list[str]:
-        """The arguments that make tshark load the script, as pyshark wants them: `custom_parameters=tshark.words`."""
+        """The arguments that make tshark load the script, in pyshark's form: `custom_parameters=tshark.words`."""
         return ["-n", *([] if self.script is None else ["-X", f"lua_script:{self.script}"])]
 
     @property
@@ -167,7 +167,7 @@ class Tshark:
         return ["-X", f"lua_script:{self.place(DISSECTOR.with_name('ev3_statistics.lua'))}"]
 
     def place(self, source: Path | bytes, name: str = "") -> Path:
-        """Copies a file, or bytes, into the work folder; the path is valid for tshark and for us."""
+        """Copies a file, or bytes, into the work folder; returns a path that is valid for tshark and for us."""
         data, own_name = (source, "") if isinstance(source, bytes) else (source.read_bytes(), source.name)
         assert name or own_name, "bytes need a name"
         path = self.folder / (name or own_name)
@@ -176,7 +176,7 @@ class Tshark:
         return path
 
     def load(self, source: Path | bytes, name: str = "") -> None:
-        """Loads this script from now on, in place of the one before."""
+        """Loads this script from now on, instead of the one before."""
         self._fields = None
         self.script = self.place(source, name or ("script.lua" if isinstance(source, bytes) else source.name))
 
@@ -184,10 +184,10 @@ class Tshark:
         return capture if capture.is_relative_to(self.folder) else self.place(capture)
 
     def run(self, capture: Path, *words: str, dissector: bool = True) -> str:
-        """What `tshark -n -X lua_script:... -r capture words` prints.
+        """Returns the output of `tshark -n -X lua_script:... -r capture words`.
 
-        A capture from elsewhere is copied into the work folder first. Lua errors fail where tshark tells of them: on
-        standard error, or in a tree. One-line output and fields say nothing of them; `lua_errors` finds all.
+        A capture from elsewhere is first copied into the work folder. Lua errors make it fail if tshark reports them on
+        standard error or in a tree. One-line output and fields do not show them; `lua_errors` finds all.
         """
         done = self._execute(*(self.words if dissector else ["-n"]), "-r", str(self._within(capture)), *words)
         assert not _TROUBLE.search(done.stderr), f"{shlex.join(done.args)}:\n{done.stderr}"
@@ -197,7 +197,7 @@ class Tshark:
         return done.stdout
 
     def matches(self, capture: Path, filters: Sequence[str], *words: str) -> dict[str, list[int]]:
-        """The numbers of the packets that each of many display filters lets through, by one run of tshark."""
+        """Returns the numbers of the packets that match each of many display filters, by one run of tshark."""
         taps = _TAPS.format(filters=", ".join(f"[==[{text}]==]" for text in filters))
         script = self.place(taps.encode(), "taps.lua")
         found: dict[str, list[int]] = {text: [] for text in filters}
@@ -207,16 +207,16 @@ class Tshark:
         return found
 
     def lua_errors(self, capture: Path, *words: str) -> list[str]:
-        """Every Lua error while the script is loaded and `capture` is read: "frame 1: Lua Error: ...".
+        """Returns every Lua error of loading the script and reading `capture`: "frame 1: Lua Error: ...".
 
-        `words` may change how tshark works through it: "-2" reads twice, "-V" makes all of the tree visible.
+        `words` may change how tshark reads it: "-2" reads twice, "-V" makes the whole tree visible.
         """
         form = ["-T", "fields", "-E", "aggregator=\x1f", "-e", "frame.number", "-e", "_ws.expert.message"]
         done = self._execute(*self.words, "-r", str(self._within(capture)), "-Y", _ERRORS, *form, *words)
         errors: list[str] = []
         for line in done.stdout.split("\n"):
             number, tab, text = line.partition("\t")
-            if tab and number.isdigit():  # a script may print lines too
+            if tab and number.isdigit():  # a script may print lines, too
                 messages = text.split("\x1f")
                 told = [message for message in messages if _TROUBLE.search(message)] or messages
                 errors += [f"frame {number}: {message}" for message in told]
@@ -225,12 +225,12 @@ class Tshark:
         return errors
 
     def packets(self, capture: Path, *words: str, output: Literal["xml", "json", "ek"] = "xml") -> list[Any]:
-        """The packets as pyshark's objects, which reads tshark's output in one of three forms."""
+        """Yields the packets as pyshark's objects, which reads tshark's output in one of three forms."""
         captured = self._within(capture)
         if output == "ek":
             self._tell_pyshark_the_fields()
         if sys.version_info < (3, 14):
-            # A reader that somebody made without a loop has left asyncio unable to run programs in other loops.
+            # A reader that was created without a loop leaves asyncio unable to run programs in other loops.
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore", DeprecationWarning)
                 asyncio.set_child_watcher(None)  # type: ignore[arg-type]
@@ -249,10 +249,10 @@ class Tshark:
             return list(reader)
 
     def _tell_pyshark_the_fields(self) -> None:
-        """Tells pyshark the types of the script's fields, which it looks up when somebody asks for a field of a packet.
+        """Gives pyshark the types of the script's fields, which it needs when a field of a packet is read.
 
-        By itself pyshark 0.6 asks `tshark -G elastic-mapping`, without our arguments, so that it has no field of a
-        script, keeps the answer in a file for each version of tshark, and does not know the answer's form since 4.6.
+        By itself, pyshark 0.6 calls `tshark -G elastic-mapping` without our arguments, so that it lacks the fields of a
+        script, keeps the answer in a file for each version of tshark, and does not know the answer's format since 4.6.
         """
         if self._fields is None:
             said = json.loads(self._execute("-G", "elastic-mapping", *self.words).stdout, object_pairs_hook=_merge)
@@ -261,7 +261,7 @@ class Tshark:
 
 
 def _merge(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-    """An object of tshark's JSON, in which a protocol may come twice, once without fields."""
+    """An object of tshark's JSON, in which a protocol may occur twice, once without fields."""
     merged: dict[str, Any] = {}
     for name, value in pairs:
         if name not in merged or value != {"properties": {}}:

@@ -14,7 +14,7 @@ from ev3proto.tables.move import SIZES
 
 
 def _array(vm: Machine, handle: int) -> Array:
-    """The array of a handle; Failure where there is none."""
+    """Returns the array of a handle; Failure where there is none."""
     array = vm.program.handles.get(handle, Array)
     if array is None:
         raise Failure
@@ -22,7 +22,7 @@ def _array(vm: Machine, handle: int) -> Array:
 
 
 def _array_of(vm: Machine, slot: int, handle: int) -> Array | None:
-    """The array of a handle in a slot; None where there is none."""
+    """Returns the array of a handle in a slot; None where there is none."""
     program = vm.program_in(slot)
     return None if program is None else program.handles.get(handle, Array)
 
@@ -51,7 +51,7 @@ def _create(kind: Type) -> Callable[[Machine, int, Place], None]:
 
 
 def _init(kind: Type) -> Callable[[Machine], None]:
-    """The command's type says how wide the values are, whatever the array's type is."""
+    """Returns a handler. The command's type is the width of the values, not the array's type."""
     read = {
         Type.DATA8: Machine.int8,
         Type.DATA16: Machine.int16,
@@ -103,13 +103,13 @@ def copy(vm: Machine, source: int, destination: int) -> None:
 
 
 def _elements(vm: Machine, handle: int) -> int:
-    """The size of an array in elements; 0 where there is none."""
+    """Returns the size of an array in elements; 0 where there is none."""
     array = vm.program.handles.get(handle, Array)
     return 0 if array is None else array.elements
 
 
 def _bytes(vm: Machine, slot: int, handle: int) -> int:
-    """The size of an array in bytes; 0 where there is none."""
+    """Returns the size of an array in bytes; 0 where there is none."""
     array = _array_of(vm, slot, handle)
     return 0 if array is None else len(array.data)
 
@@ -119,7 +119,7 @@ computes(
         "ARRAY.SIZE": _elements,
         "ARRAY.SET_SIZE": _elements,
         "ARRAY.READ_SIZE": _bytes,
-        # No failure where there is none.
+        # An unknown handle is not a failure.
         "ARRAY.DELETE": lambda vm, handle: vm.release(vm.program, handle),
         "ARRAY.DESTROY": lambda vm, handle: vm.release(vm.program, handle),
     }

@@ -31,25 +31,25 @@ def _jump_if(vm: Machine, holds: bool) -> None:
 
 @handles("JR", raw=True)
 def jump(vm: Machine) -> None:
-    """Always."""
+    """Jumps always."""
     vm.jump(vm.int32())
 
 
 @handles("JR_TRUE", raw=True)
 def jump_if_true(vm: Machine) -> None:
-    """Anything but 0 is true."""
+    """Jumps by a flag, which is true unless it is 0."""
     _jump_if(vm, vm.int8() != 0)
 
 
 @handles("JR_FALSE", raw=True)
 def jump_if_false(vm: Machine) -> None:
-    """Anything but 0 is true."""
+    """Jumps by a flag, which is true unless it is 0."""
     _jump_if(vm, vm.int8() == 0)
 
 
 @handles("JR_NAN", raw=True)
 def jump_if_nan(vm: Machine) -> None:
-    """By the bits of a float."""
+    """Jumps if a float is NaN, by its bits."""
     _jump_if(vm, is_nan(vm.float_bits()))
 
 

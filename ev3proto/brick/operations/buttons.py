@@ -9,7 +9,7 @@ from ev3proto.brick.operation_exits import Busy
 
 
 def _buttons(vm: Machine) -> Buttons:
-    """The buttons as they are when the running program asks."""
+    """Returns the buttons as they are when the running program asks."""
     buttons = vm.brick.buttons
     buttons.look(vm.program, vm.microseconds)
     return buttons

@@ -1,4 +1,4 @@
-"""COM: the brick's name and its radios, of which there are none here, and the settings of both."""
+"""COM: the brick's name, and the settings of its radios, which a virtual brick lacks."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ computes({"COM_GET.GET_PRESENT": lambda _, hardware: hardware in (USB, BLUETOOTH
 
 
 def _radio(vm: Machine, hardware: int) -> bool | None:
-    """Whether a radio is on; None for other hardware."""
+    """Returns whether a radio is on; None for other hardware."""
     return {BLUETOOTH: vm.brick.settings.bluetooth, WIFI: vm.brick.settings.wifi}.get(hardware)
 
 

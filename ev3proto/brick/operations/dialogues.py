@@ -1,4 +1,4 @@
-"""UI_DRAW's dialogues: they draw a window and keep the program waiting until somebody presses a button."""
+"""UI_DRAW's dialogues: they draw a window and keep the program waiting for a button."""
 
 from __future__ import annotations
 
@@ -39,16 +39,16 @@ def _pressed(vm: Machine, name: str) -> bool:
 
 
 def _open(vm: Machine) -> ScreenDialog:
-    """A new dialog, which no press from before answers."""
+    """Opens a dialog; earlier presses do not answer it."""
     vm.brick.buttons.flush()
     vm.brick.dialog = ScreenDialog(vm.brick.display, vm.program)
     return vm.brick.dialog
 
 
 def _current(vm: Machine) -> ScreenDialog | None:
-    """The running program's own dialog; one that an ended program left open does not count.
+    """Returns the running program's own dialog; one that an ended program left open does not count.
 
-    Waits while somebody else has blocked the display.
+    Waits while another object has blocked the display.
     """
     if vm.brick.display.is_blocked_for(vm.program.slot, vm.object.number):
         raise Busy
@@ -58,14 +58,14 @@ def _current(vm: Machine) -> ScreenDialog | None:
 
 
 def _close(vm: Machine) -> None:
-    """What was drawn before is seen again."""
+    """Closes the dialog and shows what was drawn before."""
     if vm.brick.dialog is not None:
         vm.brick.dialog.close()
         vm.brick.dialog = None
 
 
 def _under_way(vm: Machine, state: Place) -> ScreenDialog | None:
-    """The dialog that is shown; None where it has to be opened, which the state says from then on."""
+    """Returns the open dialog; None where it has to be opened, which is noted in the state."""
     dialog = _current(vm)
     if state.read8() and dialog is not None:
         return dialog
@@ -84,7 +84,7 @@ def _moved(vm: Machine, dialog: ScreenDialog, back: str, forward: str, count: in
 def notification(
     vm: Machine, _: int, __: int, ___: int, icon1: int, icon2: int, icon3: int, text: bytes, state: Place
 ) -> None:
-    """A text, until enter is pressed."""
+    """Shows a text until enter is pressed."""
     dialog = _under_way(vm, state)
     if dialog is None:
         _open(vm).show_message((icon1, icon2, icon3), text)
@@ -99,7 +99,7 @@ def notification(
 def question(
     vm: Machine, _: int, __: int, ___: int, icon1: int, icon2: int, ____: bytes, state: Place, answer: Place
 ) -> None:
-    """Left or right for no or yes, then enter; back for neither."""
+    """Asks a question: left or right for no or yes, then enter; back for neither."""
     icons = (icon1, icon2)
     dialog = _under_way(vm, state)
     if dialog is None:
@@ -112,7 +112,7 @@ def question(
 
 
 def _chosen(vm: Machine, dialog: ScreenDialog, icons: Sequence[int], state: Place) -> int | None:
-    """Which icon is chosen by enter, counted from 0; None for back. Waits for one of them."""
+    """Returns the icon that enter chooses, counted from 0; None for back. Waits for one of the two."""
     if _moved(vm, dialog, "left", "right", len(icons)):
         dialog.show_choice(icons)
         raise Busy
@@ -126,7 +126,7 @@ def _chosen(vm: Machine, dialog: ScreenDialog, icons: Sequence[int], state: Plac
 
 @handles("UI_DRAW.ICON_QUESTION")
 def icon_question(vm: Machine, _: int, __: int, ___: int, state: Place, icons: Place) -> None:
-    """One of several icons."""
+    """Asks for one of several icons."""
     shown = [icon for icon in range(_LARGE_ICONS) if icons.read_bits() >> icon & 1]
     dialog = _under_way(vm, state)
     if dialog is None:
@@ -140,7 +140,7 @@ def icon_question(vm: Machine, _: int, __: int, ___: int, state: Place, icons: P
 def keyboard(
     vm: Machine, _: int, __: int, ___: int, icon: int, length: int, caption: bytes, characters: Place, text: Place
 ) -> None:
-    """A text to edit; enter takes it, back empties it."""
+    """Edits a text; enter accepts it, back empties it."""
     dialog = _current(vm)
     if characters.read8() or dialog is None:
         dialog = _open(vm)
@@ -163,7 +163,7 @@ def keyboard(
 
 
 def _choose(vm: Machine, begins: bool, lines: Callable[[], Sequence[bytes]], box: tuple[int, int, int, int]) -> int:
-    """Which of some lines is chosen, counted from 0; -1 for none. Waits for the choice."""
+    """Returns the number of the chosen line, counted from 0; -1 for none. Waits for the choice."""
     dialog = _current(vm)
     if begins or dialog is None:
         _open(vm).show_list(*box, lines())
@@ -180,7 +180,7 @@ def _choose(vm: Machine, begins: bool, lines: Callable[[], Sequence[bytes]], box
 
 @handles("UI_DRAW.BROWSE")
 def browse(vm: Machine, _: int, x: int, y: int, width: int, height: int, length: int, kind: Place, path: Place) -> None:
-    """The files and folders in a folder."""
+    """Asks for a file or folder in a folder."""
     folder = path.read_text()
     names = vm.brick.files.shown(folder)
     chosen = _choose(vm, False, lambda: names, (x, y, width, height))
@@ -199,7 +199,7 @@ def browse(vm: Machine, _: int, x: int, y: int, width: int, height: int, length:
 def textbox(
     vm: Machine, x: int, y: int, width: int, height: int, text: bytes, size: int, delimiter: int, line: Place
 ) -> None:
-    """The lines of a text."""
+    """Shows the lines of a text and asks for one."""
     ends = DELIMITERS.get(delimiter, b"")
     whole = text[: max(size, 0)]
 

@@ -23,7 +23,7 @@ _EXTENSION = str(CONSTANTS["EXT_GRAPHICS"]).encode(STRING_CODING)
 
 
 def _is_blocked(vm: Machine) -> bool:
-    """Whether the running object may not draw."""
+    """Returns whether the running object may not draw."""
     return vm.brick.display.is_blocked_for(vm.program.slot, vm.object.number)
 
 

@@ -25,9 +25,9 @@ _MOST_NUMBER = 64
 
 
 def checked_name(vm: Machine, place: Place) -> bytes | None:
-    """A file's name from memory, in the program's own folder where it has none; None where it is not allowed.
+    """Reads a file's name, in the program's own folder unless it names another one; None where it is not allowed.
 
-    The error is logged unless it stands in the log already. Forbidden characters are replaced in memory.
+    The error is logged unless the log has it already. Forbidden characters are replaced in memory.
     """
     if not path_names.check(place):
         vm.brick.settings.log_once("FILE_NAME_ERROR")
@@ -36,7 +36,7 @@ def checked_name(vm: Machine, place: Place) -> bytes | None:
 
 
 def in_own_folder(vm: Machine, name: bytes) -> bytes:
-    """A name without a folder is looked up in the program's own one."""
+    """Returns a name in the program's own folder, unless it names another one."""
     return name if b"/" in name else vm.program.folder.encode(STRING_CODING) + name
 
 
@@ -44,7 +44,7 @@ def in_own_folder(vm: Machine, name: bytes) -> bytes:
 
 
 def opened_name(vm: Machine, place: Place) -> bytes:
-    """The name of a file to open. One that is not allowed is tried again, with its characters replaced by then."""
+    """Reads the name of a file to open. A forbidden one is tried again, with its characters replaced by then."""
     name = checked_name(vm, place)
     if name is None:
         raise Busy
@@ -52,7 +52,7 @@ def opened_name(vm: Machine, place: Place) -> bytes:
 
 
 def add(vm: Machine, file: OpenFile, handle: Place) -> None:
-    """Gives an open file its handle; -1 and a failure where none is left."""
+    """Writes the handle of an open file; -1 and a failure where none is left."""
     number = vm.program.handles.add(file)
     handle.write16(NO_HANDLE if number is None else number)
     if number is None:
@@ -62,7 +62,7 @@ def add(vm: Machine, file: OpenFile, handle: Place) -> None:
 
 
 def open_to_write(vm: Machine, name: bytes, handle: Place, *, append: bool, is_log: bool = False) -> OpenFile:
-    """Opens a file to write; handle 0 and a failure where that cannot be."""
+    """Opens a file to write; handle 0 and a failure where that is impossible."""
     files = vm.brick.files
     file, found = files.open_to_write(name, append=append), files.locate(name)
     if file is None or found is None:
@@ -76,7 +76,7 @@ def open_to_write(vm: Machine, name: bytes, handle: Place, *, append: bool, is_l
 
 @handles("FILE.OPEN_READ", places=("NAME",))
 def open_read(vm: Machine, place: Place, handle: Place, size: Place) -> None:
-    """Without such a file handle and size are 0, and nothing fails."""
+    """Opens a file to read; for an unknown file handle and size are 0, and nothing fails."""
     name = opened_name(vm, place)
     files = vm.brick.files
     file, found = files.open_to_read(name), files.locate(name)
@@ -90,19 +90,19 @@ def open_read(vm: Machine, place: Place, handle: Place, size: Place) -> None:
 
 @handles("FILE.OPEN_WRITE", places=("NAME",))
 def open_write(vm: Machine, place: Place, handle: Place) -> None:
-    """What was in the file is lost."""
+    """Opens a file to write; its contents are lost."""
     open_to_write(vm, opened_name(vm, place), handle, append=False)
 
 
 @handles("FILE.OPEN_APPEND", places=("NAME",))
 def open_append(vm: Machine, place: Place, handle: Place) -> None:
-    """What is written follows what is there."""
+    """Opens a file to append."""
     open_to_write(vm, opened_name(vm, place), handle, append=True)
 
 
 @handles("FILE.CLOSE")
 def close(vm: Machine, handle: int) -> None:
-    """Of arrays, too."""
+    """Closes a file; frees an array, too."""
     if not vm.release(vm.program, handle):
         vm.brick.settings.log_error("FILE_CLOSE_ERROR")
         raise Failure
@@ -110,14 +110,14 @@ def close(vm: Machine, handle: int) -> None:
 
 @handles("FILE.GET_HANDLE", places=("NAME",))
 def get_handle(vm: Machine, place: Place, handle: Place, for_writing: Place) -> None:
-    """-1 where it is not open by that name; another path to the same file is another name."""
+    """Writes -1 where no file is open by that name; another path to the same file is another name."""
     number, file = find_open(vm, opened_name(vm, place))
     handle.write16(number)
     for_writing.write8(file is not None and file.for_writing)
 
 
 def find_open(vm: Machine, name: bytes) -> tuple[int, OpenFile | None]:
-    """The handle of an open file and the file, by the name that it was opened by; -1 and None where it is not open."""
+    """Returns the handle of an open file and the file, by the name used to open it; -1 and None for others."""
     for number, entry in vm.program.handles.items():
         if isinstance(entry, OpenFile) and entry.name == name:
             return number, entry
@@ -128,7 +128,7 @@ def find_open(vm: Machine, name: bytes) -> tuple[int, OpenFile | None]:
 
 
 def _file(vm: Machine, handle: int, for_writing: bool) -> OpenFile:
-    """An open file; Failure where there is none, or it was opened for the other direction."""
+    """Returns an open file. Failure for an unknown handle, and for a file opened for the other direction."""
     file = vm.program.handles.get(handle, OpenFile)
     if file is None or file.for_writing is not for_writing:
         vm.brick.settings.log_error("FILE_WRITE_ERROR" if for_writing else "FILE_READ_ERROR")
@@ -137,7 +137,7 @@ def _file(vm: Machine, handle: int, for_writing: bool) -> OpenFile:
 
 
 def _write(vm: Machine, handle: int, data: bytes, delimiter: int = 0) -> None:
-    """Writes and adds a delimiter; fails for a delimiter that there is none of, with the data written."""
+    """Writes data and a delimiter; fails for an unknown delimiter, after the data is written."""
     end = b"" if delimiter < 0 else DELIMITERS.get(delimiter)
     if not _file(vm, handle, True).write(data + (end or b"")) or end is None:
         vm.brick.settings.log_error("FILE_WRITE_ERROR")
@@ -146,7 +146,7 @@ def _write(vm: Machine, handle: int, data: bytes, delimiter: int = 0) -> None:
 
 @handles("FILE.READ_TEXT")
 def read_text(vm: Machine, handle: int, delimiter: int, length: int, destination: Place) -> None:
-    """A zero follows where there is room for one. The length counts as 8 bits."""
+    """Reads a text; a zero follows if it fits. The length counts as 8 bits."""
     length = wrap8(length)
     text = _file(vm, handle, False).read_until(DELIMITERS.get(delimiter, b""), max(0, length))
     _write_read(vm, destination, text, length)
@@ -160,7 +160,7 @@ def _write_read(vm: Machine, destination: Place, data: bytes, most: int) -> None
 
 @handles("FILE.READ_VALUE")
 def read_value(vm: Machine, handle: int, delimiter: int, value: Place) -> None:
-    """0 where the text is no number, or where it fails."""
+    """Reads a number; 0 where the text is not a number, or where it fails."""
     value.write_float(0.0)
     text = _file(vm, handle, False).read_until(DELIMITERS.get(delimiter, b""), _MOST_NUMBER)
     number = read_number(text)
@@ -169,25 +169,25 @@ def read_value(vm: Machine, handle: int, delimiter: int, value: Place) -> None:
 
 @handles("FILE.READ_BYTES")
 def read_bytes(vm: Machine, handle: int, count: int, destination: Place) -> None:
-    """A zero follows where the file ended before."""
+    """Reads bytes; a zero follows where the file ended early."""
     _write_read(vm, destination, _file(vm, handle, False).read(count), count)
 
 
 @handles("FILE.WRITE_TEXT")
 def write_text(vm: Machine, handle: int, delimiter: int, text: bytes) -> None:
-    """And the delimiter."""
+    """Writes a text and the delimiter."""
     _write(vm, handle, text, delimiter)
 
 
 @handles("FILE.WRITE_VALUE")
 def write_value(vm: Machine, handle: int, delimiter: int, value: float, figures: int, decimals: int) -> None:
-    """As text, and the delimiter."""
+    """Writes a number as text, and the delimiter."""
     _write(vm, handle, padded(fixed(value, decimals), figures).encode(STRING_CODING), delimiter)
 
 
 @handles("FILE.WRITE_BYTES")
 def write_bytes(vm: Machine, handle: int, count: int, source: Place) -> None:
-    """As they are."""
+    """Writes bytes as they are."""
     _write(vm, handle, source.read_bytes(count))
 
 
@@ -196,7 +196,7 @@ def write_bytes(vm: Machine, handle: int, count: int, source: Place) -> None:
 
 @handles("FILE.REMOVE", places=("NAME",))
 def remove(vm: Machine, place: Place) -> None:
-    """A file, or a folder with the files in it; the list of recent files forgets them."""
+    """Deletes a file, or a folder with its files; the list of recent files forgets them."""
     name = checked_name(vm, place)
     if name is not None:
         _remove(vm, name)
@@ -214,7 +214,7 @@ def _remove(vm: Machine, path: bytes) -> None:
 
 @handles("FILE.MOVE", places=("SOURCE", "DEST"))
 def move(vm: Machine, source: Place, target: Place) -> None:
-    """Copies: the source stays. What is at the target is gone, even where there is nothing to copy."""
+    """Copies: the source stays. The target is deleted, even where there is nothing to copy."""
     origin = checked_name(vm, source)
     goal = None if origin is None else checked_name(vm, target)
     if origin is None or goal is None:
@@ -226,14 +226,14 @@ def move(vm: Machine, source: Place, target: Place) -> None:
 
 
 def _entry(vm: Machine, folder: bytes, item: int) -> bytes | None:
-    """The name of an entry of a folder, counted from 1; None where there is none."""
+    """Returns the name of an entry of a folder, counted from 1; None where there is none."""
     names = vm.brick.files.shown(folder)
     return names[item - 1] if 1 <= item <= len(names) else None
 
 
 @handles("FILE.GET_SUBFOLDER_NAME")
 def entry_name(vm: Machine, folder: bytes, item: int, length: int, destination: Place) -> None:
-    """Without its extension; empty where there is no such entry."""
+    """Writes the name of an entry without its extension; empty for an unknown entry."""
     name = _entry(vm, folder, item) or b""
     destination.write8(0)
     destination.write_cut(name.partition(b".")[0], length)
@@ -241,7 +241,7 @@ def entry_name(vm: Machine, folder: bytes, item: int, length: int, destination: 
 
 @handles("FILE.DEL_SUBFOLDER")
 def delete_entry(vm: Machine, folder: bytes, item: int) -> None:
-    """A folder in a folder, with the files in it.
+    """Deletes a folder in a folder, with its files.
 
     The name follows the folder as it is, without a slash and without its extension. So a file that has one is not
     found, and an entry that is not there means the folder itself.
@@ -255,7 +255,7 @@ def delete_entry(vm: Machine, folder: bytes, item: int) -> None:
 
 @handles("FILE.PUT_CACHE_FILE", places=("STRING",))
 def put_recent(vm: Machine, place: Place) -> None:
-    """First."""
+    """Puts a file first in the list."""
     if path_names.check(place):
         vm.brick.recent.put(place.read_text())
     else:
@@ -264,7 +264,7 @@ def put_recent(vm: Machine, place: Place) -> None:
 
 @handles("FILE.GET_CACHE_FILE")
 def recent_name(vm: Machine, item: int, length: int, destination: Place) -> None:
-    """Empty where there is none; fails for a number that the list has not."""
+    """Writes a recent file's name, empty where there is none; fails for a number outside the list."""
     if not 1 <= item <= MOST_RECENT:
         raise Failure
     recent = vm.brick.recent.paths
@@ -276,7 +276,7 @@ def recent_name(vm: Machine, item: int, length: int, destination: Place) -> None
 
 @handles("FILE.LOAD_IMAGE", places=("NAME",))
 def load_image(vm: Machine, slot: int, place: Place, size: Place, address: Place) -> None:
-    """Without such a file size and address are 0; nothing is written for a name that is not allowed, or where the slot
+    """Loads a program; for an unknown file size and address are 0. Nothing is written for a bad name, or if the slot
     runs a program.
     """
     running = vm.program_in(slot)
@@ -297,7 +297,7 @@ def load_image(vm: Machine, slot: int, place: Place, size: Place, address: Place
 
 @handles("FILE.GET_POOL")
 def get_pool(vm: Machine, size: int, handle: Place, address: Place) -> None:
-    """Memory with an address, though nothing here reaches it by that."""
+    """Allocates memory with an address, though nothing here reaches it by that address."""
     number = vm.create_array(Type.DATA8, size) if size > 0 else None
     handle.write16(NO_HANDLE if number is None else number)
     address.write32(0 if number is None else vm.images.add(b"", ""))
@@ -316,7 +316,7 @@ def _make_folder(vm: Machine, path: bytes) -> bool:
 
 
 def _number_of(vm: Machine, folder: bytes, name: bytes) -> int:
-    """The number of an entry of a folder, counted from 1; 0 where there is none."""
+    """Returns the number of an entry of a folder, counted from 1; 0 where there is none."""
     names = [entry.partition(b".")[0] for entry in vm.brick.files.shown(folder)]
     return names.index(name) + 1 if name in names else 0
 

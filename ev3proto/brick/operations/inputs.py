@@ -22,7 +22,7 @@ _MOST_WRITTEN, _MOST_LISTED = 32, 32
 
 
 def _whole(value: float, not_a_number: int) -> int:
-    """A reading as an integer."""
+    """Returns a reading as an integer."""
     return not_a_number if math.isnan(value) else int(max(-_MOST_WHOLE, min(value, _MOST_WHOLE)))
 
 
@@ -45,7 +45,7 @@ _NO_PORT = Device()
 
 
 def _found(vm: Machine, layer: int, number: int) -> Device:
-    """The device on a port; an empty one where there is no such port."""
+    """Returns the device on a port; an empty one for an unknown port."""
     device = vm.brick.inputs.device(layer, number)
     return _NO_PORT if device is None else device
 
@@ -259,6 +259,6 @@ def ready_iic(_: Machine, *parameters: object) -> None:
 
 @handles_unknown("INPUT_DEVICE")
 def unknown_command(vm: Machine) -> None:
-    """Layer and port are read whatever the command is."""
+    """Reads layer and port, which every command has."""
     vm.int8()
     vm.int8()

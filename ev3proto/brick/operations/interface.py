@@ -39,7 +39,7 @@ _reads_text("GET_IP", lambda panel: panel.address)
 
 
 def _power(vm: Machine) -> tuple[float, ...]:
-    """Volt, ampere, ampere seconds, ampere of the motors. Bricks that were sold measure the first two only."""
+    """Returns volt, ampere, ampere seconds, ampere of the motors. Sold bricks measure only the first two."""
     battery = vm.brick.panel.battery
     return battery.voltage, battery.current, 0.0, 0.0
 
@@ -90,7 +90,7 @@ def stamp(vm: Machine, remark: bytes) -> None:
 
 
 def _line(vm: Machine) -> bytes:
-    """The next line typed, waited for."""
+    """Waits for the next line typed, and returns it."""
     line = vm.brick.console.take_line()
     if line is None:
         raise Busy

@@ -1,4 +1,4 @@
-"""Data logs of FILE: a head of text, rows of samples as they are in memory, and a mark at the end.
+"""Data logs of FILE: a text header, rows of samples as they are in memory, and an end mark.
 
 Quick logs are gathered in memory and go to their file when they are closed; others are written as they come.
 """
@@ -43,7 +43,7 @@ class LogBuffer(Array):
         self.used = 0
 
     def write(self, vm: Machine, data: bytes) -> bool:
-        """Adds bytes. False where there is no room."""
+        """Adds bytes. Returns False where there is no room."""
         if self.used + len(data) > len(self.data) and not vm.resize_array(self, len(self.data) + BUFFER):
             return False
         self.data[self.used : self.used + len(data)] = data
@@ -67,7 +67,7 @@ def open_log(
     description: bytes,
     handle: Place,
 ) -> None:
-    """Adds to a file that is there. A quick log has two handles: its file's, and the buffer's, which is given."""
+    """Opens a log, and appends to an existing file. A quick log has two handles; that of its buffer is written."""
     name = _with_extension(opened_name(vm, place))
     numbers = "\t".join(str(number) for number in (time, tick, now, interval, duration))
     head = (f"Sync data\t{numbers}\r\n".encode(STRING_CODING) + description)[:MOST_HEAD]
@@ -84,7 +84,7 @@ def open_log(
 
 
 def _write_or_log(vm: Machine, file: OpenFile | None, data: bytes) -> bool:
-    """Writes to a file; False and an error in the log of errors where that cannot be."""
+    """Writes to a file; False and an error in the log of errors where that is impossible."""
     if file is not None and file.for_writing and file.write(data):
         return True
     vm.brick.settings.log_error("FILE_WRITE_ERROR")
@@ -93,7 +93,7 @@ def _write_or_log(vm: Machine, file: OpenFile | None, data: bytes) -> bool:
 
 @handles("FILE.WRITE_LOG")
 def write_log(vm: Machine, handle: int, time: int, items: int, values: Place) -> None:
-    """A row of floats: the time, and the samples; nothing without samples. It never fails."""
+    """Writes a row of floats, the time and the samples; nothing without samples. It never fails."""
     if items <= 0:
         return
     row = struct.pack("<f", time) + values.read_bytes(items * 4)
@@ -106,7 +106,7 @@ def write_log(vm: Machine, handle: int, time: int, items: int, values: Place) ->
 
 @handles("FILE.CLOSE_LOG", places=("NAME",))
 def close_log(vm: Machine, handle: int, place: Place) -> None:
-    """With the mark at its end. A quick log finds its file by the name. It never fails."""
+    """Writes the end mark and closes a log. A quick log finds its file by the name. It never fails."""
     name = checked_name(vm, place)
     if name is None:
         return
@@ -123,7 +123,7 @@ def close_log(vm: Machine, handle: int, place: Place) -> None:
 
 @handles("FILE.GET_LOG_NAME")
 def log_name(vm: Machine, length: int, destination: Place) -> None:
-    """Of the log that is open; empty where none is. An array gets all of it."""
+    """Writes the name of the open log; empty where none is open. An array gets all of it."""
     logs = (entry for entry in vm.program.handles.entries() if isinstance(entry, OpenFile) and entry.is_log)
     name = next((log.name for log in logs), b"")
     if destination.handle >= 0:

@@ -17,7 +17,7 @@ _ARRAY = DATA_FORMAT.members["DATA_A"]
 
 
 def _box(vm: Machine, number: int) -> Mailbox:
-    """A mailbox by its number; the firmware does not check it, this brick fails beyond the last one."""
+    """Returns a mailbox by its number; fails beyond the last one, which the firmware does not check."""
     if not 0 <= number < BOXES:
         raise WildAccess
     return vm.brick.mailboxes.boxes[number]
@@ -25,7 +25,7 @@ def _box(vm: Machine, number: int) -> Mailbox:
 
 @handles("MAILBOX_OPEN")
 def open_box(vm: Machine, number: int, name: bytes, kind: int, depth: int, values: int) -> None:  # noqa: ARG001
-    """Empty; fails where it is open."""
+    """Opens an empty mailbox; fails where it is open already."""
     _box(vm, number)
     if not vm.brick.mailboxes.open(number, name, kind):
         raise Failure
@@ -43,14 +43,14 @@ computes(
 
 @handles("MAILBOX_READY")
 def wait_for_box(vm: Machine, number: int) -> None:
-    """Until there is something new."""
+    """Waits for an unread message."""
     if not _box(vm, number).has_news:
         raise Busy
 
 
 @handles("MAILBOX_READ")
 def read_box(vm: Machine, number: int, length: int, values: list[Place]) -> None:  # noqa: ARG001 - as in the firmware
-    """Values one after the other from the content, of the type given when it was opened; the content stays.
+    """Reads values from the content, of the type that the mailbox was opened with; the content stays.
 
     Of a box that is not open the firmware executes these parameters as operations; here nothing is read.
     """

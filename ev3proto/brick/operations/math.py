@@ -42,13 +42,13 @@ def _division(kind: Type) -> IntegerFunction:
 
 
 def _shift(value: int, count: int) -> int:
-    """A shift to the left of the value as 32 bits; the low byte of the count counts."""
+    """Returns the value as 32 bits, shifted to the left by the low byte of the count."""
     count &= 0xFF
     return value << count if count < 32 else 0
 
 
 def _remainder(dividend: int, divisor: int) -> int:
-    """The remainder of `quotient`. By zero, which kills the real machine, it is 0."""
+    """Returns the remainder of `quotient`. By zero, which kills the real machine, it is 0."""
     return dividend - quotient(dividend, divisor) * divisor if divisor else 0
 
 
@@ -93,7 +93,7 @@ MOST_DECIMALS = 9
 
 
 def _defined(function: Callable[..., float]) -> Callable[..., float]:
-    """The function of C that Python raises errors for: infinity beyond the range, NaN outside the domain."""
+    """Returns a function as in C: infinity beyond the range and NaN outside the domain, where Python raises errors."""
 
     def calculate(_: Machine, *values: float) -> float:
         try:
@@ -111,7 +111,7 @@ def _logarithm(function: Callable[[float], float]) -> Callable[..., float]:
 
 
 def _whole(function: Callable[[float], int]) -> Callable[..., float]:
-    """Floor or ceiling, with the sign of zero kept."""
+    """Returns floor or ceiling, keeping the sign of zero."""
     return lambda _, value: math.copysign(function(value), value) if math.isfinite(value) else value
 
 
@@ -124,7 +124,7 @@ def _in_degrees(function: Callable[[float], float]) -> Callable[..., float]:
 
 
 def _power(base: float, exponent: float) -> float:
-    """X to the power of Y; only infinity to an odd power keeps the sign of X."""
+    """Returns X to the power of Y; infinite results keep the sign of X for odd powers only."""
     is_odd = math.isfinite(exponent) and exponent % 2 == 1
     try:
         return math.pow(base, exponent)
@@ -136,14 +136,14 @@ def _power(base: float, exponent: float) -> float:
 
 
 def _truncated(value: float, decimals: int) -> float:
-    """X as text with 6 decimals, of which some are kept, 9 at most."""
+    """Cuts X as text with 6 decimals after some of them, 9 at most."""
     text = fixed(value, 6)
     point = text.find(".")
     return float(text if point < 0 else text[: point + 1 + min(max(decimals, 0), MOST_DECIMALS)])
 
 
 def _drawn(vm: Machine, low: int, high: int) -> int:
-    """A number from one end to the other; the ends are half as likely as the others."""
+    """Returns a random number between two ends; the ends are half as likely as the others."""
     return quotient(vm.brick.random.randrange(0x8000) * (high - low) + 0x3FFF, 0x7FFF) + low
 
 

@@ -14,7 +14,7 @@ MEMORY_KB = 6000
 
 
 def _variables(vm: Machine, slot: int, number: int) -> tuple[bytearray, int] | None:
-    """The memory of a running program's object (0: its global one), and how much of it its header asks for."""
+    """Returns the memory of a running program's object (0: its global one), and how much of it its header asks for."""
     if slot == GUI_SLOT:
         # The firmware's own program: its variables cannot be seen here.
         return bytearray(), 0

@@ -1,4 +1,4 @@
-"""MOVE, INIT_BYTES, READ, WRITE: copying values, and elements of arrays that stand in a program's variables."""
+"""MOVE, INIT_BYTES, READ, WRITE: copying values, and elements of arrays in a program's variables."""
 
 from __future__ import annotations
 
@@ -83,7 +83,7 @@ def _read_element(size: int) -> Callable[[Machine, Place, int, Place], None]:
 
 def _write_element(size: int) -> Callable[[Machine], None]:
     def write_element(vm: Machine) -> None:
-        # The value is read before the index: as constants both would stand in the same place.
+        # The value is read before the index: as constants both would share one place.
         value = vm.place().read_bytes(size)
         index = vm.int8()
         vm.place().moved(index * size).write_bytes(value)

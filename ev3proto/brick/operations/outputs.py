@@ -23,7 +23,7 @@ def _each(method: Callable[..., None]) -> Callable[..., None]:
 
 
 def _moves(seconds: float | None) -> Callable[..., None]:
-    """Begins a move of three phases by angle, or by time, whose unit has so many seconds. The model brakes always."""
+    """Begins a move of three phases by angle, or by time in a unit of `seconds`. The model always brakes."""
 
     def move(vm: Machine, layer: int, nos: int, percent: int, *parameters: int) -> None:
         amounts = [amount * (seconds or 1) for amount in parameters[:3]]

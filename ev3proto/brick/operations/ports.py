@@ -10,7 +10,7 @@ from ev3proto.tables.notes import NOTES, OTHER_NOTE
 
 
 def _digit(number: int, place: int) -> int:
-    """A decimal digit, with the number's sign as in C; `place` 1 is the last digit, 10 the one before it."""
+    """Returns a decimal digit, with the number's sign as in C; `place` 1 is the last digit, 10 the one before it."""
     shifted = quotient(number, place)
     return shifted - quotient(shifted, 10) * 10
 
@@ -20,7 +20,7 @@ def _layer(port: int) -> int:
 
 
 def _bit(digit: int) -> int:
-    """The bit of a motor port, counted from 1. A shift by a negative number gives 0 on the brick's processor."""
+    """Returns the bit of a motor port, counted from 1; 0 for port 0, as a negative shift gives on the brick."""
     return wrap8(1 << digit - 1) if digit > 0 else 0
 
 

@@ -99,7 +99,7 @@ computes(
 
 
 def _object(vm: Machine, number: int) -> ProgramObject:
-    """An object of the running program. WildAccess for an unknown one."""
+    """Returns an object of the running program. WildAccess for an unknown one."""
     entry = vm.program.objects.get(number)
     if entry is None:
         raise WildAccess
@@ -199,7 +199,7 @@ def call(vm: Machine) -> None:
         raise Busy
     offset = 0
     results: list[Result] = []
-    # Each input is copied at once: constants stand in one place until the next one is read.
+    # Each input is copied at once: all constants share one place.
     for number in range(vm.int8()):
         place = vm.place()
         if number >= len(callee.parameters):

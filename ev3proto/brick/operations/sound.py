@@ -12,7 +12,7 @@ _EXTENSION = str(CONSTANTS["EXT_SOUND"]).encode(STRING_CODING)
 
 
 def _play(vm: Machine, volume: int, name: bytes, *, is_repeated: bool) -> None:
-    """Plays a file; without such a file the driver finds out that there is nothing to play."""
+    """Plays a file; an unknown one is played as an empty file."""
     folder = b"" if name.startswith(b".") else vm.program.folder.encode(STRING_CODING)
     file = vm.brick.files.read(folder + name + _EXTENSION)
     vm.brick.sound.play(volume, file or b"", is_repeated and file is not None, vm.microseconds)

@@ -14,13 +14,13 @@ NO_TEXT = b"(null)"
 """What printf shows for a text that is not there."""
 
 NEGATIVE_NOT_A_NUMBER = NOT_A_NUMBER | 0x80000000
-"""The bits of a float that is no number, read from a text with a minus sign."""
+"""The bits of NaN, read from a text with a minus sign."""
 
 MOST_CHARACTERS = 1023
 """Of a text that the firmware puts together in a buffer of its own."""
 
 MOST_DASHES = 4
-"""Of a number that is none."""
+"""Dashes that NaN is written as, at most."""
 
 
 computes(
@@ -69,7 +69,7 @@ def value_to_string(vm: Machine, value: float, figures: int, decimals: int, dest
 
 
 def _number(value: float, figures: int, decimals: int) -> str:
-    """A number with zero bytes in place of what is removed at the end, which the firmware overwrites in memory."""
+    """Formats a number; zero bytes replace what the firmware removes at the end by overwriting it."""
     text = fixed(value, decimals)
     if figures >= 0:
         text = text.rjust(figures)

@@ -1,4 +1,4 @@
-"""Operations that a virtual brick has nothing to do for: they do nothing, fail, wait for ever or answer a constant."""
+"""Operations without effect on a virtual brick: they do nothing, fail, wait for ever or answer a constant."""
 
 from __future__ import annotations
 

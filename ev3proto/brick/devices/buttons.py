@@ -1,7 +1,7 @@
-"""The six buttons: who holds them down, and what the firmware remembers about each until a program asks.
+"""The six buttons: what holds them down, and what the firmware remembers about each until a program asks.
 
-A button is held by a hand (`Brick.press`) or by the virtual finger of UI_BUTTON.PRESS. The firmware looks at the
-buttons every 10 ms: what an operation presses shows later, or to the next command. What a hand presses shows at once.
+A button is held by hand (`Brick.press`) or by the virtual finger of UI_BUTTON.PRESS. The firmware looks at the
+buttons every 10 ms: what an operation presses shows later, or to the next command. A press by hand shows at once.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ _NOT_REPEATED = (BUTTONS["enter"], BUTTONS["back"])
 
 @dataclass
 class Button:
-    """One button: whether it is down, and what nobody has asked for yet.
+    """One button: whether it is down, and what no program has asked for yet.
 
     held       by a hand, by an operation
     down       as the firmware saw it last
@@ -73,7 +73,7 @@ class Buttons(Part):
     """
 
     def __init__(self, back_pressed: Callable[[], None]) -> None:
-        """Makes buttons that nobody holds; `back_pressed` is what the back button does unless it is blocked."""
+        """Creates released buttons; `back_pressed` is called for the back button unless it is blocked."""
         self.click = False
         self.back_block = 0
         self._buttons = {number: Button() for number in BUTTONS.values()}
@@ -83,21 +83,21 @@ class Buttons(Part):
     # Pressing
 
     def press(self, name: str, microseconds: int) -> None:
-        """A hand presses a button: up, enter, down, right, left or back. ValueError for any other name."""
+        """Presses a button by hand: up, enter, down, right, left or back. ValueError for any other name."""
         self._sample(self._named(name), "hand", True, microseconds)
 
     def release(self, name: str, microseconds: int) -> None:
-        """A hand releases a button. ValueError for a name that is none."""
+        """Releases a button by hand. ValueError for an unknown name."""
         self._sample(self._named(name), "hand", False, microseconds)
 
     @staticmethod
     def _named(name: str) -> int:
         if name not in BUTTONS:
-            raise ValueError(f"there is no button {name!r}; it must be one of {', '.join(BUTTONS)}")
+            raise ValueError(f"unknown button {name!r}; expected one of {', '.join(BUTTONS)}")
         return BUTTONS[name]
 
     def touch(self, number: int, is_press: bool, program: Program, microseconds: int) -> None:
-        """An operation presses or releases a button; number 0 is none, a number that is no button all of them."""
+        """Presses or releases a button for an operation; 0 means none, an unknown number all of them."""
         if number != NO_BUTTON:
             due = (microseconds // SAMPLE_PERIOD + 1) * SAMPLE_PERIOD
             self._touches += [_Touch(button, is_press, program, due) for button in self._meant(number)]
@@ -119,7 +119,7 @@ class Buttons(Part):
     # Time
 
     def advance(self, microseconds: int) -> None:
-        """Time has passed: the firmware has looked at the buttons."""
+        """Lets the firmware look at the buttons."""
         self._settle(microseconds, lambda touch: touch.due <= microseconds)
         for number, button in self._buttons.items():
             if not button.down:
@@ -133,7 +133,7 @@ class Buttons(Part):
                 button.activated = True
 
     def look(self, program: Program, microseconds: int) -> None:
-        """A program is about to ask: what commands before this one did has been seen by now."""
+        """Makes what earlier commands did visible to a program that is about to ask."""
         self._settle(microseconds, lambda touch: touch.program is not program)
 
     def _settle(self, microseconds: int, is_seen: Callable[[_Touch], bool]) -> None:
@@ -142,12 +142,12 @@ class Buttons(Part):
             self._sample(touch.button, "finger", touch.is_press, min(touch.due, microseconds))
 
     def program_started(self, program: Program) -> None:
-        """A user program starts with nothing pressed."""
+        """Forgets all presses before a user program."""
         if program.slot == USER_SLOT:
             self.flush()
 
     def program_ended(self, program: Program) -> None:
-        """What a user program left of presses and of its block is gone."""
+        """Forgets the presses and the block that a user program leaves."""
         if program.slot == USER_SLOT:
             self.flush()
             self.back_block = 0
@@ -158,7 +158,7 @@ class Buttons(Part):
         return [number] if number in self._buttons else list(self._buttons)
 
     def _flag(self, number: int, name: str, forget: bool) -> bool:
-        """Whether buttons have a flag; for number 0 whether none of them has."""
+        """Returns whether a button, or any, has a flag; for number 0 whether no button has it."""
         found = [button for button in map(self._buttons.__getitem__, self._meant(number)) if getattr(button, name)]
         if forget:
             for button in found:
@@ -166,36 +166,36 @@ class Buttons(Part):
         return not found if number == NO_BUTTON else bool(found)
 
     def is_down(self, number: int) -> bool:
-        """Whether a button, or any, is down now."""
+        """Returns whether a button, or any, is down now."""
         return number != NO_BUTTON and self._flag(number, "down", False)
 
     def short_press(self, number: int, forget: bool = True) -> bool:
-        """Whether a button, or any, was pressed; for 0 whether none was."""
+        """Returns whether a button, or any, was pressed; for 0 whether none was."""
         found = self._flag(number, "activated", forget)
         self.click |= found and forget
         return found
 
     def long_press(self, number: int, forget: bool = True) -> bool:
-        """Whether a button, or any, was held for 3 s; for 0 whether none was."""
+        """Returns whether a button, or any, was held for 3 s; for 0 whether none was."""
         found = self._flag(number, "long", forget)
         self.click |= found and forget
         return found
 
     def bump(self, number: int) -> bool:
-        """Whether a button, or any, was released; for 0 whether none was."""
+        """Returns whether a button, or any, was released; for 0 whether none was."""
         return self._flag(number, "bumped", True)
 
     def take_click(self) -> bool:
-        """Whether a press was found since this was asked last."""
+        """Returns whether a press was found since the last call."""
         click, self.click = self.click, False
         return click
 
     def axis(self, negative: str, positive: str) -> int:
-        """Which of two buttons was pressed: -1, 1, or 0 for none; the positive one wins, both are forgotten."""
+        """Returns which of two buttons was pressed: -1, 1, or 0 for none; the positive one wins. Both are forgotten."""
         result = -1 if self.short_press(BUTTONS[negative]) else 0
         return 1 if self.short_press(BUTTONS[positive]) else result
 
     def flush(self) -> None:
-        """Forgets all that nobody has asked for."""
+        """Forgets all that no program has asked for."""
         for button in self._buttons.values():
             button.activated = button.long = button.bumped = False

@@ -1,6 +1,6 @@
 """Outputs: four motors as models that follow commands in time.
 
-A motor's speed follows its target by so many percent a second, its position is the speed summed up, and a move that has
+A motor's speed follows its target at a fixed rate, its position is the integral of the speed, and a move that has
 an end stops exactly there. Without a motor in the port nothing turns, so that moves by angle never end.
 """
 
@@ -23,7 +23,7 @@ ACCELERATION = 1000.0
 """Percent a second by which a motor's speed follows its target."""
 
 LEAST_UP, LEAST_DOWN = 6.0, 4.0
-"""Percent that a ramp does not go below on its way up and down, so that it gets on."""
+"""Minimum ramp speed in percent on the way up and down, so that a ramp always makes progress."""
 
 _MOST = 100
 _MOST_TURN = 200
@@ -35,7 +35,7 @@ _MICROSECONDS = 1_000_000.0
 
 @dataclass
 class Phase:
-    """A part of a move: until so many degrees or seconds have passed, from one speed to another.
+    """A phase of a move: a number of degrees or seconds, from one speed to another.
 
     amount   degrees or seconds, not negative
     is_time  which of the two
@@ -54,7 +54,7 @@ class Phase:
         return -1 if (self.end or self.start) < 0 else 1
 
     def target(self, done: float) -> float:
-        """The speed to reach when so much of the phase is done."""
+        """Returns the target speed when a part of the phase is done."""
         if self.start == self.end or not self.amount:
             return self.end
         goal = self.start + (self.end - self.start) * min(done / self.amount, 1.0)
@@ -114,7 +114,7 @@ class Motor:
 
     @property
     def angle(self) -> float:
-        """Degrees since the brick was switched on, for who draws the motor."""
+        """Degrees since the brick was switched on, for drawing the motor."""
         return self._position
 
     @property
@@ -125,7 +125,7 @@ class Motor:
     # Commands
 
     def plug(self, type: int, tacho: int, count: int, speed: int, *, is_held: bool) -> None:
-        """Another motor on the port, at rest.
+        """Plugs in another motor, at rest.
 
         Args:
             type: Its type.
@@ -141,7 +141,7 @@ class Motor:
         self._position = self._count_from = self._move_from = 0.0
 
     def clear_count(self) -> None:
-        """The count as a sensor is 0 from here."""
+        """Makes the present position 0 of the count as a sensor."""
         self._count_from = self._position
         tacho, _, speed = self._held
         self._held = (tacho, 0, speed)
@@ -153,7 +153,7 @@ class Motor:
         self._count_from = self._position - self._held[1]
 
     def reset(self) -> None:
-        """The count of the present move is 0 from here."""
+        """Makes the present position 0 of the count of the present move."""
         self._move_from = self._position
 
     def stop(self) -> None:
@@ -173,7 +173,7 @@ class Motor:
         self._target = 0.0
 
     def _begin(self) -> None:
-        """Something moves it from here on."""
+        """Prepares for a move."""
         self._leave()
         if self.is_held:
             _, count, speed = self._held
@@ -184,13 +184,13 @@ class Motor:
         self._begin_phase()
 
     def want(self, percent: int) -> None:
-        """Power or speed for START; one that runs takes it over."""
+        """Sets power or speed for START; a running motor changes to it."""
         self.wanted = max(-_MOST, min(percent, _MOST))
         if self.is_running:
             self._target = float(self.wanted * self.polarity)
 
     def start(self) -> None:
-        """Runs for ever, unless it moves already."""
+        """Runs until it is stopped, unless it moves already."""
         if self.is_running or self.is_busy:
             return
         self._begin()
@@ -198,7 +198,7 @@ class Motor:
         self._target = float(self.wanted * self.polarity)
 
     def set_polarity(self, polarity: int) -> None:
-        """1 or -1, 0 for the other one; what runs turns round."""
+        """Sets the polarity: 1, -1, or 0 for the opposite; a running motor reverses."""
         polarity = -self.polarity if polarity == 0 else 1 if polarity > 0 else -1
         if polarity == self.polarity:
             return
@@ -208,7 +208,7 @@ class Motor:
             phase.start, phase.end = -phase.start, -phase.end
 
     def move(self, percent: int, amounts: Sequence[float], is_time: bool, owner: int) -> None:
-        """A move with an end: ramp up, constant, ramp down.
+        """Begins a move with an end: ramp up, constant, ramp down.
 
         Args:
             percent: Power or speed.
@@ -233,7 +233,7 @@ class Motor:
             self.stop()
 
     def follow_together(self, other: Motor, share: float, percent: int, phase: Phase | None, owner: int) -> None:
-        """A synchronous move: this motor is the master, the other one runs at a share of its speed.
+        """Begins a synchronous move: this motor is the master, the other one runs at a share of its speed.
 
         Args:
             other: The other motor.
@@ -271,13 +271,13 @@ class Motor:
                 self._finish(phase)
 
     def _done(self, phase: Phase) -> float:
-        """How much of a phase is done."""
+        """Returns how much of a phase is done."""
         if phase.is_time:
             return self._phase_time
         return (self._position - self._phase_from) * phase.direction
 
     def _step(self, phase: Phase | None) -> float:
-        """Seconds in which the speed changes evenly, not beyond the end of the phase; never nothing."""
+        """Returns the seconds in which the speed changes evenly, within the phase; never 0."""
         gap = abs(self._target - self._speed) / ACCELERATION or math.inf
         if phase is None:
             return gap
@@ -288,7 +288,7 @@ class Motor:
         return max(min(step, until_end), _NEARLY)
 
     def _rate(self) -> float:
-        """Degrees a second at the most until the target is reached."""
+        """Returns the largest speed until the target is reached, in degrees a second."""
         return max(abs(self._speed), abs(self._target)) / _MOST * FULL_SPEED.get(self.type, 0.0)
 
     def _turn(self, seconds: float) -> None:
@@ -302,7 +302,7 @@ class Motor:
         self._position += (before + self._speed) / 2 / _MOST * FULL_SPEED.get(self.type, 0.0) * seconds
 
     def _finish(self, phase: Phase) -> None:
-        """A phase has come to its end: exactly there."""
+        """Ends a phase exactly at its end."""
         if not phase.is_time:
             self._position = self._phase_from + phase.amount * phase.direction
         self._begin_phase()
@@ -315,7 +315,7 @@ class Motor:
         self._phase_time = 0.0
 
     def _end_move(self) -> None:
-        """Stands still, its count kept. The other motor of a synchronous move comes to its own end by itself."""
+        """Stops with its count kept. The other motor of a synchronous move ends by itself."""
         self.owner = 0
         self._target = self._speed = 0.0
         partner, self.partner = self.partner, None
@@ -335,11 +335,11 @@ class Outputs(Part):
         self.motors[PORTS.index(port.upper())].plug(type, tacho, count, speed, is_held=is_held)
 
     def chosen(self, layer: int, nos: int) -> list[Motor]:
-        """The motors of a bit field; none on another brick of the daisy chain."""
+        """Returns the motors of a bit field; none on another brick of the daisy chain."""
         return [motor for bit, motor in enumerate(self.motors) if nos & 1 << bit] if layer == 0 else []
 
     def one(self, layer: int, number: int) -> Motor | None:
-        """The motor of a port; None where there is none."""
+        """Returns the motor of a port; None for an unknown port."""
         return self.motors[number] if layer == 0 and 0 <= number < len(PORTS) else None
 
     def synchronise(self, motors: Sequence[Motor], percent: int, turn: int, phase: Phase | None, owner: int) -> None:
@@ -359,23 +359,23 @@ class Outputs(Part):
         master.follow_together(other, (_MOST - abs(turn)) / _MOST, percent, phase, owner)
 
     def stop_all(self) -> None:
-        """All float, with polarity 1 again."""
+        """Stops all motors, and resets their polarity to 1."""
         for motor in self.motors:
             motor.stop()
             motor.polarity = 1
 
     def advance(self, microseconds: int) -> None:
-        """Time has passed."""
+        """Advances to a time."""
         seconds, self._now = (microseconds - self._now) / _MICROSECONDS, microseconds
         for motor in self.motors:
             motor.advance(seconds)
 
     def program_started(self, program: Program) -> None:
-        """A user program finds the motors at rest."""
+        """Stops all motors before a user program."""
         if program.slot == USER_SLOT:
             self.stop_all()
 
 
 def are_busy(motors: Iterable[Motor], owner: int | None = None) -> bool:
-    """Whether a move with an end is under way on one of the motors, begun by any object or by a certain one."""
+    """Returns whether one of the motors is in a move with an end, begun by any object or by a certain one."""
     return any(motor.is_busy and owner in (None, motor.owner) for motor in motors)

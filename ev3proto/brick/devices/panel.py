@@ -75,12 +75,12 @@ class Panel(Part):
         self.warnings = self.warnings | _BUSY if is_busy else self.warnings & ~_BUSY
 
     def program_started(self, program: Program) -> None:
-        """The light pulses while a user program runs, until it sets another pattern."""
+        """Makes the light pulse while a user program runs, until it sets another pattern."""
         if program.slot == USER_SLOT:
             self.pattern = _LED["LED_GREEN_PULSE"]
 
     def program_ended(self, program: Program) -> None:
-        """The light is green again after a user program, which was the one that was busy."""
+        """Makes the light green again after a user program, and clears the busy bit."""
         if program.slot == USER_SLOT:
             self.set_busy(False)
             self.pattern = _LED["LED_GREEN"]

@@ -55,8 +55,8 @@ _CHANGE_TIME, _INFRARED_CHANGE_TIME = 10_000, 1_100_000
 class Device:
     """What the firmware knows of the device on a port.
 
-    type       its type, or the one that a program took it for; an empty port has one, too
-    plugged    the type that it really is
+    type       its type, or the one that a program selected; an empty port has one, too
+    plugged    its real type
     readings   raw readings by mode
     mode       the selected mode
     motor      the motor, where it is one
@@ -87,11 +87,11 @@ class Device:
 
     @property
     def mode_data(self) -> Mode:
-        """What the selected mode is like."""
+        """The properties of the selected mode."""
         return self.type.modes[self.mode]
 
     def set_readings(self, readings: Mapping[int, Sequence[float]]) -> None:
-        """New raw readings of some modes; a touch sensor counts the edges, and its second mode is such a count."""
+        """Sets raw readings of some modes; a touch sensor counts the edges, and its second mode is such a count."""
         self.readings.update({mode: tuple(values) for mode, values in readings.items()})
         if self.plugged.number not in _COUNTERS:
             return
@@ -109,7 +109,7 @@ class Device:
         self.changes = self.bumps = 0
 
     def raw(self, dataset: int = 0) -> float:
-        """A raw reading in the selected mode; NaN where there is none, or where it is the format's NaN."""
+        """Returns a raw reading in the selected mode; NaN where there is none, or where it is the format's NaN."""
         mode = self.mode_data
         if dataset >= mode.datasets:
             return math.nan
@@ -164,7 +164,7 @@ class Inputs(Part):
             readings: Raw readings by mode; what is not given is 0.
 
         Raises:
-            ValueError: There is no such port, the type has no such mode, or the readings are no numbers by mode.
+            ValueError: Unknown port, mode unknown to the type, or readings that are not numbers by mode.
         """
         if not _are_readings(readings or {}):
             raise ValueError(f"readings are numbers by mode, such as {{0: (1900,)}}, not {readings!r}")
@@ -182,7 +182,7 @@ class Inputs(Part):
         device.set_readings(readings or {})
 
     def _count_change(self, type: DeviceType) -> None:
-        """Another type or mode on a port, which every program can ask for."""
+        """Counts a change of type or mode, which every program can ask for."""
         if type is not _UNKNOWN:
             for slot in self._changed:
                 self._changed[slot] += 1
@@ -193,38 +193,38 @@ class Inputs(Part):
             return port - 1
         if isinstance(port, str) and port.upper() in MOTOR_PORTS:
             return FIRST_MOTOR + MOTOR_PORTS.index(port.upper())
-        raise ValueError(f"there is no port {port!r}; it must be one of 1, 2, 3, 4, {', '.join(MOTOR_PORTS)}")
+        raise ValueError(f"unknown port {port!r}; expected one of 1, 2, 3, 4, {', '.join(MOTOR_PORTS)}")
 
     def plugged(self) -> dict[int | str, Device]:
-        """What is plugged in, by port: 1 to 4, "A" to "D"."""
+        """Returns the devices that are plugged in, by port: 1 to 4, "A" to "D"."""
         names: list[int | str] = [*range(1, PORTS + 1), *MOTOR_PORTS]
         found = zip(names, self._devices.values(), strict=True)
         return {name: device for name, device in found if not device.is_empty}
 
     def advance(self, microseconds: int) -> None:
-        """Time has passed."""
+        """Advances to a time."""
         self._now = microseconds
 
     # What operations ask
 
     def device(self, layer: int, number: int) -> Device | None:
-        """The device on a port, empty on other bricks of the daisy chain; None where there is no such port."""
+        """Returns the device on a port, empty on other bricks of the daisy chain; None for an unknown port."""
         number += layer * LAYERS
         return self._devices.get(number, _NOTHING) if 0 <= number < DEVICES else None
 
     def is_busy(self, device: Device) -> bool:
-        """Whether a device is not ready; an empty port never is."""
+        """Returns whether a device is not ready; an empty port never is."""
         return device.is_empty or self._now < device.busy_until
 
     def keep_busy(self, device: Device) -> None:
-        """A device has been written to and answers later. Only those that can answer."""
+        """Keeps a device that can answer busy after it was written to."""
         if device.connection in (_UART, _IIC):
             device.busy_until = self._now + _ANSWER_TIME
 
     def select(self, device: Device, type: int, mode: int) -> None:
         """Changes type and mode of a device that is ready.
 
-        An EV3 touch sensor stays one whatever the type; any other device is taken for what it is said to be. A mode
+        An EV3 touch sensor stays one for any type; any other device becomes the given type. A mode
         that the type has not is its last one.
 
         Args:
@@ -250,11 +250,11 @@ class Inputs(Part):
         device.busy_until = self._now + pause
 
     def raw(self, device: Device, dataset: int) -> float:
-        """A raw reading; NaN while the device is not ready."""
+        """Returns a raw reading; NaN while the device is not ready."""
         return math.nan if self.is_busy(device) else device.raw(dataset)
 
     def si(self, device: Device, dataset: int) -> float:
-        """A reading in the unit of the mode; NaN while the device is not ready."""
+        """Returns a reading in the unit of the mode; NaN while the device is not ready."""
         raw = self.raw(device, dataset)
         mode = device.mode_data
         value = _scaled(raw, self._raw_range(device), mode.si)
@@ -262,18 +262,18 @@ class Inputs(Part):
         return _clamped(value, mode.si) if is_clamped else value
 
     def percent(self, device: Device, dataset: int) -> float:
-        """A reading in percent, cut to a whole number; NaN while the device is not ready."""
+        """Returns a reading in percent, cut to a whole number; NaN while the device is not ready."""
         percent = device.mode_data.percent
         value = _clamped(_scaled(self.raw(device, dataset), self._raw_range(device), percent), percent)
         return value if math.isnan(value) else math.trunc(value)
 
     def changed(self, slot: int) -> int:
-        """How often type or mode of a device changed since a slot last asked."""
+        """Returns how often type or mode of a device changed since a slot last asked."""
         count, self._changed[slot] = self._changed[slot], 0
         return count
 
     def types(self) -> list[int]:
-        """The types on all ports of the daisy chain."""
+        """Returns the types on all ports of the daisy chain."""
         return [self._devices.get(number, _NOTHING).type.number for number in range(DEVICES)]
 
     def clear(self) -> None:
@@ -290,7 +290,7 @@ class Inputs(Part):
         return Range(calibration.least, calibration.most)
 
     def _calibration(self, type: int, mode: int) -> tuple[Calibration, Mode] | None:
-        """What is kept of a type's mode; None for a type or mode that is not known."""
+        """Returns the calibration of a type's mode, and the mode; None for an unknown type or mode."""
         if type not in DEVICE_TYPES or not 0 <= mode < len(DEVICE_TYPES[type].modes):
             return None
         return self._calibrations.setdefault((type, mode), Calibration()), DEVICE_TYPES[type].modes[mode]
@@ -337,7 +337,7 @@ _NOTHING = Device()
 
 
 def _scaled(raw: float, source: Range, target: Range) -> float:
-    """A raw reading on another scale, computed in single precision step by step as the firmware does."""
+    """Returns a raw reading on another scale, computed in single precision step by step as the firmware does."""
     if math.isnan(raw):
         return raw
     distance = single(single(raw) - single(source.least))

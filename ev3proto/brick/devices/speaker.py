@@ -12,7 +12,7 @@ LOWEST, HIGHEST = 250, 10_000
 
 _STEPS, _STEP = 13, 8
 _SHORTEST = 10_000
-"""Microseconds until the driver says that a file has ended in which there is nothing."""
+"""Microseconds until the driver reports the end of an empty file."""
 
 _HEADER = 8
 _COMPRESSED = 0x0101
@@ -68,27 +68,27 @@ class Sound(Part):
         self.playing = Playing(_loudness(volume), 0, file, now, ends)
 
     def stop(self) -> None:
-        """Silence."""
+        """Stops what is playing."""
         self.playing = None
 
     def advance(self, microseconds: int) -> None:
-        """Time has passed: what has come to its end is over."""
+        """Stops what has ended by a time."""
         if self.playing is not None and self.playing.ends is not None and microseconds >= self.playing.ends:
             self.playing = None
 
     def program_ended(self, program: Program) -> None:
-        """A user program takes its sound with it."""
+        """Stops the sound of a user program that has ended."""
         if program.slot == USER_SLOT:
             self.stop()
 
 
 def _loudness(volume: int) -> int:
-    """A volume as the driver plays it."""
+    """Returns a volume as the driver plays it."""
     return max(0, min(volume // _STEP, _STEPS)) * _STEP
 
 
 def _length(file: bytes) -> int:
-    """How long a sound file plays, in microseconds: its header has kind, bytes and samples a second."""
+    """Returns how long a sound file plays, in microseconds: its header has kind, bytes and samples a second."""
     kind, size, rate = (int.from_bytes(file[at : at + 2], "big") for at in (0, 2, 4))
     size = min(size, len(file) - _HEADER)
     samples = size * 2 if kind == _COMPRESSED else size

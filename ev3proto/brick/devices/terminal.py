@@ -1,4 +1,4 @@
-"""The serial terminal of a brick: the buffer that UI_WRITE fills, what of it was printed, and what is typed there."""
+"""The serial terminal of a brick: the buffer that UI_WRITE fills, the printed part of it, and what is typed there."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ _MOST_PRINTED = 1 << 16
 
 
 class Terminal:
-    """A terminal without anybody at it.
+    """A terminal without a user.
 
     text     what was written since the last flush
     printed  what was flushed while the terminal was on, the end of it
     is_on    whether what is flushed is printed
-    typed    what somebody typed and no program has read
+    typed    what was typed and not read by a program
     """
 
     def __init__(self) -> None:
@@ -41,11 +41,11 @@ class Terminal:
         self.text.clear()
 
     def take_key(self) -> int:
-        """The next character typed; 0 when there is none."""
+        """Returns the next character typed; 0 when there is none."""
         return self.typed.pop(0) if self.typed else 0
 
     def take_line(self) -> bytes | None:
-        """The next line typed, without its end; None while there is none."""
+        """Returns the next line typed, without its end; None while there is none."""
         end = next((index for index, character in enumerate(self.typed) if character in b"\r\n"), None)
         if end is None:
             return None

@@ -29,7 +29,7 @@ REVERSED = bytes(int(f"{byte:08b}"[::-1], 2) for byte in range(256))
 
 
 def span(left: int, right: int) -> int:
-    """The mask of the pixels from column `left` up to, not including, column `right`."""
+    """Returns the mask of the pixels from column `left` up to, not including, column `right`."""
     left, right = max(left, 0), min(right, WIDTH)
     return ((1 << right - left) - 1) << (WIDTH - right) if left < right else 0
 
@@ -43,19 +43,19 @@ class Canvas:
         self.rows = [0] * HEIGHT
 
     def copy(self) -> Canvas:
-        """Another canvas with the same pixels."""
+        """Returns another canvas with the same pixels."""
         other = Canvas()
         other.rows[:] = self.rows
         return other
 
     def to_bytes(self) -> list[bytes]:
-        """The rows, 23 bytes each: leftmost pixel the highest bit, padding 0."""
+        """Returns the rows, 23 bytes each: leftmost pixel the highest bit, padding 0."""
         return [(row << _PADDING).to_bytes(ROW_BYTES, "big") for row in self.rows]
 
     # Single pixels and masks
 
     def pixel(self, color: int, x: int, y: int) -> None:
-        """One pixel."""
+        """Draws one pixel."""
         if 0 <= x < WIDTH and 0 <= y < HEIGHT:
             if color:
                 self.rows[y] |= _LEFT >> x
@@ -63,7 +63,7 @@ class Canvas:
                 self.rows[y] &= ~(_LEFT >> x)
 
     def _paint(self, color: int, mask: int, top: int, bottom: int) -> None:
-        """The same pixels of all rows from `top` up to, not including, `bottom`."""
+        """Paints the same pixels of all rows from `top` up to, not including, `bottom`."""
         rows = self.rows
         if color:
             for y in range(max(top, 0), min(bottom, HEIGHT)):
@@ -76,7 +76,7 @@ class Canvas:
     # Lines
 
     def line(self, color: int, x0: int, y0: int, x1: int, y1: int) -> None:
-        """A straight line, both ends included; of a flat or upright one too long for the firmware only its start."""
+        """Draws a line with both ends; of a horizontal or vertical one too long for the firmware only its start."""
         if y0 == y1 and abs(x1 - x0) < 0x4000:
             self._paint(color, span(min(x0, x1), max(x0, x1) + 1), y0, y0 + 1)
         elif x0 == x1 and abs(y1 - y0) < 0x4000:
@@ -88,7 +88,7 @@ class Canvas:
                 self.pixel(color, x, y)
 
     def dotline(self, color: int, x0: int, y0: int, x1: int, y1: int, on: int, off: int) -> None:
-        """A dotted line, horizontal or vertical; an oblique one has no dots.
+        """Draws a dotted line, horizontal or vertical; an oblique one has no dots.
 
         Args:
             color: Of the dots; the pixels between them get the opposite one.
@@ -115,7 +115,7 @@ class Canvas:
     # Rectangles
 
     def rect(self, color: int, x: int, y: int, width: int, height: int) -> None:
-        """The outline of a rectangle: four lines."""
+        """Draws the outline of a rectangle: four lines."""
         right, bottom = wrap16(x + width - 1), wrap16(y + height - 1)
         self.line(color, x, y, right, y)
         self.line(color, right, y, right, bottom)
@@ -123,17 +123,17 @@ class Canvas:
         self.line(color, x, y, x, bottom)
 
     def fillrect(self, color: int, x: int, y: int, width: int, height: int) -> None:
-        """A filled rectangle; nothing where width or height is not positive."""
+        """Fills a rectangle; does nothing where width or height is not positive."""
         self._paint(color, span(x, wrap16(x + width)), y, wrap16(y + height))
 
     def inverserect(self, x: int, y: int, width: int, height: int) -> None:
-        """Turns the pixels of a rectangle over."""
+        """Inverts the pixels of a rectangle."""
         mask = span(x, wrap16(x + width))
         for row in range(max(y, 0), min(wrap16(y + height), HEIGHT)):
             self.rows[row] ^= mask
 
     def vertbar(self, color: int, x: int, y: int, width: int, height: int, least: int, most: int, actual: int) -> None:
-        """A scroll bar: an outline with a knob that shows where `actual` lies between `least` and `most`."""
+        """Draws a scroll bar: an outline with a knob for the position of `actual` between `least` and `most`."""
         items = wrap16(most - least)
         actual = min(max(actual, least), most)
         shape = _KNOBS.get(width)
@@ -152,7 +152,7 @@ class Canvas:
     # Circles
 
     def circle(self, color: int, x: int, y: int, radius: int) -> None:
-        """A circle's outline; nothing where the radius is 0."""
+        """Draws a circle's outline; nothing where the radius is 0."""
         for dx, dy in _octant(radius):
             for across, down in ((dx, dy), (dy, dx)):
                 for row in (y + down, y - down):
@@ -161,7 +161,7 @@ class Canvas:
                         self.pixel(color, x - across, row)
 
     def fillcircle(self, color: int, x: int, y: int, radius: int) -> None:
-        """A filled circle; nothing where the radius is 0."""
+        """Fills a circle; does nothing where the radius is 0."""
         for dx, dy in _octant(radius):
             for across, down in ((dx, dy), (dy, dx)):
                 for row in (y + down, y - down):
@@ -219,9 +219,9 @@ class Canvas:
                 self.rows[index] = self.rows[index] & ~mask | pixels & mask
 
     def byte_cell(self, x: int, y: int, width: int, cell_rows: list[int]) -> None:
-        """Draws a cell that lies on whole bytes, as the firmware does: byte by byte, without a look at left and right.
+        """Draws a cell aligned to whole bytes as the firmware does: byte by byte, without clipping at left and right.
 
-        What lies left of the display lands at the right end of the row above, and the other way round.
+        What is left of the display appears at the right end of the row above, and the other way round.
 
         Args:
             x: Left column, a multiple of 8.
@@ -249,7 +249,7 @@ _KNOBS = {
 
 
 def _walk(x0: int, y0: int, x1: int, y1: int) -> Iterator[tuple[int, int]]:
-    """The pixels of a line from one end to the other, with the firmware's 16-bit error sum."""
+    """Yields the pixels of a line from one end to the other, with the firmware's 16-bit error sum."""
     dx, dy = wrap16(abs(x1 - x0)), wrap16(abs(y1 - y0))
     step_x, step_y = 1 if x0 < x1 else -1, 1 if y0 < y1 else -1
     error = wrap16(dx - dy)
@@ -266,7 +266,7 @@ def _walk(x0: int, y0: int, x1: int, y1: int) -> Iterator[tuple[int, int]]:
 
 
 def _octant(radius: int) -> Iterator[tuple[int, int]]:
-    """One eighth of a circle, from straight below the centre to the diagonal: distances across and down."""
+    """Yields one eighth of a circle, from straight below the centre to the diagonal: distances across and down."""
     if not radius:
         return
     x, y, p = 0, radius, 3 - 2 * radius

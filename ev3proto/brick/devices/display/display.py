@@ -1,6 +1,6 @@
 """The display as operations see it: a canvas to draw on, what of it is shown, the selected font, saved pictures.
 
-Shapes are drawn by the canvas. Here are the things that need letters and icons, and those that concern the display as a
+Shapes are drawn by the canvas. This file draws what needs letters and icons, and handles the display as a
 whole: showing, saving, the line at the top.
 """
 
@@ -43,7 +43,7 @@ class Display(Part):
     is_headed    whether there is a line at the top
     graph        what GRAPH_SETUP set up
     is_in_use    something was drawn that is not shown yet
-    is_blocked   only who opened a popup may draw
+    is_blocked   only the object that opened a popup may draw
     """
 
     def __init__(self, settings: Settings | None = None, battery: Battery | None = None) -> None:
@@ -77,7 +77,7 @@ class Display(Part):
         self._shown = self.canvas.to_bytes()
 
     def advance(self, microseconds: int) -> None:
-        """The firmware redraws the line at the top every 0.4 s, and shows the canvas with it."""
+        """Redraws the line at the top every 0.4 s, as the firmware does, and shows the canvas with it."""
         if microseconds >= self._next_top_line:
             self._next_top_line = microseconds + TOP_LINE_PERIOD
             if self.is_headed:
@@ -85,13 +85,13 @@ class Display(Part):
                 self._shown = self.canvas.to_bytes()
 
     def program_started(self, program: Program) -> None:
-        """The screen before a user program is stored at level 0; the program has it without a line at the top."""
+        """Stores the screen at level 0 before a user program, which has no line at the top."""
         if program.slot == USER_SLOT:
             self.store(0)
             self.is_headed = False
 
     def program_ended(self, program: Program) -> None:
-        """A popup does not outlive its program."""
+        """Closes the popup of a program that has ended."""
         if self._owner is not None and self._owner[0] == program.slot:
             self.close_popup()
 
@@ -119,10 +119,10 @@ class Display(Part):
         if 0 <= level < STORE_LEVELS:
             self.canvas = self._stored[level].copy()
 
-    # Who may draw
+    # Permission to draw
 
     def is_blocked_for(self, slot: int, number: int) -> bool:
-        """Whether the display is blocked for an object of a program: SCREEN_BLOCK or somebody else's popup."""
+        """Returns whether the display is blocked for an object of a program: SCREEN_BLOCK or another object's popup."""
         return self.is_blocked and self._owner != (slot, number)
 
     def open_popup(self, slot: int, number: int) -> None:
@@ -132,7 +132,7 @@ class Display(Part):
         self.is_blocked = True
 
     def close_popup(self) -> None:
-        """Shows the canvas as it was before the popup, for everybody to draw on."""
+        """Shows the canvas as it was before the popup, and lets all objects draw."""
         self.canvas = self._before_popup.copy()
         self._shown = self.canvas.to_bytes()
         self._owner = None
@@ -218,7 +218,7 @@ class Display(Part):
         return len(digits)
 
     def _sign(self, letters: Font, color: int, left: int, y: int, right: int) -> None:
-        """The line of a minus sign at half the height of the letters; in tall fonts two rows."""
+        """Draws a minus sign as a line at half the height of the letters; in tall fonts two rows."""
         middle = y + letters.height // 2
         self.canvas.line(color, left, middle, right, middle)
         if letters.height > 12:

@@ -26,12 +26,12 @@ class Font:
     """Rows of each character from FIRST on, the leftmost pixel the highest of `width` bits."""
 
     def glyph(self, character: int) -> tuple[int, ...] | None:
-        """The rows of a character; None where it has none."""
+        """Returns the rows of a character; None where it has none."""
         return self.glyphs[character - FIRST] if FIRST <= character <= LAST else None
 
 
 def _letters(drawings: tuple[str, ...]) -> list[list[str]]:
-    """The rows of every letter in a set of drawings, `#` and `.`."""
+    """Returns the rows of every letter in a set of drawings, `#` and `.`."""
     letters: list[list[str]] = []
     for drawing in drawings:
         rows = [line.split() for line in drawing.strip().splitlines()]
@@ -42,7 +42,7 @@ def _letters(drawings: tuple[str, ...]) -> list[list[str]]:
 def _font(
     width: int, height: int, drawings: tuple[str, ...], left: int, shape: Callable[[list[int]], list[int]] = list
 ) -> Font:
-    """A font of cells `width` by `height`, its letters `left` pixels from the left edge, then changed by `shape`."""
+    """Makes a font of cells `width` by `height`, its letters `left` pixels from the left edge, changed by `shape`."""
     glyphs = []
     for letter in _letters(drawings):
         rows = [int(row.translate(_BITS), 2) << (width - left - len(row)) for row in letter]
@@ -52,12 +52,12 @@ def _font(
 
 
 def _bold(rows: list[int]) -> list[int]:
-    """Every pixel and its right neighbour, unless that closes a gap of one pixel."""
+    """Doubles every pixel to the right, unless that closes a gap of one pixel."""
     return [row | row >> 1 & ~(row << 1) for row in rows]
 
 
 def _doubled(font: Font) -> Font:
-    """Every pixel as two by two."""
+    """Draws every pixel as two by two."""
     wide = [int("".join(bit * 2 for bit in f"{row:0{font.width}b}"), 2) for row in range(1 << font.width)]
     glyphs = tuple(tuple(wide[row] for row in glyph for _ in range(2)) for glyph in font.glyphs)
     return Font(2 * font.width, 2 * font.height, glyphs)

@@ -1,6 +1,6 @@
 """Graphs: samples of some values over time, drawn as thick lines.
 
-GRAPH_SETUP says where the values stand in memory, GRAPH_SAMPLE stores them, GRAPH_DRAW draws what was stored.
+GRAPH_SETUP names the values' places in memory, GRAPH_SAMPLE stores them, GRAPH_DRAW draws what was stored.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ class Scale(NamedTuple):
 
 
 class Summary(NamedTuple):
-    """What GRAPH_DRAW returns of one item; NaN where there is no sample."""
+    """The result of GRAPH_DRAW for one item; NaN where there is no sample."""
 
     actual: float
     lowest: float
@@ -71,8 +71,8 @@ class Graph:
 
         Args:
             canvas: To draw on, in colour 1.
-            view: The item's number; one that there is not means all, drawn one pixel further right, and samples that
-                are no numbers at the bottom.
+            view: The item's number; an unknown one means all, drawn one pixel further right, with NaN samples
+                at the bottom.
 
         Returns:
             The last, lowest and highest sample and their mean; of all items nothing.
@@ -85,7 +85,7 @@ class Graph:
         return _summary([])
 
     def _draw_item(self, canvas: Canvas, item: int, x: int, *, skips: bool) -> None:
-        """Draws the samples of one item; those that are no numbers are omitted if `skips` is set."""
+        """Draws the samples of one item; NaN is omitted if `skips` is set."""
         scale = self.items[item]()
         bottom = scale.offset + scale.span
         before = bottom
@@ -101,7 +101,7 @@ class Graph:
 
 
 def _summary(samples: list[float]) -> Summary:
-    """What is returned of some samples, their mean in single precision."""
+    """Returns the summary of some samples, their mean in single precision."""
     if not samples:
         return Summary(_NOTHING, _NOTHING, _NOTHING, _NOTHING)
     total = 0.0
@@ -111,7 +111,7 @@ def _summary(samples: list[float]) -> Summary:
 
 
 def _height(sample: float, scale: Scale) -> int:
-    """How far above its bottom a sample is drawn, computed in single precision as on the brick."""
+    """Returns how far above its bottom a sample is drawn, computed in single precision as on the brick."""
     rise = single(single(sample - scale.least) * scale.span)
     run = single(scale.most - scale.least)
     height = single(rise / run) if run else math.copysign(math.inf, rise) if rise else math.nan
@@ -120,7 +120,7 @@ def _height(sample: float, scale: Scale) -> int:
 
 
 def _thick_line(canvas: Canvas, x: int, before: int, y: int) -> None:
-    """The three lines from one sample at (x - 1, before) to the next at (x, y)."""
+    """Draws the three lines from one sample at (x - 1, before) to the next at (x, y)."""
     canvas.line(1, x - 1, before, x, y)
     if y > before:
         canvas.line(1, x - 2, before - 1, x - 1, y - 1)

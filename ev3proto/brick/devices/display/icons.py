@@ -24,7 +24,7 @@ class IconSet:
 
 
 def _draw(drawing: str, width: int, height: int) -> tuple[int, ...]:
-    """The rows of one icon."""
+    """Returns the rows of one icon."""
     canvas = Canvas()
     for word in drawing.split():
         letter, arguments = word[0], word[1:].split(",")
@@ -49,7 +49,7 @@ def _draw(drawing: str, width: int, height: int) -> tuple[int, ...]:
 
 
 def _icon_set(width: int, height: int, names: Enumeration, drawings: Mapping[str, str]) -> IconSet:
-    """The icons of one set in the order of their numbers."""
+    """Returns the icons of one set in the order of their numbers."""
     assert names.end is not None
     by_number = {names.members[name]: drawing for name, drawing in drawings.items()}
     pictures = tuple(_draw(by_number.get(number, ""), width, height) for number in range(names.end[1]))

@@ -77,7 +77,7 @@ class ScreenDialog:
         self.display.update()
 
     def show_input(self, icon: int, caption: bytes) -> None:
-        """A caption and the text typed so far."""
+        """Shows a caption and the text typed so far."""
         self._window()
         self.display.icon(1, _LEFT + _MARGIN, _TOP + 4, NORMAL_ICONS, icon)
         self.display.text(1, _LEFT + 4 * _MARGIN + 8, _TOP + _MARGIN, caption, TINY)

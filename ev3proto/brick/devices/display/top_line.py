@@ -27,13 +27,13 @@ _ICON = ICONS[ICON_SET].width
 
 
 def name_place(settings: Settings) -> tuple[int, bytes]:
-    """Where the name begins, and as much of it as is shown: whole cells, as many to the left as to the right."""
+    """Returns the name's column and its visible part, centred in whole cells."""
     name = settings.name.encode(STRING_CODING)[:_NAME_LENGTH]
     return (WIDTH // _CELL - len(name)) // 2 * _CELL, name
 
 
 def icon_places(settings: Settings, battery: Battery) -> Iterator[tuple[int, int]]:
-    """The icons, each with its column."""
+    """Yields the icons, each with its column."""
     if settings.bluetooth:
         yield 0, S_ICON_NO.members["SICON_BT_VISIBLE" if settings.visible else "SICON_BT_ON"]
     if settings.wifi:

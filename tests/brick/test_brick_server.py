@@ -167,7 +167,7 @@ def test_an_endless_command_of_a_client_that_has_gone_is_ended(tmp_path: Path, m
             assert client.ask(VOLUME) == HUNDRED
         assert brick.now.brick.leds == 1
         assert re.fullmatch(
-            r"127\.0\.0\.1:\d+: a command that never ends was ended; a real brick stays deaf", brick.said[0]
+            r"127\.0\.0\.1:\d+: an endless command was ended; a real brick stops answering", brick.said[0]
         )
 
 

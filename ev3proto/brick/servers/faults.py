@@ -1,4 +1,4 @@
-"""Faults on purpose, for those who test a client: replies that come late, not at all, or with a byte changed."""
+"""Deliberate faults, for testing clients: replies that are late, lost, or have a changed byte."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from ev3proto.tables.frame import LENGTH_FIELD
 
 @dataclass
 class Faults:
-    """What happens to replies.
+    """The faults of replies.
 
-    delay    seconds by which each is held back
+    delay    seconds by which each reply is delayed
     drop     share of them that are lost, 0 to 1
     corrupt  share of them in which one byte after the length field is changed, 0 to 1
-    random   where chance comes from; a seed makes it the same every time
+    random   the source of chance; a seed makes it repeatable
     """
 
     delay: float = 0.0
@@ -24,7 +24,7 @@ class Faults:
     random: Random = field(default_factory=Random)
 
     def befall(self, reply: bytes) -> bytes | None:
-        """What is sent instead of a reply; None where it is lost."""
+        """Returns what is sent in place of a reply; None where it is lost."""
         if self.drop and self.random.random() < self.drop:
             return None
         if self.corrupt and self.random.random() < self.corrupt:

@@ -1,6 +1,6 @@
 """Drives a virtual brick with the real clock and serves its connections, each frame in its turn.
 
-A direct command under way keeps the whole brick waiting, as on the real one. Who is served next is decided by how much
+A direct command in progress keeps the whole brick waiting, as on the real one. The next client is chosen by how much
 of the brick's time each connection has had, so that a client with endless commands cannot keep the others out.
 """
 
@@ -43,7 +43,7 @@ _MOST_SHOWN = 48
 _MOST_SAID = 1000
 
 Say = Callable[[str], None]
-"""Tells a sentence to who started the server."""
+"""Reports a message to the server's owner."""
 
 
 Ends = tuple[tuple[str, int], tuple[str, int]]
@@ -51,48 +51,48 @@ _NO_ENDS: Ends = ("", 0), ("", 0)
 
 
 class Line(Protocol):
-    """What a carrier offers to its connection."""
+    """The carrier's side of a connection."""
 
     def send(self, data: bytes) -> None:
         """Sends bytes to the client."""
 
     def pause(self) -> None:
-        """Reads no more from the client for now."""
+        """Stops reading from the client for now."""
 
     def resume(self) -> None:
-        """Reads on."""
+        """Resumes reading."""
 
     def drop(self) -> None:
         """Ends the connection at once."""
 
 
 class Observer(Protocol):
-    """Who sees what goes over the connections."""
+    """An observer of the connections."""
 
     def opened(self, connection: Connection) -> None:
-        """A client is there."""
+        """Learns that a client has connected."""
 
     def frame(self, connection: Connection, frame: bytes, is_from_host: bool) -> None:
-        """A frame was taken from a client, or one was sent to it."""
+        """Learns of a frame from or to a client."""
 
     def left(self, connection: Connection, data: bytes, reason: str) -> None:
-        """A client has gone, and its last bytes were not a whole frame, for a reason."""
+        """Learns that the last bytes of a client were not a whole frame, and why."""
 
     def closed(self, connection: Connection) -> None:
-        """A client has gone, and all that it sent is done."""
+        """Learns that a client has disconnected, and all that it sent is done."""
 
 
 class Connection:
     """One client of the brick.
 
-    name     what it is called in messages
+    name     its name in messages
     carrier  "wifi" or "bluetooth"
     number   counted from 1, each connection its own
     used     seconds of the brick's time that it has had
     rests_until  when it is served again, after it kept others waiting
-    is_gone  whether its client has gone; what came before that is still served, and not answered
+    is_gone  whether its client has disconnected; earlier frames are still served, and not answered
     ends     IP address and port of the client, and those of the brick; on WiFi only
-    opening  what was said before the first frame, each with whether the client said it
+    opening  the texts before the first frame, each with whether the client sent it
     """
 
     def __init__(
@@ -121,7 +121,7 @@ class Connection:
         self._delayed = 0
 
     def feed(self, data: bytes) -> None:
-        """Bytes came from the client."""
+        """Takes bytes from the client."""
         self._incoming += data
         self._look()
         if len(self._incoming) > MOST_BUFFERED and not self._is_paused:
@@ -130,24 +130,24 @@ class Connection:
         self._host.wake()
 
     def choke(self, is_choked: bool) -> None:
-        """Whether the client leaves too much unread; its frames wait meanwhile."""
+        """Learns whether the client leaves too much unread; its frames wait meanwhile."""
         self._is_choked = is_choked
         if not is_choked:
             self._host.wake()
 
     def close(self) -> None:
-        """The client has gone; what it sent before is still done, as on the real brick."""
+        """Learns that the client has disconnected; what it sent before is still done, as on the real brick."""
         self.is_gone = True
         self._is_choked = False
-        self._host.left_behind()
+        self._host.serve_disconnected()
 
     def drop_if_gone(self) -> None:
-        """Forgets what a client that has gone left to do."""
+        """Forgets the frames of a client that has disconnected."""
         if self.is_gone:
             self._incoming.clear()
 
     def _look(self) -> None:
-        """Passes over polls, lengths of 0 between frames, as the firmware does; says when what follows is no frame."""
+        """Skips polls, lengths of 0 between frames, as the firmware does; reports what follows if it is not a frame."""
         while self._incoming.startswith(_POLL):
             del self._incoming[: len(_POLL)]
         if len(self._incoming) >= LENGTH_FIELD and not self._is_out_of_step:
@@ -158,19 +158,19 @@ class Connection:
 
     @property
     def left(self) -> bytes:
-        """What has come of a frame that is not whole."""
+        """The bytes of an incomplete frame."""
         return bytes(self._incoming)
 
     @property
     def is_ready(self) -> bool:
-        """Whether a whole frame is there that can be served."""
+        """Whether a whole frame has arrived and can be served."""
         incoming = self._incoming
         if self._is_choked or self._delayed >= MOST_DELAYED or len(incoming) < LENGTH_FIELD:
             return False
         return len(incoming) >= frame_size(incoming)
 
     def take(self) -> bytes:
-        """The next whole frame."""
+        """Takes the next whole frame."""
         size = frame_size(self._incoming)
         frame = bytes(self._incoming[:size])
         del self._incoming[:size]
@@ -199,12 +199,12 @@ class Host:
     """A brick that is on, and its connections."""
 
     def __init__(self, brick: Brick, say: Say, faults: Faults | None = None) -> None:
-        """Must be made in the event loop that is to run it.
+        """Creates it, in the event loop that runs it.
 
         Args:
             brick: The brick.
-            say: Is called with what the user of the server should know.
-            faults: What happens to replies.
+            say: Called with messages for the user of the server.
+            faults: The faults of replies.
         """
         self.brick = brick
         self.say = say
@@ -232,7 +232,7 @@ class Host:
         ends: Ends = _NO_ENDS,
         opening: Sequence[tuple[bytes, bool]] = (),
     ) -> Connection:
-        """A client is there; see `Connection` for what is known of it."""
+        """Begins to serve a client; `Connection` documents the arguments."""
         connection = Connection(self, line, name, carrier, ends, opening)
         self._count += 1
         connection.number = self._count
@@ -240,8 +240,8 @@ class Host:
         self._tell(lambda observer: observer.opened(connection))
         return connection
 
-    def left_behind(self) -> None:
-        """Serves what clients that have gone left to do, of a limited number of them."""
+    def serve_disconnected(self) -> None:
+        """Serves the remaining frames of a limited number of disconnected clients."""
         gone = [each for each in self.connections if each.is_gone]
         for other in gone[:-MOST_QUEUED]:
             other.drop_if_gone()
@@ -252,7 +252,7 @@ class Host:
         self.say_once("a client waits until another one disconnects; a real brick serves one, too (see --clients)")
 
     def _part(self) -> None:
-        """Ends the connections of clients that have gone and left nothing to do."""
+        """Ends the connections of disconnected clients without remaining frames."""
         for connection in [each for each in self.connections if each.is_gone and not each.is_ready]:
             if self._current is None or self._current[0] is not connection:
                 self.connections.remove(connection)
@@ -283,12 +283,12 @@ class Host:
     # Serving
 
     def wake(self) -> None:
-        """Something may be there to serve."""
+        """Serves what may have arrived."""
         if not self._is_serving and not self._is_stopped:
             self._serve()
 
     def say_once(self, sentence: str) -> None:
-        """Tells a sentence, the first time only."""
+        """Reports a message, the first time only."""
         if sentence not in self._was_said and len(self._was_said) < _MOST_SAID:
             self._was_said.add(sentence)
             self.say(sentence)
@@ -325,7 +325,7 @@ class Host:
                 self.say(f"a defect of {type(observer).__name__}, which sees nothing more, please report it: {error!r}")
 
     def _next(self) -> Connection | None:
-        """Of the connections with a frame the one that has had least of the brick's time."""
+        """Returns the connection with a frame that has had the least of the brick's time."""
         best: Connection | None = None
         now = self._loop.time()
         for connection in self.connections:
@@ -334,7 +334,7 @@ class Host:
         return best
 
     def _take_up(self, connection: Connection) -> None:
-        # Who comes back after a pause has saved nothing up.
+        # A client that was idle has not saved up time.
         connection.used = self._virtual = max(connection.used, self._virtual)
         self._current = (connection, self._loop.time())
         frame = connection.take()
@@ -345,7 +345,7 @@ class Host:
             self._current = None
 
     def _let(self, act: Callable[[], list[Addressed]], place: str) -> bool:
-        """Has the brick do something, and delivers the replies. Returns False, and says so, for a defect of it.
+        """Calls the brick, and delivers the replies. Reports a defect, and returns False then.
 
         A defect must not take the brick away from all clients.
         """
@@ -357,7 +357,7 @@ class Host:
         return True
 
     def _settle(self) -> None:
-        """Charges a connection for the command that has ended; if it kept others waiting, it is their turn as long."""
+        """Charges a connection for its ended command; if it kept others waiting, they are served for as long."""
         if self._current is not None:
             connection, begin = self._current
             self._current = None
@@ -367,7 +367,7 @@ class Host:
                 connection.rests_until = now + min(now - begin, PATIENCE)
 
     def _is_awaited(self, connection: Connection) -> bool:
-        """Whether another client has a frame to be served."""
+        """Returns whether another client has a frame to be served."""
         return any(other.is_ready for other in self.connections if other is not connection)
 
     def _advance(self) -> None:
@@ -395,15 +395,15 @@ class Host:
             brick.has_ended_command = False
             if self._current is not None:
                 self._current[0].drop_if_gone()
-                self.say_once(f"{self._current[0].name}: a command that never ends was ended; a real brick stays deaf")
+                self.say_once(f"{self._current[0].name}: an endless command was ended; a real brick stops answering")
         if brick.is_dead:
             brick.is_dead = False
             self.say_once(
-                "PROGRAM_STOP 0 ended everything: a real brick is dead until it is restarted, this one goes on"
+                "PROGRAM_STOP 0 ended everything: a real brick is dead until it is restarted, this one continues"
             )
 
     def _is_behind(self) -> bool:
-        """Whether the brick's clock has more to catch up with than can be done at once."""
+        """Returns whether the brick's clock is further behind than one step."""
         return (self._loop.time() - self._begin) * _MICROSECONDS - self._now > _MOST_STEP
 
     def _deliver(self, replies: list[Addressed]) -> None:
@@ -415,7 +415,7 @@ class Host:
                 channel.send(sent, self.faults.delay)
 
     def _schedule(self) -> None:
-        """Looks at the clock again, soon enough for what is going on."""
+        """Schedules the next look at the clock."""
         if self._timer is not None:
             self._timer.cancel()
         if self.brick.is_computing or self._is_behind():
@@ -430,7 +430,7 @@ class Host:
 
 
 def _unfinished(left: bytes) -> str:
-    """Says what is missing of a frame whose rest never came."""
+    """Returns what is missing of a frame whose rest never came."""
     if len(left) < LENGTH_FIELD:
         return f"the connection ended inside a frame: {counted(len(left), 'byte')} of its length came"
     return f"the connection ended inside a frame: {len(left)} of its {counted(frame_size(left), 'byte')} came"

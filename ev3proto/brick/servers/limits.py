@@ -1,7 +1,7 @@
-"""What one client may take, so that none can stop the others or fill this computer's memory."""
+"""Limits for one client, so that it can neither stop the others nor fill this computer's memory."""
 
 STRETCH = 0.02
-"""Seconds of the processor after which a direct command pauses, so that everything else goes on meanwhile."""
+"""Seconds of the processor after which a direct command pauses, so that everything else can run."""
 
 PATIENCE = 10.0
 """Seconds after which a direct command is ended when another client waits for it."""

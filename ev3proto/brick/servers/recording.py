@@ -29,22 +29,22 @@ class Recorder:
         return self._recording.packets
 
     def opened(self, connection: Connection) -> None:
-        """What comes before the first frame: on WiFi the handshake of TCP, the unlock text as it came, its answer."""
+        """Records what precedes the first frame: on WiFi the TCP handshake, the unlock text and its answer."""
         carrier = Carrier(connection.carrier)
         self._try(lambda: self._recording.opened(connection, carrier, *connection.ends))
         for data, is_from_host in connection.opening:
             self.frame(connection, data, is_from_host)
 
     def frame(self, connection: Connection, frame: bytes, is_from_host: bool) -> None:
-        """What goes by: a frame, or a text before the first one."""
+        """Records a frame, or a text before the first one."""
         self._try(lambda: self._recording.data(connection, frame, is_from_host))
 
     def left(self, connection: Connection, data: bytes, reason: str) -> None:  # noqa: ARG002 - the bytes tell it
-        """Bytes that were not a whole frame, as they came."""
+        """Records bytes that were not a whole frame."""
         self._try(lambda: self._recording.data(connection, data, True))
 
     def closed(self, connection: Connection) -> None:
-        """What comes after the last frame."""
+        """Records what follows the last frame."""
         self._try(lambda: self._recording.closed(connection))
 
     def close(self) -> None:

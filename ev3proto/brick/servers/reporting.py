@@ -1,4 +1,4 @@
-"""`--report`: what `check` has to say about the frames of the clients, each kind of finding once."""
+"""`--report`: the findings of `check` for the frames of the clients, each kind once."""
 
 from __future__ import annotations
 
@@ -74,10 +74,10 @@ class Reporter:
         self._broken: list[tuple[dict[str, Any], str]] = []
 
     def opened(self, connection: Connection) -> None:
-        """Nothing to check."""
+        """Checks nothing."""
 
     def closed(self, connection: Connection) -> None:
-        """Nothing to check."""
+        """Checks nothing."""
 
     def left(self, connection: Connection, data: bytes, reason: str) -> None:  # noqa: ARG002 - the recording has them
         """Keeps how a client's bytes ended."""
@@ -122,7 +122,7 @@ class Reporter:
             known.operations[kind.finding.operation] = None
 
     def _place(self, connection: Connection) -> dict[str, Any]:
-        """Who sent a frame, which one it is, and when: `packet` counts those of the recording, `frame` the clients'."""
+        """Returns the sender, number and time of a frame: `packet` in the recording, `frame` among the clients'."""
         place: dict[str, Any] = {"client": connection.name, "frame": self.frames}
         if self._packet is not None:
             place["packet"] = self._packet()
@@ -137,7 +137,7 @@ class Reporter:
         return bool(self._broken) or any(kind.finding.severity is Severity.ERROR for kind in self._sorted(True))
 
     def lines(self, *, errors_only: bool = False) -> Iterator[Line]:
-        """What was found, for people: each kind of finding with its count and the first frame that has it."""
+        """Yields what was found, for people: each kind of finding with its count and the first frame that has it."""
         many = f"{counted(self.frames, 'frame')} from clients"
         kind_of_finding = "error" if errors_only else "finding"
         kinds = self._sorted(errors_only)
@@ -156,7 +156,7 @@ class Reporter:
             yield [(f"     = {kind.finding.code} in {counted(kind.frames, 'frame')}{more}{etc}", Role.ASIDE)]
 
     def json_lines(self, *, errors_only: bool = False) -> Iterator[str]:
-        """The same for other tools: an object for each kind of finding, and for each client that was out of step."""
+        """Yields the same for other tools: an object for each kind of finding and each client out of step."""
         for place, reason in self._broken:
             yield json.dumps({**place, "severity": Severity.ERROR, "message": reason}, ensure_ascii=False)
         for kind in self._sorted(errors_only):
@@ -164,7 +164,7 @@ class Reporter:
             yield json.dumps({**entry, "hex": kind.report.frame.hex()}, ensure_ascii=False)
 
     def _sorted(self, errors_only: bool) -> list[_Kind]:
-        """The kinds of findings, errors first; those of drawings that nothing has shown until now are among them."""
+        """Returns the kinds of findings, errors first, including drawings that are not shown yet."""
         for kind in self._not_shown:
             self._count(kind)
         self._not_shown.clear()
@@ -181,6 +181,6 @@ def _shows(frame: bytes, dialect: str) -> bool:
 
 
 def _named(place: dict[str, Any]) -> str:
-    """`127.0.0.1:5555, packet 13, 0.250 s`."""
+    """Returns a place such as `127.0.0.1:5555, packet 13, 0.250 s`."""
     number = f"packet {place['packet']}" if "packet" in place else f"frame {place['frame']}"
     return f"{place['client']}, {number}, {place['seconds']:.3f} s"

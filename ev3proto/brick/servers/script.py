@@ -114,7 +114,7 @@ class Script:
             brick.release(step.release)
 
     def times(self) -> Iterator[tuple[float, Step]]:
-        """The steps in the order of their times, again and again where there is a period."""
+        """Yields the steps in the order of their times, again and again where there is a period."""
         steps = sorted(self.steps, key=lambda step: step.at)
         begin = 0.0
         while steps:
@@ -129,7 +129,7 @@ def read_script(path: Path) -> Script:
     """Reads a script.
 
     Raises:
-        ScriptError: It is no TOML, or says something impossible; the text says where and what is possible.
+        ScriptError: It is not TOML, or says something impossible; the text says where and what is possible.
         OSError: It cannot be read.
     """
     with path.open("rb") as stream:
@@ -145,7 +145,7 @@ def read_script(path: Path) -> Script:
 
 
 def _parsed(text: bytes) -> dict[str, Any]:
-    """The tables and keys of a script. Raises ScriptError, and ValueError for a number with too many digits."""
+    """Returns the tables and keys of a script. Raises ScriptError, and ValueError for a number with too many digits."""
     try:
         return tomllib.loads(text.decode())
     except UnicodeDecodeError as error:
@@ -157,7 +157,7 @@ def _parsed(text: bytes) -> dict[str, Any]:
 
 
 def _no_toml(said: str) -> str:
-    """What Python says of a text that is no TOML, in a sentence about scripts."""
+    """Rewords Python's message about invalid TOML for scripts."""
     place = re.search(r"(line \d+), column \d+", said)
     if said.startswith(_SAID_TWICE):
         return f"duplicate key or table at {place[1] if place else 'the end'}; remove one of the two"

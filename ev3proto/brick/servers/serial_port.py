@@ -1,6 +1,6 @@
-"""A pseudo-terminal that stands for the serial port of a Bluetooth connection, for programs that open one.
+"""A pseudo-terminal in place of the serial port of a Bluetooth connection, for programs that open one.
 
-The port is reached by a symbolic link, the name of which the user chooses. While no program has it open nobody is
+The port is reached by a symbolic link, whose name the user chooses. While no program has it open no client is
 connected; a program that opens it later starts anew.
 """
 
@@ -66,7 +66,7 @@ class SerialPort:
         self._wait()
 
     def close(self) -> None:
-        """Ends the connection and removes the link, unless somebody has put something else in its place."""
+        """Ends the connection and removes the link, unless it was replaced by something else."""
         if self._timer is not None:
             self._timer.cancel()
         self._hang_up()
@@ -77,7 +77,7 @@ class SerialPort:
         except OSError:
             pass  # it is gone, or no link any more: not ours to remove
 
-    # Who has the port open
+    # Opening and closing
 
     def _wait(self) -> None:
         """Looks now and then whether a program has opened the port."""
@@ -130,7 +130,7 @@ class SerialPort:
             self._connection.choke(len(self._outgoing) > MOST_UNREAD)
 
     def send(self, data: bytes) -> None:
-        """Sends bytes to the program that has the port open; those that it does not read wait."""
+        """Sends bytes to the program that has the port open; unread ones wait."""
         if self._connection is not None:
             is_first = not self._outgoing
             self._outgoing += data
@@ -142,7 +142,7 @@ class SerialPort:
         self._loop.remove_reader(self._master)
 
     def resume(self) -> None:
-        """Reads on."""
+        """Resumes reading."""
         if self._connection is not None:
             self._loop.add_reader(self._master, self._read)
 

@@ -83,7 +83,7 @@ class Running:
     address   where WiFi listens
     port      of WiFi; 0 without WiFi
     link      where the page is, with its token; empty without a page
-    looked    set when somebody has opened the page
+    looked    set when the page was opened
     reporter  what has checked the frames so far; None where that was not asked for
     """
 
@@ -169,13 +169,13 @@ def _make_usual_folders(root: Path) -> None:
 
 
 def _told(context: dict[str, Any]) -> str:
-    """What asyncio says of an exception that nobody took."""
+    """Returns asyncio's message about an unhandled exception."""
     error = context.get("exception")
     return f"{context['message']}" if error is None else f"{context['message']}: {error!r}"
 
 
 def is_loopback(address: str) -> bool:
-    """Whether only this computer reaches an address."""
+    """Returns whether only this computer reaches an address."""
     try:
         return ipaddress.ip_address(address).is_loopback
     except ValueError:
@@ -217,7 +217,7 @@ def _serial(host: Host, path: Path) -> SerialPort:
 
 @asynccontextmanager
 async def _page(host: Host, address: str, port: int) -> AsyncIterator[tuple[str, asyncio.Event]]:
-    """The page, for as long as the brick is on: the link to it, and what is set when somebody has opened it."""
+    """Serves the page while the brick is on. Yields the link to it, and the event that is set when it was opened."""
     try:
         from ev3proto.brick.servers.page.server import PageError, serving  # aiohttp is an extra
     except ImportError:

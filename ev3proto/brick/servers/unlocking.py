@@ -74,7 +74,7 @@ def why_not_open(error: Exception, address: str, port: int, other: str) -> str:
     if code == errno.EADDRINUSE:
         return f"port {port} of {address} is in use: end what uses it, or give another one ({other})"
     if code == errno.EACCES:
-        return f"port {port} is not for everybody: take one above 1023"
+        return f"port {port} needs administrator rights; take one above 1023"
     if code == errno.EADDRNOTAVAIL:
         return f"{address} is not an address of this computer"
     return f"port {port} of {address} cannot be opened: {getattr(error, 'strerror', None) or error}"

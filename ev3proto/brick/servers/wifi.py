@@ -108,7 +108,7 @@ class Wifi:
     # Clients
 
     def came(self, client: _Client) -> None:
-        """A client has connected. Until it sends the unlock text, it does not keep others waiting."""
+        """Takes a client that has connected. Until it sends the unlock text, it does not keep others waiting."""
         if self._only_from not in (None, client.address):
             self._host.say_once(f"{client.address} was disconnected: only {self._only_from} is served (--from)")
             client.drop()
@@ -118,7 +118,7 @@ class Wifi:
             next(iter(self._strangers)).drop()
 
     def unlocked(self, client: _Client) -> None:
-        """A client has sent the unlock text: it is served, waits, or is disconnected."""
+        """Serves a client that has sent the unlock text, queues it, or disconnects it."""
         self._strangers.pop(client, None)
         if len(self._queued) >= MOST_QUEUED:
             client.drop()
@@ -129,7 +129,7 @@ class Wifi:
             self._host.queued()
 
     def went(self, client: _Client) -> None:
-        """A client has gone: the next one is served."""
+        """Forgets a client that has disconnected, and serves the next one."""
         if self._strangers.pop(client, client) is None:
             self._host.say_once(f"{client.address} did not send the unlock text of a WiFi brick; disconnected")
         if client in self._queued:
@@ -198,7 +198,7 @@ class _Client(asyncio.Protocol):
         if self._connection is not None:
             self._connection.choke(False)
 
-    def connection_lost(self, exc: Exception | None) -> None:  # noqa: ARG002 - whatever ended it
+    def connection_lost(self, exc: Exception | None) -> None:  # noqa: ARG002 - the reason does not matter
         if self._timer is not None:
             self._timer.cancel()
         connection, self._connection = self._connection, None
@@ -217,14 +217,14 @@ class _Client(asyncio.Protocol):
         return str(self._transport.get_extra_info("peername")[0])
 
     def accept(self) -> None:
-        """Its turn has come."""
+        """Answers the unlock text: its turn has come."""
         assert self._transport is not None
         assert self._rest is not None
         host, port = self._transport.get_extra_info("peername")[:2]
         ends = (host, port), self._transport.get_extra_info("sockname")[:2]
         opening = (self._unlocking.said, True), (ACCEPT, False)
         self._connection = self._host.open(self, f"{host}:{port}", "wifi", ends, opening)
-        # The zero that some firmware sends after it would stand before the first reply, where clients read 16 bytes.
+        # No zero follows, as in some firmware: it would precede the first reply of clients that read 16 bytes.
         self._transport.write(ACCEPT)
         self.resume()
         if self._rest:

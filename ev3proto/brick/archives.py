@@ -1,4 +1,4 @@
-"""FILENAME.PACK and UNPACK: archives of one file or folder. What is in an archive stays in the folder it is in."""
+"""FILENAME.PACK and UNPACK: archives of one file or folder. Members never leave the folder of the archive."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _GZIP = 16
 
 
 def pack(storage: Storage, path: bytes, archive: bytes) -> bool:
-    """Writes an archive of a file or a folder, with all that is in it. False where it cannot be."""
+    """Writes an archive of a file or a folder with its contents. Returns False where that is impossible."""
     buffer = io.BytesIO()
     folder, _, name = path.rstrip(b"/").rpartition(b"/")
     with tarfile.open(fileobj=buffer, mode="w:gz") as tar:
@@ -48,9 +48,9 @@ def _members(storage: Storage, folder: bytes, name: bytes, depth: int) -> Iterat
 
 
 def unpack(storage: Storage, archive: bytes) -> bool:
-    """Writes what is in an archive beside it. False where it is none, or holds what may not be there.
+    """Unpacks an archive beside it. Returns False if it is invalid, or contains what is not allowed.
 
-    Links and special files, and names that lead elsewhere, end it; so does what would not fit.
+    Links, special files and names that lead elsewhere are not allowed, nor is more than fits.
     """
     data = storage.read(archive)
     if data is None:

@@ -14,10 +14,10 @@ class Mailbox:
     name     what senders call it
     type     one of DATA_FORMAT: of its values
     is_open  whether a program has opened it
-    content  room for a message: the one that came last lies over the rest of those before; there is no queue
-    size     bytes of the message that came last
-    written  messages that came since it was opened
-    read     how often one of them was read
+    content  room for a message: the latest one overwrites the start of earlier ones; there is no queue
+    size     bytes of the latest message
+    written  messages since it was opened
+    read     number of times one was read
     """
 
     name: bytes = b""
@@ -30,7 +30,7 @@ class Mailbox:
 
     @property
     def has_news(self) -> bool:
-        """Whether there is a message that nobody has read."""
+        """Whether there is an unread message."""
         return self.written != self.read
 
 
@@ -41,16 +41,16 @@ class Mailboxes:
         self.boxes = [Mailbox() for _ in range(BOXES)]
 
     def open(self, number: int, name: bytes, type: int) -> bool:
-        """Opens a box, which is empty then. False where it is open already."""
+        """Opens an empty box. Returns False where it is open already."""
         if self.boxes[number].is_open:
             return False
         self.boxes[number] = Mailbox(name[:MOST_NAME], type, True)
         return True
 
     def deliver(self, name: bytes, content: bytes) -> None:
-        """A message has come: the first box of that name gets it, open or closed; without one it is dropped.
+        """Delivers a message to the first box of that name, open or closed; without one it is dropped.
 
-        What is longer than a box is cut, where the firmware overwrites the next one.
+        A message longer than a box is cut, where the firmware overwrites the next box.
         """
         for box in self.boxes:
             if box.name == name:

@@ -1,4 +1,4 @@
-"""The virtual brick: frames in, frames out, and a clock that stands still until somebody advances it. No I/O.
+"""The virtual brick: frames in, frames out, and a clock that only the caller advances. No I/O.
 
 It is made of the machine, which executes direct commands and programs, and of the parts that operations act on. A
 direct command that waits keeps the whole brick from reading on, as on the real one: what arrives meanwhile is served
@@ -74,7 +74,7 @@ LOCALS = 64
 _MOST_NAME = 20
 
 _MOST_SECONDS = 10**12
-"""So many may pass at once: 31,700 years. Infinity would never be over."""
+"""The longest step of the clock, 31,700 years: infinity would never end."""
 
 
 class Addressed(NamedTuple):
@@ -87,10 +87,10 @@ class Addressed(NamedTuple):
 class Brick(Equipment):
     """A brick that has just been switched on.
 
-    root     the folder that stands for /home/root/lms2012; None: there are no files
+    root     the folder that serves as /home/root/lms2012; None: no files
     dialect  the firmware whose instruction set it has. ValueError for an unknown one.
     stretch  seconds of this computer's processor after which a call returns though a direct command could go on; the
-             next call goes on with it. None: only when it ends or waits
+             next call continues it. None: only when it ends or waits
 
     `is_computing` says whether a direct command could go on; `has_ended_command`, whether one was ended by a limit.
     """
@@ -113,7 +113,7 @@ class Brick(Equipment):
         self._deadline = math.inf
         self._system = SystemCommands(self, self.machine)
 
-    # What stands round the machine
+    # The parts around the machine
 
     @property
     def leds(self) -> int:
@@ -146,7 +146,7 @@ class Brick(Equipment):
             speed: Percent.
 
         Raises:
-            ValueError: There is no such port, the type has no such mode, or the readings are no numbers by mode.
+            ValueError: Unknown port, mode unknown to the type, or readings that are not numbers by mode.
         """
         self.inputs.plug(port, type, readings)
         if isinstance(port, str):
@@ -158,11 +158,11 @@ class Brick(Equipment):
         self.buttons.press(button, self.microseconds)
 
     def release(self, button: str) -> None:
-        """Releases a button. ValueError for a name that is none."""
+        """Releases a button. ValueError for an unknown name."""
         self.buttons.release(button, self.microseconds)
 
     def _stop_user_program(self) -> None:
-        """What the back button does."""
+        """Stops the user's program, as the back button does."""
         program = self.machine.slots[USER_SLOT]
         if program is not None:
             self.machine.end_program(program, STOP)
@@ -209,12 +209,12 @@ class Brick(Equipment):
             The replies that became due.
 
         Raises:
-            ValueError: So many seconds cannot pass.
+            ValueError: The number is out of range.
         """
         return [reply.frame for reply in self.advance_all(seconds)]
 
     def receive_from(self, channel: Hashable, frame: bytes) -> list[Addressed]:
-        """The same as `receive` for a brick with several connections.
+        """Does the same as `receive` for a brick with several connections.
 
         Args:
             channel: Names the connection; every reply says to which it goes.
@@ -231,7 +231,7 @@ class Brick(Equipment):
         return self._take()
 
     def advance_all(self, seconds: float) -> list[Addressed]:
-        """The same as `advance` for a brick with several connections."""
+        """Does the same as `advance` for a brick with several connections."""
         if not 0 <= seconds <= _MOST_SECONDS:
             raise ValueError(f"seconds are a number from 0 to {_MOST_SECONDS}, not {seconds!r}")
         target = self.microseconds + round(seconds * 1_000_000)
@@ -280,7 +280,7 @@ class Brick(Equipment):
         return replies
 
     def _serve(self) -> None:
-        """Goes on with the command under way, and with the frames that wait, until one has to wait for time."""
+        """Continues the current command, then the waiting frames, until one of them has to wait for time."""
         while True:
             if self._command is not None and not self._continue():
                 return
@@ -360,7 +360,7 @@ class Brick(Equipment):
         self.is_computing = False
         if not self.is_dead:
             self._answer(command)
-        # A real brick takes some milliseconds for a frame, in which its programs go on.
+        # A real brick takes some milliseconds for a frame, in which its programs continue.
         self._turn_programs()
         return True
 

@@ -22,13 +22,13 @@ LONG_STRETCH = 0.002
 """Seconds of this computer's processor from which on a stretch is too long."""
 
 MOST_OPERATIONS = 3_000_000
-"""Operations after which a direct command is ended: the firmware would go on for ever."""
+"""Operations after which a direct command is ended: the firmware would execute it for ever."""
 
 OPERATIONS_OF_A_TURN = 20
 """What a turn counts at least, where an object gives the rest of it away."""
 
 MOST_PROCESSOR_SECONDS = 5.0
-"""Seconds of this computer's processor that a direct command may take at a stretch, whatever its operations are."""
+"""Seconds of this computer's processor that a direct command may take at a stretch, whatever its operations."""
 
 MOST_SECONDS = 600
 """Seconds after which a direct command that still waits is ended."""

@@ -15,23 +15,23 @@ NAN8, NAN16, NAN32 = (RANGES[kind].nan for kind in (Type.DATA8, Type.DATA16, Typ
 
 
 def wrap8(value: int) -> int:
-    """The low 8 bits of a number, with their sign."""
+    """Returns the low 8 bits of a number, with their sign."""
     return (value + 0x80 & 0xFF) - 0x80
 
 
 def wrap16(value: int) -> int:
-    """The low 16 bits of a number, with their sign."""
+    """Returns the low 16 bits of a number, with their sign."""
     return (value + 0x8000 & 0xFFFF) - 0x8000
 
 
 def quotient(dividend: int, divisor: int) -> int:
-    """A division as in C: towards zero. The divisor is not 0."""
+    """Returns a quotient as in C, cut towards zero. The divisor is not 0."""
     result = abs(dividend) // abs(divisor)
     return result if (dividend < 0) == (divisor < 0) else -result
 
 
 def single(value: float) -> float:
-    """The nearest single to a number; infinity beyond their range."""
+    """Returns the nearest single to a number; infinity beyond their range."""
     try:
         return float(_FLOAT.unpack(_FLOAT.pack(value))[0])
     except OverflowError:
@@ -39,35 +39,35 @@ def single(value: float) -> float:
 
 
 def bits_of(value: float) -> int:
-    """The bits of the nearest single; of any NaN those of the one that the brick makes."""
+    """Returns the bits of the nearest single; for any NaN the bits of the brick's own NaN."""
     if value != value:
         return NOT_A_NUMBER
     return int(_BITS.unpack(_FLOAT.pack(single(value)))[0])
 
 
 def float_of(bits: int) -> float:
-    """The single that has these bits."""
+    """Returns the single that has these bits."""
     return float(_FLOAT.unpack(_BITS.pack(bits))[0])
 
 
 def is_nan(bits: int) -> bool:
-    """Whether a single with these bits is not a number."""
+    """Returns whether a single with these bits is not a number."""
     return bits & 0x7FFFFFFF > 0x7F800000
 
 
 def narrowed(value: int, source_nan: int, target: Type) -> int:
-    """An integer as one of fewer bits: NaN stays NaN, all others are limited to the target's range."""
+    """Returns an integer limited to the range of a narrower type; NaN stays NaN."""
     low, high, nan = RANGES[target]
     return nan if value == source_nan else min(high, max(low, value))
 
 
 def widened(value: int, source_nan: int, target: Type) -> int:
-    """An integer as one of more bits: NaN stays NaN."""
+    """Returns an integer as a wider type has it; NaN stays NaN."""
     return RANGES[target].nan if value == source_nan else value
 
 
 def float_to_integer(bits: int, target: Type) -> int:
-    """A single as an integer: NaN stays NaN, all others are limited to the target's range and cut towards zero.
+    """Returns a single as an integer, limited to the target's range and cut towards zero; NaN stays NaN.
 
     Limits of 32 bits are singles themselves, so the lowest one is -2147483648, which is the pattern for NaN.
     """

@@ -19,7 +19,7 @@ Reader = Callable[[Machine], Any]
 
 @cache
 def dispatch_table(dialect: str) -> Dispatch:
-    """The table of a dialect. ValueError for an unknown dialect, or for a handler that cannot be called as declared."""
+    """Returns the table of a dialect. ValueError for an unknown dialect, or a handler that does not fit."""
     plain: dict[int, Entry] = {}
     families: dict[int, dict[int, Entry]] = {}
     unknown: dict[int, Function | None] = {}
@@ -44,7 +44,7 @@ def dispatch_table(dialect: str) -> Dispatch:
 
 
 def _computing(declaration: Declaration, function: Function) -> Function:
-    """A handler that writes what a function of the inputs returns to the outputs, which follow the inputs."""
+    """Returns a handler that writes what a function of the inputs returns to the outputs, which follow the inputs."""
     writers = [WRITERS[each.type] for each in declaration.parameters if each.is_output]
     count = len(declaration.parameters) - len(writers)
 
@@ -86,6 +86,6 @@ def _readers(declaration: Declaration, handler: Handler) -> tuple[Reader, ...]:
 
 
 def coverage(dialect: str = "official") -> Iterator[tuple[str, bool]]:
-    """Every operation of a dialect by name, and whether it has a handler. ValueError for an unknown dialect."""
+    """Yields every operation of a dialect by name, and whether it has a handler. ValueError for an unknown dialect."""
     for name in operations(dialect):
         yield name, name in HANDLERS

@@ -32,10 +32,10 @@ class Equipment:
     """
 
     def __init__(self, root: str | Path | None, dialect: str, stop: Callable[[], None]) -> None:
-        """A brick's equipment when it has just been switched on.
+        """Creates the equipment of a brick that has just been switched on.
 
         Args:
-            root: The folder that stands for /home/root/lms2012; None: there are no files.
+            root: The folder that serves as /home/root/lms2012; None: no files.
             dialect: The firmware whose instruction set the brick has.
             stop: What the back button does.
         """
@@ -60,12 +60,12 @@ class Equipment:
         self.parts: list[Part] = [self.display, self.buttons, self.panel, self.sound, self.outputs, self.inputs]
 
     def program_started(self, program: Program) -> None:
-        """What happens when a program, no direct command, has been started."""
+        """Tells the parts that a program, not a direct command, has started."""
         for part in self.parts:
             part.program_started(program)
 
     def program_ended(self, program: Program) -> None:
-        """What happens when a program or a direct command has ended."""
+        """Frees what a program or a direct command leaves, and tells the parts that a program has ended."""
         if program.slot == USER_SLOT:
             self.mailboxes.close_all()
         if program.slot != CMD_SLOT:

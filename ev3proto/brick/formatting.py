@@ -21,7 +21,7 @@ _NUMBER = re.compile(
 
 
 def fixed(value: float, decimals: int) -> str:
-    """`%.<decimals>f`; a negative number of decimals counts as omitted, which is 6."""
+    """Returns `%.<decimals>f`; a negative number of decimals counts as omitted, which is 6."""
     if value != value:
         return "-nan" if math.copysign(1.0, value) < 0 else "nan"
     if value in (float("inf"), float("-inf")):
@@ -30,7 +30,7 @@ def fixed(value: float, decimals: int) -> str:
 
 
 def padded(text: str, figures: int) -> str:
-    """A number's text filled up with blanks to some figures: on the left, or on the right for a negative number."""
+    """Fills a number's text up with blanks to a width: on the left, or on the right for a negative width."""
     return text.rjust(figures) if figures >= 0 else text.ljust(-figures)
 
 
@@ -80,7 +80,7 @@ def _converted(found: re.Match[bytes], value: int | float) -> bytes:
 
 
 def _narrowed(value: int, size: bytes | None, kind: str) -> int:
-    """The value as `hh` or `h` take it, as 8 or 16 bits; other sizes take all of it."""
+    """Returns the value as `hh` or `h` take it, as 8 or 16 bits; other sizes take all of it."""
     bits = {b"hh": 8, b"h": 16}.get(size or b"")
     if bits is None:
         return value
@@ -89,7 +89,7 @@ def _narrowed(value: int, size: bytes | None, kind: str) -> int:
 
 
 def _not_finite(flags: str, width: int, kind: str, value: float) -> bytes:
-    """Infinity, or NaN with its sign, which Python's own formats do not write."""
+    """Returns infinity, or NaN with its sign, which Python's own formats do not write."""
     sign = "-" if math.copysign(1.0, value) < 0 else "+" if "+" in flags else " " if " " in flags else ""
     text = sign + ("nan" if value != value else "inf")
     text = text.upper() if kind.isupper() else text
@@ -97,7 +97,7 @@ def _not_finite(flags: str, width: int, kind: str, value: float) -> bytes:
 
 
 def read_number(text: bytes) -> float | None:
-    """The number that a text begins with, as scanf reads it by %f, after any blanks; None where there is none."""
+    """Returns the number at the start of a text, as scanf reads it by %f; None if it does not start with one."""
     found = _NUMBER.match(text)
     if found is None:
         return None

@@ -60,10 +60,10 @@ class Handler(NamedTuple):
 
 
 HANDLERS: dict[str, Handler] = {}
-"""By the name of the operation (`SOUND.TONE`, `UI_FLUSH`)."""
+"""The handlers by operation name (`SOUND.TONE`, `UI_FLUSH`)."""
 
 UNKNOWN_COMMANDS: dict[str, Function] = {}
-"""By the name of an opcode with CMD: what it does where it does not know its CMD."""
+"""The handlers of unknown CMDs, by opcode name."""
 
 _NAMES = {name for dialect in DIALECTS for name in operations(dialect)}
 
@@ -92,7 +92,7 @@ def computes(functions: Mapping[str, Function]) -> None:
 
 
 def handles_unknown(*opcodes: str) -> Callable[[Function], Function]:
-    """Registers what opcodes do where they do not know their CMD; the function gets the machine only."""
+    """Registers what opcodes do with an unknown CMD; the function gets the machine only."""
 
     def register(function: Function) -> Function:
         for name in opcodes:
@@ -117,7 +117,7 @@ class Family(NamedTuple):
     """How the machine executes an opcode with CMD.
 
     entries  by CMD
-    unknown  what it does with any other CMD; None: nothing
+    unknown  the handler of any other CMD; None: nothing
     """
 
     entries: Mapping[int, Entry]
@@ -125,4 +125,4 @@ class Family(NamedTuple):
 
 
 Dispatch = tuple[Entry | Family | None, ...]
-"""By opcode; None for those that the machine does not have. `ev3proto.brick.dispatch` makes it."""
+"""By opcode; None for unknown ones. `ev3proto.brick.dispatch` makes it."""

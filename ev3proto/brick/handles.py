@@ -15,7 +15,7 @@ HANDLES = 250
 """Handles of one slot, the program's own memory included."""
 
 NO_HANDLE = -1
-"""What programs get where there is none."""
+"""The handle that programs get where none is left."""
 
 ROOM = 6_000_000
 """Bytes that the arrays of all slots together may take. The firmware fits 5,000,000 and not 7,000,000."""
@@ -56,7 +56,7 @@ class HandleTable:
         self._entries: dict[int, object] = {}
 
     def add(self, entry: object) -> int | None:
-        """The lowest free number, which names the entry from now on; None when there is none left."""
+        """Adds an entry under the lowest free number, which is returned; None when no number is left."""
         number = 1
         while number in self._entries:
             number += 1
@@ -66,18 +66,18 @@ class HandleTable:
         return number
 
     def get(self, number: int, kind: type[Entry]) -> Entry | None:
-        """What a number names, if it is of that kind."""
+        """Returns the entry of a number, if it is of that kind."""
         entry = self._entries.get(number)
         return entry if isinstance(entry, kind) else None
 
     def remove(self, number: int) -> object | None:
-        """Frees a number and returns what it named; None when it named nothing."""
+        """Frees a number and returns its entry; None for an unused number."""
         return self._entries.pop(number, None)
 
     def entries(self) -> list[object]:
-        """All that is held."""
+        """Returns all entries."""
         return list(self._entries.values())
 
     def items(self) -> list[tuple[int, object]]:
-        """All that is held, with its number, in the order of the numbers."""
+        """Returns all entries with their numbers, in the order of the numbers."""
         return sorted(self._entries.items())

@@ -51,17 +51,17 @@ class Images:
         return address
 
     def get(self, address: int) -> Image | None:
-        """The image at an address."""
+        """Returns the image at an address."""
         return self._images.get(address)
 
 
 def _first_operation(part: CodeObject) -> int:
-    """Where an object's operations begin: after the table of parameters that a subcall has."""
+    """Returns where an object's operations begin: after the table of parameters that a subcall has."""
     return part.offset + (len(table_bytes(part.parameters)) if part.kind is ObjectKind.SUBCALL else 0)
 
 
 def load(slot: int, image: Image, started: int, dialect: str) -> Program | None:
-    """A program made of an image, with its first object ready to run; None where the image is damaged or too large.
+    """Makes a program of an image, with its first object ready to run; None where the image is damaged or too large.
 
     Args:
         slot: The slot that it will run in.

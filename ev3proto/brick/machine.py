@@ -1,7 +1,7 @@
 """The machine that executes byte code: it reads parameters, finds the handlers and gives every object its turns.
 
 The parameters are read as the firmware reads them, while the operation is executed: a variable's bounds are those of
-the memory that is there, an array can stand for its first element, a number is cut to the parameter's type.
+the memory that is there, an array can be given for its first element, a number is cut to the parameter's type.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ _Form = tuple[int, int, _Unpack | None, int]
 
 
 def _forms() -> tuple[_Form, ...]:
-    """What each identification byte announces, as far as it is read at once.
+    """Returns what each identification byte announces, as far as it is read at once.
 
     The kind; of a short form its value; of a long constant how its number is unpacked, and its bytes in all.
     """
@@ -53,9 +53,9 @@ def _forms() -> tuple[_Form, ...]:
 _FORMS = _forms()
 
 _SCRATCH = 4096
-"""Bytes of the one place where every constant stands while it is looked at as memory.
+"""Size in bytes of the buffer that every constant is written to while it is read as memory.
 
-Zeros follow it, and whatever an operation writes to a constant goes there: it is lost with the next one.
+Zeros follow it. What an operation writes to a constant is lost with the next one.
 """
 
 
@@ -210,7 +210,7 @@ class Machine:
         self.brick.program_ended(program)
 
     def jump(self, distance: int) -> None:
-        """Goes on so many bytes after what was read last. WildAccess beyond the code."""
+        """Jumps relative to the byte after the last one read. WildAccess beyond the code."""
         target = self.ip + distance
         if not 0 <= target <= self.program.end:
             raise WildAccess
@@ -235,7 +235,7 @@ class Machine:
         return self.place().read_text()
 
     def places(self) -> list[Place]:
-        """Reads a count and so many parameters after it; none for a negative count."""
+        """Reads a count and that number of parameters; none for a negative count."""
         return [self.place() for _ in range(self.int8())]
 
     def skip(self) -> None:
@@ -244,9 +244,9 @@ class Machine:
         self.ip = self.code.index(0, self.ip + 1) + 1 if first in STRINGS else self.ip + (SIZES[first] or 1)
 
     def place(self) -> Place:
-        """Reads a parameter of any type: the place where its value stands.
+        """Reads a parameter of any type, and returns the place of its value.
 
-        Every constant number stands in one and the same place until the next is read, as in the firmware.
+        All constant numbers share one place, so each is lost when the next one is read, as in the firmware.
         """
         ip = self.ip
         kind, value, _, _ = _FORMS[self.code[ip]]
@@ -295,13 +295,13 @@ class Machine:
         return place
 
     def _element(self, place: Place) -> Place:
-        """The first element of the array whose handle stands at a place; that place itself where there is none."""
+        """Returns the first element of the array with the handle at a place; the place itself for an unknown handle."""
         handle = place.read16()
         array = self.program.handles.get(handle, Array)
         return Place(place.buffer, place.at, handle) if array is None else Place(array.data, 0, handle)
 
     def _label(self, number: int) -> int:
-        """How far a label is from here; any other number is itself. WildAccess for a label that is nowhere set."""
+        """Returns the distance to a label; any other number is itself. WildAccess for a label that is not set."""
         if not 0 < number < LABELS:
             return number
         offset = self.program.label(number)
@@ -312,7 +312,7 @@ class Machine:
     # Slots and handles
 
     def program_in(self, slot: int) -> Program | None:
-        """The program that runs in a slot or ran there last; None where there is none."""
+        """Returns the program that runs in a slot or ran there last; None where there is none."""
         if slot == CURRENT_SLOT:
             return self.program
         return self.slots[slot] if 0 <= slot < SLOTS else None
@@ -355,7 +355,7 @@ class Machine:
             destination.write_text(text)
 
     def resize(self, destination: Place, elements: int) -> bool:
-        """Resizes the array that a parameter named by its handle; nothing for other places.
+        """Resizes the array that a parameter named by its handle; does nothing for other places.
 
         Returns whether there is a place to write to.
         """
@@ -365,7 +365,7 @@ class Machine:
         return array is not None and self.resize_array(array, elements)
 
     def resize_array(self, array: Array, elements: int) -> bool:
-        """Gives an array so many elements, new ones are zeros. False when there is no memory."""
+        """Resizes an array; new elements are zero. Returns False when there is no memory."""
         size = elements * array.type.size
         if size < 0 or not self.has_room(size - len(array.data)):
             return False
@@ -376,12 +376,12 @@ class Machine:
         return True
 
     def create_array(self, type: Type, elements: int) -> int | None:
-        """A new array's handle; None when there is no memory or no handle left."""
+        """Returns a new array's handle; None when there is no memory or no handle left."""
         if not self.has_room(elements * type.size):
             return None
         return self.program.handles.add(Array(type, elements))
 
     def has_room(self, more: int) -> bool:
-        """Whether arrays may take so many bytes more."""
+        """Returns whether arrays may take this number of additional bytes."""
         held = (entry for program in self.slots if program is not None for entry in program.handles.entries())
         return more <= 0 or sum(len(entry.data) for entry in held if isinstance(entry, Array)) + more <= ROOM

@@ -35,14 +35,14 @@ class OpenFile(Closable):
         self._file = file
 
     def read(self, most: int) -> bytes:
-        """So many bytes, fewer at the end of the file."""
+        """Reads a number of bytes, fewer at the end of the file."""
         return self._file.read(max(0, most)) or b""
 
     def read_until(self, delimiter: bytes, most: int) -> bytes:
-        """What stands up to a delimiter, which is taken out too, or so many bytes; an empty delimiter never comes.
+        """Reads up to a delimiter, which is consumed, or at most this number of bytes; an empty delimiter never occurs.
 
         Only the last byte of a delimiter is omitted: the firmware keeps the CR of a CR LF. A delimiter that ends
-        beyond so many bytes is not seen.
+        beyond the limit is not seen.
         """
         begin = self._file.tell()
         data = self.read(most + 1)
@@ -53,7 +53,7 @@ class OpenFile(Closable):
         return text
 
     def write(self, data: bytes) -> bool:
-        """Writes after what was written before. False where there is no room."""
+        """Writes at the end. Returns False where there is no room."""
         return self._file.put(data)
 
     def close(self) -> None:

@@ -1,8 +1,8 @@
-"""How an operation can end other than by going on to the next one. Handlers raise these; the machine catches them."""
+"""How an operation can end other than by reaching the next one. Handlers raise these; the machine catches them."""
 
 
-class OperationExit(Exception):  # noqa: N818 - none of them is an error of ours
-    """What ends an operation before the next one follows."""
+class OperationExit(Exception):  # noqa: N818 - not errors of this package
+    """The reason why an operation ends before the next one follows."""
 
 
 class Failure(OperationExit):
@@ -14,7 +14,7 @@ class WildAccess(Failure):
 
 
 class NoOperation(Failure):
-    """There is no such opcode."""
+    """Unknown opcode."""
 
 
 class Busy(OperationExit):

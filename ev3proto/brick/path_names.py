@@ -43,7 +43,7 @@ def split(path: bytes) -> FileName:
 
 
 def has_room(path: bytes) -> bool:
-    """Whether a path and its parts are as short as the firmware wants them."""
+    """Returns whether a path and its parts are short enough for the firmware."""
     parts = split(path)
     return (
         len(path) < paths.WHOLE
@@ -54,12 +54,12 @@ def has_room(path: bytes) -> bool:
 
 
 def is_allowed(path: bytes) -> bool:
-    """Whether all characters are allowed and nothing is too long."""
+    """Returns whether all characters are allowed and nothing is too long."""
     return has_room(path) and ALLOWED.issuperset(path)
 
 
 def check(place: Place) -> bool:
-    """The same for a name in memory: forbidden characters are replaced there, so that it passes the next time."""
+    """Checks a name in memory; forbidden characters are replaced there, so that it passes the next time."""
     text = place.read_text()
     if not ALLOWED.issuperset(text):
         place.write_bytes(bytes(byte if byte in ALLOWED else REPLACEMENT for byte in text))

@@ -1,4 +1,4 @@
-"""Places in memory: where a parameter's value stands, and reading and writing it there in every type.
+"""Places in memory: the location of a parameter's value, which is read and written there in every type.
 
 Everything that programs can reach is a `bytearray`: global and local memory, the contents of arrays, the code itself.
 A place is one of these and an offset. Nothing is read or written outside of it: that raises `WildAccess`.
@@ -17,11 +17,11 @@ _INTEGER8, _INTEGER16, _INTEGER32, _FLOAT = (struct.Struct(layout) for layout in
 _BITS32 = struct.Struct("<I")
 
 NOT_A_NUMBER = 0x7FC00000
-"""The bits of the float that the brick makes where there is no number."""
+"""The bits of the brick's own NaN."""
 
 
 class Place:
-    """Where a value stands.
+    """The location of a value.
 
     buffer  the memory
     at      offset in it
@@ -39,7 +39,7 @@ class Place:
         return f"<place {self.at} of {len(self.buffer)} bytes{f', handle {self.handle}' * (self.handle >= 0)}>"
 
     def moved(self, distance: int) -> Place:
-        """The place so many bytes further on."""
+        """Returns the place at a distance in bytes."""
         return Place(self.buffer, self.at + distance)
 
     def _whole(self, size: int) -> int:
@@ -48,29 +48,29 @@ class Place:
         return self.at
 
     def check(self, size: int) -> None:
-        """Raises WildAccess where so many bytes do not fit."""
+        """Raises WildAccess where this number of bytes does not fit."""
         self._whole(size)
 
     # Numbers
 
     def read8(self) -> int:
-        """The DATA8 that stands there."""
+        """Reads a DATA8."""
         return int(_INTEGER8.unpack_from(self.buffer, self._whole(1))[0])
 
     def read16(self) -> int:
-        """The DATA16 that stands there."""
+        """Reads a DATA16."""
         return int(_INTEGER16.unpack_from(self.buffer, self._whole(2))[0])
 
     def read32(self) -> int:
-        """The DATA32 that stands there."""
+        """Reads a DATA32."""
         return int(_INTEGER32.unpack_from(self.buffer, self._whole(4))[0])
 
     def read_bits(self) -> int:
-        """The four bytes that stand there, as a number without sign: the bits of a float."""
+        """Reads four bytes as an unsigned number: the bits of a float."""
         return int(_BITS32.unpack_from(self.buffer, self._whole(4))[0])
 
     def read_float(self) -> float:
-        """The DATAF that stands there."""
+        """Reads a DATAF."""
         return float(_FLOAT.unpack_from(self.buffer, self._whole(4))[0])
 
     def write8(self, value: int) -> None:
@@ -101,19 +101,19 @@ class Place:
     # Texts and bytes
 
     def read_bytes(self, count: int) -> bytes:
-        """So many bytes from there on; none for a negative count."""
+        """Reads a number of bytes; none for a negative number."""
         if count <= 0:
             return b""
         at = self._whole(count)
         return bytes(self.buffer[at : at + count])
 
     def write_bytes(self, data: bytes) -> None:
-        """Writes bytes from there on."""
+        """Writes bytes."""
         at = self._whole(len(data))
         self.buffer[at : at + len(data)] = data
 
     def read_text(self) -> bytes:
-        """The text that starts there, without its zero. Where no zero follows, the end of the memory ends it."""
+        """Reads a text, without its zero. Without a zero it ends with the memory."""
         if not 0 <= self.at <= len(self.buffer):
             raise WildAccess
         end = self.buffer.find(0, self.at)
@@ -124,7 +124,7 @@ class Place:
         self.write_bytes(text + b"\0")
 
     def write_cut(self, text: bytes, room: int) -> None:
-        """Writes a text and its zero into so many bytes: 0 writes nothing, a negative number does not cut."""
+        """Writes a text and its zero, cut to a number of bytes: 0 writes nothing, a negative number does not cut."""
         if room:
             self.write_text(text[: room - 1] if room > 0 else text)
 

@@ -28,8 +28,8 @@ class Result(NamedTuple):
     """An output of a subroutine.
 
     parameter  as the subroutine declares it
-    own        where it stands in the subroutine's memory
-    place      where the caller wants it
+    own        its place in the subroutine's memory
+    place      its place in the caller's memory
     """
 
     parameter: ProgramParameter
@@ -47,12 +47,12 @@ class ProgramObject:
     local_size    bytes of them that its header asks for
     kind          thread, subcall or block
     triggers      how many triggers start it; 0: it is started by itself
-    parameters    those that a subcall declares
+    parameters    as a subcall declares them
     status        one of OBJSTAT
     ip            offset of the next operation
     pending       triggers that are still missing
     caller        the object that called it
-    results       its outputs, and where its caller wants them
+    results       its outputs, and their places in the caller's memory
     """
 
     number: int
@@ -69,7 +69,7 @@ class ProgramObject:
     results: list[Result] = field(default_factory=list)
 
     def reset(self) -> None:
-        """Back to its beginning."""
+        """Goes back to its beginning."""
         self.ip = self.begin
         self.pending = self.triggers
 
@@ -116,7 +116,7 @@ class Program:
     _labels: dict[int, int] | None = None
 
     def label(self, number: int) -> int | None:
-        """The offset of an opLABEL by its number, of several with one number the last; None where there is none."""
+        """Returns the offset of the last opLABEL with a number; None for an unknown number."""
         if self._labels is None:
             self._labels = self._find_labels()
         return self._labels.get(number)
@@ -133,7 +133,7 @@ class Program:
         return found
 
     def next_object(self) -> ProgramObject | None:
-        """The next object that runs, after the current one in the order of their numbers."""
+        """Returns the next object that runs, after the current one in the order of their numbers."""
         running = [entry for entry in self.objects.values() if entry.status == RUNNING]
         if not running:
             return None
@@ -142,6 +142,6 @@ class Program:
 
 
 def label_number(code: bytes, at: int) -> int:
-    """The number of an opLABEL, whose argument starts at an offset: a short constant or one of a byte."""
+    """Returns the number of an opLABEL, whose argument starts at an offset: a short constant or one of a byte."""
     first = code[at]
     return first if first < 32 else code[at + 1] if at + 1 < len(code) else 0

@@ -18,7 +18,7 @@ _QUIET = 0x00400000
 
 
 def add(left: int, right: int) -> int:
-    """The sum."""
+    """Returns the sum."""
     if not (_is_special(left) or _is_special(right)):
         return bits_of(float_of(left) + float_of(right))
     if not _is_special(left):
@@ -29,12 +29,12 @@ def add(left: int, right: int) -> int:
 
 
 def subtract(left: int, right: int) -> int:
-    """The difference, which is left plus the negated right, even where that is NaN."""
+    """Returns the difference, which is left plus the negated right, even where that is NaN."""
     return add(left, right ^ _SIGN)
 
 
 def multiply(left: int, right: int) -> int:
-    """The product."""
+    """Returns the product."""
     if not (_is_special(left) or _is_special(right)):
         return bits_of(float_of(left) * float_of(right))
     if not left & ~_SIGN:
@@ -47,7 +47,7 @@ def multiply(left: int, right: int) -> int:
 
 
 def divide(left: int, right: int) -> int:
-    """The quotient."""
+    """Returns the quotient."""
     sign = (left ^ right) & _SIGN
     if is_nan(left):
         return left | NOT_A_NUMBER
@@ -63,12 +63,12 @@ def divide(left: int, right: int) -> int:
 
 
 def _is_special(bits: int) -> bool:
-    """Infinity or NaN."""
+    """Returns whether a single is infinity or NaN."""
     return bits & _EXPONENT == _EXPONENT
 
 
 def round_half_away(value: float) -> float:
-    """The nearest whole number, halves away from zero: the sum with a half is a single, too."""
+    """Returns the nearest whole number, halves away from zero: the sum with a half is a single, too."""
     if math.isnan(value) or math.isinf(value):
         return value
     half = float_of(bits_of(value + 0.5 if value >= 0 else value - 0.5))

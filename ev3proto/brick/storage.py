@@ -1,7 +1,7 @@
-"""The brick's files: a folder of this computer that stands for /home/root/lms2012, and nothing outside of it.
+"""The brick's files: a folder of this computer serves as /home/root/lms2012, and nothing outside it is reached.
 
 Paths are bytes, as on the brick. A relative one starts in `sys`. One that leads out of the folder leads nowhere.
-Symbolic links, pipes and whatever else is neither file nor folder are never opened; they can be listed and deleted.
+Symbolic links, pipes and anything else but files and folders are never opened; they can be listed and deleted.
 """
 
 from __future__ import annotations
@@ -16,13 +16,13 @@ from pathlib import Path
 from typing import NamedTuple
 
 HOME = (b"home", b"root", b"lms2012")
-"""What the folder stands for."""
+"""The path of the folder on the brick."""
 
 CURRENT = (*HOME, b"sys")
 """Where relative paths start."""
 
 FOLDERS = ("apps", "prjs", "sys", "tools")
-"""Folders of a brick that nobody used yet."""
+"""The folders of a new brick."""
 
 QUOTA = 6000 * 1024
 """Bytes that files may take, as much as the real brick has for its user."""
@@ -78,7 +78,7 @@ class Storage:
     # Places
 
     def locate(self, path: bytes) -> Path | None:
-        """The path on this computer; None for one that leads outside or through something that is no folder."""
+        """Returns the path on this computer; None if it leads outside or through something other than a folder."""
         if self.root is None or not path or b"\0" in path:
             return None
         parts = [] if path.startswith(b"/") else list(CURRENT)
@@ -101,26 +101,26 @@ class Storage:
         return place
 
     def is_file(self, path: bytes) -> bool:
-        """Whether there is a file."""
+        """Returns whether a path names a file."""
         place = self.locate(path)
         return place is not None and _is_file(place)
 
     def is_folder(self, path: bytes) -> bool:
-        """Whether there is a folder."""
+        """Returns whether a path names a folder."""
         place = self.locate(path)
         return place is not None and _is_folder(place)
 
     # Reading
 
     def open_to_read(self, path: bytes) -> StoredFile | None:
-        """A file to read; None where there is none."""
+        """Opens a file to read; None where there is none."""
         place = self.locate(path)
         if place is None or not _is_file(place):
             return None
         return self._open(place, os.O_RDONLY, "rb")
 
     def read(self, path: bytes) -> bytes | None:
-        """All that is in a file; None where there is none."""
+        """Reads a whole file; None where there is none."""
         file = self.open_to_read(path)
         if file is None:
             return None
@@ -128,9 +128,9 @@ class Storage:
             return file.readall()
 
     def listing(self, path: bytes) -> bytes | None:
-        """A folder as LIST_FILES shows it: in the reverse of its own order, every line for one entry.
+        """Returns a folder as LIST_FILES shows it: in the reverse of its own order, every line for one entry.
 
-        None where there is no such folder. What is neither file nor folder nor link is omitted.
+        None for an unknown folder. Anything but files, folders and links is omitted.
         """
         place = self.locate(path)
         if place is None or not _is_folder(place):
@@ -146,7 +146,7 @@ class Storage:
         return b"".join((*reversed(lines), b"../\n", b"./\n"))
 
     def _digest(self, place: Path) -> bytes:
-        """MD5 in upper case; of a file that cannot be read that of an empty one."""
+        """Returns the MD5 in upper case; for an unreadable file that of an empty one."""
         digest = hashlib.md5(usedforsecurity=False)
         file = self._open(place, os.O_RDONLY, "rb")
         if file is not None:
@@ -156,18 +156,18 @@ class Storage:
         return digest.hexdigest().upper().encode("ascii")
 
     def shown(self, path: bytes) -> list[bytes]:
-        """The entries of a folder that the firmware shows, as it sorts them; none for no folder."""
+        """Returns the entries that the firmware shows of a folder, in its order; none for anything else."""
         return sorted((name for name in self.entries(path) if not name.startswith(_HIDDEN)), key=_sort_key)
 
     def entries(self, path: bytes) -> list[bytes]:
-        """The names in a folder, without . and ..; none for no folder."""
+        """Returns the names in a folder, without . and ..; none for anything else."""
         place = self.locate(path)
         if place is None or not _is_folder(place):
             return []
         return [os.fsencode(name) for name, _ in _entries(place)]
 
     def totals(self, path: bytes) -> Totals:
-        """What a folder or file holds; nothing where there is none."""
+        """Returns the totals of a folder or file; zeros where there is none."""
         place = self.locate(path)
         if place is None:
             return Totals(0, 0)
@@ -179,7 +179,7 @@ class Storage:
     # Writing
 
     def open_to_write(self, path: bytes, *, append: bool = False) -> StoredFile | None:
-        """A file to write, made where there is none, emptied unless `append`; None where that cannot be."""
+        """Opens a file to write: creates a missing one, empties it unless `append`. None where that is impossible."""
         place = self.locate(path)
         if place is None or path.endswith(b"/"):
             return None
@@ -204,7 +204,7 @@ class Storage:
         return max(0, self.quota - self.used)
 
     def make_folder(self, path: bytes) -> bool:
-        """Makes one folder in one that is there; False where it exists already or cannot be."""
+        """Creates one folder in an existing one. Returns False where it exists already, or that is impossible."""
         place = self.locate(path)
         if place is None or _status(place) is not None or not self._may_make():
             return False
@@ -223,7 +223,7 @@ class Storage:
             at = path.find(b"/", at + 1)
 
     def delete(self, path: bytes) -> bool:
-        """Deletes a file, a link or an empty folder; False where there is none or it cannot be."""
+        """Deletes a file, a link or an empty folder. Returns False where that is impossible."""
         place = self.locate(path)
         status = None if place is None else _status(place)
         if place is None or status is None or place == self.root:
@@ -251,7 +251,7 @@ class Storage:
         return self.delete(path)
 
     def copy(self, source: bytes, target: bytes, depth: int = MOST_DEPTH) -> bool:
-        """Copies a file, or a folder and all that is in it, over what is at the target. False where it cannot be."""
+        """Copies a file, or a folder and all that is in it, over the target. Returns False where that is impossible."""
         source, target = source.rstrip(b"/"), target.rstrip(b"/")
         origin, goal = self.locate(source), self.locate(target)
         if origin is None or goal is None or goal.is_relative_to(origin):
@@ -307,11 +307,11 @@ class Storage:
         return StoredFile(self, descriptor, mode)
 
     def opened(self, inode: tuple[int, int]) -> None:
-        """A file is open once more."""
+        """Counts a file that was opened."""
         self._open_inodes[inode] += 1
 
     def closed(self, inode: tuple[int, int], status: os.stat_result) -> None:
-        """An open file is about to be closed: one that was deleted takes no room once all have closed it."""
+        """Counts a file that is closed; a deleted one takes no room once every user has closed it."""
         self._open_inodes[inode] -= 1
         if not self._open_inodes[inode]:
             del self._open_inodes[inode]
@@ -358,13 +358,13 @@ def _inode(status: os.stat_result) -> tuple[int, int]:
 
 
 def _sort_key(name: bytes) -> tuple[bool, bytes, bytes]:
-    """By extension, which begins at the last point, then by name; names without one come last."""
+    """Sorts by extension, which begins at the last point, then by name; names without one come last."""
     point = name.rfind(b".")
     return point < 0, name[point:] if point >= 0 else b"", name
 
 
 def _walk(place: Path, depth: int) -> Iterator[os.stat_result]:
-    """All that is in a folder and in the folders in it."""
+    """Yields the status of everything in a folder, at any depth."""
     for name, status in _entries(place):
         yield status
         if stat.S_ISDIR(status.st_mode) and depth:
@@ -372,7 +372,7 @@ def _walk(place: Path, depth: int) -> Iterator[os.stat_result]:
 
 
 def _entries(place: Path) -> Iterator[tuple[str, os.stat_result]]:
-    """The entries of a folder in its own order, links as what they are; nothing where it cannot be read."""
+    """Yields the entries of a folder in its own order, links as what they are; nothing where it cannot be read."""
     try:
         entries = list(place.iterdir())
     except OSError:

@@ -28,7 +28,7 @@ from ev3proto.tables.system import SYSTEM_BY_NUMBER, Kind, SystemStatus
 
 HANDLES = 64
 NO_HANDLE = 0xFF
-"""In replies that say why there is none."""
+"""The handle in replies that say why there is none."""
 
 CUT_PATH = 59
 """Bytes to which CREATE_DIR and DELETE_FILE cut a path."""
@@ -44,7 +44,7 @@ _ROOM = MAX_FRAME - _REPLY_HEAD - 1
 """Bytes of contents that fit a reply with a handle."""
 
 _OPEN_HANDLES = bytes(HANDLES // 8 + 1)
-"""LIST_OPEN_HANDLES answers this, whatever is open."""
+"""The constant answer of LIST_OPEN_HANDLES."""
 
 _EMPTY = {"size": 0, "list_size": 0, "handle": NO_HANDLE, "data": b"", "list": ""}
 """The fields of replies that read nothing."""
@@ -72,7 +72,7 @@ class Request(NamedTuple):
     """A system command that came.
 
     channel  the connection
-    fields   those that are there, by name; texts as bytes
+    fields   the fields that are present, by name; texts as bytes
     rest     the bytes after them
     """
 
@@ -81,11 +81,11 @@ class Request(NamedTuple):
     rest: bytes
 
     def number(self, name: str) -> int:
-        """A field that is a number; 0 where the frame ended before it, as the firmware's buffer would say."""
+        """Returns a number; 0 where the frame ends before it, as in the firmware's buffer."""
         return int(self.fields.get(name, 0))
 
     def text(self, name: str) -> bytes:
-        """A field that is a text, up to its zero or the end of the frame."""
+        """Returns a text, up to its zero or the end of the frame."""
         return bytes(self.fields.get(name, self.rest.partition(b"\0")[0]))
 
 
@@ -182,7 +182,7 @@ class SystemCommands:
         return transfer if transfer is not None and transfer.command == command else None
 
     def _is_name(self, path: bytes) -> bool:
-        """Whether a file may have this name. One that it may not have is an error in the log."""
+        """Returns whether a file may have this name; if not, logs the error."""
         is_name = is_allowed(path)
         if not is_name:
             self._brick.settings.log_once("FILE_NAME_ERROR")
@@ -192,7 +192,7 @@ class SystemCommands:
 
     @_answers("BEGIN_DOWNLOAD")
     def begin_download(self, request: Request) -> Answer:
-        """Makes the file and the folders that it needs."""
+        """Creates the file and the missing folders."""
         path, size = request.text("path"), request.number("size")
         files = self._brick.files
         if not self._is_name(path) or len(self._transfers) >= HANDLES:
@@ -209,7 +209,7 @@ class SystemCommands:
 
     @_answers("CONTINUE_DOWNLOAD")
     def continue_download(self, request: Request) -> Answer:
-        """Writes as much as the size said at first leaves open."""
+        """Writes up to the size that was announced."""
         if self._find(request, "BEGIN_DOWNLOAD") is None:
             return _refused(SystemStatus.UNKNOWN_HANDLE)
         return self._download(request.number("handle"), bytes(request.fields.get("data", b"")))
@@ -300,7 +300,7 @@ class SystemCommands:
         return Answer(SystemStatus.END_OF_FILE, fields)
 
     def _is_growing(self, transfer: Transfer) -> bool:
-        """Whether a user's program still has the file open to write; only GETFILE asks."""
+        """Returns whether a user's program still has the file open to write; only GETFILE asks."""
         program = self._machine.slots[USER_SLOT]
         if transfer.command != "BEGIN_GETFILE" or program is None:
             return False
@@ -311,7 +311,7 @@ class SystemCommands:
 
     @_answers("CLOSE_FILEHANDLE")
     def close_filehandle(self, request: Request) -> Answer:
-        """Whatever it names."""
+        """Closes any handle."""
         handle = request.number("handle")
         if handle not in self._transfers:
             # The one error that echoes the handle.
@@ -321,28 +321,28 @@ class SystemCommands:
 
     @_answers("CREATE_DIR")
     def create_dir(self, request: Request) -> Answer:
-        """One folder, in one that is there."""
+        """Creates one folder in an existing one."""
         return _permitted(self._brick.files.make_folder(request.text("path")[:CUT_PATH]))
 
     @_answers("DELETE_FILE")
     def delete_file(self, request: Request) -> Answer:
-        """A file or an empty folder."""
+        """Returns a file or an empty folder."""
         return _permitted(self._brick.files.delete(request.text("path")[:CUT_PATH]))
 
     @_answers("LIST_OPEN_HANDLES")
     def list_open_handles(self, _: Request) -> Answer:
-        """Nothing but zeros."""
+        """Answers zeros, as the firmware does."""
         return Answer(SystemStatus.SUCCESS, {"handles": _OPEN_HANDLES})
 
     @_answers("WRITEMAILBOX")
     def write_mailbox(self, request: Request) -> None:
-        """The first box of that name gets it."""
+        """Delivers a message to the first box of that name."""
         if "payload" in request.fields:
             self._brick.mailboxes.deliver(request.text("name"), bytes(request.fields["payload"]))
 
     @_answers("BLUETOOTHPIN")
     def bluetooth_pin(self, request: Request) -> Answer:
-        """Only by USB, which this brick has not; its status says so, the type of the reply does not."""
+        """Refuses by the status, not by the type of the reply: it works on USB only, which this brick lacks."""
         address = self._brick.settings.bluetooth_address
         pin = request.text("pin")[:_MOST_PIN].decode(STRING_CODING)
         fields = {"mac_length": _ADDRESS_ROOM, "mac": address, "pin_length": len(pin) + 1, "pin": pin}

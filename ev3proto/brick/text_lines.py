@@ -23,9 +23,9 @@ _FONT_MARKS = (1, 2, 3)
 
 
 def lines_of(text: bytes, delimiter: bytes) -> Iterator[int]:
-    """Where the lines of a text end, after their delimiters; what follows the last delimiter is no line.
+    """Yields where the lines of a text end, after their delimiters; what follows the last delimiter does not count.
 
-    The text is read once, as the firmware reads it: what begins like a delimiter and is none hides what follows it.
+    The text is read once, as the firmware reads it: an incomplete delimiter hides what follows it.
     """
     at = 0
     while delimiter and at < len(text):
@@ -40,7 +40,7 @@ def lines_of(text: bytes, delimiter: bytes) -> Iterator[int]:
 
 
 def line_of(text: bytes, delimiter: bytes, number: int) -> bytes:
-    """A line of a text.
+    """Returns a line of a text.
 
     Args:
         text: The lines, each with the delimiter after it.
@@ -48,7 +48,7 @@ def line_of(text: bytes, delimiter: bytes, number: int) -> bytes:
         number: Which line, counted from 1.
 
     Returns:
-        The line without delimiter and without the byte before it that names a font; empty where there is no such line.
+        The line without its delimiter and without the byte before it that names a font; empty for an unknown line.
     """
     if number < 1:
         return b""
@@ -62,14 +62,14 @@ def line_of(text: bytes, delimiter: bytes, number: int) -> bytes:
 
 
 def with_line(text: bytes, line: bytes, delimiter: bytes, font: int, size: int) -> bytes:
-    """A text with a line appended to it, as the bytes that the firmware writes.
+    """Returns a text with a line appended to it, as the bytes that the firmware writes.
 
     Args:
         text: What is there.
         line: What is added.
         delimiter: What ends the line.
         font: The font that the line is shown in; any but 0 is written before it as one byte.
-        size: Bytes that there are; what does not fit is omitted.
+        size: Size of the memory in bytes; what does not fit is omitted.
 
     Returns:
         The whole text, with a zero where there is room for it.

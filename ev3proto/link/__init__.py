@@ -2,5 +2,5 @@
 
 `session` is the protocol without I/O: counters, pairing, what is outstanding. `carriers` bring bytes to a brick and
 back. `channel` joins the two for any number of threads; `EV3` and `AsyncEV3` are what people hold. `replay` and `proxy`
-stand between a capture or another program and a brick.
+connect a capture or another program with a brick.
 """

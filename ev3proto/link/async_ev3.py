@@ -72,7 +72,7 @@ class AsyncEV3(Verbs[Coroutine[Any, Any, bytes], Coroutine[Any, Any, Any]]):
         """The connection itself, with `sync_mode`, `verbosity`, `timeout`, `target` and the like.
 
         Raises:
-            RuntimeError: There is none yet.
+            RuntimeError: There is no connection yet.
         """
         if self._ev3 is None:
             raise RuntimeError("there is no connection yet: `await connect()`, or `async with AsyncEV3(...)`")
@@ -102,7 +102,7 @@ class AsyncEV3(Verbs[Coroutine[Any, Any, bytes], Coroutine[Any, Any, Any]]):
 
     async def _reply(self, ticket: Ticket, verbosity: int | None, patience: float | None, *, keep: bool) -> bytes:
         ev3 = self.connected
-        # Shielded: whoever gives up waiting must not cancel what the reading thread will fill in.
+        # Shielded: a caller that stops waiting must not cancel the future, which the reading thread fills in.
         waiting = asyncio.wrap_future(ticket.reply)
         waiting.add_done_callback(_looked_at)
         try:
@@ -119,7 +119,7 @@ class AsyncEV3(Verbs[Coroutine[Any, Any, bytes], Coroutine[Any, Any, Any]]):
         return await asyncio.get_running_loop().run_in_executor(self._sender, call)
 
     def take_messages(self) -> list[Message]:
-        """What the brick has sent by itself since the last call; see `EV3.take_messages`."""
+        """Returns what the brick has sent by itself since the last call; see `EV3.take_messages`."""
         return self.connected.take_messages()
 
     # What the brick is and has
@@ -158,7 +158,7 @@ class AsyncEV3(Verbs[Coroutine[Any, Any, bytes], Coroutine[Any, Any, Any]]):
 
     @property
     def sensors(self) -> Coroutine[Any, Any, Sensors]:
-        """The types of the devices at all ports, None where there is none."""
+        """The types of the devices at all ports, None for an empty port."""
         return self._ask(questions.SENSORS)
 
     @property
@@ -223,6 +223,6 @@ class AsyncEV3(Verbs[Coroutine[Any, Any, bytes], Coroutine[Any, Any, Any]]):
 
 
 def _looked_at(reply: asyncio.Future[bytes]) -> None:
-    """Asks for the error of a reply that nobody waits for any more: asyncio would complain that nobody has."""
+    """Retrieves the exception of an abandoned reply, so that asyncio does not warn."""
     if not reply.cancelled():
         reply.exception()

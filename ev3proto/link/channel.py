@@ -20,20 +20,20 @@ from ev3proto.tables.carriers import Carrier
 from ev3proto.tables.frame import MessageType
 
 TURN = 0.1
-"""Seconds after which the reading thread looks whether the connection was closed, where nothing can wake it."""
+"""Seconds after which the reading thread checks whether the connection was closed, if nothing can unblock it."""
 
 MOST_UNFETCHED = 8192
-"""Replies that are kept for whoever asks for them by their counter."""
+"""Replies that are kept until they are asked for by their counter."""
 
 MOST_UNASKED = 256
-"""Frames that the brick has sent by itself which are kept until somebody takes them."""
+"""Frames that the brick has sent by itself, kept until they are taken."""
 
 _MOST_SHOWN = 24
 _JOIN = 5.0
 
 
 def known_timeout(seconds: float | None) -> float | None:
-    """Seconds to wait, as many as Python can wait at most; None for as long as it takes. ValueError for odd ones."""
+    """Returns seconds to wait, limited to what Python can wait; None waits for ever. ValueError for anything else."""
     if seconds is None:
         return None
     if not isinstance(seconds, int | float) or not seconds >= 0:
@@ -57,7 +57,7 @@ class Ticket:
         self.reply: Future[bytes] = Future()
 
     def result(self, reply: bytes) -> Result:
-        """What the program gets for a reply; the reply itself where it gave a whole frame. Raises LinkError."""
+        """Returns the program's result for a reply; the reply itself for a whole frame. Raises LinkError."""
         return reply if self.prepared is None else self.prepared.result(self.request.frame, reply)
 
 
@@ -150,13 +150,13 @@ class Channel:
         return ticket
 
     def ticket(self, counter: int) -> Ticket:
-        """The command with a counter whose reply nobody has fetched yet.
+        """Returns the command with a counter, if its reply was not fetched yet.
 
         Args:
             counter: Of a command that wants a reply.
 
         Raises:
-            LinkError: There is none.
+            LinkError: Unknown counter.
         """
         with self._state:
             found = self._tickets.get(counter)
@@ -172,7 +172,7 @@ class Channel:
         Args:
             ticket: What `send` gave.
             timeout: Seconds to wait at most; None waits as long as the connection lasts.
-            keep: The command goes on waiting where no reply came in time: it can be waited for again.
+            keep: Keep a command without a reply in time: it can be waited for again.
 
         Returns:
             The frame of the reply.
@@ -189,7 +189,7 @@ class Channel:
         return frame
 
     def give_up(self, ticket: Ticket, timeout: float, *, keep: bool = False) -> NoAnswerError:
-        """Says that a reply did not come in time, and waits no more for it unless it is kept."""
+        """Returns the error of a reply that did not come in time, and abandons it unless it is kept."""
         with self._state:
             if not keep:
                 self._session.abandon(ticket.request)
@@ -205,12 +205,12 @@ class Channel:
         return NoAnswerError(sentence)
 
     def fetched(self, ticket: Ticket) -> None:
-        """Says that a reply is in good hands."""
+        """Marks a reply as delivered."""
         with self._state:
             self._forget(ticket)
 
     def take_unasked(self) -> list[bytes]:
-        """The frames that the brick has sent by itself since the last call, oldest first."""
+        """Returns the frames that the brick has sent by itself since the last call, oldest first."""
         with self._state:
             found = list(self._unasked)
             self._unasked.clear()
@@ -222,7 +222,7 @@ class Channel:
         return self._lost is None
 
     def close(self) -> None:
-        """Ends the connection; whoever waits for a reply gets a ConnectionLostError. A second call does nothing."""
+        """Ends the connection; pending waits for a reply raise ConnectionLostError. A second call does nothing."""
         self._end(ConnectionLostError(f"the connection to {self.label} was closed"))
         self._is_closing = True
         self._wire.stop()

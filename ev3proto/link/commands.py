@@ -33,7 +33,7 @@ class SyncMode(StrEnum):
 
     STD    asks for a reply where there is global memory, and waits for it
     ASYNC  asks for a reply where there is global memory, and waits only when the program asks for it
-    SYNC   asks for a reply always, and waits for it: the brick has done everything when the program goes on
+    SYNC   asks for a reply always, and waits for it: the brick has done everything when the program continues
     """
 
     STD = "STD"
@@ -42,7 +42,7 @@ class SyncMode(StrEnum):
 
     @classmethod
     def of(cls, name: str) -> SyncMode:
-        """The mode of that name. Raises ValueError for any other."""
+        """Returns the mode of that name. Raises ValueError for any other."""
         try:
             return cls(name)
         except ValueError:
@@ -67,7 +67,7 @@ class Prepared:
     dialect: str = "official"
 
     def result(self, request: bytes, reply: bytes) -> Result:
-        """What the program gets for a reply.
+        """Returns what the program gets for a reply.
 
         Args:
             request: The frame of the command.
@@ -84,7 +84,7 @@ class Prepared:
             raise DirectCommandError(request, reply[HEADER_SIZE:], check(request, dialect=self.dialect))
         if self.is_named:
             return values_of(message, parse(request, strict=False, dialect=self.dialect))
-        # The number of the system command is known to who sent it; its status is not.
+        # The sender knows the number of the system command, but not its status.
         return reply[HEADER_SIZE + isinstance(message, SystemReply) :]
 
     def _check_status(self, reply: SystemReply) -> None:
@@ -94,12 +94,12 @@ class Prepared:
 
 
 def counter_bytes(request: bytes) -> bytes:
-    """The counter of a command as it stands in its frame: what sending gives where there is no reply to wait for."""
+    """Returns the counter of a command as its two bytes: the result of sending without waiting for a reply."""
     return request[LENGTH_FIELD : 2 * LENGTH_FIELD]
 
 
 def counter_of(given: bytes | int) -> int:
-    """A counter, given as a number or as its two bytes. Raises ValueError for anything else."""
+    """Returns a counter, given as a number or as its two bytes. Raises ValueError for anything else."""
     if isinstance(given, int) and not isinstance(given, bool):
         return given
     if isinstance(given, bytes) and len(given) == LENGTH_FIELD:
@@ -118,7 +118,7 @@ def direct(operations: Operations, local_mem: int, global_mem: int, mode: SyncMo
         dialect: The firmware whose instruction set the command is in.
 
     Raises:
-        BuildError: There is no such command.
+        BuildError: It is not a valid command.
     """
     if isinstance(operations, bytes | bytearray):
         body = write_memory(global_mem, local_mem) + bytes(operations)
@@ -147,7 +147,7 @@ def _direct(body: bytes, has_globals: bool, mode: SyncMode, *, is_named: bool, d
 def _listed(operations: object) -> tuple[Draft | Operation | Label, ...]:
     if isinstance(operations, str | Message) or not isinstance(operations, Iterable):
         raise BuildError(
-            f"{operations!r:.60} is no direct command: it must be bytes, or operations such as"
+            f"not a direct command: {operations!r:.60}; expected bytes, or operations such as"
             " ops.sound.tone(1, 440, 1000)"
         )
     return tuple(operations)
@@ -161,7 +161,7 @@ def system(given: bytes | bytearray | SystemCommand, reply: bool) -> Prepared:
         reply: Whether the brick is to answer; a message says so itself.
 
     Raises:
-        BuildError: There is no such command.
+        BuildError: It is not a valid command.
     """
     if isinstance(given, SystemCommand):
         wants_reply, body = given.wants_reply and reply, given.build()[HEADER_SIZE:]
@@ -169,8 +169,8 @@ def system(given: bytes | bytearray | SystemCommand, reply: bool) -> Prepared:
         wants_reply, body = reply, bytes(given)
     else:
         raise BuildError(
-            f"{given!r:.60} is no system command: it must be bytes, the command's number first, or such as"
-            " ev3proto.system.list_files('.')"
+            f"not a system command: {given!r:.60}; expected bytes, beginning with the command's number, or"
+            " a message such as ev3proto.system.list_files('.')"
         )
     kind = SYSTEM_COMMAND_TYPES[bool(wants_reply)]
     return Prepared(kind, body, wants_reply, isinstance(given, SystemCommand))

@@ -46,12 +46,12 @@ class Shared:
         self._lock = threading.Lock()
 
     def take(self) -> None:
-        """One more uses it."""
+        """Counts one more user."""
         with self._lock:
             self._users += 1
 
     def release(self) -> None:
-        """One of them uses it no more; the last one closes it."""
+        """Counts one user less; the last one closes it."""
         with self._lock:
             self._users -= 1
             if self._users:
@@ -195,7 +195,7 @@ class EV3(Verbs[bytes, Any]):
         return counter_bytes(ticket.request.frame)
 
     def _patience(self, timeout: float | None) -> float | None:
-        """Seconds to wait for a reply: those of one call, or those of the object. Asked before anything is sent."""
+        """Returns the timeout of a call, or else of the object. It is checked before anything is sent."""
         return known_timeout(self.timeout if timeout is None else timeout)
 
     def _reply(self, ticket: Ticket, verbosity: int | None, patience: float | None, *, keep: bool) -> bytes:
@@ -208,7 +208,7 @@ class EV3(Verbs[bytes, Any]):
     def printer(
         self, direction: str, verbosity: int | None, request: bytes | None = None
     ) -> Callable[[bytes], None] | None:
-        """What logs a frame, and prints it as `verbosity` asks for; None where nothing is logged or printed.
+        """Returns what logs a frame, and prints it as `verbosity` asks for; None where nothing is logged or printed.
 
         Args:
             direction: SENT or RECEIVED.
@@ -219,7 +219,7 @@ class EV3(Verbs[bytes, Any]):
         return frame_printer(direction, level, request, self.dialect)
 
     def take_messages(self) -> list[Message]:
-        """What the brick has sent by itself since the last call: what its programs write to mailboxes.
+        """Returns what the brick has sent by itself since the last call: what its programs write to mailboxes.
 
         Returns:
             The messages, oldest first; the newest 256 where there are more.
@@ -262,7 +262,7 @@ class EV3(Verbs[bytes, Any]):
 
     @property
     def sensors(self) -> Sensors:
-        """The types of the devices at all ports, None where there is none: `sensors.Port_1`, `sensors.Port_A`."""
+        """The types of the devices at all ports, None for an empty port: `sensors.Port_1`, `sensors.Port_A`."""
         return self._ask(questions.SENSORS)
 
     @property
@@ -295,7 +295,7 @@ class EV3(Verbs[bytes, Any]):
         Args:
             source: A file of this computer, or the contents themselves as bytes.
             path: Where it goes, absolute or relative to /home/root/lms2012/sys. Missing folders are made.
-            progress: Called with the bytes that were moved and those that there are.
+            progress: Called with the bytes moved so far and their total.
 
         Returns:
             The file as the brick lists it.
@@ -314,7 +314,7 @@ class EV3(Verbs[bytes, Any]):
         Args:
             path: Where it is, absolute or relative to /home/root/lms2012/sys.
             destination: The file of this computer to write; None writes none. It appears only when it is complete.
-            progress: Called with the bytes that were moved and those that there are.
+            progress: Called with the bytes moved so far and their total.
 
         Returns:
             The contents.
@@ -336,7 +336,7 @@ class EV3(Verbs[bytes, Any]):
             path: Where it is, absolute or relative to /home/root/lms2012/sys.
 
         Raises:
-            SystemCommandError: There is no such folder.
+            SystemCommandError: The folder does not exist.
         """
         return self._run(file_moves.list_dir(path))
 
@@ -349,7 +349,7 @@ class EV3(Verbs[bytes, Any]):
         self._run(file_moves.mkdir(path))
 
     def _run(self, task: Task[T]) -> T:
-        # The firmware reads from the file that was opened last, whatever handle is named: one at a time.
+        # The firmware reads from the file that was opened last, for any handle: one at a time.
         with self._shared.moving:
             reply: SystemReply | None = None
             while True:
@@ -364,14 +364,14 @@ class EV3(Verbs[bytes, Any]):
 
 
 def system_reply(frame: bytes) -> SystemReply:
-    """The system reply in a frame that answers a system command."""
+    """Returns the system reply in a frame that answers a system command."""
     message = parse(frame, strict=False)
     assert isinstance(message, SystemReply)
     return message
 
 
 def read_source(path: str | Path) -> bytes:
-    """The contents of a file that goes to a brick.
+    """Returns the contents of a file that goes to a brick.
 
     Args:
         path: Any file of this computer, a device as well, which may never end.

@@ -31,7 +31,7 @@ Task = Generator[SystemCommand, SystemReply, T]
 """Yields commands and is sent the reply to each. What it returns is the result."""
 
 Progress = Callable[[int, int], None]
-"""Is called with how many bytes have been moved, and how many there are."""
+"""Called with the bytes moved so far and their total."""
 
 MOST_FILE = 1 << 28
 """Bytes of the largest file that is moved, and of the largest listing: more than any brick has room for in its RAM."""
@@ -56,7 +56,7 @@ class Listing(NamedTuple):
 
 
 def nothing_moved(_done: int, _total: int) -> None:
-    """The progress that nobody watches."""
+    """Ignores the progress of a transfer."""
 
 
 def download(data: bytes, path: str, progress: Progress = nothing_moved) -> Task[File]:
@@ -65,7 +65,7 @@ def download(data: bytes, path: str, progress: Progress = nothing_moved) -> Task
     Args:
         data: The contents.
         path: Where it goes, absolute or relative to /home/root/lms2012/sys.
-        progress: Is called with how far it is.
+        progress: Called with the bytes moved so far and their total.
 
     Returns:
         The file as the brick lists it.
@@ -87,11 +87,11 @@ def download(data: bytes, path: str, progress: Progress = nothing_moved) -> Task
 
 
 def upload(path: str, progress: Progress = nothing_moved) -> Task[bytes]:
-    """Reads a file from the brick, and compares its MD5 with that which the brick lists for it.
+    """Reads a file from the brick, and compares its MD5 with the one that the brick lists.
 
     Args:
         path: Where it is, absolute or relative to /home/root/lms2012/sys.
-        progress: Is called with how far it is.
+        progress: Called with the bytes moved so far and their total.
 
     Returns:
         The contents.
@@ -112,7 +112,7 @@ def list_dir(path: str) -> Task[Listing]:
         path: Where it is, absolute or relative to /home/root/lms2012/sys.
 
     Raises:
-        SystemCommandError: There is no such folder.
+        SystemCommandError: The folder does not exist.
     """
     data = yield from _read(list_files(path), continue_list_files, "list_size", "list", path, nothing_moved)
     return read_listing(data)
@@ -175,13 +175,13 @@ def _read(
         data += piece
         progress(min(len(data), size), size)
     if reply.status is not SystemStatus.END_OF_FILE:
-        # A file of exactly so many pieces may still be open; a brick that has closed it refuses this.
+        # After a full last piece the file may still be open; a brick that has closed it refuses this.
         yield close_filehandle(handle)
     return bytes(data[:size])
 
 
 def _compared(data: bytes, path: str) -> Task[File]:
-    """The file as the brick lists it. Raises TransferError where that is another one."""
+    """Returns the file as the brick lists it. Raises TransferError where it differs."""
     folder, name = posixpath.split(path)
     listing = yield from list_dir(folder or ("/" if path.startswith("/") else "."))
     found = next((file for file in listing.files if file.name == name), None)
@@ -197,7 +197,7 @@ def _compared(data: bytes, path: str) -> Task[File]:
 
 
 def _begun(reply: SystemReply, path: str) -> int:
-    """The handle that the brick gave. Raises SystemCommandError where it gave none."""
+    """Returns the handle that the brick gave. Raises SystemCommandError where it gave none."""
     _check(reply, path)
     handle = reply.fields.get("handle")
     if not isinstance(handle, int):
@@ -211,10 +211,10 @@ def _check(reply: SystemReply, path: str) -> None:
 
 
 def _bytes(value: FieldValue) -> bytes:
-    """The contents of a field: a listing is text, a file's piece bytes."""
+    """Returns the contents of a field: a listing is text, a file's piece bytes."""
     if isinstance(value, str):
         return value.encode(STRING_CODING)
-    assert isinstance(value, bytes), "contents are no number"
+    assert isinstance(value, bytes), "contents are not a number"
     return value
 
 

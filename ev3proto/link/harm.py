@@ -1,6 +1,6 @@
 """What a message may do to a brick that outlasts it or moves something, by the effects in the tables.
 
-Who replays a capture or lets strangers at a brick decides by it what to omit.
+Replays, and proxies for untrusted clients, decide by it what to omit.
 """
 
 from __future__ import annotations
@@ -76,7 +76,7 @@ _BY_EFFECT = {
 
 
 def harms_of(message: Message, allowed: frozenset[str] = frozenset(), dialect: str = "official") -> dict[Harm, str]:
-    """What a message may do.
+    """Returns what a message may do.
 
     Args:
         message: A message to a brick.
@@ -108,7 +108,7 @@ def harms_of(message: Message, allowed: frozenset[str] = frozenset(), dialect: s
 
 
 def running(message: DirectCommand | DaisyCommand, dialect: str) -> tuple[Iterable[Operation], bool]:
-    """The operations of a command that can run, and whether they are known to be all.
+    """Returns the operations of a command that can run, and whether the list is known to be complete.
 
     Args:
         message: The command.

@@ -52,7 +52,7 @@ _COMMANDS = frozenset(entry.number for entry in SYSTEM if any(field.name == "pin
 
 
 def masked(frame: bytes, request: bytes | None = None, dialect: str = "official") -> bytes:
-    """A frame without names, addresses and PINs.
+    """Returns a frame without names, addresses and PINs.
 
     Commands about communication and texts keep opcodes, CMDs, variables and lengths. What cannot be read or paired,
     errors and daisy replies keep length, counter and type. Of other direct replies the values stay.
@@ -95,7 +95,7 @@ def _is_hidden(message: DirectCommand | DaisyCommand, dialect: str) -> bool:
 
 
 def _code(frame: bytes, operations: tuple[Operation, ...], start: int) -> bytes:
-    """A command of which opcodes, CMDs, variables and lengths stay."""
+    """Returns a command of which opcodes, CMDs, variables and lengths stay."""
     hidden = bytearray(_written_over(frame, start))
     for operation in operations:
         end = operation.offset + operation.length
@@ -111,7 +111,7 @@ def _code(frame: bytes, operations: tuple[Operation, ...], start: int) -> bytes:
 
 @cache
 def _lengths(declaration: Declaration) -> frozenset[object]:
-    """The names of the parameters that say how long a text, an array or a list is."""
+    """Returns the names of the parameters that say how long a text, an array or a list is."""
     parameters = declaration.parameters
     counts = [one.name for one, after in pairwise(parameters) if after.type is Type.VALUES]
     counts += [parameter.name for parameter in parameters if parameter.type is Type.COUNT]
@@ -119,7 +119,7 @@ def _lengths(declaration: Declaration) -> frozenset[object]:
 
 
 def _argument(argument: Argument) -> bytes:
-    """An argument of the same size and kind that says nothing."""
+    """Returns an argument of the same size and kind without its value."""
     raw = argument.raw
     if argument.kind == TEXT:
         return _written_over(raw[:-1], 1) + raw[-1:]
@@ -127,7 +127,7 @@ def _argument(argument: Argument) -> bytes:
 
 
 def _memory(frame: bytes, reply: DirectReply, asked: Message | None, dialect: str) -> bytes:
-    """A direct reply of which only the values of a harmless command stay.
+    """Returns a direct reply of which only the values of a harmless command stay.
 
     What no output of the command covers, the end of a text among it, may be left over from an earlier command.
     """
@@ -147,7 +147,7 @@ def _memory(frame: bytes, reply: DirectReply, asked: Message | None, dialect: st
 
 
 def _texts(frame: bytes, message: SystemCommand | SystemReply) -> bytes:
-    """A system message of which number, status and lengths stay."""
+    """Returns a system message of which number, status and lengths stay."""
     is_reply = isinstance(message, SystemReply)
     declared = (REPLIES if is_reply else REQUESTS)[message.number]
     begin = HEADER_SIZE + (2 if is_reply else 1)

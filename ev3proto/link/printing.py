@@ -28,14 +28,14 @@ _HEADER_GROUPS = 4
 
 
 def known_verbosity(value: int) -> int:
-    """The same value. Raises ValueError where it is none of VERBOSITIES."""
+    """Returns the same value. Raises ValueError for values outside VERBOSITIES."""
     if value not in VERBOSITIES:
         raise ValueError(f"verbosity must be 0, 1 or 2, not {value!r}")
     return value
 
 
 def frame_printer(direction: str, level: int, request: bytes | None, dialect: str) -> Callable[[bytes], None] | None:
-    """What logs a frame and prints it, and at level 2 what it says; None where nothing is logged or printed.
+    """Returns what logs a frame and prints it, and at level 2 what it says; None where nothing is logged or printed.
 
     Args:
         direction: SENT or RECEIVED.
@@ -60,7 +60,7 @@ def frame_printer(direction: str, level: int, request: bytes | None, dialect: st
 
 
 def frame_line(direction: str, frame: bytes) -> str:
-    """`Sent 0x|0E:00|2A:00|80|00:00|D4:08:84:6D:79:45:56:33:00|`.
+    """Returns `Sent 0x|0E:00|2A:00|80|00:00|D4:08:84:6D:79:45:56:33:00|`.
 
     Args:
         direction: SENT or RECEIVED.
@@ -69,14 +69,14 @@ def frame_line(direction: str, frame: bytes) -> str:
     message = parse(frame, strict=False)
     text = as_hex(message)
     if isinstance(message, SystemReply) and len(frame) > HEADER_SIZE + 1:
-        # The command answered and its status stand by themselves.
+        # The answered command and its status are groups of their own.
         command, status, rest = (part.hex(":").upper() for part in _parts(frame))
         text = "|".join([*text.split("|")[:_HEADER_GROUPS], command, status, *filter(None, (rest,)), ""])
     return f"{direction} {text}"
 
 
 def meaning_line(frame: bytes, request: bytes | None, dialect: str) -> str:
-    """What a frame says, on one line.
+    """Returns what a frame says, on one line.
 
     Args:
         frame: The frame.
@@ -91,6 +91,6 @@ def meaning_line(frame: bytes, request: bytes | None, dialect: str) -> str:
 
 
 def _parts(frame: bytes) -> tuple[bytes, bytes, bytes]:
-    """Of a system reply: the command, its status, and what follows."""
+    """Returns the command, the status and the rest of a system reply."""
     command, status, *_ = body = frame[HEADER_SIZE:]
     return bytes((command,)), bytes((status,)), body[2:]

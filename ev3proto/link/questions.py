@@ -54,7 +54,7 @@ class Network(NamedTuple):
 
 
 class Sensors(NamedTuple):
-    """The types of the devices at all ports; None where there is none."""
+    """The types of the devices at all ports; None for an empty port."""
 
     Port_1: int | None
     Port_2: int | None
@@ -74,7 +74,7 @@ class Question(Generic[T]):
     answer: Callable[[list[Any]], T]
 
     def read(self, values: list[Value]) -> T:
-        """The answer in the values of the reply."""
+        """Returns the answer in the values of the reply."""
         return self.answer([value.value for value in values])
 
 

@@ -33,11 +33,11 @@ class Records:
         self._count = 0
 
     def sent(self, frame: bytes) -> Record:
-        """A frame that goes to the brick now."""
+        """Returns a frame that goes to the brick now."""
         return self._record(frame, self._sent, None)
 
     def received(self, frame: bytes, request: Record | None) -> Record:
-        """A frame that comes from the brick now.
+        """Returns a frame that comes from the brick now.
 
         Args:
             frame: The frame.

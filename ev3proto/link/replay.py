@@ -1,6 +1,6 @@
-"""A capture's commands once more: which are sent, with what in them, and how the replies differ from the recorded ones.
+"""The replay of a capture's commands: which are sent, in which form, and how the replies differ from the recorded ones.
 
-No I/O here: somebody else sends what `frame_for` gives and feeds the replies.
+No I/O here: the caller sends what `frame_for` returns and passes the replies.
 """
 
 from __future__ import annotations
@@ -52,7 +52,7 @@ class Likeness(Enum):
 
 
 def steps(pairs: Iterable[RequestReply], allowed: frozenset[str], dialect: str = "official") -> list[Step]:
-    """The commands of a capture in the order in which they were sent.
+    """Returns the commands of a capture in the order in which they were sent.
 
     Args:
         pairs: Its commands with their replies, in any order.
@@ -68,18 +68,18 @@ def steps(pairs: Iterable[RequestReply], allowed: frozenset[str], dialect: str =
 
 
 def _harms(message: Message, allowed: frozenset[str], dialect: str) -> dict[Harm, str]:
-    """Why a message is omitted. One whose type is not known cannot be sent with a new counter at all."""
+    """Returns why a message is omitted. One whose type is not known cannot be sent with a new counter at all."""
     return {Harm.UNKNOWN: "the frame"} if message.type is None else harms_of(message, allowed, dialect)
 
 
 class Handles:
-    """The brick's handles of open files: those that were recorded, and those that it gives now."""
+    """The brick's handles of open files: the recorded ones and the present ones."""
 
     def __init__(self) -> None:
         self._now: dict[int, int] = {}
 
     def frame_for(self, command: Record) -> bytes:
-        """The frame of a recorded command, with the handle that the file has now."""
+        """Returns the frame of a recorded command, with the handle that the file has now."""
         frame = command.frame
         if _has_handle(command.message) and len(frame) > _HANDLE_AT:
             handle = frame[_HANDLE_AT]
@@ -140,7 +140,7 @@ def _has_handle(message: Message) -> bool:
 
 
 def _outcome(message: Message) -> tuple[MessageType | None, int | None]:
-    """The type and status of a reply. How much of a file or listing one reply carries depends on the brick's files."""
+    """Returns the type and status of a reply. The size of a file's piece depends on the brick; its end is ignored."""
     if not isinstance(message, SystemReply):
         return message.type, None
     entry = SYSTEM_BY_NUMBER.get(message.number)
@@ -149,7 +149,7 @@ def _outcome(message: Message) -> tuple[MessageType | None, int | None]:
 
 
 def _varies(value: Value) -> bool:
-    """Whether another brick, or the same one later, answers another value: the time, the battery, names, sensors."""
+    """Returns whether a value depends on the brick or on time, such as the battery, names, sensors."""
     declaration = operations().get(value.full_name)
     effects = [entry.effects for entry in SYSTEM if entry.name == value.op] if declaration is None else []
     return Effect.VARIES in (declaration.effects if declaration is not None else chain(*effects))
@@ -164,4 +164,4 @@ def firmware_of(reply: Record) -> str | None:
 def _kind(message: Message) -> str:
     if isinstance(message, SystemReply):
         return status_name(message)
-    return "no EV3 message" if message.type is None else message.type.name
+    return "not an EV3 message" if message.type is None else message.type.name

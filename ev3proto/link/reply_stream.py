@@ -1,8 +1,8 @@
-"""What a brick sends, cut into frames. It goes on after bytes that are no frame, as only who knows the questions can.
+"""The bytes from a brick, cut into frames. Reading continues after other bytes, by what a client knows of its commands.
 
-A stream has no marks where frames start. Some firmware answers some commands with zeros, a USB report may be broken, a
-bad radio loses bytes. A reader of captures looks for the next faultless frame; a client has a better sign: the counter
-of a frame that answers something which it has asked.
+Nothing in a stream marks the start of a frame. Some firmware answers some commands with zeros, a USB report may be
+broken, a bad radio loses bytes. A reader of captures looks for the next faultless frame; a client has a better sign:
+the counter of a frame that answers one of its commands.
 """
 
 from __future__ import annotations
@@ -61,7 +61,7 @@ class ReplyStream:
             data: Any number of bytes.
 
         Returns:
-            The frames that are complete with them, and what stands between frames.
+            The frames that are complete with them, and the bytes between frames.
         """
         buffer = self._buffer
         buffer += data

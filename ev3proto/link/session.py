@@ -1,7 +1,7 @@
-"""A session with a brick, without I/O: which counters are taken, which reply answers which command, what is in vain.
+"""A session with a brick, without I/O: counters in use, pairing of replies with commands, abandoned commands.
 
-Whoever has a carrier sends the frames that `command` gives and feeds what arrives. Time is none of the session's
-concern: who waits for a reply decides when to give up, and says so.
+The caller sends the frames that `command` returns and feeds what arrives. The session has no clock: the
+caller decides when to abandon a command.
 """
 
 from __future__ import annotations
@@ -195,7 +195,7 @@ class Session:
 
 
 def pairing_key(frame: bytes) -> tuple[str, int, int]:
-    """What a command and its reply have in common: whose message it is, the counter, and the system command."""
+    """Returns what a command and its reply have in common: whose message it is, the counter, and the system command."""
     _, counter, code = Header.read(frame)
     carries = MessageType(code).carries
     number = frame[HEADER_SIZE] if carries == "system" and len(frame) > HEADER_SIZE else 0

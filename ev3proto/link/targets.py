@@ -12,7 +12,7 @@ from ev3proto.tables.carriers import DEFAULT_CARRIER, Carrier
 from ev3proto.tables.discovery import TCP_PORT
 
 TARGET_VARIABLE = "EV3PROTO_TARGET"
-"""Environment variable that names the brick for every program, whatever the program itself says."""
+"""Environment variable that names the brick for every program, and overrides the program's own choice."""
 
 _PORT_NAME = re.compile(r"/|COM\d+$|cu\.|tty", re.IGNORECASE)
 _SERIAL_NUMBER = re.compile(r"(?:[0-9a-f]{2}[:-]?){5}[0-9a-f]{2}", re.IGNORECASE)
@@ -57,7 +57,7 @@ class Target:
 
     @property
     def serial_number(self) -> str | None:
-        """The host as the brick itself writes its serial number, 12 lower-case hex digits; None where it is none."""
+        """The host as the brick itself writes its serial number, 12 lower-case hex digits; None for any other host."""
         if self.host is None or not _SERIAL_NUMBER.fullmatch(self.host):
             return None
         return re.sub("[:-]", "", self.host).lower()
@@ -71,7 +71,7 @@ class Target:
                 `virtual:FOLDER`.
 
         Raises:
-            ValueError: It is none of these.
+            ValueError: Unknown target.
         """
         name, _, rest = text.partition(":")
         try:
@@ -92,12 +92,12 @@ class Target:
 
 
 def is_port_name(host: str) -> bool:
-    """Whether a host names a serial port such as `/dev/rfcomm0` or `COM5`, not a MAC address."""
+    """Returns whether a host names a serial port such as `/dev/rfcomm0` or `COM5`, not a MAC address."""
     return _SERIAL_NUMBER.fullmatch(host) is None and _PORT_NAME.match(host) is not None
 
 
 def target_from_environment() -> Target | None:
-    """The brick that EV3PROTO_TARGET names; None where it is not set.
+    """Returns the brick that EV3PROTO_TARGET names; None where it is not set.
 
     Raises:
         ValueError: It is not a target.
@@ -112,7 +112,7 @@ def target_from_environment() -> Target | None:
 
 
 def _address(rest: str, text: str) -> tuple[str | None, int | None]:
-    """Host and port of `192.0.2.10:5555`, `[::1]:5555`, `00:16:53:42:2B:99`. Raises ValueError."""
+    """Returns host and port of `192.0.2.10:5555`, `[::1]:5555`, `00:16:53:42:2B:99`. Raises ValueError."""
     if not rest:
         return None, None
     if _SERIAL_NUMBER.fullmatch(rest):
@@ -134,7 +134,7 @@ _WAYS = {"wifi": Way.WIFI, "usb": Way.USB, "bluetooth": Way.BLUETOOTH}
 def chosen_target(
     protocol: str | None, host: str | None, address: tuple[str, int] | None, target: str | Target | None
 ) -> Target:
-    """The brick that a program means; EV3PROTO_TARGET overrides all that it says.
+    """Returns the brick that a program names; EV3PROTO_TARGET overrides it.
 
     Args:
         protocol: WIFI, BLUETOOTH or USB, in any case of letters.

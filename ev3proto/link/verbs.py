@@ -146,7 +146,7 @@ class Verbs(ABC, Generic[Bytes, Values]):
 
     @abstractmethod
     def _settings(self, sync_mode: str | None) -> tuple[SyncMode, str]:
-        """The mode of one command, and the dialect."""
+        """Returns the mode of one command, and the dialect."""
 
     @abstractmethod
     def _send(self, prepare: Callable[[], Prepared], verbosity: int | None, timeout: float | None) -> Any:

@@ -232,8 +232,8 @@ class TestPlugging:
     @pytest.mark.parametrize(
         ("port", "type", "readings", "message"),
         [
-            (5, 16, None, "no port 5; it must be one of 1, 2, 3, 4, A, B, C, D"),
-            ("E", 7, None, "no port 'E'"),
+            (5, 16, None, "unknown port 5; expected one of 1, 2, 3, 4, A, B, C, D"),
+            ("E", 7, None, "unknown port 'E'"),
             (1, 16, {2: (1,)}, "type 16 has no mode 2; it must be 0 to 1"),
         ],
     )

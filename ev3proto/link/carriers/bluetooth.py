@@ -26,7 +26,7 @@ def open_bluetooth(target: Target, timeout: float) -> SocketWire:
         timeout: Seconds to wait at most.
 
     Raises:
-        NoBrickError: There are no Bluetooth sockets here, or the brick does not take the connection.
+        NoBrickError: This Python has no Bluetooth sockets, or the brick does not accept the connection.
     """
     number = target.serial_number
     if number is None:

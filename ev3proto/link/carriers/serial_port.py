@@ -47,7 +47,7 @@ class SerialWire:
             raise self._gone(error) from None
 
     def stop(self) -> None:
-        """Does nothing: who receives looks about soon enough."""
+        """Does nothing: `receive` returns soon enough."""
 
     def close(self) -> None:
         """Ends the connection. A second call does nothing."""
@@ -83,7 +83,7 @@ def open_serial(target: Target) -> SerialWire:
 
 
 def _number(error: BaseException | None) -> int | None:
-    """The number of the operating system's error. pyserial has many of them in texts only, and in what it caught."""
+    """Returns the number of the system's error, which pyserial often has only in a text or in the error it caught."""
     while error is not None:
         number = error.args[0] if error.args else None
         if isinstance(number, int):

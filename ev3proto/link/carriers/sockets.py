@@ -61,7 +61,7 @@ class SocketWire:
         return data
 
     def stop(self) -> None:
-        """Wakes who receives."""
+        """Unblocks a pending `receive`."""
         with contextlib.suppress(OSError):
             self._socket.shutdown(socket.SHUT_RDWR)
 

@@ -52,7 +52,7 @@ class UsbWire:
         return report[: frame_size(report)]
 
     def stop(self) -> None:
-        """Does nothing: hidapi has no way to wake who reads."""
+        """Does nothing: hidapi cannot unblock a pending read."""
 
     def close(self) -> None:
         """Ends the connection. A second call does nothing."""
@@ -71,7 +71,7 @@ def open_usb(target: Target) -> UsbWire:
         target: The host is its serial number, or None where only one is plugged in.
 
     Raises:
-        LinkError: There is none, or more than one to choose from, or this user may not, or hidapi is not installed.
+        LinkError: No brick, or several to choose from, or missing permission, or hidapi is not installed.
     """
     try:
         import hid  # an extra
@@ -93,7 +93,7 @@ def open_usb(target: Target) -> UsbWire:
 
 
 def _chosen(target: Target, found: dict[str, Any], *, is_updating: bool) -> str:
-    """The serial number of the brick that is meant, of those that are plugged in. Raises NoBrickError."""
+    """Returns the serial number of the brick that is meant, of the plugged-in ones. Raises NoBrickError."""
     listed = ", ".join(found)
     if not found:
         if is_updating:

@@ -27,7 +27,7 @@ class VirtualWire:
 
         Args:
             brick: The brick.
-            leave: Is called once, when the connection is closed or nobody has it any more.
+            leave: Called once, when the connection is closed or no longer referenced.
         """
         self.carrier = DEFAULT_CARRIER
         self.label = "the virtual brick"
@@ -62,7 +62,7 @@ class VirtualWire:
         raise ConnectionLostError("the connection to the virtual brick was closed")
 
     def stop(self) -> None:
-        """Wakes who receives."""
+        """Unblocks a pending `receive`."""
         with self._changed:
             self._is_closed = True
             self._changed.notify_all()
@@ -85,7 +85,7 @@ def open_virtual(target: Target) -> VirtualWire:
         target: The host is the folder of its files; None: a new one, which is gone at the end.
 
     Raises:
-        NoBrickError: There is no such folder.
+        NoBrickError: The folder does not exist.
     """
     if target.host is None:
         stack = ExitStack()

@@ -46,7 +46,7 @@ def open_wifi(target: Target, timeout: float) -> SocketWire:
         timeout: Seconds to wait for the beacon, and again for the connection.
 
     Raises:
-        LinkError: There is no such brick, or it does not take the connection.
+        LinkError: The brick was not found, or does not accept the connection.
     """
     serial_number = target.serial_number
     if target.host is None or serial_number is not None:
@@ -92,7 +92,7 @@ def discover(serial_number: str | None, timeout: float, *, interface: str = "", 
 
 
 def _found(beacon: Beacon, address: str) -> Found | None:
-    """A brick by its beacon; None where the beacon makes no sense."""
+    """Returns a brick by its beacon; None where the beacon makes no sense."""
     serial_number = beacon.serial.lower()
     if beacon.tcp_port is None or not _DIGITS.fullmatch(serial_number):
         return None

@@ -1,4 +1,4 @@
-"""What every carrier offers."""
+"""The interface of every carrier."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ class Wire(Protocol):
         """
 
     def stop(self) -> None:
-        """Wakes who receives, where that is possible: nothing will be sent or received any more."""
+        """Unblocks a pending `receive`, if the carrier can. Nothing is sent or received afterwards."""
 
     def close(self) -> None:
-        """Ends the connection, when nobody receives any more. A second call does nothing."""
+        """Ends the connection, after the last `receive`. A second call does nothing."""

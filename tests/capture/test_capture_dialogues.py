@@ -1,4 +1,4 @@
-"""Commands with their replies as captures have them: what is given, and when."""
+"""Commands with their replies in captures: which are yielded, and when."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def volts(counter: int) -> bytes:
 
 
 def captured(*frames: tuple[bool, bytes]) -> list[Event]:
-    """The events of a capture of these frames, a millisecond from each to the next; True: from the host."""
+    """The events of a capture of these frames, which are a millisecond apart; True: from the host."""
     capture = Capture(RAW_IP)
     connection = Connection(capture)
     for from_host, frame in frames:
@@ -31,7 +31,7 @@ def captured(*frames: tuple[bool, bytes]) -> list[Event]:
 
 
 def numbers(events: list[Event], patience_ns: int | None = None) -> list[tuple[int | None, int | None]]:
-    """Of each dialogue the packets of command and reply."""
+    """The packets of command and reply of each dialogue."""
     told = dialogues(events, patience_ns)
     return [tuple(None if record is None else record.number for record in spoken) for spoken in told]  # type: ignore[misc]
 
@@ -52,7 +52,7 @@ def test_patience_that_ends() -> None:
 
 
 def test_a_reply_by_itself() -> None:
-    """One is a chance, the second one in a row is not."""
+    """One is chance, two in a row are not."""
     assert numbers(captured((False, volts(7)))) == []
     assert numbers(captured((False, volts(7)), (False, volts(8)))) == [(None, 2)]
 

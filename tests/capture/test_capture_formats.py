@@ -1,4 +1,4 @@
-"""Capture files of every format are read packet by packet, wherever they come from and wherever they break off."""
+"""Capture files of every format are read packet by packet, from any source, complete or not."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def five_commands(order: str) -> bytes:
 
 
 def ways() -> dict[str, bytes]:
-    """The five commands, a millisecond apart, in every kind of file that IP can be in."""
+    """The five commands, a millisecond apart, in every kind of file that can contain IP."""
     packets = timed(segments())
     found = {
         f"pcap {order}{' nano' * nano}": pcap(RAW_IP, packets, order=order, nano=nano)
@@ -57,7 +57,7 @@ WAYS = ways()
 
 
 def bluetooth_capture() -> bytes:
-    """A btsnoop file with one command of a connection that was set up in it."""
+    """A btsnoop file with one command on a connection that is set up in it."""
     packets = Packets(201)
     port = SerialPort(packets)
     port.send(COMMANDS[0])
@@ -66,7 +66,7 @@ def bluetooth_capture() -> bytes:
 
 
 def everything(capture: Capture) -> tuple[list[bytes], str | None]:
-    """The frames of a capture and the sentence at its end; nothing may be missing in its account."""
+    """Returns the frames of a capture and the error at its end; checks that every byte is accounted for."""
     frames: list[bytes] = []
     trouble = None
     try:
@@ -88,7 +88,7 @@ def read_bytes(data: bytes) -> tuple[list[bytes], str | None]:
 
 @pytest.mark.parametrize("way", WAYS)
 def test_every_format_has_the_same_packets(way: str, tmp_path: Path) -> None:
-    path = tmp_path / "a file.txt"  # the name tells nothing
+    path = tmp_path / "a file.txt"  # the name does not tell
     path.write_bytes(WAYS[way])
     with read(path) as capture:
         records = list(capture)
@@ -241,7 +241,7 @@ def test_a_block_cannot_have_any_length(length: int) -> None:
     assert read_bytes(data) == (COMMANDS[:1], sentence)
 
 
-# Breaking off
+# Truncated files
 
 
 SMALL = {
@@ -254,9 +254,9 @@ SMALL = {
 
 @pytest.mark.parametrize("way", SMALL)
 def test_a_file_may_be_cut_off_anywhere(way: str) -> None:
-    """Every packet that is whole is given, and there is a complaint unless the cut is between two packets.
+    """Every complete packet is given, with an error unless the cut is between two packets.
 
-    Of the last one may be given what is there.
+    The last packet may be given in part.
     """
     whole = SMALL[way]
     ends = [whole.index(command) + len(command) for command in COMMANDS]
@@ -301,7 +301,7 @@ def test_a_btsnoop_file_may_be_cut_off_anywhere() -> None:
 
 @pytest.mark.parametrize("way", ["pcap <", "pcapng < packet"])
 def test_a_gzip_stream_may_be_cut_off_anywhere(way: str) -> None:
-    """All that zlib gives of it is read: a frame is lost only where its packet is not whole."""
+    """Everything that zlib returns is read: a frame is lost only if its packet is incomplete."""
     packed = gzip.compress(WAYS[way])
     ends = [WAYS[way].index(command) + len(command) for command in COMMANDS]
     whole_packets = 0
@@ -309,7 +309,7 @@ def test_a_gzip_stream_may_be_cut_off_anywhere(way: str) -> None:
         unpacked = zlib.decompressobj(31).decompress(packed[:size])
         there = [command for command, end in zip(COMMANDS, ends, strict=True) if end <= len(unpacked)]
         frames, trouble = read_bytes(packed[:size])
-        # Of a block of pcapng all must be there, not only the frame in it.
+        # A block of pcapng must be complete, not only the frame in it.
         assert frames == there[: len(frames)], size
         assert len(there) - len(frames) <= way.startswith("pcapng"), size
         assert trouble is not None, size
@@ -324,7 +324,7 @@ def test_a_gzip_stream_may_have_a_wrong_check_sum_or_something_behind_it() -> No
         assert frames == COMMANDS
         assert trouble is not None
         assert trouble.startswith("the gzip stream is cut off or damaged: ")
-    assert read_bytes(packed + bytes(512)) == (COMMANDS, None)  # as tapes have it
+    assert read_bytes(packed + bytes(512)) == (COMMANDS, None)  # as on tapes
 
 
 def test_a_gzip_stream_may_have_nothing_of_use_in_it() -> None:
@@ -389,7 +389,7 @@ def test_another_format_is_told_at_once(start: bytes, tmp_path: Path) -> None:
 
 
 class Trickle(io.RawIOBase):
-    """A pipe whose writer is slow: a read gives one byte."""
+    """A pipe with a slow writer: a read returns one byte."""
 
     def __init__(self, data: bytes) -> None:
         self.left = data
@@ -410,7 +410,7 @@ def test_a_stream_may_come_byte_by_byte(way: str) -> None:
 
 
 def test_packets_in_a_pipe_are_given_as_they_come() -> None:
-    """Nothing waits for the rest: a capture can be read while it is made."""
+    """Reading does not wait for the rest: a capture can be read while it is written."""
     reader, writer = os.pipe()
     whole = WAYS["pcap <"]
     with os.fdopen(reader, "rb") as stream, os.fdopen(writer, "wb", buffering=0) as source:
@@ -435,7 +435,7 @@ def test_a_stream_of_ones_own_stays_open() -> None:
 
 
 class Watched(io.BytesIO):
-    """Knows how much was read."""
+    """Counts the bytes that were read."""
 
     most = 0
 
@@ -460,7 +460,7 @@ def test_nothing_is_read_before_somebody_iterates() -> None:
 
 
 def open_files(path: Path) -> int:
-    """How often a file is open here, where the system tells."""
+    """Returns how often a file is open in this process, if the system tells."""
     if not Path("/proc/self/fd").exists():
         pytest.skip("no /proc here")
     found = 0

@@ -1,4 +1,4 @@
-"""Packets of IP that came in parts: put together as Wireshark does it, whatever their headers say."""
+"""Fragmented IP packets: reassembled as in Wireshark, whatever their headers say."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ PART = struct.Struct(">BBHI")
 
 
 def ours(capture: Capture | bytes, memory: int = DEFAULT_MEMORY) -> tuple[list[Event], Captured]:
-    """All events of a capture; nothing may be missing in its account."""
+    """Returns all events of a capture; checks that every byte is accounted for."""
     opened = read(io.BytesIO(capture if isinstance(capture, bytes) else capture.data()), memory=memory)
     events = list(opened.events())
     assert opened.account.balance == 0
@@ -36,7 +36,7 @@ def ours(capture: Capture | bytes, memory: int = DEFAULT_MEMORY) -> tuple[list[E
 
 
 def found(events: list[Event]) -> list[tuple[bytes, tuple[int, ...], int]]:
-    """The frames and texts of a capture, with their packets and times."""
+    """Returns the frames and texts of a capture, with their packets and times."""
     assert not any(isinstance(event, Skipped) for event in events), events
     return [
         (event.frame if isinstance(event, Record) else event.data, event.numbers, event.time_ns)
@@ -46,7 +46,7 @@ def found(events: list[Event]) -> list[tuple[bytes, tuple[int, ...], int]]:
 
 
 def in_ipv6(packet: bytes, size: int, identity: int = 1) -> list[bytes]:
-    """The parts of a packet of IPv6 that carries what one of IP does."""
+    """The fragments of an IPv6 packet with the contents of an IP packet."""
     data, protocol, parts = packet[20:], packet[9], []
     ends = IPV6 if packet[12:16] == HOST else IPV6[::-1]
     for at in range(0, len(data), size):
@@ -57,7 +57,7 @@ def in_ipv6(packet: bytes, size: int, identity: int = 1) -> list[bytes]:
 
 
 def dialogue(split: Callable[[bytes, int, int], list[bytes]]) -> Capture:
-    """A command, a question and its answer in parts, those of the question in the wrong order; then a beacon."""
+    """A command, a question and its answer in fragments, those of the question in the wrong order; then a beacon."""
     capture = Capture(RAW_IP)
     talk = Connection(capture)
     parts = [
@@ -127,7 +127,7 @@ def test_parts_of_several_packets_at_once() -> None:
 
 
 def changed(part: bytes, *, at: int | None = None, is_more: bool | None = None, data: bytes | None = None) -> bytes:
-    """The same part with something else in its header, or with other data."""
+    """The same fragment with a different header, or with other data."""
     word = struct.unpack_from(">H", part, 6)[0]
     word = word if at is None else word & ~0x1FFF | at // 8
     word = word if is_more is None else word & ~0x2000 | 0x2000 * is_more
@@ -136,7 +136,7 @@ def changed(part: bytes, *, at: int | None = None, is_more: bool | None = None, 
 
 
 def test_parts_that_come_twice_or_overlap() -> None:
-    """Of bytes that differ those that were captured first are believed."""
+    """If bytes differ, those captured first win."""
     capture = Capture(RAW_IP)
     first, second, third = fragments(Connection(capture).segment(True, TONE), 16)
     overlapping = changed(second, at=8, data=bytes(8) + second[20:])
@@ -154,7 +154,7 @@ def test_parts_that_come_twice_or_overlap() -> None:
         lambda parts: changed(parts[1], at=64, is_more=True, data=bytes(16)),  # beyond the end
         lambda parts: changed(parts[1], is_more=True, data=bytes(13)),  # what follows cannot begin there
         lambda parts: changed(parts[1], is_more=True, data=b""),
-        lambda parts: parts[1][:-4],  # its length says more than there is
+        lambda parts: parts[1][:-4],  # its length field is larger than the packet
         lambda parts: parts[1][:2] + b"\xff\xff" + parts[1][4:],
         lambda parts: b"\x4f" + parts[1][1:],
     ],
@@ -180,7 +180,7 @@ def test_parts_of_others_are_left_alone() -> None:
 
 
 def test_parts_whose_rest_never_comes(tshark: Tshark, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Even where a frame stands in one of them."""
+    """Even if a frame is in one of them."""
     monkeypatch.setattr("tempfile.tempdir", str(tshark.folder))
     capture = Capture(RAW_IP)
     talk = Connection(capture)
@@ -208,7 +208,7 @@ def test_parts_whose_rest_never_comes_leave_a_hole() -> None:
 
 @pytest.mark.parametrize(("seconds", "count"), [(MOST_SECONDS, 1), (MOST_SECONDS + 1, 0)])
 def test_parts_belong_together_for_a_while_only(seconds: int, count: int) -> None:
-    """Numbers of packets are used again."""
+    """Identification numbers are used again."""
     first, *rest = fragments(Connection(Capture(RAW_IP)).segment(True, TONE), 16)
     capture = Capture(RAW_IP)
     capture.add(first)
@@ -233,7 +233,7 @@ def test_many_parts_take_no_more_memory_than_they_may() -> None:
 
 
 def test_packets_in_parts_in_packets_in_parts_have_an_end() -> None:
-    """Each packet that is complete completes the one around it."""
+    """Each complete packet completes the one around it."""
     packet = datagram(BEACON)
     capture, last = Capture(RAW_IP), []
     for identity in range(40):

@@ -1,4 +1,4 @@
-"""Captures that nobody would make: damaged, shuffled and random ones are read to their end, and no byte is lost."""
+"""Malformed captures: damaged, shuffled and random ones are read to their end, and no byte is lost."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ fuzzed = settings(max_examples=effort(100, 5000), suppress_health_check=list(Hea
 
 
 def read_to_its_end(data: bytes) -> list[Event]:
-    """Everything in a capture; what everybody may ask of it is asked, and the account must be right."""
+    """Reads everything in a capture and every public attribute of it; checks that every byte is accounted for."""
     events: list[Event] = []
     sentence, account = "all is well", Account()
     try:
@@ -73,7 +73,7 @@ def look_at(event: Event) -> None:
         assert event.data or event.missing or "another place" in event.reason
 
 
-# Files of which everything may be changed
+# Files in which everything may be changed
 
 
 def command(counter: int) -> bytes:
@@ -85,7 +85,7 @@ def reply(counter: int) -> bytes:
 
 
 def wifi() -> bytes:
-    """A connection with all that can happen to one."""
+    """A connection with everything that can happen."""
     packets = [
         datagram(ev3proto.Beacon("0016530f0f0f").build()),
         segment(True, 99, flags=SYN),
@@ -143,7 +143,7 @@ def seeds() -> list[bytes]:
 
 
 class Change(NamedTuple):
-    """What is done to a file or to a packet, somewhere."""
+    """Changes a file or a packet in some place."""
 
     what: str
     where: float
@@ -197,7 +197,7 @@ def test_files_of_which_only_the_start_is_right(which: int, rest: bytes) -> None
         read_to_its_end(seed[:kept] + rest)
 
 
-# Packets of which everything may be changed
+# Packets in which everything may be changed
 
 
 @cache
@@ -292,7 +292,7 @@ def test_any_segments_in_any_order(segments: list[tuple[bool, Sent]], begin: int
 def test_all_of_a_stream_gives_all_of_its_frames(
     cuts: list[int], repeats: list[tuple[int, int]], begin: int, rng: random.Random
 ) -> None:
-    """However it is cut, repeated and shuffled: with its start in the capture every frame is given, once."""
+    """If the capture has its start, every frame is given once, however the stream is cut, repeated and shuffled."""
     spans = list(zip([0, *sorted(cuts)], [*sorted(cuts), len(STREAM)], strict=True))
     spans += [(start, start + size) for start, size in repeats]
     rng.shuffle(spans)

@@ -1,4 +1,4 @@
-"""What packets start with: every link that frames come over, in both byte orders, and what is no brick's on them."""
+"""The start of packets: every link that frames come over, in both byte orders, and other traffic on them."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ ANSWER = segment(False, 500, REPLY, acknowledged=1010)
 
 
 def opened(data: bytes, **options: Any) -> tuple[list[Event], Capture]:
-    """All events of a capture; nothing may be missing in its account."""
+    """Returns all events of a capture; checks that every byte is accounted for."""
     capture = read(io.BytesIO(data), **options)
     events = list(capture.events())
     assert capture.account.balance == 0
@@ -108,14 +108,14 @@ def test_a_packet_may_be_cut_anywhere(name: str) -> None:
     for size in range(len(whole)):
         packet = timed([whole[:size]])[0]._replace(size=len(whole))
         events, capture = opened(pcap(link, [packet]))
-        # Of the command there must be an operation: after its header and the sizes of its memory an opcode with CMD.
+        # A command needs an operation: after its header and memory sizes, an opcode with CMD.
         shown = COMMAND[: size - at] if size >= at + 9 else b""
         assert [event.frame for event in events if isinstance(event, Record)] == ([shown] if shown else [])
         assert capture.account.frames == len(shown)
 
 
 def ipv6(carried: bytes, *extensions: tuple[int, bytes], protocol: int = 6, from_host: bool = True) -> bytes:
-    """A packet of IPv6; each extension is its number and its bytes after the number of the next."""
+    """An IPv6 packet; each extension is its number and its bytes after the number of the next."""
     ends = [bytes.fromhex("20010db8000000000000000000000001"), bytes.fromhex("20010db8000000000000000000000010")]
     source, target = ends if from_host else ends[::-1]
     numbers = [number for number, _ in extensions] + [protocol]
@@ -178,7 +178,7 @@ def test_what_is_no_segment_to_a_brick_is_passed_over(packet: bytes) -> None:
 
 
 def test_a_packet_whose_size_the_network_card_fills_in() -> None:
-    """Large segments are cut by the card, the capture has them before: their length field says 0."""
+    """Large segments are split by the network card, after the capture: their length field is 0."""
     (record,) = records(pcap(101, timed([IP[:2] + b"\0\0" + IP[4:]])))
     assert record.frame == COMMAND
     body = ipv6(TCP)
@@ -208,7 +208,7 @@ def test_ip_in_ip_without_an_end(protocol: int) -> None:
 
 @pytest.mark.parametrize("kind", [0x2000, 0x88CC, 0x8847, 0x8864, 0x8137, 0x00BB, 0x0806, 0x6558, 40])
 def test_other_things_on_ethernet_are_passed_over(kind: int) -> None:
-    """Packets of zeros and ones, which take readers of these protocols into endless loops."""
+    """Packets of zeros and ones, which send readers of these protocols into endless loops."""
     packets = [bytes(12) + struct.pack(">H", kind) + bytes((byte,)) * size for byte in (0, 1, 255) for size in (3, 900)]
     events, capture = opened(pcap(1, timed(packets)))
     assert events == []
@@ -232,7 +232,7 @@ def test_other_ports_can_be_named() -> None:
     ids=["command", "reply", "accepted", "from its second packet", "from its first packet"],
 )
 def test_the_ports_of_both_ends_can_be_named(packets: list[bytes]) -> None:
-    """Data tell which end is the brick: commands go to it, replies and the answer to the unlock text come from it."""
+    """The data reveals the brick: commands go to it, replies and the answer to the unlock text come from it."""
     found, _ = opened(pcap(101, timed(packets)), ports=range(5000, 60_000))
     said = [event for event in found if isinstance(event, Record)]
     assert {(type(record.message), record.direction, record.peer) for record in said} == {
@@ -243,7 +243,7 @@ def test_the_ports_of_both_ends_can_be_named(packets: list[bytes]) -> None:
 
 @pytest.mark.parametrize("flags", [None, 0, ACK])
 def test_the_port_of_the_computer_can_be_named(flags: int | None) -> None:
-    """Who opens a connection, or sends the unlock text, is not the brick."""
+    """The end that opens a connection, or sends the unlock text, is not the brick."""
     unlock = ev3proto.Unlock("0016530f0f0f").build()
     begin = [] if flags is None else [segment(not flags, 0, flags=SYN | flags, brick_port=61_000)]
     packets = [*begin, segment(True, 1, unlock, brick_port=61_000), segment(False, 1, ACCEPT, brick_port=61_000)]
@@ -293,7 +293,7 @@ def usb_packets() -> list[bytes]:
 
 
 def swapped_usbmon(packet: bytes) -> bytes:
-    """The same header as a machine writes it that has the most significant byte first."""
+    """The same header, written by a big-endian machine."""
     form = "QBBBBHBBqiiII8siiII"
     return struct.pack(">" + form, *struct.unpack_from("<" + form, packet)) + packet[64:]
 
@@ -337,7 +337,7 @@ def test_usb_on_every_link() -> None:
 
 
 def hci_packets() -> list[tuple[bool, bytes]]:
-    """Whether each packet was received, and what follows, from its packet type on."""
+    """Whether each packet was received, and its bytes, from the packet type on."""
     packets = Packets(201)
     port = SerialPort(packets)
     port.send(COMMAND)
@@ -378,7 +378,7 @@ def test_bluetooth_on_every_link(name: str) -> None:
 
 
 def test_adapters_of_the_monitor_are_told_apart() -> None:
-    """Two adapters give the same handle to different bricks."""
+    """Two adapters use the same handle for different bricks."""
     monitor = [(5 if received else 4, data[1:]) for received, data in hci_packets()]
     both = [(adapter, kind, data) for kind, data in monitor for adapter in (0, 1)]
     data = btsnoop(2001, timed([data for _, _, data in both]), [adapter << 16 | kind for adapter, kind, _ in both])
@@ -395,7 +395,7 @@ def test_packets_too_short_for_their_link(link: int) -> None:
     assert capture.account.other == sum(map(len, packets))
 
 
-# The same made by scapy, which knows the headers from elsewhere
+# The same packets made by scapy, which knows the headers independently
 
 
 @cache
@@ -468,7 +468,7 @@ def test_bluetooth_as_scapy_builds_it() -> None:
 
 
 def test_a_connection_begins_with_the_right_numbers() -> None:
-    """SYN takes a number: the first byte has the next one."""
+    """SYN takes a sequence number: the first byte has the next one."""
     packets = [segment(True, 99, flags=SYN), segment(True, 100, COMMAND)]
     (record,) = records(pcap(101, timed(packets)))
     assert record.frame == COMMAND

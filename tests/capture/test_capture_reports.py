@@ -1,6 +1,6 @@
-"""USB reports: a frame at the start of each, known by the device's product or by fitting in every respect.
+"""USB reports: a frame at the start of each, recognised by the device's product or by fitting in every respect.
 
-`test_dissector_carriers.py` asks Wireshark the same.
+`test_dissector_carriers.py` tests the same for Wireshark.
 """
 
 from __future__ import annotations
@@ -29,11 +29,11 @@ CUT_OFF = bytes.fromhex("0800 0100 80 0000 94 01 01")
 DAISY = bytes.fromhex("0600 0100 0A A2 00 01")
 DAISY_REPLY = bytes.fromhex("0500 0100 08 01 00")
 OVERWRITTEN = bytes.fromhex("0400 0000 01 F6")
-"""A bootloader's reply with the request over its first bytes."""
+"""A bootloader's reply with the request written over its first bytes."""
 
 
 def opened(data: bytes) -> tuple[list[Event], Capture]:
-    """All events of a capture; nothing may be missing in its account."""
+    """Returns all events of a capture; checks that every byte is accounted for."""
     capture = read(io.BytesIO(data))
     events = list(capture.events())
     assert capture.account.balance == 0
@@ -46,7 +46,7 @@ def records(packets: Packets) -> list[Record]:
 
 
 def test_other_programs_of_a_brick_are_left_alone() -> None:
-    """Pybricks, and network gadgets: the brick's product number, and bulk endpoints."""
+    """Pybricks, and network gadgets: they have the brick's product number, and bulk endpoints."""
     packets = Packets(USBMON)
     for device in (Device(packets), Device(packets, 8)):
         if device.number == 8:
@@ -177,12 +177,12 @@ def test_the_bootloaders_fault() -> None:
 
 def test_a_reply_may_look_like_one_of_the_bootloader_only_from_the_device() -> None:
     packets = Packets(USBMON)
-    Device(packets).receive(bytes.fromhex("0400 0000 01 9D"))  # LIST_OPEN_HANDLES is not the bootloader's
+    Device(packets).receive(bytes.fromhex("0400 0000 01 9D"))  # LIST_OPEN_HANDLES is not a command of the bootloader
     assert records(packets) == []
 
 
 def test_reports_cut_by_the_capture() -> None:
-    """A frame that is there is read; one that is not whole is only taken of a device that is known to be a brick."""
+    """A complete frame is read; an incomplete one is accepted only from a device that is known to be a brick."""
     packets = Packets(USBMON)
     device = Device(packets)
     device.send(VOLTAGE)

@@ -1,4 +1,4 @@
-"""Captures made to take long: twice as much of one takes twice as long, whatever is in it and whoever shows it."""
+"""Captures that are made to be slow: twice the capture takes twice the time, for any contents and any output."""
 
 from __future__ import annotations
 
@@ -26,14 +26,14 @@ VOLTAGE = bytes.fromhex("08002b00000400810160")
 """UI_READ.GET_VBATT, which wants a reply."""
 
 TRUNCATED = bytes.fromhex("1400000080000082")
-"""A header, and an operation of two arguments: where it stands again and again, a frame may start at each."""
+"""A header and an operation of two arguments: if repeated, a frame may start at each."""
 
 ENDLESS = bytes.fromhex("e803000080000094")
-"""A header that says that 1000 bytes follow."""
+"""A header with a length of 1000 bytes."""
 
 
 def connected(pieces: Iterable[bytes]) -> Iterator[bytes]:
-    """A connection from its start, in which the host sends these pieces, each as a packet."""
+    """A connection from its start, in which the host sends these pieces, each in a packet."""
     yield segment(True, 999, flags=SYN)
     at = 1000
     for piece in pieces:
@@ -109,7 +109,7 @@ HOSTILE = (
 
 
 def messages(data: bytes) -> int:
-    """Reads a capture and all messages in it, and counts what there is."""
+    """Reads a capture and all messages in it; returns their counts."""
     return sum(getattr(event, "message", event) is not None for event in read(io.BytesIO(data)).events())
 
 
@@ -128,7 +128,7 @@ def test_reading(packets: Callable[[int], Iterator[bytes]]) -> None:
     ids=" ".join,
 )
 def test_showing(words: tuple[str, ...], tmp_path: Path) -> None:
-    """All of that in one capture, in every face."""
+    """All of that in one capture, in every output."""
     rest = {"timeline": ("-o", tmp_path / "page.html"), "files": ("-o", tmp_path / "files")}.get(words[0], ())
 
     def showing(count: int) -> Work:

@@ -1,4 +1,4 @@
-"""Byte streams put together again: what TCP and RFCOMM do to frames, and what a capture does to TCP and RFCOMM."""
+"""Reassembled byte streams: what TCP and RFCOMM do to frames, and what a capture does to TCP and RFCOMM."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def led(counter: int) -> bytes:
 
 
 def opened(data: bytes) -> tuple[list[Event], Capture]:
-    """All events of a capture; nothing may be missing in its account."""
+    """Returns all events of a capture; checks that every byte is accounted for."""
     capture = read(io.BytesIO(data))
     events = list(capture.events())
     assert capture.account.balance == 0
@@ -54,12 +54,12 @@ def of(packets: Iterable[bytes], link: int = RAW_IP) -> tuple[list[Event], Captu
 
 
 def frames(events: Iterable[Event]) -> list[tuple[bytes, tuple[int, ...]]]:
-    """The frames and the packets that they came in."""
+    """Returns the frames and their packets."""
     return [(event.frame, event.numbers) for event in events if isinstance(event, Record)]
 
 
 def complaints(events: Iterable[Event]) -> list[tuple[bytes, int, int, str]]:
-    """What was skipped: bytes, missing bytes, where, and why."""
+    """Returns what was skipped: bytes, missing bytes, place, and reason."""
     return [(event.data, event.missing, event.number, event.reason) for event in events if isinstance(event, Skipped)]
 
 
@@ -96,7 +96,7 @@ def test_a_stream_is_cut_anywhere(size: int) -> None:
 
 
 def download(size: int) -> bytes:
-    """CONTINUE_DOWNLOAD with so many bytes of a file."""
+    """CONTINUE_DOWNLOAD with this number of bytes of a file."""
     contents = struct.pack("<HBBB", 7, 0x01, 0x93, 0) + bytes(range(256)) * (size // 256) + bytes(range(size % 256))
     return struct.pack("<H", len(contents)) + contents
 
@@ -109,7 +109,7 @@ def test_downloads_are_longer_than_all_other_frames(size: int) -> None:
         events, _ = of(connected(UNLOCK, *pieces))
         assert [frame for frame, _ in frames(events)] == [voltage(1), download(size), voltage(2)]
         assert not complaints(events)
-    # One byte at a time the header of the long frame is read in parts.
+    # With one byte at a time, the header of the long frame is read in parts.
     events, _ = of(connected(UNLOCK, voltage(1), *(bytes((byte,)) for byte in download(1100)), voltage(2)))
     assert [frame for frame, _ in frames(events)] == [voltage(1), download(1100), voltage(2)]
 
@@ -176,7 +176,7 @@ def test_an_unlock_text_is_cut_anywhere(text: bytes, frame: bytes) -> None:
         stream = text + frame + led(9) + tone(10)
         events, capture = of(connected(*(stream[at : at + size] for at in range(0, len(stream), size))))
         if not any(text.endswith(end) for end in (b"\r\n\r\n", b"\n\n")) and size > len(text):
-            continue  # a line end or a length: here that is not known
+            continue  # a line end or a length: the reader does not know here
         assert [frame for frame, _ in frames(events)] == [frame, led(9), tone(10)], size
         assert not complaints(events), size
         (unlock,) = (event for event in events if isinstance(event, Announcement))
@@ -218,7 +218,7 @@ def test_a_text_that_never_ends_is_given_up() -> None:
     assert capture.account.skipped + capture.account.other == len(endless)
 
 
-# What a capture does not have, has twice, or has in another order
+# Data that is missing, repeated, or in another order
 
 
 def test_a_repeated_segment_is_given_once() -> None:
@@ -227,7 +227,7 @@ def test_a_repeated_segment_is_given_once() -> None:
         segment(True, 1000, voltage(1)),
         segment(True, 1000, voltage(1) + voltage(2)),
         segment(True, 1010, voltage(2) + voltage(3)),
-        segment(True, 1019, voltage(2)[-1:]),  # keeps the connection alive
+        segment(True, 1019, voltage(2)[-1:]),  # keep-alive
         segment(True, 1029),
         segment(True, 999, flags=SYN),  # the start, repeated
         segment(True, 1030, voltage(4)),
@@ -239,7 +239,7 @@ def test_a_repeated_segment_is_given_once() -> None:
 
 
 def test_segments_in_another_order() -> None:
-    """A frame that waited for one in front of it has its own time."""
+    """A frame that waited for an earlier one has its own time."""
     one, two, three, four = (voltage(number) for number in range(4))
     packets = [
         segment(True, 999, flags=SYN),
@@ -292,7 +292,7 @@ def test_segments_that_overlap_in_part() -> None:
 
 
 def test_a_segment_that_was_not_captured() -> None:
-    """Once the other side says that it has it, it will not come any more."""
+    """Data that the other side has acknowledged will not come any more."""
     packets = [
         *connected(voltage(1), voltage(2)[:4]),
         segment(True, 1030, voltage(4)),
@@ -309,7 +309,7 @@ def test_a_segment_that_was_not_captured() -> None:
 
 
 def test_the_frame_after_one_that_lacks_its_middle_is_found_wherever_it_begins() -> None:
-    # It has no fault that would tell it from others: any data may be those of a file.
+    # It has no fault that would distinguish it: any data may be from a file.
     data = b"".join(struct.pack("<HHBBB", 60, number, 0x81, 0x93, 0) + bytes(55) for number in range(3))
     cuts = [0, 20, 40, 90, 150, len(data)]
     pieces = [(at, data[at:stop]) for at, stop in itertools.pairwise(cuts) if at != 20]
@@ -337,7 +337,7 @@ def test_a_segment_that_comes_after_it_was_given_up() -> None:
 
 
 def test_a_command_captured_after_its_reply_is_a_message_of_its_own() -> None:
-    """As on two interfaces: that the brick has it already is no reason to take it for a repeated one."""
+    """As on two interfaces: data that the brick has acknowledged need not be a repetition."""
     packets = [
         *connected(voltage(1)),
         segment(False, 5000, volts(1), acknowledged=1010),
@@ -353,7 +353,7 @@ def test_a_command_captured_after_its_reply_is_a_message_of_its_own() -> None:
 
 
 def test_nobody_acknowledges() -> None:
-    """What waits is given at the end; only so much waits."""
+    """Waiting data is given at the end, up to a limit."""
     stream = b"".join(voltage(number) for number in range(10_000))
     pieces = [segment(True, 1000 + at, stream[at : at + 10]) for at in range(0, len(stream), 10)]
     del pieces[1]
@@ -375,7 +375,7 @@ def test_a_capture_begun_inside_a_frame() -> None:
     events, capture = opened(pcap(RAW_IP, timed(packets)))
     assert frames(events) == [(voltage(2), (1,)), (voltage(3), (2,)), (volts(2), (4,))]
     assert [data for data, *_ in complaints(events)] == [volts(1)[-2:]]
-    # What comes before the first plausible command is others'.
+    # Traffic before the first plausible command belongs to others.
     assert (capture.account.other, capture.account.balance) == (len(voltage(1)[3:]), 0)
 
 
@@ -383,7 +383,7 @@ def test_a_capture_begun_inside_a_frame() -> None:
     "inside", [b"", b"\xff\xfe", b"\xff\xff" + struct.pack("<HHB", 300, 0x0707, 0x02) + b"\xaa" * 10]
 )
 def test_frames_that_are_packets_do_not_wait_for_one_another(inside: bytes) -> None:
-    """Whatever was before, such as what looks like the beginning of a long frame: each reply is after its command."""
+    """Whatever came before, such as the apparent beginning of a long frame: each reply is after its command."""
     at = 1000 + len(inside)
     dialogue = [
         segment(True, at, voltage(1)),
@@ -427,7 +427,7 @@ def test_sequence_numbers_wrap(at: int) -> None:
 
 
 def test_a_stream_longer_than_its_numbers() -> None:
-    """Positions count on where sequence numbers start again."""
+    """Positions continue when sequence numbers wrap."""
     from ev3proto.capture.carriers.streams import Piece
     from ev3proto.capture.carriers.wifi.tcp import Hole, Reassembly
 
@@ -444,7 +444,7 @@ def test_a_stream_longer_than_its_numbers() -> None:
 
 
 def test_a_port_is_used_again() -> None:
-    """The new connection starts with its own numbers and a whole frame; nobody answers in it what was asked before."""
+    """The new connection starts with its own numbers and a complete frame; commands of the old one get no replies in it."""
     packets = [
         segment(True, 999, flags=SYN),
         segment(False, 4999, flags=SYN, acknowledged=1000),
@@ -497,7 +497,7 @@ def test_the_end_of_a_connection_takes_a_number_that_is_no_byte() -> None:
 
 
 def test_segments_cut_by_the_capture() -> None:
-    """Of each packet but one 48 bytes were captured, 8 of them of the stream."""
+    """Of all packets except one, 48 bytes were captured, 8 of them of the stream."""
     packets = [
         Timed(BEGIN_NS, segment(True, 989, flags=SYN)),
         Timed(BEGIN_NS, segment(True, 990, voltage(0))),
@@ -514,7 +514,7 @@ def test_segments_cut_by_the_capture() -> None:
 
 
 def test_segments_on_two_interfaces() -> None:
-    """The same packet is seen on its way through a bridge, or the two directions are captured apart."""
+    """The same packet is captured on both sides of a bridge, or the two directions are captured separately."""
     blocks = Blocks()
     blocks.interface(RAW_IP, name="wlan0")
     blocks.interface(1, name="br0")
@@ -568,14 +568,14 @@ def test_a_stream_of_nothing_but_garbage() -> None:
 
 
 def test_a_connection_kept_alive_when_the_capture_begins() -> None:
-    """The byte before the next one is sent again, with which nothing begins though it may look so."""
+    """The byte before the next one is sent again; no frame begins with it, though it may look so."""
     events, _ = of([segment(True, 999, b"\0"), segment(True, 1000, voltage(1)), segment(True, 1010, voltage(2))])
     assert frames(events) == [(voltage(1), (2,)), (voltage(2), (3,))]
     assert complaints(events) == []
 
 
 def test_what_looks_like_a_long_frame_where_a_capture_begins() -> None:
-    """Inside a frame anything may stand, a length too; whole frames after it are given all the same."""
+    """A frame may contain any bytes, even a length; complete frames after it are still given."""
     for packets in (
         [segment(True, 1000, b"\0\x03\0\0\0" + voltage(1) + voltage(2))],
         [segment(True, 1000, b"\0\x03\0\0\0"), segment(True, 1005, voltage(1)), segment(True, 1015, voltage(2))],
@@ -608,7 +608,7 @@ def check(data: bytes) -> int:
 
 
 class Link:
-    """What host and controller exchange, packet by packet as H4 has it."""
+    """The packets between host and controller, with their H4 type."""
 
     OURS, THEIRS = 0x41, 0x51
 
@@ -664,7 +664,7 @@ class Link:
         self.l2cap(from_host, channel, head + length + extra + data + end, pieces)
 
     def open(self) -> None:
-        """The port is opened and negotiated, as a computer does it."""
+        """The port is opened and negotiated, as by a computer."""
         self.rfcomm(True, b"", port=0, kind=0x3F)
         self.rfcomm(False, b"", port=0, kind=0x73)
         self.rfcomm(True, bytes.fromhex("8311 02f00700f0030007"), port=0)
@@ -719,7 +719,7 @@ def test_a_capture_may_begin_after_any_of_it(begun: str) -> None:
 
 @pytest.mark.parametrize("size", [5, 9])
 def test_a_capture_may_begin_with_a_reply(size: int) -> None:
-    """Only a command shows that a serial port is a brick's."""
+    """Only a command shows that a serial port belongs to a brick."""
     link = Link()
     for at in range(0, 9, size):
         link.rfcomm(False, volts(1)[at : at + size])
@@ -732,7 +732,7 @@ def test_a_capture_may_begin_with_a_reply(size: int) -> None:
 
 @pytest.mark.parametrize("size", [1, 3, 4, 5, 27, 100])
 def test_acl_fragments_of_both_directions_interleaved(size: int) -> None:
-    """Long frames with two bytes of length, cut by ACL; meanwhile the other direction does the same."""
+    """Long frames with two bytes of length, split by ACL; meanwhile the other direction does the same."""
     frame = struct.pack("<HHBH", 398, 5, 0x80, 0) + b"\x01" * 393
     there, back = Link(), Link()
     there.rfcomm(True, frame, pieces=max(size, 4), credits=7)
@@ -822,7 +822,7 @@ def test_a_port_that_is_opened_again_starts_anew() -> None:
 
 
 def test_bluetooth_packets_cut_by_the_capture() -> None:
-    """What is missing of a stream is reported, and the next frame is found."""
+    """A gap in a stream is reported, and the next frame is found."""
     link = Link()
     link.ask()
     link.rfcomm(True, voltage(1))
@@ -851,7 +851,7 @@ def test_garbage_in_a_serial_port() -> None:
 
 
 def test_direction_is_guessed_where_the_file_does_not_tell() -> None:
-    """H4 alone has none; RFCOMM says who opened the connection, which a brick does not."""
+    """H4 alone has no addresses; RFCOMM shows which end opened the connection, which a brick does not."""
     link = Link()
     link.rfcomm(True, voltage(1))
     link.rfcomm(False, volts(1))
@@ -866,7 +866,7 @@ def test_direction_is_guessed_where_the_file_does_not_tell() -> None:
     assert [event.direction for event in events if isinstance(event, Record)] == ["sent", "received"] * 2
 
 
-# What had to go, because there are too many connections, or too much waits
+# Evicted because of too many connections, or too much waiting data
 
 
 TONE = bytes.fromhex("0e002a0080000094010182b80182e803")
@@ -874,7 +874,7 @@ TONE = bytes.fromhex("0e002a0080000094010182b80182e803")
 
 
 def beginnings(count: int) -> bytes:
-    """So many connections, in each of which a frame begins and does not go on, after one that is whole."""
+    """This number of connections, in each of which a complete frame is followed by the beginning of another."""
     return pcap(RAW_IP, timed([segment(True, 1, TONE + TONE[:9], port=1024 + number) for number in range(count)]))
 
 

@@ -1,4 +1,4 @@
-"""The captures in `captures/`: made by the script beside them, described, and read by tshark without complaint."""
+"""The captures in `captures/`: made by the script there, described, and read by tshark without errors."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ README = (CAPTURES / "README.md").read_text(encoding="utf-8")
 ROWS = dict(re.findall(r"^\| `([\w.-]+)` \| .+ \| (.+) \|$", README, re.MULTILINE))
 MADE = sorted(name for name, how in ROWS.items() if "`make.py`" in how)
 
-# The frames are not the point here, and Wireshark gives port 5555 to a protocol that is not theirs.
+# The frames do not matter here, and Wireshark gives port 5555 to another protocol.
 PLAIN = ("-d", "tcp.port==5555,data", "-o", "tcp.check_checksum:TRUE", "-o", "udp.check_checksum:TRUE")
 COMPLAINTS = (
     '_ws.malformed || tcp.checksum.status == "Bad" || udp.checksum.status == "Bad" || ip.checksum.status == "Bad"'
@@ -25,7 +25,7 @@ COMPLAINTS = (
 
 @pytest.fixture(scope="module")
 def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder with what the script makes."""
+    """A folder with the output of the script."""
     folder = tmp_path_factory.mktemp("captures")
     subprocess.run([sys.executable, str(CAPTURES / "make.py"), str(folder)], check=True, timeout=60)
     return folder

@@ -1,7 +1,7 @@
-"""The engine wireshark: what the real tshark and the dissector find, held against what the built-in engine finds.
+"""The engine wireshark: the results of the real tshark with the dissector, compared with the built-in engine.
 
-They have nothing in common where carriers are taken apart. A tshark that runs inside a folder sees nothing else of
-ours: captures and temporary files are in the work folder of the fixture `tshark`.
+The two engines share no code that takes carriers apart. A tshark that runs inside a folder cannot read our other
+files: captures and temporary files are in the work folder of the fixture `tshark`.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ EVENTS = {
     "wifi-reordered.pcap": 16,
     "wifi.pcapng": 47,
 }
-"""How many frames and texts each capture has."""
+"""The number of frames and texts in each capture."""
 
 VOLTAGE = bytes.fromhex("0800010000 0400 810160")
 """A command that asks for the voltage of the battery."""
@@ -65,7 +65,7 @@ def opened(tshark: Tshark, monkeypatch: pytest.MonkeyPatch) -> Open:
 
 
 def told(event: Event) -> tuple[object, ...]:
-    """All that an event says, of the packets only the one in which it ends."""
+    """All attributes of an event, and only the last of its packets."""
     if isinstance(event, Skipped):
         return ("skipped", event.data, event.number, event.route)
     place = (max(event.numbers), event.route)
@@ -97,7 +97,7 @@ def test_a_frame_has_the_number_and_time_of_the_packet_in_which_it_ends(opened: 
 
 
 def test_what_is_packed_into_other_packets(opened: Open) -> None:
-    """As the built-in engine says where it reads nothing."""
+    """As the built-in engine reports what it does not read."""
     data = in_tunnels(TONE)
     assert [record.number for record in opened(data)] == [1, 2, 3, 4, 5, 6]
     ours = read(io.BytesIO(data))
@@ -134,7 +134,7 @@ def test_what_is_there_of_packets_that_were_cut_is_shown_as_by_the_dissector(mos
     words = ("-o", "ev3.bytes:TRUE", "-Y", "ev3.bytes", "-T", "fields", "-e", "frame.number", "-e", "ev3.bytes")
     shown = [line.split("\t") for line in tshark.run(tshark.place(data, f"cut{most}.pcap"), *words).splitlines()]
     theirs = [(int(number), data.replace(":", "")) for number, data in shown]
-    # Commands of which less than two bytes of an operation are there claim nothing.
+    # Commands with less than two bytes of an operation do not claim a connection.
     assert ours == theirs == (expected if most >= 49 else [])
 
 
@@ -189,10 +189,10 @@ def test_a_connection_on_another_port(opened: Open) -> None:
 
 
 def complaint(captured: Captured) -> tuple[list[Event], str]:
-    """All that a capture gives before it complains, and the complaint."""
+    """Returns everything that a capture gives before its error, and the error."""
     found: list[Event] = []
     with pytest.raises(CaptureError) as caught:
-        found.extend(captured.events())  # what came before an error stays
+        found.extend(captured.events())  # what came before an error remains
     return found, str(caught.value)
 
 
@@ -216,7 +216,7 @@ def test_a_file_that_is_not_there(tshark: Tshark) -> None:
 
 
 def children() -> set[str]:
-    """The programs that this process has started and that run."""
+    """The running programs that this process has started."""
     found: set[str] = set()
     for task in Path("/proc/self/task").iterdir():
         found |= set((task / "children").read_text().split())
@@ -269,7 +269,7 @@ def test_a_dissector_that_is_installed_is_used(tshark: Tshark) -> None:
 
 @pytest.fixture
 def imitation(tmp_path: Path) -> Callable[..., str]:
-    """Makes a program that behaves like some tshark: what it does when it is to read."""
+    """Makes a program that imitates some tshark: its behaviour when it should read."""
 
     def make(reading: str, version: str = "TShark (Wireshark) 4.2.5.") -> str:
         path = tmp_path / "tshark"

@@ -1,4 +1,4 @@
-"""Files put back together from a capture: their bytes, their names, and that nothing else is touched."""
+"""Files reassembled from a capture: their bytes, their names, and that nothing else is touched."""
 
 from __future__ import annotations
 
@@ -32,11 +32,11 @@ CONTENTS = "47720ad53d60d2a2b17377501929f739f02a3bb7a7d8c07284bc48f505d3852d"
 """SHA-256 of 2710 bytes: lines of numbers, as a data log has them."""
 
 IMAGE = "de81ab23fa9ca98471ad147225e394d30170c68c684e4fb8e28103c559a94433"
-"""SHA-256 of 2500 bytes: the start of a program, then bytes that follow a rule."""
+"""SHA-256 of 2500 bytes: the start of a program, then bytes by a rule."""
 
 
 class Brick:
-    """A computer and a brick that move files. What they say is recorded as a capture has it."""
+    """A computer and a brick that transfer files, recorded as a capture."""
 
     def __init__(self, peer: str = "1.7", handle: int = 0) -> None:
         self.peer = peer
@@ -64,7 +64,7 @@ class Brick:
         self.says(ev3proto.system_reply(name, counter=self._counter, status=status, error=failed, **(answer or {})))
 
     def upload(self, path: str, *pieces: bytes, size: int | None = None) -> None:
-        """A file from the brick. With a size that is larger, it breaks off."""
+        """A file from the brick. With a larger size, the transfer ends early."""
         first, *rest = pieces
         whole = sum(map(len, pieces)) if size is None else size
         self.exchange(
@@ -135,7 +135,7 @@ def test_files_both_ways(tmp_path: Path) -> None:
 
 
 def test_a_complete_file_takes_no_more(tmp_path: Path) -> None:
-    """Where the reply to the next file's beginning is missing, its pieces have the handle of the file before."""
+    """If the reply to the next file's beginning is missing, its pieces have the handle of the file before."""
     brick = Brick()
     brick.download("../prjs/first.rtf", b"ab")
     brick.says(ev3proto.system_command("BEGIN_DOWNLOAD", counter=9, reply=True, size=2, path="../prjs/second.rtf"))
@@ -202,7 +202,7 @@ def test_a_piece_that_was_asked_for_again(tmp_path: Path) -> None:
     brick.says(ev3proto.system_command("CONTINUE_UPLOAD", counter=90, handle=3, max_bytes=2))
     brick.says(ev3proto.system_command("CONTINUE_UPLOAD", counter=91, handle=3, max_bytes=2))
     brick.says(ev3proto.system_reply("CONTINUE_UPLOAD", counter=91, handle=3, data=b"34"))
-    # Closing what is already closed is an error that does the file no harm.
+    # Closing a handle that is already closed is an error that does not affect the file.
     brick.exchange("CLOSE_FILEHANDLE", SystemStatus.UNKNOWN_HANDLE, handle=3)
     assert told(recover(brick.events, tmp_path)) == [("a", 4, "complete")]
 
@@ -223,7 +223,7 @@ def test_pieces_whose_beginning_was_not_captured(tmp_path: Path) -> None:
 def test_a_handle_that_stands_for_one_unknown_file_after_the_other(tmp_path: Path) -> None:
     brick = Brick()
     for data in (b"one", b"two"):
-        # The replies alone: no command of them was captured.
+        # Only replies: none of their commands was captured.
         brick.says(ev3proto.system_reply("BEGIN_UPLOAD", size=3, handle=0, data=data[:1]))
         brick.says(ev3proto.system_reply("CONTINUE_UPLOAD", status=8, handle=0, data=data[1:]))
     assert [file.outcome for file in recover(brick.events, tmp_path)] == [
@@ -258,7 +258,7 @@ def test_many_files_at_once(tmp_path: Path) -> None:
     bricks = [Brick(handle=number) for number in range(10)]
     for number, brick in enumerate(bricks):
         brick.upload(str(number), b"ab", b"cd", b"ef")
-    # One piece of each, then the next of each.
+    # One piece of each, in turn.
     mixed = [event for events in zip(*(brick.events for brick in bricks), strict=True) for event in events]
     list(recover(mixed, tmp_path))
     assert written(tmp_path) == {str(number): b"abcdef" for number in range(10)}
@@ -448,7 +448,7 @@ def test_whatever_the_path_nothing_outside_the_folder_is_touched(
     assert sorted(path.name for path in home.iterdir()) == ["files", "outside"]
     assert written(outside) == {"kept": b"old"}
     assert force or (folder / "file").read_bytes() == b"old"
-    # Every file has a place of its own, and that is inside, also once links are followed.
+    # Every file has its own place, which is inside, even if links are followed.
     places = [file.file for file in found if file.file is not None]
     assert len(set(places)) == len(places) == len(paths)
     for place in places:
@@ -457,7 +457,7 @@ def test_whatever_the_path_nothing_outside_the_folder_is_touched(
     assert not [path for path in folder.iterdir() if path.name.startswith(".ev3proto")]
 
 
-# Whole captures
+# Complete captures
 
 
 def hashes(folder: Path) -> dict[str, str]:

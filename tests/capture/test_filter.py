@@ -1,4 +1,4 @@
-"""Filters: which records they let through, and what they say to a text that is none."""
+"""Filters: the records that match, and the errors for texts that are not filters."""
 
 from __future__ import annotations
 
@@ -207,7 +207,7 @@ def test_any_element_of_an_array_will_do() -> None:
     assert holds("ARRAY == TYPE_GYRO", TYPES_ANSWER)
     assert holds("ARRAY in {30..32}", TYPES_ANSWER)
     assert not holds("ARRAY == TYPE_IR", TYPES_ANSWER)
-    # As in Wireshark: != is true where all are different.
+    # As in Wireshark: != is true if all values differ.
     assert not holds("ARRAY != TYPE_GYRO", TYPES_ANSWER)
     assert holds("ARRAY != TYPE_IR", TYPES_ANSWER)
 
@@ -258,7 +258,7 @@ def test_a_reply_whose_command_was_not_seen() -> None:
     assert not holds("op", ORPHAN)
     assert not holds("latency", ORPHAN)
     assert holds("peer == 00:16:53:00:00:0a && !direction && !interface", ORPHAN)
-    # An address of Bluetooth has colons, but no port.
+    # A Bluetooth address has colons, but no port.
     assert not holds("peer == 00:16:53:00:00", ORPHAN)
 
 
@@ -285,7 +285,7 @@ def test_daisy_messages() -> None:
 def test_time_counts_from_the_first_record() -> None:
     early = compile_filter("time < 1.1")
     assert [early(record) for record in (COMMAND, VOLTAGE, ANSWER)] == [True, True, False]
-    # Also where the first one was decided without it.
+    # Also if the first one was decided without it.
     late = compile_filter("op == UI_READ && time >= 1.25")
     assert [late(record) for record in (COMMAND, VOLTAGE, ANSWER)] == [False, False, True]
 
@@ -381,12 +381,12 @@ def test_long_and_deep_filters() -> None:
     assert not holds(longest, COMMAND)
     with pytest.raises(FilterError, match="at most 4096 are allowed"):
         compile_filter(longest + " ")
-    # 24 times not and and, around an error that is not there.
+    # 24 alternating nots and ands, around an error that does not exist.
     assert not holds("!(op && " * 24 + "error" + ")" * 24, COMMAND)
     for deep in ("!" * 4000 + "op", "(" * 4000, "!(op && " * (MAX_DEPTH + 1) + "error" + ")" * (MAX_DEPTH + 1)):
         with pytest.raises(FilterError, match="conditions are nested more than 50 deep"):
             compile_filter(deep)
-    # Many conditions side by side are not deep.
+    # Many conditions in a row do not count as depth.
     assert holds("||".join(["error"] * 500) + "||op", COMMAND)
 
 
@@ -507,7 +507,7 @@ def test_a_time_in_units_is_the_same_number_as_in_seconds() -> None:
 
 
 def answered(command: Record, after: float, *, failed: bool = False) -> Record:
-    """A command and its reply; the command comes to know of it as it does in a capture."""
+    """A command and its reply, which are linked as in a capture."""
     reply = seen(
         ev3proto.direct_reply(b"" if failed else bytes(4), counter=command.message.counter, error=failed),
         after=after,
@@ -529,7 +529,7 @@ def test_what_is_only_known_with_the_reply() -> None:
     fine, lost, broken, slow = (asked(number, number) for number in range(4))
 
     def arriving() -> Iterator[Record]:
-        # A capture gives a command before anybody knows of its reply.
+        # A capture gives a command before its reply is known.
         yield fine
         yield answered(fine, 0.01)
         yield lost
@@ -596,12 +596,12 @@ def test_the_words_of_the_language_are_no_reserved_words() -> None:
 
 
 MATCHES_NOTHING = {'fault contains "opcode"', "interface", "orphan"}
-"""Examples for what no capture here has."""
+"""Examples that no capture here has."""
 
 
 @cache
 def captured() -> list[list[Event]]:
-    """What all captures here have."""
+    """Examples that match all captures here."""
     found = []
     for path in CAPTURES.glob("*.pcap*"):
         with read(path) as capture:

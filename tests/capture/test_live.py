@@ -1,6 +1,6 @@
-"""`ev3proto live` as a process: it listens on this computer to a program that talks to an imitation of a brick.
+"""`ev3proto live` as a process: it captures a program on this computer that talks to an imitated brick.
 
-Capturing needs rights, which whoever runs the tests may not have. Then it must say so.
+Capturing needs permission, which the tests may not have. Then it must say so.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from support.wireshark import Tshark
 ROOT = Path(__file__).parents[2]
 LOOPBACK = "lo0" if sys.platform == "darwin" else "lo"
 WITHIN = 30
-"""Seconds in which everything should have happened."""
+"""Seconds after which everything must have happened."""
 
 UNLOCK = b"GET /target?sn=06165300000a VMTP1.0\r\nProtocol: EV3\r\n\r\n"
 ACCEPT = b"Accept:EV340\r\n\r\n\0"
@@ -45,12 +45,12 @@ def answer(counter: int) -> bytes:
 
 
 SILENT = 9
-"""The counter of commands to which the imitation says nothing."""
+"""The counter of commands that the imitation does not answer."""
 
 
 @contextmanager
 def brick() -> Iterator[int]:
-    """A brick on a port of this computer, which answers what asks for the voltage."""
+    """A brick on a port of this computer, which answers requests for the voltage."""
     with socket.create_server(("127.0.0.1", 0)) as server:
         server.settimeout(WITHIN)
 
@@ -79,7 +79,7 @@ class Listening:
     lines: list[str]
 
     def wait_for(self, pattern: str) -> str:
-        """The first line that is like a pattern; fails if none comes."""
+        """Returns the first line that matches a pattern; fails if none comes."""
         end = time.monotonic() + WITHIN
         while time.monotonic() < end:
             found = next((line for line in list(self.lines) if re.search(pattern, line)), None)
@@ -95,7 +95,7 @@ def words(*options: str) -> list[str]:
 
 @contextmanager
 def listening(*options: str) -> Iterator[Listening]:
-    """Runs it, and kills it and all that it has started if it is still there in the end."""
+    """Runs it, and kills it with its child processes if it is still running at the end."""
     with subprocess.Popen(
         words(*options), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=ROOT, start_new_session=True
     ) as process:
@@ -119,14 +119,14 @@ def listening(*options: str) -> Iterator[Listening]:
 
 
 def refused(*options: str) -> tuple[int, str]:
-    """Exit status and complaint of a call that does not come as far as capturing."""
+    """Returns status and errors of a call that ends before capturing."""
     done = run_ev3proto_text("live", *options)
     assert done.stdout == ""
     return done.returncode, done.stderr
 
 
 def group(number: int) -> list[str]:
-    """The programs of a process group that run."""
+    """The running programs of a process group."""
     listed = subprocess.run(["ps", "-eo", "pgid=,stat=,args="], capture_output=True, text=True, check=True).stdout
     rows = (line.split(None, 2) for line in listed.splitlines())
     return [row[2] for row in rows if row[0] == str(number) and not row[1].startswith("Z")]
@@ -134,7 +134,7 @@ def group(number: int) -> list[str]:
 
 @pytest.fixture(scope="module")
 def capturing(tshark: Tshark) -> str | None:
-    """A tshark that may capture. Where there is none, None, after a look at the complaint: nothing is left to test."""
+    """A tshark that may capture, or None after a check of the error: then nothing is left to test."""
     program = str(tshark.program)
     asked = subprocess.run([program, "-i", LOOPBACK, "-L"], capture_output=True, text=True, timeout=60, check=False)
     if asked.returncode == 0:
@@ -147,7 +147,7 @@ def capturing(tshark: Tshark) -> str | None:
 
 @contextmanager
 def talk(port: int) -> Iterator[Callable[..., None]]:
-    """Connects to a brick and unlocks it; the function sends, and waits for what should come back."""
+    """Connects to a brick and unlocks it; the function sends, and waits for the answer."""
     with socket.create_connection(("127.0.0.1", port), timeout=WITHIN) as connection:
 
         def say(data: bytes, expected: bytes = b"") -> None:
@@ -179,7 +179,7 @@ def test_dialogues_while_they_happen(capturing: str | None, ending: signal.Signa
             say(TONE)
             assert live.wait_for("SOUND").endswith("SOUND.TONE(VOLUME=5, FREQUENCY=440, DURATION=250)")
             assert sum("GET_VBATT" in line for line in live.lines) == 1
-            assert len(group(live.process.pid)) >= 3  # it, tshark, and what captures for tshark
+            assert len(group(live.process.pid)) >= 3  # it, tshark, and tshark's capturing program
             live.process.send_signal(ending)
             assert live.process.wait(WITHIN) == 0
             assert live.wait_for("no reply").endswith("UI_READ.GET_VBATT(VALUE=GV(0)) -> no reply")
@@ -235,7 +235,7 @@ def test_a_reader_that_goes_away(capturing: str | None) -> None:
             with talk(port) as say:
                 counter = 0
                 end = time.monotonic() + WITHIN
-                while process.poll() is None and time.monotonic() < end:  # it finds out when it writes
+                while process.poll() is None and time.monotonic() < end:  # it notices when it writes
                     counter = (counter + 1) % SILENT
                     say(voltage(counter), answer(counter))
                     time.sleep(0.2)

@@ -5,57 +5,63 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import AbstractContextManager
-from dataclasses import dataclass, field
-from typing import Any
 
 from ev3proto.capture import Account, Capture, CaptureError, Event, Record, Skipped, read
 from ev3proto.capture.dialogues import RequestReply, dialogues
 from ev3proto.capture.formats import CaptureFile
 from ev3proto.capture.text_log import read_log
-from ev3proto.cli.output import EVERY, advancing, complain, progress_bar
-from ev3proto.cli.reading import (
-    BUILTIN,
+from ev3proto.cli.inputs import (
     HOW_FRAMES_ARE_WRITTEN,
-    MIB,
-    START,
-    CaptureOptions,
-    given_up,
-    hex_lines,
-    is_binary,
-    is_image,
-    kind_of,
+    NOT_A_CAPTURE,
+    Input,
+    Kind,
+    Source,
     pieces,
-    raw_frames,
-    text_lines,
+    recognized,
 )
+from ev3proto.cli.output import EVERY, advancing, complain, progress_bar
+from ev3proto.cli.reading import BUILTIN, MIB, CaptureOptions, given_up
 from ev3proto.errors import counted
 from ev3proto.text.paste import Pasted
-from ev3proto.text.spans import visible
 
 MOST_COMPLAINTS = 10
 """Places in a capture that are complained about one by one; of the others, only their number is given."""
 
 
-@dataclass
 class CaptureSource:
-    """A capture that was named on the command line.
+    """A capture, or a text as one, that was named on the command line. What cannot be read is complained about.
 
-    name      path, or - for standard input
-    options   how to read it
-    file      its bytes, where they were looked at before
-    lines     its lines, where it is a text
-    is_quiet  nothing is printed while it is read: a progress bar may be drawn
-    status    exit status so far: 1 once anything was at fault
+    label   its name in messages
+    status  exit status so far: 1 once anything was at fault
     """
 
-    name: str
-    options: CaptureOptions
-    file: CaptureFile | None = None
-    lines: Iterator[str] | None = None
-    is_quiet: bool = field(default=True, kw_only=True)
-    status: int = field(default=0, kw_only=True)
-    _capture: Capture | None = field(default=None, repr=False)
-    _advance: Callable[[], None] = field(default=lambda: None, repr=False)
+    def __init__(
+        self,
+        name: str,
+        options: CaptureOptions,
+        file: CaptureFile | None = None,
+        found: Input | None = None,
+        *,
+        is_quiet: bool = True,
+    ) -> None:
+        """Reads nothing yet.
+
+        Args:
+            name: Path, or - for standard input.
+            options: How to read it.
+            file: The file, if it is open already.
+            found: What it is, if that is known already.
+            is_quiet: Nothing is printed while it is read, so that a progress bar may be drawn.
+        """
+        self._source = Source(name)
+        self.label = self._source.label
+        self.status = 0
+        self._options = options
+        self._file = file
+        self._found = found
+        self._is_quiet = is_quiet
+        self._capture: Capture | None = None
+        self._advance: Callable[[], None] = lambda: None
 
     @property
     def account(self) -> Account:
@@ -64,29 +70,24 @@ class CaptureSource:
             return self._capture.account
         return Account()
 
-    @property
-    def label(self) -> str:
-        """What complaints call it."""
-        return "standard input" if self.name == "-" else visible(self.name)
-
     def events(self) -> Iterator[Event]:
         """Reads the capture. What cannot be read is complained about; nothing is raised.
 
         Yields:
             All events, or with a filter the frames that it lets through and nothing else.
         """
-        chosen = self.options.filter
+        chosen = self._options.filter
         if chosen is None:
             yield from self._all_events()
             return
         from ev3proto.capture.filter import Choosing  # loaded already where there is a filter
 
-        choosing = Choosing(chosen, self.options.memory * MIB)
+        choosing = Choosing(chosen, self._options.memory * MIB)
         yield from choosing.chosen(self._all_events())
         if choosing.given_up:
             complain(
                 f"{self.label}: {choosing.given_up} commands were taken for unanswered before the capture ended: what"
-                f" waits may take {self.options.memory} MiB (--memory)"
+                f" waits may take {self._options.memory} MiB (--memory)"
             )
 
     def records(self) -> Iterator[Record]:
@@ -99,7 +100,7 @@ class CaptureSource:
         Yields:
             Each command with its reply, as far as the filter lets the two of them through.
         """
-        chosen = self.options.filter
+        chosen = self._options.filter
         for pair in dialogues(self._all_events()):
             if chosen is None or chosen.of_dialogue(pair):
                 yield pair
@@ -110,7 +111,7 @@ class CaptureSource:
         if self._capture is not None and not (self.status or account.frames or account.texts):
             self._complain(
                 f"no frame found{HOW_FRAMES_ARE_WRITTEN}"
-                if self.lines is not None
+                if self._is_text
                 else f"no frame in {self.extent}{self.passed_over}"
             )
 
@@ -128,9 +129,9 @@ class CaptureSource:
 
     def _bar(self, capture: Capture) -> AbstractContextManager[Callable[[], None]]:
         """What shows how far reading is; of a text, how many of its lines were read."""
-        file = self.file if self.lines is not None else None
+        file = self._file if self._is_text else None
         return progress_bar(
-            lambda: capture.progress if file is None else file.progress, self.label, is_quiet=self.is_quiet
+            lambda: capture.progress if file is None else file.progress, self.label, is_quiet=self._is_quiet
         )
 
     def _complain(self, sentence: str) -> None:
@@ -138,61 +139,54 @@ class CaptureSource:
         self.status = 1
 
     def _opened(self) -> Capture:
-        options = self.options
-        if self.lines is None and options.engine == BUILTIN:
-            self._look()
-        if self.lines is not None:
-            self._capture = read_log(self._pieces(self.lines), dialect=options.dialect, memory=options.memory * MIB)
-            return self._capture
-        source, memory = self.file or _stream(self.name), options.memory * MIB
-        if options.engine == BUILTIN:
-            self._capture = read(source, dialect=options.dialect, ports=options.ports, memory=memory)
+        options, memory = self._options, self._options.memory * MIB
+        if options.engine != BUILTIN and self._found is None:
+            self._found = Input(Kind.CAPTURE)
+        if self._found is None:
+            self._file = self._source.open_capture()
+            self._found = recognized(self._file, self._source.name, options.dialect)
+        if self._found.kind in (Kind.PROGRAM, Kind.OTHER):
+            raise CaptureError(self._found.reason or NOT_A_CAPTURE)
+        if self._found.kind is not Kind.CAPTURE:
+            self._capture = read_log(self._pieces(self._found), dialect=options.dialect, memory=memory)
+        elif options.engine == BUILTIN:
+            assert self._file is not None
+            self._capture = read(self._file, dialect=options.dialect, ports=options.ports, memory=memory)
         else:
             from ev3proto import pyshark  # takes 50 ms, which only this engine needs
 
+            stream = sys.stdin.buffer if self._source.name == "-" else self._source.name
             self._capture = pyshark.read(
-                source, dialect=options.dialect, ports=options.ports, tshark=options.tshark, memory=memory
+                stream, dialect=options.dialect, ports=options.ports, tshark=options.tshark, memory=memory
             )
         return self._capture
 
-    def _look(self) -> None:
-        """Finds out whether the file is a text."""
-        if self.file is None:
-            self.file = CaptureFile.at(self.name) if self.name != "-" else CaptureFile(_stream(self.name))
-        if self.file.is_capture:
-            return
-        start = self.file.contents.peek(START)[:START]
-        if is_image(start):
-            raise CaptureError("this is a program image (.rbf), not a capture; `ev3proto decode` shows it")
-        kind = kind_of(self.name, start)
-        if kind is None and not is_binary(start):
-            self.lines = text_lines(self.file.contents)
-            return
-        raw = raw_frames(self.file.contents, self.options.dialect)
-        if raw is None and kind is not None:
-            raise CaptureError(kind)
-        self.lines = None if raw is None else hex_lines(raw)
-
-    def _pieces(self, lines: Iterator[str]) -> Iterator[Pasted]:
-        """What there is in the text; what cannot be read of it is complained about."""
-        for pasted in pieces(advancing(lines, lambda: self._advance()), self.options.missing, self._complain):
+    def _pieces(self, found: Input) -> Iterator[Pasted]:
+        """Yields the pieces of a text, and complains about what cannot be read of it."""
+        yield from found.frames
+        lines = advancing(found.lines, lambda: self._advance())
+        for pasted in pieces(lines, self._options.missing, self._complain):
             if pasted.problem is not None:
                 self._complain(f"line {pasted.line}: {pasted.problem}")
             yield pasted
 
     @property
+    def _is_text(self) -> bool:
+        return self._found is not None and self._found.kind is not Kind.CAPTURE
+
+    @property
     def unit(self) -> str:
         """What the numbers of its records count: packets, or the lines of a text."""
-        return "packet" if self.lines is None else "line"
+        return "line" if self._is_text else "packet"
 
     def carrier(self, record: Record) -> str | None:
         """What carried a frame; nobody knows that of a text."""
-        return str(record.carrier) if self.lines is None else None
+        return str(record.carrier) if not self._is_text else None
 
     @property
     def extent(self) -> str:
-        """How much there is of it, as complaints call it."""
-        return counted(self.account.packets, "packet" if self.lines is None else "frame")
+        """How much of it was read, for messages."""
+        return counted(self.account.packets, "frame" if self._is_text else "packet")
 
     @property
     def passed_over(self) -> str:
@@ -212,7 +206,7 @@ class CaptureSource:
 
     def _read(self, capture: Capture) -> Iterator[Event]:
         """The events; skipped bytes are complained about."""
-        chosen = self.options.filter
+        chosen = self._options.filter
         is_begun = False
         places = lost = 0
         for event in capture.events():
@@ -227,14 +221,6 @@ class CaptureSource:
                     self._complain(str(event))
             yield event
         if capture.account.forgotten:
-            complain(given_up(self.label, capture.account.forgotten, self.options.memory))
+            complain(given_up(self.label, capture.account.forgotten, self._options.memory))
         if places > MOST_COMPLAINTS:
             self._complain(f"and {places - MOST_COMPLAINTS} more places; {lost} bytes in all could not be read")
-
-
-def _stream(name: str) -> Any:
-    if name != "-":
-        return name
-    if sys.stdin is None:
-        raise OSError("standard input is closed")
-    return sys.stdin.buffer

@@ -17,10 +17,11 @@ from ev3proto.checking.codes import CODES, Code
 from ev3proto.checking.fixing import fix
 from ev3proto.checking.program_codes import PROGRAM_CODES
 from ev3proto.checking.report import Finding, Fix, Report
+from ev3proto.cli.inputs import SOURCE_SUFFIX, Piece, Source, introduction, sources
 from ev3proto.cli.options import given_options, incompatible, json_option
 from ev3proto.cli.output import Printer, complain
-from ev3proto.cli.reading import SOURCE_SUFFIX, CaptureOptions, Piece, introduction, reading_options
-from ev3proto.cli.sources import Source, SourceReader, looks_like_assembly, sources
+from ev3proto.cli.reading import CaptureOptions, reading_options
+from ev3proto.cli.sources import SourceReader, looks_like_assembly
 from ev3proto.errors import counted, near_misses
 from ev3proto.tables.carriers import CARRIERS
 from ev3proto.text.diagnostics import diagnostics, explanation, fixed

@@ -7,11 +7,12 @@ from typing import TYPE_CHECKING
 
 import click
 
+from ev3proto.cli.inputs import Piece, Source, sources
 from ev3proto.cli.options import incompatible
 from ev3proto.cli.output import complain
-from ev3proto.cli.reading import MIB, CaptureOptions, Piece, given_up, reading_options
+from ev3proto.cli.reading import MIB, CaptureOptions, given_up, reading_options
 from ev3proto.cli.show import FORMATS, Show
-from ev3proto.cli.sources import Source, SourceReader, sources
+from ev3proto.cli.sources import SourceReader
 from ev3proto.dialogue import Dialogue
 from ev3proto.text.paste import Pasted
 from ev3proto.text.phrases import Seen

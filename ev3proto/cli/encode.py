@@ -16,10 +16,11 @@ import click
 
 from ev3proto.cli.assembly import assembled_messages
 from ev3proto.cli.captures import CaptureSource
+from ev3proto.cli.inputs import Input, Kind, Piece, Source, introduction, sources
 from ev3proto.cli.options import given_options, incompatible, reply_option
 from ev3proto.cli.output import binary_output, failing_to, is_terminal, say
-from ev3proto.cli.reading import CaptureOptions, Piece, Unread, introduction, reading_options
-from ev3proto.cli.sources import Source, SourceReader, sources
+from ev3proto.cli.reading import CaptureOptions, reading_options
+from ev3proto.cli.sources import SourceReader
 from ev3proto.dialogue import Dialogue
 from ev3proto.messages import Message
 from ev3proto.schema.frame import parse
@@ -29,7 +30,7 @@ from ev3proto.text.assembly.recognising import OBJECT, is_assembly
 from ev3proto.text.forms import as_c, as_hex, as_python
 from ev3proto.text.json_format.from_messages import record
 from ev3proto.text.json_format.to_messages import RecordError, frames_in, read_records
-from ev3proto.text.paste import Pasted, read_argument, read_text
+from ev3proto.text.paste import Pasted, read_argument
 from ev3proto.text.phrases import Seen, heading
 from ev3proto.text.spans import plain_text
 from ev3proto.whole_files import whole_file
@@ -133,11 +134,14 @@ class Encoding(SourceReader):
 
     @property
     def wants_records(self) -> bool:
-        """Which texts have frames, `text` finds out."""
+        """False: `text` finds out which texts have frames."""
         return False
 
+    def _nothing_in(self, source: Source) -> str:
+        return f"{source.label}: {_NOTHING}"
+
     def argument(self, source: Source) -> None:
-        """The text that was typed on the command line."""
+        """Takes a text that was typed on the command line."""
         self.text(source, iter(source.name.split("\n")))
 
     def capture(self, capture: CaptureSource) -> int:
@@ -163,16 +167,17 @@ class Encoding(SourceReader):
         first = list(introduction(lines))
         line = first[-1].strip() if first else ""
         whole = itertools.chain(first, lines)
-        if self.reading.filter is not None:
-            if _is_record(line) or is_assembly(line) or OBJECT.match(line):
-                raise click.UsageError(f"--filter is for frames, but {source.label[:60]} has none yet")
-            self._recorded(source, whole)
-        elif _is_record(line):
-            self._records(source, whole)
-        elif is_assembly(line) or OBJECT.match(line):
-            self._assembly(source, whole)
+        is_made = self.reading.missing is None and (_is_record(line) or is_assembly(line) or OBJECT.match(line))
+        if is_made and self.reading.filter is not None:
+            raise click.UsageError(f"--filter is for frames, but {source.label[:60]} has none yet")
+        if is_made:
+            (self._records if _is_record(line) else self._assembly)(source, whole)
+        elif self.reading.filter is not None:
+            self._recorded(source, Input(Kind.TEXT, lines=whole))
+        elif source.is_frame and self.reading.missing is None:
+            self._pasted(read_argument(source.name), source)
         else:
-            self._frames(source, whole)
+            super().text(source, whole)
 
     def _records(self, source: Source, lines: Iterable[str]) -> None:
         dialect = self.reading.dialect
@@ -180,6 +185,7 @@ class Encoding(SourceReader):
             for number, entry in read_records(lines):
                 try:
                     for frame in frames_in(entry, dialect=dialect):
+                        self._is_empty = False
                         self._output.write(parse(frame, strict=False, dialect=dialect))
                 except RecordError as error:
                     self.complain(f"{source.label[:60]}, line {number}: {error}")
@@ -196,23 +202,9 @@ class Encoding(SourceReader):
             reply=self._reply,
             unchecked=self._unchecked,
         ):
+            self._is_empty = False
             self._output.write(message)
             self._counter = (message.counter + 1) % COUNTERS
-
-    def _frames(self, source: Source, lines: Iterable[str]) -> None:
-        found = [read_argument(source.name)] if source.is_frame else read_text(lines)
-        count = 0
-        unread = Unread()
-        for pasted in found:
-            count += 1
-            if pasted.unread:
-                unread.add(pasted)
-            else:
-                self._pasted(pasted, source)
-        if unread.count:
-            self.complain(f"{source.label}: {unread}")
-        if not count:
-            self.complain(f"{source.label}: {_NOTHING}")
 
 
 _NOTHING = (
@@ -314,8 +306,5 @@ def encode(
         raise click.UsageError("refusing to write raw bytes to a terminal; give -o FILE, or pipe them into a program")
     with failing_to("written", path), Output(form, path) as output:
         encoding = Encoding(output, reading, Wants(counter, reply, unchecked))
-        for source in sources(names):
-            encoding.read(source)
-    if not output.count and not encoding.at_fault:
-        encoding.complain(_NOTHING)
+        encoding.read_all(sources(names))
     sys.exit(1 if encoding.at_fault else 0)

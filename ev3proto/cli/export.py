@@ -10,6 +10,7 @@ import click
 from ev3proto.capture.text_log import Clock
 from ev3proto.cli.captures import CaptureSource
 from ev3proto.cli.commands import Group
+from ev3proto.cli.inputs import Piece, Source, sources
 from ev3proto.cli.options import FiniteRange, dialect_option
 from ev3proto.cli.output import (
     binary_output,
@@ -21,8 +22,8 @@ from ev3proto.cli.output import (
     put,
     write_text,
 )
-from ev3proto.cli.reading import CaptureOptions, Piece, reading_options
-from ev3proto.cli.sources import Source, SourceReader, sources
+from ev3proto.cli.reading import CaptureOptions, reading_options
+from ev3proto.cli.sources import SourceReader
 from ev3proto.errors import BuildError
 from ev3proto.generate import output_schemas
 from ev3proto.generate.captures import CaptureWriter, TimedFrame

@@ -311,7 +311,7 @@ def progress_bar(done: Callable[[], float | None], name: str, *, is_quiet: bool)
         bar.render_finish()
 
 
-def advancing(lines: Iterator[str], advance: Callable[[], None]) -> Iterator[str]:
+def advancing(lines: Iterable[str], advance: Callable[[], None]) -> Iterator[str]:
     """The lines, with a call now and then that draws the bar."""
     for count, line in enumerate(lines):
         if count % EVERY == 0:

@@ -14,9 +14,8 @@ import click
 
 from ev3proto.checking.codes import Code
 from ev3proto.cli.assembly import show_errors
+from ev3proto.cli.inputs import Source, is_image
 from ev3proto.cli.output import Printer, complain, is_terminal, put
-from ev3proto.cli.reading import is_image
-from ev3proto.cli.sources import Source
 from ev3proto.errors import DecodeError, counted
 from ev3proto.program import Program, assemble, check_program, parse, source_of
 from ev3proto.program.listing import listing, program_record, program_tree

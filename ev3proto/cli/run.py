@@ -18,10 +18,10 @@ from ev3proto.brick.running_programs import FAIL, RUNNING, Program
 from ev3proto.brick.servers.server import Options, Running, ServerError, running
 from ev3proto.cli.assembly import show_errors
 from ev3proto.cli.brick import folder, interrupted, read_script_file
+from ev3proto.cli.inputs import is_image
 from ev3proto.cli.options import FiniteRange, incompatible
 from ev3proto.cli.output import complain, failing_on, failing_to, flush, is_terminal, say
 from ev3proto.cli.programs import complain_of_warnings
-from ev3proto.cli.reading import is_image
 from ev3proto.program import assemble, check_program
 from ev3proto.tables.enumerations import LEDPATTERN
 from ev3proto.tables.errors import ERRORS

@@ -8,12 +8,12 @@ import click
 
 from ev3proto.capture.dialogues import RequestReply, is_error
 from ev3proto.cli.encode import Encoding, Wants
+from ev3proto.cli.inputs import Piece, Source, sources
 from ev3proto.cli.options import dialect_option, json_option, reply_option
 from ev3proto.cli.output import Failure, complain
-from ev3proto.cli.reading import CaptureOptions, Piece
+from ev3proto.cli.reading import CaptureOptions
 from ev3proto.cli.recorded import show_dialogue
 from ev3proto.cli.show import Show
-from ev3proto.cli.sources import Source, sources
 from ev3proto.cli.targets import TargetType, channel_to, is_refused, timeout_option
 from ev3proto.errors import counted
 from ev3proto.link.channel import Channel
@@ -90,8 +90,7 @@ def send(
     """  # noqa: D301 - the mark by which click leaves lines as they are
     found = Collected()
     encoding = _Commands(found, dialect, reply)
-    for source in sources(names):
-        encoding.read(source)
+    encoding.read_all(sources(names))
     if not found.commands:
         if not encoding.at_fault:
             complain("nothing to send; expected frames in hex, or assembly")

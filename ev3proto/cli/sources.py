@@ -1,111 +1,38 @@
-"""What subcommands that take frames are given: frames themselves, texts that have some, captures, standard input."""
+"""Subcommands that take frames read all of their sources here: arguments, texts, captures, standard input."""
 
 from __future__ import annotations
 
 import errno
-import io
 import os
-import re
-import sys
 import zlib
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Sequence
-from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
-from ev3proto.cli.output import Awaited, advancing, complain, progress_bar
-from ev3proto.cli.reading import (
-    BUILTIN,
+from ev3proto.cli.inputs import (
+    CAPTURES,
     HOW_FRAMES_ARE_WRITTEN,
+    NOT_A_CAPTURE,
     SOURCE_SUFFIX,
-    START,
-    CaptureOptions,
+    Input,
+    Kind,
     Piece,
-    hex_lines,
+    Source,
     introduction,
-    is_binary,
-    is_image,
-    kind_of,
     pieces,
-    raw_frames,
+    recognized,
     split,
-    text_lines,
 )
+from ev3proto.cli.output import advancing, complain, progress_bar
+from ev3proto.cli.reading import BUILTIN, CaptureOptions
 from ev3proto.tables.program import MAX_IMAGE
 from ev3proto.text.paste import Pasted, read_argument
-from ev3proto.text.spans import visible
 
 if TYPE_CHECKING:
     from ev3proto.capture.formats import CaptureFile
     from ev3proto.cli.captures import CaptureSource
 
-_GROUP = re.compile(r"(0x)?([0-9a-f]{2}:?){1,4},?", re.IGNORECASE)
-"""Whole bytes in hex, which are taken for bytes even where a file has that name."""
-
 _AT_START = "column 1: "
-
-_NUMBER = re.compile(r"[\[{]?((0x)?[0-9a-f]{1,2}|[0-9]{3})[\]}]?[,;]?", re.IGNORECASE)
-"""One byte as numbers are written, also at an end of an array."""
-
-
-_SUFFIX = re.compile(r"\w\.[a-z]\w{0,9}$", re.IGNORECASE)
-
-
-class Source(NamedTuple):
-    """One thing that was named on the command line: a file, standard input, or a frame itself."""
-
-    name: str
-    is_frame: bool
-
-    @property
-    def label(self) -> str:
-        """How people call it, on one line."""
-        return "standard input" if self.name == "-" else visible(self.name)
-
-    def open(self) -> io.BufferedReader:
-        """The bytes of a file or of standard input. Raises OSError when there are none to read."""
-        if self.name != "-":
-            path = Path(self.name)
-            if path.is_file():
-                return path.open("rb")
-            return io.BufferedReader(Awaited(path.open("rb", buffering=0), is_ours=True))
-        if sys.stdin is None:
-            raise OSError("standard input is closed")
-        raw = getattr(sys.stdin.buffer, "raw", None)
-        assert isinstance(raw, io.RawIOBase | io.BytesIO), "standard input is a file of Python's own"
-        return io.BufferedReader(Awaited(raw))
-
-    @property
-    def looks_like_a_path(self) -> bool:
-        """Whether its name has a folder or a suffix, as that of a file."""
-        return "/" in self.name or _SUFFIX.search(self.name) is not None
-
-    def where(self, pasted: Pasted) -> str:
-        """How a complaint about it starts."""
-        return f"{self.name[:60]!r}" if self.is_frame else f"{self.label}, line {pasted.line}"
-
-
-def sources(names: tuple[str, ...]) -> list[Source]:
-    """What was named; bytes that were typed without quotes around them are one frame."""
-    if len(names) > 1 and _are_bytes(names):
-        return [Source(" ".join(names), is_frame=True)]
-    return [Source(name, is_frame=name != "-" and (not name or not _exists(name))) for name in names or ("-",)]
-
-
-def _are_bytes(names: tuple[str, ...]) -> bool:
-    """Whether no name says anything by itself: each is a byte or a few."""
-    if all(_GROUP.fullmatch(name) for name in names):
-        return True
-    return all(_NUMBER.fullmatch(name) for name in names) and not any(_exists(name) for name in names)
-
-
-def _exists(name: str) -> bool:
-    try:
-        return Path(name).exists()
-    except (OSError, ValueError):
-        return False
-
-
 _HOW_FRAMES_ARE_MADE = "`ev3proto encode` makes frames of it"
 
 
@@ -128,8 +55,8 @@ class SourceReader(ABC):
     arguments = "nor a frame"
     """What an argument may be besides a file, as complaints call it."""
 
-    accepted = "captures are pcap, pcapng or btsnoop files, packed with gzip or not"
-    """What can be read, for whoever gives something else."""
+    accepted = CAPTURES
+    """What can be read, for messages about anything else."""
 
     is_quiet = False
     """Nothing is printed while a capture is read: a progress bar may be drawn."""
@@ -204,112 +131,58 @@ class SourceReader(ABC):
         yield from lines
 
     def read(self, source: Source) -> None:
-        """Reads everything in a source, and complains where it cannot be read."""
-        if source.is_frame:
-            if self.wants_records:
-                self._recorded(source, iter([source.name]))
-            else:
-                self.argument(source)
-            return
-        file = self._opened(source)
-        if file is None:
-            return
-        with file:
-            if self.reading.engine != BUILTIN or self._is_capture(source, file):
-                self._recorded(source, file=file if self.reading.engine == BUILTIN else None)
-                return
-            start = file.contents.peek(START)[:START]
-            if is_image(start):
-                self._program(source, file)
-                return
-            kind = kind_of(source.name, start)
-            if kind is not None or is_binary(start):
-                if self._raw(source, file):
-                    return
-                other = f"neither text nor a capture: it starts with {start.hex(' ').upper()}; {self.accepted}"
-                self.complain(f"{source.label}: {kind or other}")
-                return
-            lines = self._readable(source, text_lines(file.contents))
-            if self.wants_records:
-                self._recorded(source, lines, file)
-            else:
-                with progress_bar(lambda: file.progress, source.label, is_quiet=self.is_quiet) as advance:
-                    self.text(source, advancing(lines, advance))
+        """Reads everything in a source, and complains if it cannot be read."""
+        if source.is_frame and self.wants_records:
+            self._recorded(source, Input(Kind.TEXT, lines=[source.name]))
+        elif source.is_frame:
+            self.argument(source)
+        else:
+            try:
+                with source.open_capture() as file:
+                    if self.reading.engine != BUILTIN:
+                        self._recorded(source, Input(Kind.CAPTURE))
+                    else:
+                        self._file(source, file)
+            except (OSError, EOFError, zlib.error) as error:
+                self._unreadable(source, error)
 
-    def _raw(self, source: Source, file: CaptureFile) -> bool:
-        """Takes frames that stand one after the other as they are; says whether they do."""
-        try:
-            found = raw_frames(file.contents, self.reading.dialect)
-        except (OSError, EOFError, zlib.error):
-            return False
-        if found is None:
-            return False
-        if self.wants_records:
-            self._recorded(source, hex_lines(found))
-            return True
-        pasted = Pasted(b"", 1, "")
-        self._is_empty = False
-        for piece in found:
-            self.piece(piece, pasted, source)
-        return True
+    def _file(self, source: Source, file: CaptureFile) -> None:
+        """Reads a file. Raises OSError, EOFError or zlib.error."""
+        found = recognized(file, source.name, self.reading.dialect, self.accepted)
+        if found.kind is Kind.OTHER:
+            self.complain(f"{source.label}: {found.reason}")
+        elif found.kind is Kind.PROGRAM:
+            self._is_empty = False
+            self.program(source, file.contents.read(MAX_IMAGE + 1))
+        elif found.kind is Kind.CAPTURE or self.wants_records:
+            self._recorded(source, found, file)
+        elif found.kind is Kind.FRAMES:
+            for pasted in found.frames:
+                self._pasted(pasted, source)
+        else:
+            with progress_bar(lambda: file.progress, source.label, is_quiet=self.is_quiet) as advance:
+                self.text(source, advancing(found.lines, advance))
 
-    def program(self, source: Source, image: bytes) -> None:
+    def program(self, source: Source, image: bytes) -> None:  # noqa: ARG002 - for those that read it
         """Takes a program image (.rbf)."""
-        self.complain(
-            f"{source.label}: a program image of {len(image)} bytes, which `ev3proto decode` shows; {self.accepted}"
-        )
-
-    def _program(self, source: Source, file: CaptureFile) -> None:
-        try:
-            image = file.contents.read(MAX_IMAGE + 1)
-        except (OSError, EOFError, zlib.error) as error:
-            self._unreadable(source, error)
-            return
-        self._is_empty = False
-        self.program(source, image)
+        self.complain(f"{source.label}: {NOT_A_CAPTURE}")
 
     def complain(self, sentence: str) -> None:
-        """Prints a sentence on standard error, about input that is at fault."""
+        """Prints a message about wrong input on standard error."""
         complain(sentence)
         self.at_fault = True
         self._is_empty = False
 
-    def _opened(self, source: Source) -> CaptureFile | None:
-        from ev3proto.capture.formats import CaptureFile  # takes 13 ms, which frames have no use for
+    def _recorded(self, source: Source, found: Input, file: CaptureFile | None = None) -> None:
+        """Takes a capture, or the frames of a text as those of one."""
+        from ev3proto.cli.captures import CaptureSource  # takes 15 ms, which frames do not need
 
-        try:
-            return CaptureFile(source.open(), is_ours=source.name != "-")
-        except OSError as error:
-            self._unreadable(source, error)
-            return None
-
-    def _is_capture(self, source: Source, file: CaptureFile) -> bool:
-        """Whether it is a capture; a damaged gzip is reported as one."""
-        try:
-            return file.is_capture
-        except ValueError:  # a CaptureError
-            return True
-        except OSError as error:
-            self._unreadable(source, error)
-            return False
-
-    def _recorded(self, source: Source, lines: Iterator[str] | None = None, file: CaptureFile | None = None) -> None:
-        """Takes a capture, or the frames in the lines of a text as those of one."""
-        from ev3proto.cli.captures import CaptureSource  # takes 15 ms, which frames have no use for
-
-        capture = CaptureSource(source.name, self.reading, file, lines, is_quiet=self.is_quiet)
+        capture = CaptureSource(source.name, self.reading, file, found, is_quiet=self.is_quiet)
         self._is_empty = False
         if not self.capture(capture) and not capture.status:
             matches = " matches the filter" if self.reading.filter else ""
             self.complain(f"{source.label}: no {self.wanted} in {capture.extent}{matches}{capture.passed_over}")
         self.at_fault |= bool(capture.status)
-
-    def _readable(self, source: Source, lines: Iterator[str]) -> Iterator[str]:
-        """The lines as far as they can be read. What goes wrong with them elsewhere is none of its concern."""
-        try:
-            yield from lines
-        except (OSError, EOFError, zlib.error) as error:
-            self._unreadable(source, error)
 
     def _wrong(self, pasted: Pasted, problem: str, source: Source) -> None:
         """Complains about a piece of text that is not, or not whole, a frame."""

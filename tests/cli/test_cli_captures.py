@@ -309,7 +309,7 @@ def test_a_link_that_nobody_knows() -> None:
 @pytest.mark.parametrize(
     ("data", "sentence"),
     [
-        (b"PK\x03\x04 a zip archive", "a zip archive: unpack it, and give the files in it"),
+        (b"PK\x03\x04 a zip archive", "a zip archive; unpack it, and give the files in it"),
         (b"\x7fELF\x02\x01\x01\x00", "neither text nor a capture: it starts with 7F 45 4C 46 02 01 01 00"),
         (b"\x1f\x8b\x08\x00cut", "the gzip stream is cut off or damaged: "),
     ],
@@ -323,7 +323,7 @@ def test_a_foreign_format(data: bytes, sentence: str) -> None:
 
 KINDS = {
     "robot.ev3": (b"PK\x03\x04\x14\0\0\0", "copy the program's .rbf from there"),
-    "logs.zip": (b"PK\x03\x04\x14\0\0\0", "a zip archive: unpack it"),
+    "logs.zip": (b"PK\x03\x04\x14\0\0\0", "a zip archive; unpack it"),
     "pybricks.uf2": (b"UF2\n\x57\x51\x5d\x9e", "a UF2 image"),
     "renamed": (b"UF2\n\x57\x51\x5d\x9e", "a UF2 image"),
     "smile.rgf": (b"\x2c\x2e\x40\x40\x40\x40\x40\x40", "UI_DRAW.BMPFILE shows it"),

@@ -99,7 +99,7 @@ OF_THE_INPUT = {
     "encode hello.txt": "hello.txt: nothing to encode; expected assembly such as SOUND(TONE, 1, 440, 1000), objects as"
     f" `decode --json` prints them, or frames in hex such as {FRAME}",
     "encode tone.lms": "tone.lms: this is a program, not a frame; add -o FILE.rbf to make its image",
-    "stats short.rbf": "short.rbf: this is a program image (.rbf), not a capture; `ev3proto decode` shows it",
+    "stats short.rbf": "short.rbf: this is a program image (.rbf); `ev3proto decode` shows it",
     f"decode {CAPTURE} --filter FREQUENCY>99999": f"{CAPTURE}: no frame in 58 packets matches the filter",
     f"check {CAPTURE} --filter FREQUENCY>99999": f"{CAPTURE}: no command in 58 packets matches the filter",
     "replay hello.txt --to virtual": "hello.txt: no command found",

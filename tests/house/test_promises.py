@@ -20,7 +20,7 @@ from ev3proto.capture.filter import language
 from ev3proto.capture.finding import MOST_TRIALS
 from ev3proto.capture.formats import pcapng
 from ev3proto.capture.timeline import collecting
-from ev3proto.cli import live, reading, values
+from ev3proto.cli import inputs, live, values
 from ev3proto.cli.annotations import MOST_COMPLAINTS
 from ev3proto.generate.dissector.build import build
 from ev3proto.link import file_moves
@@ -51,7 +51,7 @@ LIMITS = {
     "Messages that records keep after they were read": f"{record.MOST_READ}, up to 6 MiB",
     "A line of text": f"{MAX_LINE // MIB} MiB",
     "An array or a dump over several lines": f"{MAX_COLLECTED // KIB} KiB",
-    "A file that has only frames": f"{reading.MOST_RAW // MIB} MiB",
+    "A file that has only frames": f"{inputs.MOST_RAW // MIB} MiB",
     "A program image": f"{MAX_IMAGE // MIB} MiB",
     "A file that `copy` moves, a listing of a folder": f"{file_moves.MOST_FILE // MIB} MiB",
     "Files in a capture": f"{files.MOST_FILES:,}",

@@ -10,7 +10,7 @@ from support.cli import run_ev3proto_text
 
 import ev3proto
 from ev3proto import Dialogue, operation, parse
-from ev3proto.cli.reading import split
+from ev3proto.cli.inputs import split
 from ev3proto.text.assembly import operation_line
 from ev3proto.text.forms import as_c
 from ev3proto.text.phrases import Seen, dialogue_line, plain, short_float

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from ev3proto import parse
-from ev3proto.cli.reading import split
+from ev3proto.cli.inputs import split
 from ev3proto.text.paste import read_text
 
 COMMAND = bytes.fromhex("08 00 01 00 00 04 00 81 01 60")

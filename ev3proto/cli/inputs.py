@@ -1,0 +1,356 @@
+"""What a subcommand reads: an argument, a file or standard input, what it is by its first bytes, and its frames.
+
+Nothing here loads a part that reads captures: a frame needs this, too.
+"""
+
+from __future__ import annotations
+
+import codecs
+import io
+import re
+import sys
+import zlib
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import suppress
+from enum import Enum
+from itertools import islice
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from ev3proto.cli.output import Awaited
+from ev3proto.messages import Message
+from ev3proto.schema.frame import parse
+from ev3proto.schema.header import HEADER_SIZE, frame_size, may_have_length
+from ev3proto.tables.encoding import STRING_CODING
+from ev3proto.tables.frame import LENGTH_FIELD, REPORT_SIZES, MessageType
+from ev3proto.tables.program import SIGN
+from ev3proto.text.paste import MAX_LINE, Missing, Pasted, read_bare, read_text
+from ev3proto.text.spans import visible
+
+if TYPE_CHECKING:
+    from ev3proto.capture.formats import CaptureFile
+
+HOW_FRAMES_ARE_WRITTEN = "; frames are written in hex, such as 06:00|2A:00|80|00:00|01"
+
+SOURCE_SUFFIX = ".lms"
+"""The suffix of the sources of programs."""
+
+_SUFFIX = re.compile(r"\w\.[a-z]\w{0,9}$", re.IGNORECASE)
+
+_GROUP = re.compile(r"(0x)?([0-9a-f]{2}:?){1,4},?", re.IGNORECASE)
+"""Whole bytes in hex, which are taken for bytes even if a file has that name."""
+
+_NUMBER = re.compile(r"[\[{]?((0x)?[0-9a-f]{1,2}|[0-9]{3})[\]}]?[,;]?", re.IGNORECASE)
+"""One byte as numbers are written, also at an end of an array."""
+
+# Sources
+
+
+class Source(NamedTuple):
+    """A word of the command line: a file, standard input, or a frame itself."""
+
+    name: str
+    is_frame: bool = False
+
+    @property
+    def label(self) -> str:
+        """Its name in messages, on one line."""
+        return "standard input" if self.name == "-" else visible(self.name)
+
+    @property
+    def looks_like_a_path(self) -> bool:
+        """Whether its name has a folder or a suffix, like that of a file."""
+        return "/" in self.name or _SUFFIX.search(self.name) is not None
+
+    def open(self) -> io.BufferedReader:
+        """Opens a file or standard input. Raises OSError."""
+        if self.name != "-":
+            path = Path(self.name)
+            if path.is_file():
+                return path.open("rb")
+            return io.BufferedReader(Awaited(path.open("rb", buffering=0), is_ours=True))
+        if sys.stdin is None:
+            raise OSError("standard input is closed")
+        raw = getattr(sys.stdin.buffer, "raw", None)
+        assert isinstance(raw, io.RawIOBase | io.BytesIO), "standard input is a file of Python's own"
+        return io.BufferedReader(Awaited(raw))
+
+    def open_capture(self) -> CaptureFile:
+        """Opens it as a file that may be a capture. Raises OSError."""
+        from ev3proto.capture.formats import CaptureFile  # takes 13 ms, which frames do not need
+
+        return CaptureFile(self.open(), is_ours=self.name != "-")
+
+    def where(self, pasted: Pasted) -> str:
+        """Returns the start of a message about a piece of it."""
+        return f"{self.name[:60]!r}" if self.is_frame else f"{self.label}, line {pasted.line}"
+
+
+def sources(names: tuple[str, ...]) -> list[Source]:
+    """Returns what the words name; bytes that were typed without quotes around them are one frame."""
+    if len(names) > 1 and _are_bytes(names):
+        return [Source(" ".join(names), is_frame=True)]
+    return [Source(name, is_frame=name != "-" and (not name or not _exists(name))) for name in names or ("-",)]
+
+
+def _are_bytes(names: tuple[str, ...]) -> bool:
+    """Whether each word is one byte or a few."""
+    if all(_GROUP.fullmatch(name) for name in names):
+        return True
+    return all(_NUMBER.fullmatch(name) for name in names) and not any(_exists(name) for name in names)
+
+
+def _exists(name: str) -> bool:
+    try:
+        return Path(name).exists()
+    except (OSError, ValueError):
+        return False
+
+
+# What a file is
+
+
+CAPTURES = "captures are pcap, pcapng or btsnoop files, packed with gzip or not"
+"""What can be read as a capture."""
+
+NOT_A_CAPTURE = "this is a program image (.rbf); `ev3proto decode` shows it"
+
+
+class Kind(Enum):
+    """What a file is."""
+
+    CAPTURE = "a capture"
+    PROGRAM = "the image of a program (.rbf)"
+    TEXT = "lines of text"
+    FRAMES = "the bytes of frames, one after the other"
+    OTHER = "anything else"
+
+
+class Input(NamedTuple):
+    """A file and what it is.
+
+    kind    its kind
+    lines   of a text
+    frames  of a file of frames; their lines are their numbers
+    reason  why it cannot be read, for any other file
+    """
+
+    kind: Kind
+    lines: Iterable[str] = ()
+    frames: Iterable[Pasted] = ()
+    reason: str = ""
+
+
+_START = 8
+_ZIP = b"PK\x03\x04"
+_UF2 = b"UF2\n"
+_SOUND = (b"\x01\x00", b"\x01\x01")
+_LEAST_FIRMWARE = 1 << 20
+_BY_SUFFIX = {
+    ".ev3": "a project of LEGO's EV3 software, a zip of diagrams without byte code; download it to a brick and copy"
+    " the program's .rbf from there",
+    ".uf2": "a UF2 image for a brick in bootloader mode, which holds ARM code; copy it to the brick's drive",
+    ".rgf": "an image for the brick's display; `ev3proto copy` copies it to a brick, UI_DRAW.BMPFILE shows it",
+    ".rsf": "a sound file; `ev3proto copy` copies it to a brick, SOUND.PLAY plays it",
+    ".bin": "probably a firmware image, which holds ARM code; the firmware updater of LEGO's software writes it",
+}
+
+
+def recognized(file: CaptureFile, name: str, dialect: str, readable: str = CAPTURES) -> Input:
+    """Finds out what a file is by its first bytes.
+
+    Args:
+        file: The file.
+        name: Its path; `-` for standard input.
+        dialect: The firmware whose instruction set to read by.
+        readable: What could be read, for the reason why something else cannot.
+
+    Raises:
+        OSError: It cannot be read.
+    """
+    try:
+        if file.is_capture:
+            return Input(Kind.CAPTURE)
+    except ValueError:  # a CaptureError: the gzip stream is damaged, which is reported when it is read
+        return Input(Kind.CAPTURE)
+    start = file.contents.peek(_START)[:_START]
+    if is_image(start):
+        return Input(Kind.PROGRAM)
+    reason = _unreadable(name, start)
+    if reason is None and not _is_binary(start):
+        return Input(Kind.TEXT, lines=_text_lines(file.contents))
+    with suppress(OSError, EOFError, zlib.error):
+        frames = _raw_frames(file.contents, dialect)
+        if frames is not None:
+            return Input(Kind.FRAMES, frames=frames)
+    shown = start.hex(" ").upper()
+    return Input(Kind.OTHER, reason=reason or f"neither text nor a capture: it starts with {shown}; {readable}")
+
+
+def _unreadable(name: str, start: bytes) -> str | None:
+    """Returns what a file is that cannot be read, and what to do with it; None for an unknown kind."""
+    suffix = Path(name).suffix.lower()
+    if start.startswith(_UF2):
+        return _BY_SUFFIX[".uf2"]
+    if start.startswith(_ZIP):
+        return _BY_SUFFIX[suffix] if suffix == ".ev3" else "a zip archive; unpack it, and give the files in it"
+    if suffix == ".bin" and Path(name).stat().st_size < _LEAST_FIRMWARE:
+        return None
+    if suffix == ".rsf" and not start.startswith(_SOUND):
+        return None
+    return _BY_SUFFIX.get(suffix) if suffix in (".rgf", ".rsf", ".bin") else None
+
+
+def is_image(start: bytes) -> bool:
+    """Whether a file that starts with these bytes is a program image."""
+    return start.startswith(SIGN)
+
+
+def _is_binary(start: bytes) -> bool:
+    """Whether bytes are not text: text has no control characters but those that break lines, or is UTF-16."""
+    if start.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+        return False
+    return any(byte < ord(" ") and byte not in b"\t\n\r\f\x1b" for byte in start)
+
+
+# Texts
+
+
+def _as_latin_1(error: UnicodeError) -> tuple[str, int]:
+    """Returns the characters that bytes mean in ISO-8859-1, and where reading continues."""
+    assert isinstance(error, UnicodeDecodeError)
+    return error.object[error.start : error.end].decode(STRING_CODING), error.end
+
+
+_LATIN_1 = "ev3proto-latin-1"
+codecs.register_error(_LATIN_1, _as_latin_1)
+
+
+def _text_lines(stream: io.BufferedReader[Any]) -> Iterator[str]:
+    """Yields the lines of a file, those that are too long only as far as it takes to see that.
+
+    Text is UTF-8, or UTF-16 if the file starts with that mark, as PowerShell writes it. Bytes that are not UTF-8 are
+    read as ISO-8859-1, which many sources of programs use.
+    """
+    start = stream.peek(2)[:2]
+    encoding = "utf-16" if start in (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE) else "utf-8-sig"
+    text = io.TextIOWrapper(stream, encoding, _LATIN_1 if encoding == "utf-8-sig" else "replace")
+    while line := text.readline(MAX_LINE + 1):
+        yield line
+        while len(line) > MAX_LINE and not line.endswith("\n"):
+            line = text.readline(MAX_LINE + 1)
+
+
+_MOST_LOOKED_AT = 500
+"""Lines of comments before the first line that says what a text is."""
+
+
+def introduction(lines: Iterator[str]) -> Iterator[str]:
+    """Yields the lines up to the first that is neither empty nor a comment, that one too."""
+    is_comment = False
+    for line in islice(lines, _MOST_LOOKED_AT):
+        yield line
+        text = line.strip()
+        if is_comment or text.startswith("/*"):
+            is_comment = "*/" not in text
+        elif text and not text.startswith("//") and not (text.startswith("#") and "define" not in text):
+            return
+
+
+_MOST_UNREAD = 8
+
+
+def pieces(lines: Iterable[str], missing: Missing | None, complain: Callable[[str], None]) -> Iterator[Pasted]:
+    """Yields the pieces of a text that have bytes, or a problem.
+
+    Args:
+        lines: The lines.
+        missing: What the bytes of each line lack to be a frame.
+        complain: Is called at the end with a sentence on what looks like frames and was not read.
+    """
+    unread: list[str] = []
+    count = 0
+    for pasted in read_text(lines) if missing is None else read_bare(lines, missing):
+        if not pasted.unread:
+            yield pasted
+            continue
+        count += 1
+        if count <= _MOST_UNREAD:
+            unread.append(f"line {pasted.line}, column {pasted.column}: {pasted.problem}")
+    if unread:
+        what = "1 line looks like a frame and was" if count == 1 else f"{count} lines look like frames and were"
+        more = f"; and {count - len(unread)} more" if count > len(unread) else ""
+        complain(f"{what} not read: {'; '.join(unread)}{more}")
+
+
+# Bytes
+
+
+class Piece(NamedTuple):
+    """A message out of pasted bytes; `padding` bytes without meaning followed it."""
+
+    message: Message
+    padding: int = 0
+
+
+def split(data: bytes, *, dialect: str = "official") -> Iterator[Piece]:
+    """Yields the messages in pasted bytes. Never raises; each message's fault says what is wrong with it."""
+    ends = _whole(data)
+    first = next(_ends(data), 0)
+    if ends is not None:
+        start = 0
+        for end in ends:
+            yield Piece(parse(data[start:end], strict=False, dialect=dialect))
+            start = end
+    elif 0 < first < len(data) and (len(data) in REPORT_SIZES or not any(data[first:])):
+        yield Piece(parse(data[:first], strict=False, dialect=dialect), len(data) - first)
+    else:
+        yield Piece(parse(data, strict=False, dialect=dialect))
+
+
+def _whole(data: bytes) -> Iterator[int] | None:
+    """Returns where the frames end of which data consists; None if it is one frame, or anything else is in it."""
+    return _ends(data) if next(_ends(data), 0) < max(_ends(data), default=0) == len(data) else None
+
+
+def _ends(data: bytes) -> Iterator[int]:
+    """Yields where the frames end when each starts where the one before ended."""
+    at = 0
+    while at + LENGTH_FIELD <= len(data):
+        is_frame = may_have_length(data, at)
+        at += frame_size(data, at)
+        if not is_frame or at > len(data):
+            return
+        yield at
+
+
+MOST_RAW = 1 << 26
+"""Bytes of frames that are read from a file which has nothing else; a longer one is refused."""
+
+
+def _raw_frames(stream: io.BufferedReader[Any], dialect: str) -> Iterator[Pasted] | None:
+    """Reads the bytes of frames that follow one another.
+
+    Args:
+        stream: A file that is neither a text nor a capture. It is not read unless it starts with a frame.
+        dialect: The firmware whose instruction set to read by.
+
+    Returns:
+        The frames, with their numbers for lines; None if it does not start with one.
+    """
+    start = stream.peek(HEADER_SIZE)[:HEADER_SIZE]
+    if len(start) < HEADER_SIZE or not may_have_length(start) or start[-1] not in frozenset(MessageType):
+        return None
+    data = stream.read(MOST_RAW + 1)
+    ends = _whole(data)
+    if ends is not None:
+        return _cut(data, ends)
+    is_frame = all(piece.message.fault is None for piece in split(data, dialect=dialect))
+    return iter([Pasted(data, 1, "")]) if is_frame else None
+
+
+def _cut(data: bytes, ends: Iterator[int]) -> Iterator[Pasted]:
+    start = 0
+    for number, end in enumerate(ends, 1):
+        yield Pasted(data[start:end], number, "")
+        start = end

@@ -66,22 +66,13 @@ def specification(timeline: Timeline, title: str = "") -> Json:
     """
     chart = _Chart(timeline)
     heading = {"title": _heading(title, summary(timeline), 17)} if title else {}
+    dragged, clicked = {"type": "interval", "encodings": ["x"]}, {"type": "point", "fields": ["o"]}
     return heading | {
         "$schema": f"https://vega.github.io/schema/vega-lite/v{VERSION}.json",
         "params": [
             # One time for all views, whichever is dragged.
-            {
-                "name": "time",
-                "select": {"type": "interval", "encodings": ["x"]},
-                "bind": "scales",
-                "views": chart.timed,
-            },
-            {
-                "name": "picked",
-                "select": {"type": "point", "fields": ["o"]},
-                "bind": "legend",
-                "views": chart.timed[:1],
-            },
+            {"name": "time", "select": dragged, "bind": "scales", "views": chart.timed},
+            {"name": "picked", "select": clicked, "bind": "legend", "views": chart.timed[:1]},
             {"name": "margin", "value": round(chart.margin)},
             {"name": "kinds", "value": KINDS_WIDTH},
             {"name": "room", "value": WIDTH},
@@ -162,16 +153,14 @@ class _Chart:
                 self._panel(brick, tally, {name for name, home in homes.items() if home == brick})
         # What went wrong is drawn over the rest.
         self.datasets["marks"].sort(key=lambda datum: "bad" in datum)
-        lowest = self._latency()
-        if lowest is not None:
-            self.views.append(lowest)
+        self.views += self._latency()
         title = (
             "seconds since the first message"
             if timeline.is_timed
             else "order: the lines of the text, which has no times"
         )
         for layer in self.views[-1]["layer"]:
-            if "x" in layer["encoding"] and "axis" in layer["encoding"]["x"]:
+            if "axis" in layer["encoding"].get("x", {}):
                 layer["encoding"]["x"]["axis"]["title"] = title
 
     # Rows
@@ -330,11 +319,8 @@ class _Chart:
             "color": "#444444",
             "clip": False,
         }
-        kinds = {
-            "x": {"value": {"expr": "-margin"}},
-            "text": {"field": "kind"},
-            "opacity": {"value": {"expr": "kinds ? 1 : 0"}},
-        }
+        shown = {"value": {"expr": "kinds ? 1 : 0"}}
+        kinds = {"x": {"value": {"expr": "-margin"}}, "text": {"field": "kind"}, "opacity": shown}
         # The outline keeps a bar visible where it is less than a pixel wide.
         bar = {"type": "bar", "height": {"band": 0.7}, "strokeWidth": 1, "fillOpacity": 0.25}
         bar["stroke"] = {"expr": "scale('color', datum.o)"}
@@ -366,12 +352,12 @@ class _Chart:
         rect = {"type": "rect", "height": {"band": 0.84}}
         return _timed("cells", rect, {"x": x, "x2": {"field": "e"}, "y": y, "fill": fill}, where)
 
-    def _latency(self) -> Json | None:
-        """The view of the latencies, None where there are none."""
+    def _latency(self) -> list[Json]:
+        """The view of the latencies, where there are any."""
         data = (datum for data in self.datasets.values() for datum in data)
         found = [datum[name] for datum in data for name in ("low", "ms") if name in datum]
         if not found:
-            return None
+            return []
         self.timed.append("latency")
         is_logarithmic = max(found) >= _LOGARITHMIC * min(found)
         scale = (
@@ -379,7 +365,15 @@ class _Chart:
             if is_logarithmic
             else {"domainMax": max(found) * 1.1}
         )
-        axis = {"title": None, "tickCount": 6, "labelExpr": "datum.label ? datum.label + ' ms' : ''", "format": "~g"}
+        axis: Json = {
+            "title": None,
+            "tickCount": 6,
+            "labelExpr": "datum.label ? datum.label + ' ms' : ''",
+            "format": "~g",
+        }
+        # A logarithmic axis has ticks between those that have a label.
+        where_labelled = {"condition": {"test": "datum.label", "value": 1}, "value": 0}
+        axis |= {"gridOpacity": where_labelled, "tickOpacity": where_labelled}
         y = {"field": "ms", "type": "quantitative", "scale": scale, "axis": axis}
         x = self._x("t")
         rule = {"type": "rule", "color": "#9ECAE1", "strokeWidth": 1.5}
@@ -390,12 +384,8 @@ class _Chart:
             _timed("marks", _POINT, {"x": x, "y": y, **self._symbol()}, "isValid(datum.ms)") | {"name": "latency"},
         ]
         aside = f"milliseconds from command to reply, {'logarithmic' if is_logarithmic else 'linear'} scale"
-        return {
-            "title": _heading("How long a brick took to answer", [aside]),
-            "layer": layers,
-            "width": WIDTH,
-            "height": 170,
-        }
+        heading = _heading("How long a brick took to answer", [aside])
+        return [{"title": heading, "layer": layers, "width": WIDTH, "height": 170}]
 
     def _x(self, field: str) -> Json:
         axis: Json = {"title": None, "tickCount": 10, "labelOverlap": True}
@@ -409,15 +399,10 @@ class _Chart:
         many = len(self.datasets["marks"])
         outcomes = self._timeline.outcomes
         words = {outcome.value: f"{outcome.value}: {outcomes[outcome]:,}" for outcome in MarkState}
+        shown = [outcome.value for outcome in MarkState if outcomes[outcome]]
+        legend = {"values": shown, "labelExpr": f"({words})[datum.label]", **_LEGEND}
         return {
-            "color": _COLOUR
-            | {
-                "legend": {
-                    "values": [outcome.value for outcome in MarkState if outcomes[outcome]],
-                    "labelExpr": f"({words})[datum.label]",
-                    **_LEGEND,
-                }
-            },
+            "color": _by_outcome(0) | {"legend": legend},
             "shape": _by_outcome(1),
             "size": {
                 "condition": {"test": "datum.bad", "value": 140},
@@ -433,7 +418,6 @@ def _by_outcome(look: int) -> Json:
     return {"field": "o", "type": "nominal", "scale": scale, "legend": None}
 
 
-_COLOUR = _by_outcome(0)
 _POINT = {"type": "point", "filled": True}
 _LEGEND = {
     "orient": "top",

@@ -15,10 +15,11 @@ import click
 from ev3proto.brick.deviations import DEVIATIONS
 from ev3proto.brick.dispatch import coverage as covered_operations
 from ev3proto.brick.servers.faults import Faults
+from ev3proto.brick.servers.host import ServerError
 from ev3proto.brick.servers.limits import PATIENCE, UNLOCK_TIME
 from ev3proto.brick.servers.reporting import Reporter
 from ev3proto.brick.servers.script import Script, ScriptError, read_script
-from ev3proto.brick.servers.server import Options, ServerError, running
+from ev3proto.brick.servers.server import Options, running
 from ev3proto.cli.ending import stopped_by_signals
 from ev3proto.cli.faults import fault_options
 from ev3proto.cli.options import dialect_option, given_options, incompatible

@@ -15,7 +15,8 @@ from ev3proto.brick import Brick
 from ev3proto.brick.devices.display.braille import braille
 from ev3proto.brick.devices.display.canvas import WIDTH
 from ev3proto.brick.running_programs import FAIL, RUNNING, Program
-from ev3proto.brick.servers.server import Options, Running, ServerError, running
+from ev3proto.brick.servers.host import ServerError
+from ev3proto.brick.servers.server import Options, Running, running
 from ev3proto.cli.assembly import show_errors
 from ev3proto.cli.brick import folder, interrupted, read_script_file
 from ev3proto.cli.inputs import is_image

@@ -15,8 +15,8 @@ from dataclasses import dataclass, field
 from functools import partial
 
 from ev3proto.brick.servers.faults import Faults
-from ev3proto.brick.servers.host import Ends, Line
-from ev3proto.brick.servers.wifi import Wifi, WifiError
+from ev3proto.brick.servers.host import Ends, Line, ServerError
+from ev3proto.brick.servers.wifi import Wifi
 from ev3proto.capture.dialogues import RequestReply
 from ev3proto.capture.record import Record
 from ev3proto.dialogue import Pairing
@@ -125,7 +125,7 @@ class Proxy:
         self._wifi = Wifi(self, only_from=options.only_from)
         try:
             self._loop.run_until_complete(self._wifi.listen(options.address, options.port))
-        except WifiError as error:
+        except ServerError as error:
             self._loop.close()
             raise PortInUseError(str(error)) from None
         self.port: int = self._wifi.port

@@ -25,8 +25,9 @@ from support.server import ACCEPT, UNLOCK, Client, beacon_port, command, downloa
 import ev3proto
 from ev3proto.brick.servers import limits
 from ev3proto.brick.servers.faults import Faults
+from ev3proto.brick.servers.host import ServerError
 from ev3proto.brick.servers.script import Script, ScriptError, read_script
-from ev3proto.brick.servers.server import Options, ServerError
+from ev3proto.brick.servers.server import Options
 from ev3proto.capture import Record, read
 from ev3proto.schema.discovery import Beacon
 

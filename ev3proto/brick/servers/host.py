@@ -50,6 +50,10 @@ Ends = tuple[tuple[str, int], tuple[str, int]]
 _NO_ENDS: Ends = ("", 0), ("", 0)
 
 
+class ServerError(Exception):
+    """The brick cannot be switched on as requested; the text says why and what to do."""
+
+
 class Line(Protocol):
     """The carrier's side of a connection."""
 

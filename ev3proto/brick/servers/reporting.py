@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import time
-from collections import OrderedDict
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any
@@ -16,13 +15,9 @@ from ev3proto.checking.report import Finding, Report, Severity
 from ev3proto.errors import counted
 from ev3proto.messages import DirectCommand
 from ev3proto.schema.frame import parse
-from ev3proto.schema.header import HEADER
 from ev3proto.tables.declaration import Effect
 from ev3proto.text.diagnostics import diagnostics
 from ev3proto.text.spans import Line, Role
-
-_MOST_KNOWN = 4096
-"""Different frames of which the findings are remembered."""
 
 _MOST_OPERATIONS = 8
 """Names of operations that are listed with a kind of finding."""
@@ -30,7 +25,6 @@ _MOST_OPERATIONS = 8
 _MOST_BROKEN = 100
 """Connections that ended inside a frame, or out of step, that are kept."""
 
-_COUNTER = slice(HEADER.length.sizeof(), HEADER.length.sizeof() + HEADER.counter.sizeof())
 _SHOWING = (Effect.SHOWS, Effect.DIALOG)
 
 
@@ -43,15 +37,6 @@ class _Kind:
     place: dict[str, Any]
     operations: dict[str, None]
     frames: int = 0
-
-
-@dataclass(frozen=True)
-class _Checked:
-    """What is known of a frame: its findings, the first of each code, and whether it shows what was drawn."""
-
-    report: Report
-    findings: tuple[Finding, ...]
-    shows: bool
 
 
 class Reporter:
@@ -70,7 +55,6 @@ class Reporter:
         self._begin = time.monotonic()
         self._kinds: dict[str, _Kind] = {}
         self._not_shown: list[_Kind] = []
-        self._known: OrderedDict[bytes, _Checked] = OrderedDict()
         self._broken: list[tuple[dict[str, Any], str]] = []
 
     def opened(self, connection: Connection) -> None:
@@ -85,35 +69,23 @@ class Reporter:
             self._broken.append((self._place(connection), reason))
 
     def frame(self, connection: Connection, frame: bytes, is_from_host: bool) -> None:
-        """Checks a frame of a client, unless one like it was checked before."""
+        """Checks a frame of a client. Each kind of finding counts once a frame."""
         if not is_from_host:
             return
         self.frames += 1
-        checked = self._checked(connection, frame)
-        if checked.shows:
+        if _shows(frame, self._dialect):
             self._not_shown.clear()
-        for finding in checked.findings:
-            kind = _Kind(checked.report, finding, self._place(connection), {})
+        report = check(frame, dialect=self._dialect, carrier=connection.carrier)
+        first: dict[str, Finding] = {}
+        for finding in report.findings:
+            first.setdefault(finding.code, finding)
+        for finding in first.values():
+            kind = _Kind(report, finding, self._place(connection), {})
             if finding.code == codes.NOT_SHOWN.code:
                 # A later command may show it.
                 self._not_shown.append(kind)
             else:
                 self._count(kind)
-
-    def _checked(self, connection: Connection, frame: bytes) -> _Checked:
-        # All that a client counts up is the message counter.
-        alike = frame[: _COUNTER.start] + frame[_COUNTER.stop :]
-        found = self._known.get(alike)
-        if found is None:
-            report = check(frame, dialect=self._dialect, carrier=connection.carrier)
-            first: dict[str, Finding] = {}
-            for finding in report.findings:
-                first.setdefault(finding.code, finding)
-            found = _Checked(report, tuple(first.values()), _shows(frame, self._dialect))
-            self._known[alike] = found
-            if len(self._known) > _MOST_KNOWN:
-                self._known.popitem(last=False)
-        return found
 
     def _count(self, kind: _Kind) -> None:
         known = self._kinds.setdefault(kind.finding.code, kind)

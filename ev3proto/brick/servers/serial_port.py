@@ -11,17 +11,13 @@ import os
 import select
 from pathlib import Path
 
-from ev3proto.brick.servers.host import Connection, Host
+from ev3proto.brick.servers.host import Connection, Host, ServerError
 from ev3proto.brick.servers.limits import MOST_UNREAD
 
 _PERIOD = 0.05
 """Seconds from one look whether the port was opened to the next."""
 
 _CHUNK = 1 << 14
-
-
-class SerialError(Exception):
-    """There can be no such port; the text says why and what to do."""
 
 
 class SerialPort:
@@ -35,13 +31,13 @@ class SerialPort:
             path: Where the link is to be; nothing may be there.
 
         Raises:
-            SerialError: There is something, or the link cannot be made.
+            ServerError: There is something, or the link cannot be made.
         """
         try:
             import pty  # Windows has neither
             import tty
         except ImportError:
-            raise SerialError("this system has no pseudo-terminals, so --serial does not work here") from None
+            raise ServerError("this system has no pseudo-terminals, so --serial does not work here") from None
         self._make_raw = tty.setraw
         self.path = path
         self._host = host
@@ -57,10 +53,10 @@ class SerialPort:
             path.symlink_to(self._target)
         except FileExistsError:
             os.close(self._master)
-            raise SerialError(f"{path}: already exists; give another name, or delete it first") from None
+            raise ServerError(f"{path}: already exists; give another name, or delete it first") from None
         except OSError as error:
             os.close(self._master)
-            raise SerialError(f"{path}: cannot be created: {error.strerror or error}") from None
+            raise ServerError(f"{path}: cannot be created: {error.strerror or error}") from None
         finally:
             os.close(slave)
         self._wait()

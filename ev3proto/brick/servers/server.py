@@ -7,7 +7,7 @@ import contextlib
 import ipaddress
 import os
 from collections.abc import AsyncIterator
-from contextlib import AsyncExitStack, asynccontextmanager
+from contextlib import AbstractAsyncContextManager, AsyncExitStack, asynccontextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -16,13 +16,13 @@ from ev3proto.brick.brick import Brick
 from ev3proto.brick.devices.display.canvas import WIDTH
 from ev3proto.brick.devices.display.png import write_png
 from ev3proto.brick.servers.faults import Faults
-from ev3proto.brick.servers.host import Host, Say
+from ev3proto.brick.servers.host import Host, Say, ServerError
 from ev3proto.brick.servers.limits import STRETCH
 from ev3proto.brick.servers.recording import Recorder
 from ev3proto.brick.servers.reporting import Reporter
 from ev3proto.brick.servers.script import Script
-from ev3proto.brick.servers.serial_port import SerialError, SerialPort
-from ev3proto.brick.servers.wifi import Wifi, WifiError
+from ev3proto.brick.servers.serial_port import SerialPort
+from ev3proto.brick.servers.wifi import Wifi
 from ev3proto.extras import install_command
 from ev3proto.schema.discovery import Beacon
 from ev3proto.tables.discovery import TCP_PORT
@@ -34,10 +34,6 @@ SCREENSHOT_SCALE = 3
 
 NETWORK = "ev3proto"
 """Name of the network that the brick says it is in."""
-
-
-class ServerError(Exception):
-    """The brick cannot be switched on as asked for; the text says why and what to do."""
 
 
 @dataclass(frozen=True)
@@ -137,15 +133,12 @@ async def running(options: Options, root: Path, say: Say) -> AsyncIterator[Runni
         if options.page is not None:
             link, looked = await stack.enter_async_context(_page(host, options.address, options.page))
         if options.serial is not None:
-            stack.callback(_serial(host, options.serial).close)
+            stack.callback(SerialPort(host, options.serial).close)
         address, port = "", 0
         if options.port is not None:
             wifi = Wifi(host, options.clients)
             stack.push_async_callback(wifi.close)
-            try:
-                await wifi.listen(options.address, options.port)
-            except WifiError as error:
-                raise ServerError(str(error)) from None
+            await wifi.listen(options.address, options.port)
             address, port = wifi.address, wifi.port
             brick.settings.wifi, brick.settings.network, brick.settings.ip = True, NETWORK, address
             if options.beacon:
@@ -208,27 +201,15 @@ def _recorder(path: Path, say: Say) -> Recorder:
         raise ServerError(f"{path}: cannot be written: {error.strerror or error}") from None
 
 
-def _serial(host: Host, path: Path) -> SerialPort:
-    try:
-        return SerialPort(host, path)
-    except SerialError as error:
-        raise ServerError(str(error)) from None
-
-
-@asynccontextmanager
-async def _page(host: Host, address: str, port: int) -> AsyncIterator[tuple[str, asyncio.Event]]:
+def _page(host: Host, address: str, port: int) -> AbstractAsyncContextManager[tuple[str, asyncio.Event]]:
     """Serves the page while the brick is on. Yields the link to it, and the event that is set when it was opened."""
     try:
-        from ev3proto.brick.servers.page.server import PageError, serving  # aiohttp is an extra
+        from ev3proto.brick.servers.page.server import serving  # aiohttp is an extra
     except ImportError:
         raise ServerError(
             f"the page needs the package aiohttp, which is not installed: {install_command('page')}"
         ) from None
-    try:
-        async with serving(host, address, port) as found:
-            yield found
-    except PageError as error:
-        raise ServerError(str(error)) from None
+    return serving(host, address, port)
 
 
 async def _follow(script: Script, host: Host) -> None:

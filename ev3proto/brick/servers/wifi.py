@@ -8,16 +8,12 @@ from collections import deque
 from collections.abc import Callable, Sequence
 from typing import Protocol
 
-from ev3proto.brick.servers.host import Ends, Line
+from ev3proto.brick.servers.host import Ends, Line, ServerError
 from ev3proto.brick.servers.limits import MOST_QUEUED, MOST_UNREAD, UNLOCK_TIME
 from ev3proto.brick.servers.unlocking import BEACON_PERIOD, FIRST_READ, Unlocking, beacon_socket, why_not_open
 from ev3proto.errors import BuildError
 from ev3proto.schema.discovery import Beacon
 from ev3proto.tables.discovery import ACCEPT, BEACON_PORT
-
-
-class WifiError(Exception):
-    """The port cannot be opened; the text says why and what to do."""
 
 
 class Session(Protocol):
@@ -80,13 +76,13 @@ class Wifi:
             port: 0 for any that is free.
 
         Raises:
-            WifiError: It cannot be opened.
+            ServerError: It cannot be opened.
         """
         loop = asyncio.get_running_loop()
         try:
             self._server = await loop.create_server(lambda: _Client(self, self._host), address, port, backlog=128)
         except (OSError, OverflowError, UnicodeError) as error:
-            raise WifiError(why_not_open(error, address, port, "--port 0 takes any")) from None
+            raise ServerError(why_not_open(error, address, port, "--port 0 takes any")) from None
         self.address, self.port = self._server.sockets[0].getsockname()[:2]
 
     def announce(self, beacon: Callable[[], Beacon], port: int = BEACON_PORT) -> None:

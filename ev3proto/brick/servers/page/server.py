@@ -20,7 +20,7 @@ from importlib.resources import files
 from aiohttp import WSMsgType, web
 from aiohttp.http import HttpProcessingError
 
-from ev3proto.brick.servers.host import Host
+from ev3proto.brick.servers.host import Host, ServerError
 from ev3proto.brick.servers.page.state import Changes, answer
 from ev3proto.brick.servers.page.watcher import Watcher
 
@@ -50,10 +50,6 @@ _HEADERS = {
 Handler = Callable[[web.Request], Awaitable[web.StreamResponse]]
 
 
-class PageError(Exception):
-    """The page cannot be served; the message says why and what to do."""
-
-
 @asynccontextmanager
 async def serving(host: Host, address: str, port: int) -> AsyncIterator[tuple[str, asyncio.Event]]:
     """Serves the page for as long as the context lasts.
@@ -67,7 +63,7 @@ async def serving(host: Host, address: str, port: int) -> AsyncIterator[tuple[st
         The link that opens the page, and an event that is set when a browser has opened it.
 
     Raises:
-        PageError: The port cannot be opened.
+        ServerError: The port cannot be opened.
     """
     page = _Page(host)
 
@@ -86,7 +82,7 @@ async def serving(host: Host, address: str, port: int) -> AsyncIterator[tuple[st
         try:
             await web.TCPSite(runner, address, port).start()
         except OSError as error:
-            raise PageError(
+            raise ServerError(
                 f"port {port} of {address} cannot be opened for the page: {error.strerror or error}; --http alone takes"
                 " any that is free"
             ) from None

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Protocol
 
+from ev3proto.bounded import Bounded
 from ev3proto.dialogue import Dialogue
 from ev3proto.schema.frame import parse
 from ev3proto.schema.header import HEADER_SIZE, Header
@@ -96,7 +97,7 @@ class Watcher:
         self._clock = clock
         self._count = 0
         self._kept: deque[Talk] = deque(maxlen=MOST_KEPT)
-        self._pending: OrderedDict[tuple[int, int], Talk] = OrderedDict()
+        self._pending: Bounded[tuple[int, int], Talk] = Bounded(MOST_PENDING)
         self._pages: set[Unshown] = set()
 
     def open(self) -> Unshown:
@@ -131,9 +132,7 @@ class Watcher:
             self._count += 1
             talk = Talk(self._count, connection.name, now, frame if is_from_host else None)
             if is_from_host:
-                self._pending[key] = talk
-                if len(self._pending) > MOST_PENDING:
-                    self._pending.popitem(last=False)
+                self._pending.add(key, talk)
             else:
                 talk.reply = frame
             self._kept.append(talk)

@@ -10,7 +10,6 @@ from urllib.parse import unquote
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from jsonschema import Draft202012Validator  # type: ignore[import-untyped]
 from support.careful import careful_frames
 from support.cli import run_ev3proto
 from support.effort import effort
@@ -30,19 +29,6 @@ MANY = f"{FINE}\n{MISALIGNED}\n{REFUSED}\n{FINE}\n"
 def check(*words: str, stdin: str = "") -> tuple[int, str]:
     done = run_ev3proto("check", *words, stdin=stdin.encode())
     return done.returncode, done.stdout.decode()
-
-
-@pytest.mark.parametrize("code", CODES)
-def test_a_refused_frame_is_exit_status_1(code: str) -> None:
-    entry = CODES[code]
-    for frame in (entry.example, entry.counterexample):
-        if int.from_bytes(frame[:2], "little") + 2 < len(frame):
-            # The command line takes what follows a frame for padding, or for the next one.
-            continue
-        report = ev3proto.check(frame, carrier=entry.carrier)
-        words = ["--carrier", entry.carrier] if entry.carrier else []
-        status, _ = check(*words, frame.hex(" "))
-        assert status == (1 if not report.accepted or report.errors else 0)
 
 
 def capture_of(*frames: str) -> bytes:
@@ -179,122 +165,6 @@ def test_what_cannot_be_read_is_annotated_too() -> None:
     assert run["invocations"][0]["executionSuccessful"] is False
 
 
-SARIF = {
-    "type": "object",
-    "required": ["version", "runs"],
-    "properties": {
-        "$schema": {"type": "string", "format": "uri"},
-        "version": {"const": "2.1.0"},
-        "runs": {"type": "array", "items": {"$ref": "#/$defs/run"}},
-    },
-    "additionalProperties": False,
-    "$defs": {
-        "message": {"type": "object", "required": ["text"], "properties": {"text": {"type": "string", "minLength": 1}}},
-        "rule": {
-            "type": "object",
-            "required": ["id"],
-            "properties": {
-                "id": {"type": "string"},
-                "shortDescription": {"$ref": "#/$defs/message"},
-                "fullDescription": {"$ref": "#/$defs/message"},
-            },
-            "additionalProperties": False,
-        },
-        "run": {
-            "type": "object",
-            "required": ["tool", "results"],
-            "properties": {
-                "tool": {
-                    "type": "object",
-                    "required": ["driver"],
-                    "properties": {
-                        "driver": {
-                            "type": "object",
-                            "required": ["name"],
-                            "properties": {
-                                "name": {"type": "string"},
-                                "version": {"type": "string"},
-                                "rules": {"type": "array", "uniqueItems": True, "items": {"$ref": "#/$defs/rule"}},
-                            },
-                            "additionalProperties": False,
-                        }
-                    },
-                    "additionalProperties": False,
-                },
-                "invocations": {
-                    "type": "array",
-                    "items": {
-                        "type": "object",
-                        "required": ["executionSuccessful"],
-                        "properties": {
-                            "executionSuccessful": {"type": "boolean"},
-                            "toolExecutionNotifications": {
-                                "type": "array",
-                                "items": {
-                                    "type": "object",
-                                    "required": ["message"],
-                                    "properties": {
-                                        "level": {"enum": ["none", "note", "warning", "error"]},
-                                        "message": {"$ref": "#/$defs/message"},
-                                    },
-                                    "additionalProperties": False,
-                                },
-                            },
-                        },
-                        "additionalProperties": False,
-                    },
-                },
-                "results": {"type": "array", "items": {"$ref": "#/$defs/result"}},
-            },
-            "additionalProperties": False,
-        },
-        "result": {
-            "type": "object",
-            "required": ["message"],
-            "properties": {
-                "ruleId": {"type": "string"},
-                "level": {"enum": ["none", "note", "warning", "error"]},
-                "message": {"$ref": "#/$defs/message"},
-                "properties": {"type": "object"},
-                "locations": {
-                    "type": "array",
-                    "items": {
-                        "type": "object",
-                        "properties": {
-                            "physicalLocation": {
-                                "type": "object",
-                                "required": ["artifactLocation"],
-                                "properties": {
-                                    "artifactLocation": {
-                                        "type": "object",
-                                        "properties": {"uri": {"type": "string", "pattern": "^[-A-Za-z0-9._~/%]+$"}},
-                                        "additionalProperties": False,
-                                    },
-                                    "region": {
-                                        "type": "object",
-                                        "properties": {
-                                            "startLine": {"type": "integer", "minimum": 1},
-                                            "startColumn": {"type": "integer", "minimum": 1},
-                                            "byteOffset": {"type": "integer", "minimum": 0},
-                                            "byteLength": {"type": "integer", "minimum": 0},
-                                        },
-                                        "additionalProperties": False,
-                                    },
-                                },
-                                "additionalProperties": False,
-                            }
-                        },
-                        "additionalProperties": False,
-                    },
-                },
-            },
-            "additionalProperties": False,
-        },
-    },
-}
-"""What the standard says of the parts of a log that are used here: their names, types and required properties."""
-
-
 def test_sarif(tmp_path: Path) -> None:
     log, program, source = tmp_path / "100% robot.log", tmp_path / "robot.rbf", tmp_path / "robot.lms"
     log.write_text(MANY)
@@ -305,22 +175,17 @@ def test_sarif(tmp_path: Path) -> None:
     status, shown = check("--format", "sarif", str(log), str(program), str(source), str(capture), REFUSED)
     assert status == 1
     found = json.loads(shown)
-    Draft202012Validator(SARIF).validate(found)
     (run,) = found["runs"]
+    assert (found["version"], run["tool"]["driver"]["name"]) == ("2.1.0", "ev3proto")
     rules = {rule["id"] for rule in run["tool"]["driver"]["rules"]}
     assert {result["ruleId"] for result in run["results"]} == rules
     assert {"E205", "E102", "source"} < rules
     places = [result["locations"][0]["physicalLocation"] for result in run["results"] if "locations" in result]
     files = {unquote(place["artifactLocation"]["uri"]) for place in places}
     assert files == {str(path) for path in (log, program, source, capture)}
-    assert {
-        place["region"]["startLine"] for place in places if unquote(place["artifactLocation"]["uri"]) == str(log)
-    } == {
-        2,
-        3,
-    }
+    in_log = [place for place in places if unquote(place["artifactLocation"]["uri"]) == str(log)]
+    assert {place["region"]["startLine"] for place in in_log} == {2, 3}
     clean = json.loads(check("--format", "sarif", FINE)[1])
-    Draft202012Validator(SARIF).validate(clean)
     assert clean["runs"][0]["results"] == []
 
 
@@ -331,13 +196,6 @@ def test_every_code_has_a_rule_in_sarif() -> None:
         for rule in run["tool"]["driver"]["rules"]:
             title = CODES[rule["id"]].title if rule["id"] in CODES else "refused by the brick"
             assert rule["shortDescription"]["text"] == title
-
-
-def test_a_report_as_text_is_what_the_command_prints() -> None:
-    for frame in (REFUSED, FINE, MISALIGNED):
-        report = ev3proto.check(hexed(frame))
-        assert str(report) + "\n" == check(frame)[1]
-        assert ev3proto.check(ev3proto.parse(hexed(frame), strict=False)) == report
 
 
 def test_a_program_report_as_text_is_what_the_command_prints(tmp_path: Path) -> None:
@@ -383,11 +241,3 @@ def test_fixes_of_drawn_faults_are_those_of_the_command(frame: bytes) -> None:
     assert json.loads(shown) == fixed.as_dict()
     assert status == (1 if not fixed.report.accepted or fixed.report.errors else 0)
     assert str(fixed) + "\n" == check("--fix", frame.hex(" "))[1]
-
-
-def test_fixes_in_python() -> None:
-    fixed = ev3proto.fix(hexed(REFUSED))
-    assert fixed.frame == bytes.fromhex("08002a00000400810160")
-    assert fixed.report.accepted
-    assert ev3proto.check(hexed(REFUSED)).fixed == fixed
-    assert ev3proto.fix(ev3proto.parse(hexed(REFUSED), strict=False)) == fixed

@@ -107,37 +107,6 @@ def test_a_finding_says_all_there_is_to_say() -> None:
     assert (report.accepted, report.errors, len(report.warnings)) == (True, (), 1)
 
 
-def test_a_finding_for_other_tools() -> None:
-    report = check(raw("82 1B 1F"))
-    assert report.as_dict()["findings"] == [
-        {
-            "severity": "warning",
-            "code": "W304",
-            "offset": 9,
-            "length": 1,
-            "message": "PATTERN is 31, which is not in LEDPATTERN",
-            "mend": report.findings[0].help,
-            "operation": "UI_WRITE.LED",
-            "parameter": "PATTERN",
-        }
-    ]
-    assert list(check(raw("")).as_dict()["findings"][0]) == [
-        "severity",
-        "code",
-        "offset",
-        "length",
-        "message",
-        "mend",
-    ]
-
-
-def test_findings_stand_in_the_order_of_their_offsets() -> None:
-    frame = raw("94 01 82C800 8140 82E803 A3 00 01 81C8")
-    offsets = [finding.offset for finding in check(frame).findings]
-    assert offsets == sorted(offsets)
-    assert len(offsets) == 3
-
-
 def test_options() -> None:
     with pytest.raises(ValueError, match="carrier must be one of usb, bluetooth, wifi, not 'pigeon'"):
         check(b"", carrier="pigeon")
@@ -601,16 +570,6 @@ def test_longer_forms() -> None:
     assert only(frame).help == "write it as 60"
     assert only(raw("82 811B 01")).parameter == "CMD"
     assert codes(command(operation("MOVEF_F", 0.5, LV(0)), local_size=4)) == []
-
-
-def test_what_is_kept_of_an_argument_is_said_where_it_stands() -> None:
-    tones = "94 01 01 14 0A" * 2  # SOUND.TONE(1, 20, 10), twice
-    for code, offsets in ((tones, [10, 15]), (f"01 {tones}", [11, 16]), (tones, [10, 15])):
-        found = [finding for finding in check(raw(code)).findings if finding.code == "W303"]
-        assert [finding.offset for finding in found] == offsets
-        assert {(finding.operation, finding.parameter, finding.length) for finding in found} == {
-            ("SOUND.TONE", "FREQUENCY", 1)
-        }
 
 
 def test_jumps_into_operations_are_followed() -> None:

@@ -9,7 +9,7 @@ import pytest
 
 import ev3proto
 from ev3proto.checking.report import Change, Finding, Fix, Report, Severity
-from ev3proto.text.diagnostics import MOST_ALIKE, diagnostics, fixed, grouped_hex, tally
+from ev3proto.text.diagnostics import MOST_ALIKE, diagnostics, fixed, grouped_hex
 from ev3proto.text.paste import read_text
 from ev3proto.text.spans import Line, Role, plain_text
 
@@ -158,27 +158,12 @@ def test_system_commands_are_decoded_too() -> None:
     assert '     = DELETE_FILE path="../prjs/x"' in lines
 
 
-@pytest.mark.parametrize("frame", [b"", b"\x01", TONE[:4], bytes(5), bytes(2000), TONE + TONE])
-def test_any_bytes_and_any_span(frame: bytes) -> None:
-    for offset in (0, 1, 4, len(frame), len(frame) + 50):
-        for length in (0, 1, 5000):
-            found = report(frame, replace(LENGTH, offset=offset, length=length))
-            lines = texts(diagnostics(found))
-            assert any("^" in line for line in lines) == bool(frame)
-
-
 def test_the_colour_is_that_of_the_worst() -> None:
     lines = list(diagnostics(report(TONE, LONG, LOW)))
     (underline,) = [line for line in lines if any("^" in text for text, _ in line)]
     assert [role for text, role in underline if "^" in text] == [Role.FAULT]
     (row,) = [line for line in lines if any(" 0E" in text for text, _ in line)]
     assert [text for text, role in row if role is Role.FAULT] == [" 82 C8 00"]
-
-
-def test_a_tally() -> None:
-    assert tally([]) == "no findings"
-    assert tally([LOW, LENGTH, QUIET]) == "2 errors, 1 warning"
-    assert tally([LONG]) == "1 hint"
 
 
 def test_a_fixed_frame() -> None:

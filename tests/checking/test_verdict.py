@@ -256,15 +256,3 @@ def test_every_family_has_a_table_of_cmds() -> None:
     assert set(families.values()) == set(CMD_TABLES)
     assert {name for name, table in families.items() if name != table} == {"TST", "FILENAME"}
     assert (families["TST"], families["FILENAME"]) == ("INFO", "ARRAY")
-
-
-def test_what_the_validator_of_2013_does_not_know() -> None:
-    assert {name for name, declaration in operations().items() if declaration.is_newer} == {
-        "UI_READ.GET_POWER",
-        "UI_WRITE.ADDRESS",
-        "UI_WRITE.ALLOW_PULSE",
-        "UI_WRITE.SET_PULSE",
-        "INPUT_DEVICE.INSERT_TYPE",
-        "INPUT_DEVICE.SET_TYPEMODE",
-        "INPUT_DEVICE.READY_IIC",
-    }

@@ -5,24 +5,18 @@ What is expected is written out, or worked out here from the protocol's descript
 
 from __future__ import annotations
 
-import math
 import struct
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from random import Random
 from typing import Any
 
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
-from hypothesis.strategies import DrawFn, SearchStrategy
 from support.cases import each
-from support.effort import effort
 
 import ev3proto
 from ev3proto import (
     GV,
     LV,
-    Argument,
     BuildError,
     Dialogue,
     DirectCommand,
@@ -34,13 +28,11 @@ from ev3proto import (
     direct_reply,
     ops,
 )
-from ev3proto.checking.checking import check as check_frame
-from ev3proto.compose import Placeholder
 from ev3proto.enums import LED
 from ev3proto.schema.instructions import instruction_set
 from ev3proto.semantics.drafts.functions import draft, drafts
 from ev3proto.tables import operations as operations_of
-from ev3proto.tables.declaration import DIALECTS, Declaration, Direction, Parameter, Type
+from ev3proto.tables.declaration import DIALECTS, Direction
 
 pytestmark = pytest.mark.portable
 
@@ -259,91 +251,6 @@ def test_the_lights_of_the_lesson() -> None:
 
 HOME = {name: dialect for dialect in reversed(DIALECTS) for name in operations_of(dialect)}
 
-RANGES = {
-    Type.DATA8: (-127, 127),
-    Type.DATA16: (-32767, 32767),
-    Type.DATA32: (-(2**31) + 1, 2**31 - 1),
-    Type.HANDLE: (-32767, 32767),
-    Type.ARRAY_TYPED: (-(2**31) + 1, 2**31 - 1),
-    Type.LABEL: (0, 31),
-}
-SIZES = {
-    Type.DATA8: 1,
-    Type.DATA16: 2,
-    Type.DATA32: 4,
-    Type.DATAF: 4,
-    Type.HANDLE: 2,
-    Type.ARRAY_TYPED: 4,
-    Type.STRING: 1,
-}
-
-_texts = st.text(st.characters(min_codepoint=1, max_codepoint=255), max_size=8)
-
-
-def meaningful(parameter: Parameter, lengths: set[str]) -> SearchStrategy[Any]:
-    """What an input takes that means something; lengths of outputs are such that these fit in memory."""
-    if parameter.name in lengths:
-        low, high = parameter.range or (1, 7)
-        return st.integers(max(low, 1), min(high, 7))
-    if parameter.type is Type.STRING:
-        return _texts
-    if parameter.length is not None:
-        return st.just("x" * 32)  # an array in the operation itself, long enough for any length drawn here
-    if parameter.name == "OFFSET" and parameter.type is Type.LABEL:
-        return st.just(0)  # others would jump out of the command
-    if parameter.range is not None:
-        numbers = st.integers(*parameter.range)
-        return numbers | st.sampled_from(sorted(parameter.special)) if parameter.special else numbers
-    if parameter.enum is not None:
-        return st.sampled_from([*parameter.enum.members, *parameter.enum.members.values()])
-    return st.floats(width=32) if parameter.type is Type.DATAF else st.integers(*RANGES[parameter.type])
-
-
-@st.composite
-def asked(draw: DrawFn, declaration: Declaration) -> list[Any]:
-    """One value for each parameter: inputs that mean something, outputs omitted or with a place to be found."""
-    parameters = declaration.parameters
-    lengths = {str(parameter.length) for parameter in parameters}
-    values: list[Any] = []
-    for parameter in parameters:
-        element = parameter.element
-        if parameter.type is Type.COUNT and parameter.elements is not Direction.IN:
-            values.append(draw(st.none() | st.integers(0, 4) | st.lists(st.none(), max_size=3)))
-        elif parameter.type in (Type.COUNT, Type.VALUES):
-            numbers = st.floats(width=32) if element is Type.DATAF else st.integers(0, 100)
-            values.append(draw(st.lists(numbers, max_size=4)))
-        elif parameter.direction is Direction.OUT:
-            sized = parameter.length is not None or parameter.type is not Type.STRING
-            tells = not isinstance(parameter.length, str) or not _is_output(declaration, parameter.length)
-            values.append(draw(st.none() | st.builds(Local) if sized and tells else st.builds(Global, st.just(32))))
-        elif parameter.direction is Direction.INOUT:
-            values.append(Local(8))
-        elif len(parameters) > parameters.index(parameter) + 1 and parameters[-1].type is Type.VALUES:
-            values.append(None if parameter is parameters[-2] else draw(meaningful(parameter, lengths)))
-        elif isinstance(parameters[-1].element, str) and parameters[-1].element == parameter.name:
-            # Numbers of any type will do for DATA_32; texts are tried on their own.
-            values.append("DATA_32")
-        else:
-            values.append(draw(meaningful(parameter, lengths)))
-    return values
-
-
-def _is_output(declaration: Declaration, name: str) -> bool:
-    return any(parameter.name == name and parameter.is_output for parameter in declaration.parameters)
-
-
-def call(declaration: Declaration, dialect: str, values: Sequence[Any]) -> Draft:
-    """The function of `ev3proto.ops` for an operation, called with values in order."""
-    import ev3proto.ops.compat
-    import ev3proto.ops.xtended
-
-    found: Any = ops if dialect == "official" else getattr(ops, dialect, None) or vars(ev3proto.ops)[dialect]
-    for part in declaration.name.lower().split("."):
-        found = getattr(found, f"{part}_" if part in ("break", "return") else part)
-    draft: Draft = found(*values)
-    return draft
-
-
 EDGES: list[Any] = [0, 1, -1, 2, 31, 32, -32, 100, 127, -127, -128, 255, 440, 32767, -32768, 65535, 2**31 - 1, 2**31]
 EDGES += [True, False, 1.0, 0.5, float("nan"), float("inf"), "a", "", LED.RED, None, GV(0), GV(3), b"\x01", [1]]
 
@@ -370,93 +277,3 @@ def outcome(make: Callable[..., Draft], *arguments: Any) -> str:
         return f"{made!r} {command(made).build().hex()}"
     except BuildError as error:
         return str(error)
-
-
-NEWER = "E212"
-"""What a check says of commands that LEGO's the 2013 firmware does not know; it is right, and no fault of composing."""
-
-
-@each("name", sorted(HOME))
-def test_what_is_composed_parses_back_to_what_was_asked(name: str) -> None:
-    dialect = HOME[name]
-    declaration = operations_of(dialect)[name]
-
-    @settings(max_examples=effort(2, 20), database=None)
-    @given(st.data())
-    def check(data: st.DataObject) -> None:
-        drawn = [data.draw(asked(declaration)) for _ in range(2)]
-        message = command(*(call(declaration, dialect, values) for values in drawn), counter=7)
-        parsed = ev3proto.parse(message.build(), dialect=dialect)
-        assert parsed == message
-        assert isinstance(parsed, DirectCommand)
-        assert [operation.full_name for operation in parsed.operations] == [name, name]
-        for operation, values in zip(parsed.operations, drawn, strict=True):
-            assert_says(declaration, operation.arguments, values)
-        assert_laid_out(parsed, shared=declaration)
-        if dialect == "official" and name not in ("ERROR", "OBJECT_END"):
-            errors = check_frame(message.build()).errors
-            assert [finding for finding in errors if finding.code != NEWER] == []
-
-    check()
-
-
-def assert_says(declaration: Declaration, arguments: Sequence[Argument], values: Sequence[Any]) -> None:
-    """The constants are those that were asked for; where variables were to be found, there are some."""
-    left = list(arguments)
-    for parameter, value in zip(declaration.parameters, values, strict=True):
-        if parameter.type is Type.VALUES:
-            for each in value:
-                assert_value(left.pop(0), parameter, each)
-            continue
-        argument = left.pop(0)
-        if parameter.type is Type.COUNT:
-            many = [None] if value is None else [None] * value if isinstance(value, int) else value
-            assert argument.value == len(many)
-            for each in many:
-                assert_value(left.pop(0), parameter, each)
-        elif value is None and not parameter.is_output:
-            assert argument.value == len(values[-1])
-        else:
-            assert_value(argument, parameter, value)
-    assert left == []
-
-
-def assert_value(argument: Argument, parameter: Parameter, value: Any) -> None:
-    if value is None or isinstance(value, Placeholder):
-        scope = "global" if value is None else value.scope
-        assert argument.kind == scope
-        return
-    if parameter.enum is not None and isinstance(value, str) and value in parameter.enum.members:
-        value = parameter.enum.members[value]
-    if argument.parameter.type is Type.DATAF and not isinstance(value, str):
-        assert isinstance(argument.value, int | float)
-        assert argument.value == value or (math.isnan(argument.value) and math.isnan(value))
-    else:
-        assert argument.value == value
-
-
-def assert_laid_out(message: DirectCommand, shared: Declaration) -> None:
-    """Every variable is aligned, within the memory that is asked for, and shares no byte with another."""
-    taken: dict[str, list[range]] = {"global": [], "local": []}
-    for operation in message.operations:
-        told = {argument.name: argument.value for argument in operation.arguments if not argument.is_variable}
-        for argument in operation.arguments:
-            if not argument.is_variable:
-                continue
-            parameter = argument.parameter
-            size = SIZES[parameter.type]
-            assert int(argument.value) % size == 0
-            if parameter.length is not None:
-                length = told.get(str(parameter.length), parameter.length)
-                size *= abs(length) if isinstance(length, int) else 1
-            taken[argument.kind].append(range(int(argument.value), int(argument.value) + size))
-    for scope, most in (("global", message.global_size), ("local", message.local_size)):
-        used = [byte for span in taken[scope] for byte in span]
-        assert len(used) == len(set(used)), f"{shared.name} overlaps"
-        assert max(used, default=-1) < most or (not used and most == 0)
-    assert message.wants_reply == bool(taken["global"])
-
-
-def test_every_operation_can_be_composed() -> None:
-    """The instruction set of the schema and the functions are the same operations."""
-    assert set(instruction_set("official").by_name) == set(operations_of("official"))

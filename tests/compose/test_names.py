@@ -5,8 +5,6 @@ from __future__ import annotations
 import inspect
 import math
 import struct
-import subprocess
-import sys
 from collections.abc import Callable
 from typing import Any
 
@@ -76,34 +74,15 @@ DIFFERENT = {
     "LCS('a\\x00b')": "ev3_dc lets a zero into the string, where it ends the string and the rest is read as byte code",
 }
 
-# What ev3_dc exports beside constants and encoding functions.
-LEFT_OUT = {
-    "DirCmdError": "an exception of its connection",
-    "SysCmdError": "an exception of its connection",
-    "EV3": "its connection",
-    "FileSystem": "a device class: sends by itself",
-    "Motor": "a device class: sends by itself",
-    "Sound": "a device class: sends by itself",
-    "Jukebox": "a device class: sends by itself",
-    "Voice": "a device class: sends by itself",
-    "Touch": "a device class: sends by itself",
-    "Color": "a device class: sends by itself",
-    "Infrared": "a device class: sends by itself",
-    "Ultrasonic": "a device class: sends by itself",
-    "Gyro": "a device class: sends by itself",
-    "TwoWheelVehicle": "a device class: sends by itself",
-    "RGBColor": "a result of its device classes",
-    "RawRGBColor": "a result of its device classes",
-    "VehiclePosition": "a result of its device classes",
-    "MotorPositions": "a result of its device classes",
-    "TRIAD": "a song for its Jukebox",
-    "ALLE_MEINE_ENTCHEN": "a song for its Jukebox",
-    "HAPPY_BIRTHDAY": "a song for its Jukebox",
-    "EU_ANTEMN": "a song for its Jukebox",
-    "FRERE_JACQUES": "a song for its Jukebox",
-    "pid": "a controller: no part of the protocol",
-    "port_motor_input": "a lookup that PORT_A_SENSOR and its kin answer",
-}
+LEFT_OUT = """
+EV3 DirCmdError SysCmdError
+FileSystem Motor Sound Jukebox Voice Touch Color Infrared Ultrasonic Gyro TwoWheelVehicle
+RGBColor RawRGBColor VehiclePosition MotorPositions
+TRIAD ALLE_MEINE_ENTCHEN HAPPY_BIRTHDAY EU_ANTEMN FRERE_JACQUES
+pid port_motor_input
+"""
+"""What ev3_dc exports beside constants and encoding functions: connection and exceptions, device classes, which send
+by themselves, their results, songs, a controller, and a lookup that PORT_A_SENSOR and its kin answer."""
 
 FUNCTIONS: dict[str, Callable[[Any], bytes]] = {"LCX": LCX, "LCS": LCS, "LVX": LVX, "GVX": GVX}
 
@@ -170,7 +149,7 @@ def test_differences_are_all_looked_at() -> None:
 
 def test_nothing_of_ev3_dc_is_forgotten() -> None:
     exported = {name for name, value in vars(ev3_dc).items() if not (name.startswith("_") or inspect.ismodule(value))}
-    assert exported - {*REFERENCE, *FUNCTIONS} == set(LEFT_OUT)
+    assert exported - {*REFERENCE, *FUNCTIONS} == set(LEFT_OUT.split())
 
 
 def test_constants_spelled_as_ev3_dc_spells_them() -> None:
@@ -194,18 +173,9 @@ def read_by_the_brick(raw: bytes) -> tuple[str, Any]:
     ("name", "theirs", "ours"),
     [
         ("CURRENT_SLOT", ("LC0", -31), ("LC0", -1)),
-        ("ICON_NONE", ("LC0", -31), ("LC0", -1)),
-        ("MODE_KEEP", ("LC0", -31), ("LC0", -1)),
-        ("TYPE_RESTART_BROWSER", ("LC0", -31), ("LC0", -1)),
         ("TYPE_REFRESH_BROWSER", ("LC0", -30), ("LC0", -2)),
         ("TEXTBOX", ("LC0", -32), ("LC1", 32)),
-        ("ICON_OBD", ("LC0", -32), ("LC1", 32)),
-        ("ICON_OPENFOLDER", ("LC0", -31), ("LC1", 33)),
-        ("ICON_BRICK1", ("LC0", -30), ("LC1", 34)),
-        ("TYPE_USBSTICK", ("LC0", -32), ("LC1", 32)),
-        ("WAITING", ("LC0", -32), ("LC1", 32)),
         ("WARNING_BATTLOW", ("LV0", 0), ("LC1", 64)),
-        ("STOPPED", ("LV0", 0), ("LC1", 64)),
     ],
 )
 def test_what_bare_bytes_say(name: str, theirs: tuple[str, int], ours: tuple[str, int]) -> None:
@@ -294,14 +264,6 @@ def test_constant_names() -> None:
         _ = ev3proto.opUI_Drw
 
 
-def test_import_builds_no_lookup() -> None:
-    code = (
-        "import ev3proto.schema.names as n; print(n._constants.cache_info().currsize, n._opcodes.cache_info().currsize)"
-    )
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    assert done.stdout.split() == ["0", "0"]
-
-
 # The encoding functions.
 
 
@@ -333,22 +295,17 @@ def test_variables_keep_their_index(index: int) -> None:
     [
         (LC0(-1), "3f"),
         (LC0(31), "1f"),
-        (LC1(5), "81 05"),
         (LC1(-128), "81 80"),
-        (LC2(5), "82 05 00"),
         (LC2(-2), "82 fe ff"),
         (LC4(5), "83 05 00 00 00"),
-        (LCF(1.0), "83 00 00 80 3f"),
         (LCF(-2), "83 00 00 00 c0"),
         (LCF(math.nan), "83 00 00 c0 7f"),
         (LCF(math.inf), "83 00 00 80 7f"),
         (LAB1(-3), "a0 fd"),
         (LVX(40), "c1 28"),
         (LVX(200), "c1 c8"),
-        (GVX(200), "e1 c8"),
         (GVX(40000), "e2 40 9c"),
         (HND(LC1(3)), "91 03"),
-        (HND(GVX(40)), "f1 28"),
         (ADR(LC4(0x8000)), "8b 00 80 00 00"),
         (ADR(HND(LVX(300))), "da 2c 01"),
     ],
@@ -361,32 +318,23 @@ def test_encoding(encoded: bytes, expected: str) -> None:
     ("function", "argument", "sentence"),
     [
         (LCX, True, "LCX takes a whole number, not True"),
-        (LCX, 1.0, "LCX takes a whole number, not 1.0"),
         (LCX, "1", "LCX takes a whole number, not '1'"),
         (LCX, 2**31, "a constant cannot be 2147483648"),
         (LC0, 32, "LC0 cannot hold 32"),
         (LC1, 128, "LC1 cannot hold 128"),
-        (LC2, 32768, "LC2 cannot hold 32768"),
-        (LC4, 2**31, "LC4 cannot hold 2147483648"),
         (LC4, 1.0, "LC4 takes a whole number"),
         (LCF, "1", "LCF takes a number"),
-        (LCF, False, "LCF takes a number"),
         (LCF, 1e39, "LCF cannot be 1e"),
         (LCS, b"a", "LCS takes a str"),
         (LCS, "a\0", "a text cannot contain a zero"),
         (LCS, "€", "ISO-8859-1"),
         (LVX, -1, "LVX cannot be"),
         (GVX, 2**32, "GVX cannot be"),
-        (GVX, 0.0, "GVX takes a whole number"),
         (LAB1, 128, "LAB1 cannot be 128"),
         (HND, LVX(3), "is a short form"),
-        (ADR, LC0(3), "is a short form"),
         (HND, b"", "HND takes the bytes of one encoded constant or variable"),
-        (HND, b"\x82\x01", "HND takes the bytes of one"),
-        (HND, 5, "HND takes the bytes of one"),
         (ADR, LCS("a"), "ADR takes the bytes of one"),
         (ADR, LAB1(1), "ADR takes the bytes of one"),
-        (ADR, b"\x87\0", "ADR takes the bytes of one"),
     ],
 )
 def test_refusals(function: Callable[[Any], bytes], argument: Any, sentence: str) -> None:

@@ -85,12 +85,8 @@ def test_handle_and_address_bits(byte: int, handle: bool, address: bool) -> None
     ("text", "global_size", "local_size"),
     [
         ("00:00", 0, 0),
-        ("01:00", 1, 0),
-        ("10:00", 16, 0),
         ("00:14", 0, 5),
-        ("FF:03", 1023, 0),
         ("00:04", 0, 1),
-        ("00:FC", 0, 63),
         ("FD:0B", 1021, 2),
         ("FF:FF", 1023, 63),
     ],
@@ -192,11 +188,6 @@ def test_an_error_reply_tells_nothing_more() -> None:
     assert reply.memory == b""
 
 
-def test_counters_are_unsigned() -> None:
-    assert direct_reply("03:00|00:80|02").counter == 32768
-    assert direct_reply("03:00|FF:FF|02").counter == 65535
-
-
 def test_a_list_whose_counter_is_missing() -> None:
     """INIT_BYTES ends after its destination, where the number of bytes that follow should stand."""
     message = ev3proto.parse(frame_of("07:00|01:00|80|00:14|2F:40"), strict=False)
@@ -264,14 +255,11 @@ def test_cmd_is_a_parameter_like_any_other(cmd: str) -> None:
     ("text", "encoding", "value"),
     [
         ("05", "LC0", 5),
-        ("3F", "LC0", -1),
         ("20", "LC0", -32),
         ("81:05", "LC1", 5),
         ("81:FF", "LC1", -1),
-        ("82:05:00", "LC2", 5),
         ("82:18:FC", "LC2", -1000),
         ("83:05:00:00:00", "LC4", 5),
-        ("A0:05", "LAB1", 5),
         ("A0:FB", "LAB1", -5),
         ("5F", "LV0", 31),
         ("C1:FF", "LV1", 255),
@@ -281,7 +269,6 @@ def test_cmd_is_a_parameter_like_any_other(cmd: str) -> None:
         ("E1:20", "GV1", 32),
         ("E2:00:01", "GV2", 256),
         ("E3:00:00:01:00", "GV4", 65536),
-        ("84:48:69:00", "LCS", "Hi"),
         ("80:48:69:00", "LCS_OLD", "Hi"),
         ("84:E4:00", "LCS", "ä"),
         ("84:00", "LCS", ""),
@@ -354,8 +341,6 @@ def test_the_builder_takes_the_shortest(value: object, raw: str) -> None:
         ("07:00|01:00|01|93|02:AA:BB", "CONTINUE_DOWNLOAD", {"handle": 2, "data": b"\xaa\xbb"}),
         ("09:00|01:00|01|94|E8:03:2E:2E:00", "BEGIN_UPLOAD", {"max_bytes": 1000, "path": ".."}),
         ("07:00|01:00|01|95|02:E8:03", "CONTINUE_UPLOAD", {"handle": 2, "max_bytes": 1000}),
-        ("09:00|01:00|01|96|E8:03:2E:2E:00", "BEGIN_GETFILE", {"max_bytes": 1000, "path": ".."}),
-        ("07:00|01:00|01|97|02:E8:03", "CONTINUE_GETFILE", {"handle": 2, "max_bytes": 1000}),
         ("05:00|01:00|01|98|02", "CLOSE_FILEHANDLE", {"handle": 2}),
         ("15:00|01:00|01|98|02" + ":11" * 16, "CLOSE_FILEHANDLE", {"handle": 2, "hash": b"\x11" * 16}),
         ("09:00|01:00|01|99|E8:03:2E:2E:00", "LIST_FILES", {"max_bytes": 1000, "path": ".."}),
@@ -382,7 +367,6 @@ def test_the_builder_takes_the_shortest(value: object, raw: str) -> None:
         ),
         ("04:00|01:00|81|A0", "ENTERFWUPDATE", {}),
         ("07:00|01:00|01|A1|61:62:00", "SETBUNDLEID", {"id": "ab"}),
-        ("07:00|01:00|01|A2|61:62:00", "SETBUNDLESEEDID", {"id": "ab"}),
         (
             "0C:00|01:00|01|F0|00:00:01:00:00:02:00:00",
             "BEGIN_DOWNLOAD_WITH_ERASE",
@@ -442,20 +426,9 @@ def test_system_replies(text: str, command: str, status: str, fields: dict[str, 
     assert message.build() == frame_of(text)
 
 
-def test_end_of_file_is_no_failure() -> None:
-    message = ev3proto.parse(frame_of("07:00|01:00|03|95:08|02:AA"))
-    assert isinstance(message, ev3proto.SystemReply)
-    assert not message.is_error
-
-
 def test_the_bootloader_has_a_begin_download_of_its_own() -> None:
     assert ev3proto.system_command("BEGIN_DOWNLOAD", size=1, path="a").number == 0x92
     assert ev3proto.system_command(0xF1, address=0, image_size=1).command == "BEGIN_DOWNLOAD"
-
-
-def test_lengths_are_worked_out() -> None:
-    message = ev3proto.system_command("WRITEMAILBOX", reply=False, name="ab", payload=b"1\x00")
-    assert message.build() == frame_of("0C:00|00:00|81|9E|03:61:62:00:02:00:31:00")
 
 
 # The daisy chain
@@ -531,10 +504,7 @@ def test_daisy_sensor_report() -> None:
         ("0A:00|2A:00|00|00:00|C1:0A:40:00:3F", 11, "ELEMENTS cannot be -1"),
         # Identification bytes that the firmware does not define
         ("09:00|2A:00|00|00:00|A3:00:01:85", 10, "undefined identification byte 0x85"),
-        ("09:00|2A:00|00|00:00|A3:00:01:86", 10, "undefined identification byte 0x86"),
-        ("09:00|2A:00|00|00:00|A3:00:01:87", 10, "undefined identification byte 0x87"),
         ("09:00|2A:00|00|00:00|A3:00:01:C0", 10, "undefined identification byte 0xC0"),
-        ("09:00|2A:00|00|00:00|A3:00:01:C4", 10, "undefined identification byte 0xC4"),
         # System messages
         ("03:00|2A:00|01", 5, "ends before the system command"),
         ("04:00|2A:00|01|77", 5, "unknown system command 0x77"),
@@ -604,8 +574,6 @@ def test_the_bootloader_fault_is_named() -> None:
     ("build", "words"),
     [
         (lambda: ev3proto.operation("SOUND.TONE", 300, 440, 1000), ["VOLUME", "300", "-127 to 127"]),
-        (lambda: ev3proto.operation("SOUND.TONE", -129, 440, 1000), ["VOLUME", "-129", "-127 to 127"]),
-        (lambda: ev3proto.operation("SOUND.TONE", 1, 40000, 1000), ["FREQUENCY", "40000", "-32767 to 32767"]),
         (lambda: ev3proto.operation("SOUND.TONE", 1.5, 440, 1000), ["VOLUME", "1.5", "whole number"]),
         (lambda: ev3proto.operation("SOUND.TONE", "loud", 440, 1000), ["VOLUME", "'loud'", "number"]),
         (lambda: ev3proto.operation("SOUND.TONE", None, 440, 1000), ["VOLUME", "None", "DATA8"]),
@@ -614,15 +582,12 @@ def test_the_bootloader_fault_is_named() -> None:
         (lambda: ev3proto.operation("SOUND.TONE", LV(-1), 440, 1000), ["VOLUME", "LV(-1)", "0 to 4294967295"]),
         (lambda: ev3proto.operation("SOUND.PLAY", 1, "a\0b"), ["NAME", r"'a\x00b'", "zero"]),
         (lambda: ev3proto.operation("SOUND.PLAY", 1, "€"), ["NAME", "'€'", "ISO-8859-1"]),
-        (lambda: ev3proto.operation("SOUND.PLAY", 1, 5), ["NAME", "5", "string"]),
         (lambda: ev3proto.operation("SOUND_TEST", 1), ["BUSY", "output", "GV(0)"]),
         (lambda: ev3proto.operation("MOVEF_F", 1e39, LV(0)), ["SOURCE", "1e+39", "3.4028235e38"]),
-        (lambda: ev3proto.operation("MOVE32_32", 2147483648, LV(0)), ["SOURCE", "2147483648", "2147483647"]),
         (lambda: ev3proto.operation("INIT_BYTES", LV(0), 3, [1, 2]), ["LENGTH", "3", "2 values follow"]),
         (lambda: ev3proto.operation("CALL", 1, [0] * 128), ["PARAMETERS", "128", "0 to 127"]),
         (lambda: ev3proto.operation("SOUND.TON", 1), ["SOUND.TON", "SOUND.TONE"]),
         (lambda: ev3proto.direct_command(local_size=64), ["local_size", "64", "0 to 63"]),
-        (lambda: ev3proto.direct_command(global_size=1024), ["global_size", "1024", "0 to 1023"]),
         (lambda: ev3proto.direct_command(counter=65536), ["counter", "65536", "0 to 65535"]),
         (lambda: ev3proto.direct_command(*[ev3proto.operation("SOUND_READY")] * 1018), ["1025 bytes", "1024"]),
         (lambda: ev3proto.direct_reply(bytes(1020)), ["1025 bytes", "1024"]),
@@ -630,7 +595,6 @@ def test_the_bootloader_fault_is_named() -> None:
         (lambda: ev3proto.system_command("CREATE_DIR"), ["path", "missing"]),
         (lambda: ev3proto.system_command("CLOSE_FILEHANDLE", handle=256), ["handle", "256", "0 to 255"]),
         (lambda: ev3proto.system_command("LIST_FILE", path="a"), ["LIST_FILE", "LIST_FILES"]),
-        (lambda: ev3proto.system_reply("CREATE_DIR", status=256), ["status", "256", "0 to 255"]),
     ],
 )
 def test_refusals(build: Callable[[], object], words: list[str]) -> None:
@@ -639,11 +603,6 @@ def test_refusals(build: Callable[[], object], words: list[str]) -> None:
         build()
     for word in words:
         assert word in str(raised.value)
-
-
-def test_the_largest_frame_is_built() -> None:
-    command = ev3proto.direct_command(*[ev3proto.operation("SOUND_READY")] * 1017)
-    assert len(command.build()) == 1024
 
 
 @pytest.mark.parametrize(

@@ -1,7 +1,9 @@
-"""Every operation of every dialect: what composes, what checks and what reads replies agree about its memory.
+"""Every operation of every dialect: it composes to what was asked, and everything agrees about its memory.
 
-Where `command` or the assembler chooses places or sizes, a check has nothing to say about memory, and a dialogue reads
-each output where it was placed. Variables given by hand are aligned and apart from each other here.
+Constants come back, and variables are aligned, within the memory that the header requests, and apart from each other:
+this is worked out here from the protocol's description. Where `command` or the assembler chooses places or sizes, a
+check has nothing to say about memory, and a dialogue reads each output where it was placed. Variables given by hand are
+aligned and apart from each other here.
 """
 
 from __future__ import annotations
@@ -14,8 +16,8 @@ from support.cases import each
 from support.effort import effort
 
 import ev3proto
-from ev3proto import GV, DirectCommand, Global, Local, Variable, check, command
-from ev3proto.semantics.drafts.draft import Draft
+from ev3proto import GV, Argument, DirectCommand, Draft, Global, Local, Variable, check, command
+from ev3proto.compose import Placeholder
 from ev3proto.semantics.footprint import footprints
 from ev3proto.tables import operations
 from ev3proto.tables.declaration import DIALECTS, Declaration, Direction, Effect, Parameter, Type
@@ -26,7 +28,10 @@ ABOUT_MEMORY = {"E205", "E401", "E402", "W401", "W402", "W403", "W404", "W405", 
 APART = 64
 """Bytes between variables given by hand: more than any array here has."""
 
-NUMBERS = {Type.DATA8: 1, Type.DATA16: 2, Type.DATA32: 3, Type.DATAF: 0.5, Type.HANDLE: 0}
+SIZES = {Type.DATA16: 2, Type.HANDLE: 2, Type.DATA32: 4, Type.DATAF: 4, Type.ARRAY_TYPED: 4}
+"""Bytes of what is not a byte."""
+
+LARGEST = {Type.DATA8: 127, Type.DATA16: 32767, Type.DATA32: 2**31 - 1, Type.LABEL: 0}
 
 
 def _home() -> Iterator[tuple[str, Declaration]]:
@@ -106,10 +111,13 @@ class Values:
 
     def _constant(self, parameter: Parameter) -> Any:
         if parameter.type is Type.STRING:
-            return "ab"
-        if parameter.enum is not None and parameter.range is None:
-            return next(iter(parameter.enum.members))
-        return parameter.range[0] if parameter.range is not None else NUMBERS.get(parameter.type, 0)
+            return self._random.choice(("", "ab", "größer"))
+        if parameter.range is not None:
+            return self._random.choice((self._random.randint(*parameter.range), *parameter.range, *parameter.special))
+        if parameter.enum is not None:
+            return self._random.choice((*parameter.enum.members, *parameter.enum.members.values()))
+        largest = LARGEST.get(parameter.type, 0)
+        return 0.5 if parameter.type is Type.DATAF else self._random.randint(-largest, largest)
 
 
 def _function(declaration: Declaration, dialect: str) -> Callable[..., Draft]:
@@ -122,18 +130,14 @@ def _function(declaration: Declaration, dialect: str) -> Callable[..., Draft]:
     return found  # type: ignore[no-any-return]
 
 
-def _composed(declaration: Declaration, dialect: str, random: Random) -> DirectCommand:
-    """Two operations in one command, so that their places must be apart."""
-    function = _function(declaration, dialect)
+def _drawn(declaration: Declaration, random: Random) -> list[list[Any]]:
+    """Values for two operations in one command, so that their places must be apart."""
     parameters = declaration.parameters
     values = Values(declaration, random)
-    drafts = []
-    for _ in range(2):
-        given = values.all()
-        if parameters and parameters[-1].type is Type.VALUES:
-            given.insert(len(parameters) - 2, None)
-        drafts.append(function(*given))
-    return command(*drafts, counter=7)
+    drawn = [values.all() for _ in range(2)]
+    if parameters and parameters[-1].type is Type.VALUES:
+        drawn = [[*given[:-1], None, given[-1]] for given in drawn]
+    return drawn
 
 
 def _about_memory(message: ev3proto.Message, dialect: str) -> list[str]:
@@ -142,15 +146,67 @@ def _about_memory(message: ev3proto.Message, dialect: str) -> list[str]:
 
 
 @each("name", HOME)
-def test_everybody_agrees_about_the_memory_of_an_operation(name: str) -> None:
+def test_everybody_agrees_about_an_operation(name: str) -> None:
     dialect, declaration = HOME[name]
+    function = _function(declaration, dialect)
     for round_ in range(effort(4, 50)):
-        message = _composed(declaration, dialect, Random(f"{name} {round_}"))
+        drawn = _drawn(declaration, Random(f"{name} {round_}"))
+        message = command(*(function(*values) for values in drawn), counter=7)
+        assert ev3proto.parse(message.build(), dialect=dialect) == message
+        for operation, values in zip(message.operations, drawn, strict=True):
+            _assert_says(declaration, list(operation.arguments), values)
+        _assert_laid_out(message)
         assert _about_memory(message, dialect) == [], message.operations
         _assert_read_where_it_is(message)
         text = "\n".join(operation_line(operation) for operation in message.operations)
         (assembled,) = assemble(text, dialect=dialect)
         assert _about_memory(assembled, dialect) == [], text
+
+
+def _assert_says(declaration: Declaration, left: list[Argument], values: list[Any]) -> None:
+    """The constants are those that were asked for; where variables were to be found, there are some."""
+    for parameter, value in zip(declaration.parameters, values, strict=True):
+        elements = [value]
+        if parameter.type is Type.VALUES:
+            elements = value
+        elif parameter.type is Type.COUNT:
+            elements = [None] * value if isinstance(value, int) else [None] if value is None else value
+            assert left.pop(0).value == len(elements)
+        elif value is None and not parameter.is_output:
+            elements = [len(values[-1])]
+        for one in elements:
+            _assert_value(left.pop(0), parameter, one)
+    assert left == []
+
+
+def _assert_value(argument: Argument, parameter: Parameter, value: Any) -> None:
+    if value is None or isinstance(value, Placeholder | Variable):
+        assert argument.kind == ("global" if value is None else value.scope)
+        assert not isinstance(value, Variable) or argument.value == value.index
+        return
+    if parameter.enum is not None and isinstance(value, str):
+        value = parameter.enum.members.get(value, value)
+    assert argument.value == value
+
+
+def _assert_laid_out(message: DirectCommand) -> None:
+    """Every variable is aligned, within the memory that is requested, and shares no byte with another."""
+    taken: dict[str, set[int]] = {"global": set(), "local": set()}
+    for operation in message.operations:
+        told = {argument.name: argument.value for argument in operation.arguments if not argument.is_variable}
+        for argument in operation.arguments:
+            if argument.is_variable:
+                form, parameter = argument.form, argument.parameter
+                size = 4 if form.address else 2 if form.handle else SIZES.get(parameter.type, 1)
+                assert int(argument.value) % size == 0
+                length = told.get(str(parameter.length), parameter.length)
+                if isinstance(length, int) and not (form.handle or form.address):
+                    size *= abs(length)
+                span = set(range(int(argument.value), int(argument.value) + size))
+                assert not span & taken[argument.kind], argument
+                taken[argument.kind] |= span
+    assert max(taken["global"], default=-1) < message.global_size
+    assert max(taken["local"], default=-1) < message.local_size
 
 
 def _assert_read_where_it_is(message: DirectCommand) -> None:

@@ -11,14 +11,8 @@ from ev3proto.capture import Carrier, Record, read
 from ev3proto.capture.carriers.wifi.layers import LINKS
 from ev3proto.generate.captures import write_pcapng
 from ev3proto.generate.dissector.build import RUNTIME
-from ev3proto.tables.carriers import CARRIERS
 
 TONE = bytes.fromhex("0e002a0080000094010182b80182e803")
-
-
-def test_the_names_are_promised() -> None:
-    assert CARRIERS == ("usb", "bluetooth", "wifi")
-    assert [Carrier(name).facts.label for name in CARRIERS] == ["USB", "Bluetooth", "WiFi"]
 
 
 @pytest.mark.parametrize("carrier", Carrier)

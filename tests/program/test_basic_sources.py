@@ -58,7 +58,6 @@ subcall TEXT.LEN    // SF
 """
 
 # Written out by hand: MAIN is 1, PROGRAM_MAIN is 2 by its CALL, TWORK 3, PROGRAM_WORK 4, TEXT.LEN 5.
-HEADERS = [(76, 0, 0, 0), (0x5A, 0, 1, 28), (0x98, 0, 0, 0), (0x5A, 0, 1, 28), (0xA2, 0, 1, 12)]
 MAIN = "3A 00 64  C1 01 00 68  09 02 01 3F  02 3F  0A"
 WORK = (
     "01 82  30 00 48  3F 83 00 00 C0 3F 50  09 05 02 80 61 2F 62 00 44  05 03"

@@ -10,7 +10,6 @@ from ev3proto.checking.codes import CODES
 from ev3proto.checking.program_codes import PROGRAM_CODES
 from ev3proto.checking.report import Severity
 from ev3proto.program import check_program
-from ev3proto.tables import operations
 
 
 @pytest.mark.parametrize("image", [IMAGE, SHORTEST])
@@ -43,12 +42,6 @@ def test_a_finding_has_its_offset_in_the_image() -> None:
     assert (finding.operation, finding.parameter) == ("MOVE8_8", "DESTINATION")
 
 
-def test_the_brick_refuses_a_program_with_an_operation_that_it_does_not_know() -> None:
-    report = check_program(image_of((0, 0, "01 DF 0A")))
-    assert not report.accepted
-    assert report.rejected_at == 29
-
-
 def test_a_block_has_the_locals_of_its_owner() -> None:
     # MOVE8_8(1, LV2) in a block whose owner has four bytes of locals
     image = bytearray(image_of((0, 0, "06 02 0A"), (1, 1, "30 01 42 0A"), local_size=4))
@@ -59,13 +52,6 @@ def test_a_block_has_the_locals_of_its_owner() -> None:
 def test_nothing_in_an_image_raises() -> None:
     for size in range(len(IMAGE)):
         assert not check_program(IMAGE[:size]).accepted
-
-
-def test_programs_may_have_the_commands_of_the_latest_firmware() -> None:
-    # UI_READ(GET_POWER, GV0, GV4, GV8, GV12), which the release of 2013 does not know
-    assert operations()["UI_READ.GET_POWER"].is_newer
-    image = image_of((0, 0, f"{operation('UI_READ.GET_POWER', *map(GV, (0, 4, 8, 12))).raw.hex()} 0A"), global_size=16)
-    assert check_program(image).accepted
 
 
 def help_of(name: str, image: bytes) -> str | None:

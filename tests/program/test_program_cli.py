@@ -39,15 +39,6 @@ def test_decode_lists_a_program(image: Path) -> None:
     assert "99 RETURN()" in lines
 
 
-def test_decode_reads_a_program_from_standard_input() -> None:
-    assert "MOVE8_8" in run_ev3proto_text("decode", "-", stdin=IMAGE).stdout
-
-
-def test_decode_as_tree(image: Path) -> None:
-    result = run_ev3proto_text("decode", "--format", "tree", image)
-    assert "PATTERN = 2 LED_RED  LC0" in result.stdout
-
-
 def test_decode_as_json(image: Path) -> None:
     (line,) = run_ev3proto_text("decode", "--json", image).stdout.splitlines()
     entry = json.loads(line)
@@ -219,13 +210,6 @@ def test_decode_shows_the_programs_that_a_capture_moves(capture: Path) -> None:
     assert len(entry["objects"]) == 2
 
 
-def test_a_program_is_shown_that_files_recovered(capture: Path, tmp_path: Path) -> None:
-    run_ev3proto_text("files", capture, "-o", tmp_path / "files")
-    (path,) = (tmp_path / "files").rglob("robot.rbf")
-    assert path.read_bytes() == IMAGE
-    assert run_ev3proto_text("decode", path).returncode == 0
-
-
 def test_programs_are_looked_for_in_captures_only(image: Path) -> None:
     assert run_ev3proto_text("decode", "--programs", image).returncode == 2
 
@@ -244,11 +228,3 @@ def test_run_and_check_say_the_same(tmp_path: Path, code: str, words: str) -> No
     said = run_ev3proto_text("check", path).stdout
     assert all(f"[{word}]: offset " in said for word in words.split()), said
     assert run_ev3proto_text("run", path, "--limit", "1").stderr.startswith(said)
-
-
-def test_run_and_check_warn_of_the_same_in_a_source(tmp_path: Path) -> None:
-    path = tmp_path / "x.lms"
-    path.write_text("vmthread MAIN\n{\n  DATAF x\n  MOVEF_F(1, x)\n}\n")
-    said = run_ev3proto_text("check", path).stderr
-    assert "(warning)" in said
-    assert run_ev3proto_text("run", path).stderr == said

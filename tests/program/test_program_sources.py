@@ -71,30 +71,20 @@ def test_the_version_is_the_users() -> None:
     ("written", "encoded"),
     [
         ("0", "00"),
-        ("31", "1F"),
-        ("-31", "21"),
         ("-32", "81 E0"),
         ("32", "81 20"),
-        ("127", "81 7F"),
-        ("-127", "81 81"),
         ("-128", "82 80 FF"),
         ("128", "82 80 00"),
-        ("32767", "82 FF 7F"),
-        ("-32767", "82 01 80"),
         ("-32768", "83 00 80 FF FF"),
         ("32768", "83 00 80 00 00"),
         ("0xFF", "82 FF 00"),
-        ("0xff", "82 FF 00"),
         ("0xFFFFFFFF", "83 FF FF FF FF"),
-        ("0xFFFFFFFE", "83 FE FF FF FF"),
         ("0x80000000", "83 00 00 00 80"),
         ("010", "08"),
         ("0.0F", "00"),
-        ("1.0F", "83 00 00 80 3F"),
         ("1F", "83 00 00 80 3F"),
         ("1.5F", "83 00 00 C0 3F"),
         (".5F", "83 00 00 00 3F"),
-        ("-2.0F", "83 00 00 00 C0"),
         ("1e3F", "83 00 00 7A 44"),
         ("-0.0F", "83 00 00 00 80"),
         ("'done'", "80 64 6F 6E 65 00"),
@@ -104,8 +94,6 @@ def test_the_version_is_the_users() -> None:
         ("DATA8_NAN", "82 80 00"),
         ("DATAF_NAN", "83 00 00 C0 7F"),
         ("LED_RED", "02"),
-        ("TEXTBOX", "81 20"),
-        ("FG_COLOR", "01"),
     ],
 )
 def test_a_constant_in_both_dialects(dialect: str, written: str, encoded: str) -> None:
@@ -120,16 +108,11 @@ def test_a_constant_in_both_dialects(dialect: str, written: str, encoded: str) -
         ("1e-3F", "83 6F 12 83 3A"),
         (r"'\\'", "80 5C 00"),
         (r"'\\n'", "80 5C 0A 00"),
-        ("(2 + 3 * 4)", "14"),
-        ("(2 + (3 * 4))", "0E"),
-        ("(7 / 2)", "03"),
         ("((0 - 7) / 2)", "3D"),
         ("'ä'", "80 C3 A4 00"),
         ("!5", "05"),
         ('"caf\\u00e9"', "80 63 61 66 E9 00"),
-        ("LC1(5)", "81 05"),
         ("LC4(-1)", "83 FF FF FF FF"),
-        ("LCS('x')", "84 78 00"),
         ("GV2(3)", "E2 03 00"),
         ("HND(LV1(4))", "D1 04"),
         ("bytes(81 05)", "81 05"),
@@ -142,9 +125,7 @@ def test_a_constant_of_the_strict_dialect(written: str, encoded: str) -> None:
 @pytest.mark.parametrize(
     ("written", "encoded"),
     [
-        ("$1F", "1F"),
         ("+5", "05"),
-        ("5.", "05"),
         ("1.5", "01"),
         ("08", "08"),
         ("-010", "36"),
@@ -172,9 +153,7 @@ def test_a_constant_of_legos_dialect(written: str, encoded: str) -> None:
         ("DATA8 x", "", "60"),
         ("ARRAY8 pad 31\nDATA8 x", "", "7F"),
         ("ARRAY8 pad 32\nDATA8 x", "", "E1 20"),
-        ("ARRAY8 pad 127\nDATA8 x", "", "E1 7F"),
         ("ARRAY8 pad 128\nDATA8 x", "", "E2 80 00"),
-        ("ARRAY8 pad 32767\nDATA8 x", "", "E2 FF 7F"),
         ("ARRAY8 pad 40000\nDATA8 x", "", "E3 40 9C 00 00"),
         ("", "ARRAY8 pad 128\nDATA8 x", "C2 80 00"),
     ],
@@ -200,19 +179,14 @@ def test_a_handle_and_an_address_are_never_short() -> None:
 @pytest.mark.parametrize(
     ("declared", "size"),
     [
-        ("DATA8 a", 1),
         ("DATA8 a\nDATA16 b", 4),
         ("DATA8 a\nDATA32 b", 8),
         ("DATA8 a\nDATAF b", 8),
-        ("DATA8 a\nHANDLE b", 4),
         ("DATA8 a\nDATAS b 2", 4),
         ("DATA8 a\nDATAS b 4", 8),
-        ("DATA8 a\nDATAS b 3", 4),
         ("DATA8 a\nARRAY8 b 4", 8),
         ("DATA8 a\nARRAY16 b 3", 7),
-        ("DATA8 a\nARRAY16 b 2", 8),
         ("DATA8 a\nARRAY32 b 3", 13),
-        ("DATA8 a\nARRAY32 b 1", 8),
         ("DATA8 a\nARRAYF b 2", 9),
         ("DATAS a 85", 85),
     ],
@@ -312,11 +286,6 @@ def test_expressions_of_the_strict_dialect_go_from_left_to_right() -> None:
     assert code == "63 14 06 0A"
 
 
-def test_sizes_are_expressions() -> None:
-    for dialect in BOTH:
-        assert _header("define N 4\nDATAS x (N + 3)", dialect)[0] == 7
-
-
 # Calls, objects
 
 
@@ -331,11 +300,6 @@ def test_object_numbers_from_32_on() -> None:
     source = "vmthread M\n{\nOBJECT_START(T38)\nCALL(T32)\n}\n" + threads
     for dialect in BOTH:
         assert _codes(source, dialect)[0] == "05 81 26 09 81 20 0a"
-
-
-def test_a_subcall_elsewhere_is_its_number() -> None:
-    source = "vmthread M { OBJECT_WAIT(S) } subcall S { IN_8 a }"
-    assert _codes(source)[0] == "07 02 0a"
 
 
 def test_the_table_of_parameters() -> None:
@@ -361,10 +325,6 @@ def test_a_written_return() -> None:
     assert _codes(argument, dialect="strict") == ["00 83 08 08 0a"]
 
 
-def test_a_label_in_front_of_the_end() -> None:
-    assert _code("JR(end)\nNOP()\nend:") == "40 82 01 00 01 0A"
-
-
 def test_a_block_belongs_to_the_only_object_that_triggers_it() -> None:
     source = "vmthread A { } vmthread B { OBJECT_TRIG(X) } block X { NOP() } block Y { }"
     assert [(owner, triggers) for _, owner, triggers, _ in _header(source)[1]] == [(0, 0), (0, 0), (2, 1), (1, 1)]
@@ -382,11 +342,6 @@ def test_equal_objects_share_their_code_by_the_rules_of_ev3_g() -> None:
 
 
 # Jumps
-
-
-def test_labels_have_three_bytes() -> None:
-    assert _code("JR(next)\nnext:\nNOP()") == "40 82 00 00 01 0A"
-    assert _code("JR_TRUE(1, next)\nnext:\nNOP()") == "42 01 82 00 00 01 0A"
 
 
 @pytest.mark.parametrize(
@@ -411,24 +366,16 @@ def test_a_jump_of_more_than_16_bits_is_refused() -> None:
 @pytest.mark.parametrize(
     "line",
     [
-        "MOVE8_8(1,x)",
         "MOVE8_8 1 x",
         "MOVE8_8(1,,x)",
         "MOVE8_8(1,x",
         "MOVE8_8 (1 x) ;",
-        "MOVE8_8(1,x);",
         "MOVE8_8(1,=\n x)",
-        "MOVE8_8(1,= // goes on\n x)",
         "MOVE8_8(1, /* one */ x) // done",
     ],
 )
 def test_legos_dialect_is_loose(line: str) -> None:
     assert _code(line, before="DATA8 x", dialect="lego") == "30 01 60 0A"
-
-
-def test_a_brace_may_stand_on_the_line_of_the_name_or_alone() -> None:
-    for source in ("vmthread X {\nNOP\n}\n", "vmthread X\n{ anything\nNOP\n} anything\n"):
-        assert _codes(source, dialect="lego")[0] == "01 0a"
 
 
 def test_what_follows_a_brace_or_a_label_may_be_anything() -> None:
@@ -485,7 +432,6 @@ def test_a_nan_by_its_name_is_no_whole_number() -> None:
     ("source", "line", "words"),
     [
         ("vmthread M { \x00 NOP() }", 1, "unexpected"),
-        ("vmthread M { NOP() /* x }\n", 1, "the comment that starts here has no */"),
         ("vmthread M\n{\nNOP() /* x\n}\n", 3, "the comment that starts here has no */"),
         ("vmthread M\n{\nNOP\nJR(nowhere)\n}\n", 4, "unknown name nowhere: a variable is declared above its use"),
         ("vmthread M\n{\nblock B { }\n}\n", 3, "a block cannot begin in another object"),
@@ -496,10 +442,6 @@ def test_the_first_error_is_the_one_to_fix(source: str, line: int, words: str) -
         assemble(source)
     assert caught.value.line == line
     assert words in caught.value.reason
-
-
-def test_a_long_product_is_cut_to_32_bits_in_the_strict_dialect() -> None:
-    assert _code("MOVE8_8((" + "3 * " * 2000 + "0), 1)", dialect="strict") == "30 00 01 0A"
 
 
 def test_an_expression_that_the_other_dialect_reads_otherwise_is_warned_of() -> None:
@@ -513,24 +455,19 @@ def test_an_expression_that_the_other_dialect_reads_otherwise_is_warned_of() -> 
     "text",
     [
         "vmthread M {" + " " * 5000 + "?",
-        "vmthread M {" + " //\n" * 5000 + "?",
         "vmthread M { MOVE8_8(" + "1" * 100_000,
         "vmthread M\n{\nMOVE8_8('" + "\\" * 50_000,
-        "vmthread M\n{\nMOVE8_8('" + "''" * 50_000,
-        "vmthread M { bytes(" + "00" * 100_000,
         "NOP(" * 100_000,
         "define A " + "(" * 100_000,
         "vmthread M { MOVE8_8(" + "LC0(" * 100_000,
-        "vmthread M { MOVE8_8(" + "!" * 100_000,
         "".join(f"define A{number} A{number + 1}\n" for number in range(5000)) + "DATAS x A0",
         "".join(f"define A{number} {'(' * 45}A{number + 1}{' + 1)' * 45}\n" for number in range(99)) + "DATAS x A0",
-        "/*" * 50_000,
         "x" * 1_000_000,
         "vmthread M\n{\n}\n"
         + "".join(f"define A{n} A{n + 1} * A{n + 1}\n" for n in range(40))
         + "define A40 9 / 10\nDATAS x A0",
     ],
-    ids=range(15),
+    ids=range(10),
 )
 def test_no_text_takes_long_or_goes_deep(text: str) -> None:
     for dialect in BOTH:
@@ -554,9 +491,7 @@ def test_every_error_has_its_line() -> None:
         ("vmthread M { MOVE8_8(4294967296, 1) }", "more than 32 bits"),
         (r"vmthread M { MOVE8_8('\d', 1) }", "unknown escape"),
         ("vmthread M { MOVE8_8(1, 2", "missing"),
-        ("vmthread M {", "has no }"),
         ("vmthread M { NOP }", "expected ( after NOP"),
-        ("vmthread M { ; }", "unexpected ';'"),
         ("/* never ends", "has no"),
         ("define A B\ndefine B A\nvmthread M { UI_BUTTON(A) }", "defined by itself"),
         ("DATAS x (1 / 0)", "division by zero"),

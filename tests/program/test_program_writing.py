@@ -131,11 +131,6 @@ def test_objects_of_every_kind_come_back(objects: list[tuple[int, int, str | Non
         assert assemble(source, dialect="strict").image == image
 
 
-def test_an_object_may_ask_for_more_memory_than_anybody_has() -> None:
-    image = image_of((0, 0, "30 05 E3 FF FF FF FF 0A"), global_size=0xFFFFFFFF, local_size=0xFFFFFFFF)
-    assert assemble(source_of(programs.parse(image)), dialect="strict").image == image
-
-
 @settings(max_examples=300)
 @given(st.integers(0), st.integers(1, 6), st.sampled_from((IMAGE, SHORTEST)))
 def test_whatever_is_damaged_comes_back(seed: int, changes: int, image: bytes) -> None:

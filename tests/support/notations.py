@@ -127,28 +127,19 @@ LINE: dict[str, Notation] = {
     "colons": lambda data: data.hex(":"),
     "dashes (BitConverter)": lambda data: data.hex("-").upper(),
     "commas without 0x": lambda data: data.hex(","),
-    "semicolons": lambda data: data.hex(";"),
-    "underscores": lambda data: data.hex("_"),
     "dots": lambda data: data.hex("."),
     "bars": lambda data: data.hex("|"),
-    "slashes": lambda data: data.hex("/"),
     "pairs of bytes": lambda data: data.hex(" ", -2),
     "groups of four": _nsdata,
     "0x and all": lambda data: "0x" + data.hex(),
     "lesson": lambda data: "0x|" + data.hex(":").upper() + "|",
-    "lesson in fields": lambda data: f"0x|{data[:2].hex(':')}|{data[2:4].hex(':')}|{data[4:].hex('|')}|".upper(),
-    "0x and blanks": lambda data: _list(data, "0x{:02x}", " "),
     "0x and commas": lambda data: _list(data, "0x{:02X}"),
     "0x, unpadded": lambda data: _list(data, "{:#x}", ","),
     "unpadded hex": lambda data: _list(data, "{:X}", " "),
-    "unpadded hex, commas": lambda data: _list(data, "{:x}"),
     "toHexString of Java": lambda data: " ".join(f"{_signed(byte) & 0xFFFFFFFF:x}" for byte in data),
-    "%02x of a signed char": lambda data: " ".join(f"{_signed(byte) & 0xFFFFFFFF:02x}" for byte in data),
     "decimals": lambda data: _list(data, "{}", " "),
     "decimals, commas": lambda data: _list(data, "{}", ","),
-    "decimals, semicolons": lambda data: _list(data, "{}", "; "),
     "decimals, padded": lambda data: _list(data, "{:03}", " "),
-    "decimals, aligned": lambda data: _list(data, "{:3}", " "),
     "signed decimals": lambda data: " ".join(str(_signed(byte)) for byte in data),
     "octal": lambda data: _list(data, "{:03o}", " "),
     "bits": lambda data: _list(data, "{:08b}", " "),
@@ -157,98 +148,62 @@ LINE: dict[str, Notation] = {
     "Node's Buffer": lambda data: f"<Buffer {data.hex(' ')}>",
     "Uint8Array": lambda data: f"Uint8Array({len(data)}) [{_list(data)}]",
     "Uint8Array of Chrome": lambda data: f"Uint8Array({len(data)}) [{_list(data)}, buffer: ArrayBuffer({len(data)})]",
-    "new Uint8Array": lambda data: f"const frame = new Uint8Array([{_list(data, '0x{:02x}')}]);",
     "Buffer.from hex": lambda data: f"port.write(Buffer.from('{data.hex()}', 'hex'))",
-    "Buffer.from array": lambda data: f"Buffer.from([{_list(data)}])",
     "Buffer's JSON": lambda data: json.dumps({"type": "Buffer", "data": list(data)}),
     "expanded": lambda data: "Uint8Array { " + ", ".join(f"{i}: {byte}" for i, byte in enumerate(data)) + " }",
     "expanded JSON": lambda data: json.dumps({str(index): byte for index, byte in enumerate(data)}),
-    "expanded JSON, dense": lambda data: json.dumps({str(i): b for i, b in enumerate(data)}, separators=(",", ":")),
     "String.fromCharCode": lambda data: f"String.fromCharCode({_list(data)})",
     "JavaScript string": _javascript,
     "Java array": lambda data: f"byte[] cmd = new byte[] {{{_list(data, '(byte)0x{:02X}')}}};",
-    "Java array, signed": lambda data: "byte[] b = {" + ", ".join(f"(byte) {_signed(x)}" for x in data) + "};",
     "Arrays.toString": lambda data: str([_signed(byte) for byte in data]),
-    "Kotlin": lambda data: f"byteArrayOf({_list(data, '0x{:02x}.toByte()')})",
     "Kotlin, some": lambda data: (
         "byteArrayOf(" + ", ".join(f"0x{byte:02x}" + (".toByte()" if byte > 127 else "") for byte in data) + ")"
     ),
     "Kotlin ubytes": lambda data: f"ubyteArrayOf({_list(data, '0x{:02x}u')})",
-    "Scala": lambda data: f"Array[Byte]({', '.join(str(_signed(byte)) for byte in data)})",
     "Go": lambda data: f"[{_list(data, '{}', ' ')}]",
     "Go literal": lambda data: f"[]byte{{{_list(data, '{:#x}')}}}",
-    "Go %x": lambda data: f"sent % x: {data.hex(' ')}",
-    "Rust vec": lambda data: f"let frame = vec![{_list(data, '0x{:02x}')}];",
     "Rust {:?}": lambda data: f"[{_list(data)}]",
     "Rust {:x?}": lambda data: f"[{_list(data, '{:x}')}]",
-    "Rust {:02x?}": lambda data: f"[{_list(data, '{:02x}')}]",
-    "Rust {:02X?}": lambda data: f"[{_list(data, '{:02X}')}]",
     "Rust suffix": lambda data: f"[{_list(data, '0x{:02x}_u8')}]",
     "Rust suffix on the first": lambda data: f"[{data[0]}u8, {_list(data[1:])}]",
-    "Rust hex!": lambda data: f'hex!("{data.hex()}")',
-    "Rust bytes": lambda data: 'b"' + "".join(f"\\x{byte:02x}" for byte in data) + '"',
     "Rust string": lambda data: '"' + "".join(f"\\u{{{byte:x}}}" for byte in data) + '"',
     "Visual Basic": lambda data: f"Dim b() As Byte = {{{_list(data, '&H{:X}')}}}",
-    "Visual Basic, padded": lambda data: f"{{{_list(data, '&H{:02X}')}}}",
     "BASIC DATA": lambda data: f"100 DATA {_list(data, '{}', ',')}",
     "Chr()": lambda data: _list(data, "Chr({})", " & "),
     "chr()": lambda data: _list(data, "chr(0x{:02x})", "+"),
     "Pascal": lambda data: f"const Cmd: array[0..{len(data) - 1}] of Byte = ({_list(data, '${:02X}')});",
-    "Pascal, unpadded": lambda data: _list(data, "${:X}", ","),
     "assembler": lambda data: f"frame: db {_list(data, '{:02X}h')}",
-    "assembler, leading zero": lambda data: f"  DB {_list(data, '0{:02X}h', ',')}",
-    "gas": lambda data: f"\t.byte {_list(data, '0x{:02x}')}",
-    "6502": lambda data: f"  .byte {_list(data, '${:02x}', ',')}",
     "NSData": lambda data: f"<{_nsdata(data)}>",
-    "Swift Data": lambda data: f"Data([{_list(data, '0x{:02X}')}])",
-    "Swift array": lambda data: f"let frame: [UInt8] = [{_list(data)}]",
-    "C#": lambda data: f"var data = new byte[] {{ {_list(data, '0x{:02X}')} }};",
     "C": lambda data: f"unsigned char cmd[{len(data)}] = {{{_list(data, '0x{:02x}', ',')}}};",
-    "C characters": lambda data: f"char cmd[] = {{{_list(data, chr(39) + chr(92) + 'x{:02x}' + chr(39))}}};",
     "C assignments": lambda data: " ".join(f"cmd[{index}] = 0x{byte:02X};" for index, byte in enumerate(data)),
     "octal escapes": _c_string,
-    "hex escapes": lambda data: '"' + "".join(f"\\x{byte:02x}" for byte in data) + '"',
     "hex escapes, no quotes": lambda data: "".join(f"\\x{byte:02x}" for byte in data),
-    "printf": lambda data: "printf '" + "".join(f"\\x{byte:02x}" for byte in data) + "' > /dev/rfcomm0",
-    "echo": lambda data: 'echo -ne "' + "".join(f"\\x{byte:02x}" for byte in data) + '" > /dev/hidraw0',
     "bash $''": lambda data: "frame=$'" + "".join(f"\\x{byte:02x}" for byte in data) + "'",
-    "implicit joining": lambda data: '"' + '" "'.join(f"\\x{byte:02x}" for byte in data) + '"',
     "repr": repr,
     "bytearray": lambda data: repr(bytearray(data)),
     "b'' + b''": lambda data: _halves(data, lambda one, two: f"{one!r} + {two!r}"),
     "Python 2": _python2,
     "Ruby": _ruby,
     "Lua": lambda data: '"' + "".join(f"\\{byte}" for byte in data) + '"',
-    "Lua, padded": lambda data: "'" + "".join(f"\\{byte:03}" for byte in data) + "'",
     "string.char": lambda data: f"string.char({_list(data)})",
     "Perl pack": lambda data: f'pack("H*", "{data.hex()}")',
-    "Perl pack C": lambda data: f"pack('C*', {_list(data)})",
     "Perl escapes": lambda data: '"' + "".join(f"\\x{{{byte:02x}}}" for byte in data) + '"',
     "PHP": lambda data: f"$cmd = array({_list(data, '0x{:02x}')});",
     "print_r": lambda data: "Array ( " + " ".join(f"[{index}] => {byte}" for index, byte in enumerate(data)) + " )",
     "Erlang": lambda data: f"<<{_list(data, '{}', ',')}>>",
-    "Elixir": lambda data: f"<<{_list(data)}>>",
-    "Elixir hex": lambda data: f"<<{_list(data, '0x{:02X}')}>>",
     "MATLAB": lambda data: f"uint8([{_list(data, '{}', ' ')}])",
     "hex2dec": lambda data: f"hex2dec({{{_list(data, chr(39) + '{:02X}' + chr(39), ',')}}})",
     "strings of hex": lambda data: json.dumps([f"{byte:02x}" for byte in data]),
-    "strings of 0x": lambda data: json.dumps([f"0x{byte:02x}" for byte in data]),
-    "Smalltalk": lambda data: f"#[{_list(data, '{}', ' ')}]",
     "terminal": lambda data: _list(data, "<{:02X}>", ""),
     "terminal, 0x": lambda data: _list(data, "[0x{:02X}]", ""),
-    "terminal, braces": lambda data: _list(data, "{{{:02X}}}", " "),
     "base64": lambda data: base64.b64encode(data).decode(),
-    "base64 for addresses": lambda data: base64.urlsafe_b64encode(data).decode(),
     "fromhex": lambda data: f"bytes.fromhex('{data.hex(' ')}')",
     "bytes()": lambda data: f"bytes(({_list(data)}))",
     "array()": lambda data: f"array('B', [{_list(data)}])",
     "numpy": lambda data: f"array([{_list(data, '{:3}')}], dtype=uint8)",
     "YAML": lambda data: f"frame: [{_list(data)}]",
     "XML": lambda data: f'<field name="data.data" showname="Data" size="{len(data)}" value="{data.hex()}"/>',
-    "PowerShell": lambda data: f"[byte[]]({_list(data, '0x{:02X}')})",
-    "SQL": lambda data: f"X'{data.hex().upper()}'",
     "tuple of hex": lambda data: str(tuple(hex(byte) for byte in data)),
-    "HID report number": lambda data: (b"\0" + data).hex(" "),
     "HID report, padded": lambda data: (b"\0" + data + bytes(64 - len(data) % 64)).hex(" "),
     "padded": lambda data: (data + bytes(64 - len(data) % 64)).hex(" "),
     "calls": lambda data: "".join(f"buf.put((byte)0x{byte:02x});" for byte in data),
@@ -259,17 +214,13 @@ LINE: dict[str, Notation] = {
     "quoted-printable, all": lambda data: "".join(f"={byte:02X}" for byte in data),
     "groups with full stops": lambda data: ".".join(row.hex() for _, row in _rows(data, 2)),
     "Pascal characters": lambda data: "".join(f"#{byte}" for byte in data),
-    "Pascal characters, hex": lambda data: "".join(f"#${byte:02X}" for byte in data),
     "Verilog": lambda data: f"{{{_list(data, chr(39).join(('8', 'h{:02x}')))}}}",
     "Nim": lambda data: f"@[{data[0]}'u8, {_list(data[1:])}]",
     "octal of C": lambda data: f"{{{_list(data, '0{:03o}')}}}",
     "0x glued": lambda data: _list(data, "0x{:02x}", ""),
-    "x": lambda data: _list(data, "x{:02x}", " "),
     "bytea": lambda data: f"\\x{data.hex()}",
     "bytes joined": lambda data: _halves(data, lambda one, two: f"b''.join([{one!r}, {two!r}])"),
-    "bytes and a list": lambda data: f"{data[:4]!r} + bytes([{_list(data[4:7])}]) + {data[7:]!r}" if data[7:] else "",
     "gdb print": lambda data: "$1 = {" + ", ".join(f"{byte} '\\{byte:03o}'" for byte in data) + "}",
-    "gdb print, hex": lambda data: f"$1 = {{{_list(data, '{:#x}')}}}",
     "fields by name": lambda data: (
         f"len={data[:2].hex()} cnt={data[2:4].hex()} type={data[4]:02x} rest={data[5:].hex()}"
     ),
@@ -279,34 +230,24 @@ LINE: dict[str, Notation] = {
 
 LINES: dict[str, Notation] = {
     "hex, wrapped": lambda data: _in_rows(data, 8, "{:02x}", " ", "", ""),
-    "hex, wrapped at seven": lambda data: _in_rows(data, 7, "{:02X}", " ", "    ", " "),
-    "glued, wrapped": lambda data: _in_rows(data, 6, "{:02x}", "", "", ""),
     "colons, wrapped": lambda data: _in_rows(data, 9, "{:02x}", ":", "", ":"),
     "lesson, wrapped": lambda data: "0x|" + _in_rows(data, 5, "{:02X}", ":", "", "|"),
     "decimals, wrapped": lambda data: "[" + _in_rows(data, 10, "{:3}", " ", " ", "") + "]",
-    "commas, wrapped": lambda data: _in_rows(data, 10, "{}", ", ", "", ","),
     "C rows": lambda data: "char cmd[] = {\n" + _in_rows(data, 4, "0x{:02x}", ", ", "    ", ",") + "\n};",
     "C rows, remarks": lambda data: "{\n" + _in_rows(data, 3, "0x{:02x}", ", ", "  ", ", // 12 of them") + "\n};",
-    "C rows, comments": lambda data: "{\n" + _in_rows(data, 3, "0x{:02x}", ", ", "  /* 0x12 */ ", ",") + "\n};",
     "C rows, long comment": lambda data: _halves(
         data, lambda one, two: f"{{{_list(one)}, /* the\n  other 12 bytes\n*/\n {_list(two)}}}"
     ),
     "one a line": lambda data: "[\n" + ",\n".join(f"    {byte}" for byte in data) + "\n]",
-    "one a line, hex": lambda data: "[\n" + ",\n".join(f"    {byte:#x}" for byte in data) + ",\n]",
     "one a line, remarks": lambda data: "\n".join(f"  0x{byte:02x}, # byte {i}" for i, byte in enumerate(data)),
     "Python rows": lambda data: "frame = bytes([\n" + _in_rows(data, 8, "{:3}", ", ", "    ", ",  # row") + "\n])",
     "assignments": lambda data: "\n".join(f"  cmd[{index}] = 0x{byte:02X};" for index, byte in enumerate(data)),
     "expanded": lambda data: "\n".join(f"  {index}: {byte}" for index, byte in enumerate(data)),
     "print_r": lambda data: "Array\n(\n" + "\n".join(f"    [{i}] => {byte}" for i, byte in enumerate(data)) + "\n)",
     "commented out": lambda data: f"# {data.hex(' ')}",
-    "commented out, C": lambda data: f"// byte[] x = {{{_list(data, '0x{:02x}')}}};",
-    "commented out, block": lambda data: f"/* {_list(data, '0x{:02x}')} */",
     "commented out, rows": lambda data: _in_rows(data, 8, "0x{:02x}", ", ", "//   ", ","),
     "joined strings": lambda data: "(" + "\n ".join(repr(row) for _, row in _rows(data, 5)) + ")",
     "joined with +": lambda data: _halves(data, lambda one, two: f"x = {one!r} + \\\n    {two!r}"),
-    "C strings": lambda data: "\n".join(
-        '"' + "".join(f"\\x{byte:02x}" for byte in row) + '"' for _, row in _rows(data, 8)
-    ),
     "Wireshark's escaped string": lambda data: " \\\n".join(
         '"' + "".join(f"\\x{byte:02x}" for byte in row) + '"' for _, row in _rows(data, 15)
     ),
@@ -315,7 +256,6 @@ LINES: dict[str, Notation] = {
     ),
     "Wireshark's YAML": lambda data: "    data: !!binary |\n      " + base64.b64encode(data).decode(),
     "Wireshark's hex and text": _wireshark,
-    "Wireshark's hex": lambda data: _wireshark(data, text=False),
     "hexdump -C": _canonical,
     "hexdump": lambda data: "\n".join(
         [
@@ -324,7 +264,6 @@ LINES: dict[str, Notation] = {
         ]
     ),
     "od": lambda data: _od(data, "{:06o}", words=True),
-    "od -x": lambda data: _od(data, "{:04x}", words=True),
     "od -t x1": lambda data: _od(data, "{:02x}"),
     "od -t x1z": lambda data: "\n".join(
         f"{offset:07o} {row.hex(' '):<47}  >{_shown(row)}<" for offset, row in _rows(data, 16)
@@ -333,11 +272,8 @@ LINES: dict[str, Notation] = {
     "od -t d1": lambda data: "\n".join(
         f"{offset:07o} " + " ".join(f"{_signed(byte):4}" for byte in row) for offset, row in _rows(data, 16)
     ),
-    "od -t u1": lambda data: _od(data, "{:3}"),
-    "od -b": lambda data: _od(data, "{:03o}"),
     "od -c": _od_characters,
     "xxd": _xxd,
-    "xxd -p": lambda data: _in_rows(data, 30, "{:02x}", "", "", ""),
     "xxd -i": lambda data: (
         "unsigned char frame_bin[] = {\n"
         + ",\n".join("  " + _list(row, "0x{:02x}") for _, row in _rows(data, 12))
@@ -345,10 +281,6 @@ LINES: dict[str, Notation] = {
     ),
     "xxd -b": lambda data: "\n".join(
         f"{offset:08x}: {_list(row, '{:08b}', ' ')}  {_shown(row)}" for offset, row in _rows(data, 6)
-    ),
-    "Format-Hex": lambda data: (
-        "           00 01 02 03 04 05 06 07 08 09 0A 0B 0C 0D 0E 0F\n\n"
-        + "\n".join(f"{offset:08X}   {row.hex(' ').upper():<47}  {_shown(row)}" for offset, row in _rows(data, 16))
     ),
     "btmon": lambda data: (
         "> ACL Data RX: Handle 42 flags 0x02 dlen 25           #12 [hci0] 5.123456\n"
@@ -358,55 +290,24 @@ LINES: dict[str, Notation] = {
         "         FCS: 0x9a\n" + "\n".join(f"        {row.hex(' '):<47}  {_shown(row)}" for _, row in _rows(data, 16))
     ),
     "hcidump -R": _hcidump,
-    "hcidump -x": lambda data: (
-        "> ACL data: handle 42 flags 0x02 dlen 25\n"
-        "    L2CAP(d): cid 0x0040 len 21 [psm 3]\n"
-        "      RFCOMM(d): UIH: cr 1 dlci 2 pf 0 ilen 17 fcs 0x9a\n"
-        + "\n".join(f"      {row.hex(' ').upper()}" for _, row in _rows(data, 20))
-    ),
     "hcidump -X": lambda data: (
         "      RFCOMM(d): UIH: cr 1 dlci 2 pf 0 ilen 17 fcs 0x9a\n"
         + "\n".join(f"      {offset:04x}: {row.hex(' '):<47}  {_shown(row)}" for offset, row in _rows(data, 16))
     ),
     "tcpdump -X": _tcpdump,
-    "gdb x/xb": lambda data: "\n".join(
-        f"0x{0x7FFE1000 + offset:x}:\t" + _list(row, "0x{:02x}", "\t") for offset, row in _rows(data, 8)
-    ),
-    "kernel": lambda data: "\n".join(
-        f"[ 12.345{offset:03}] ev3: {offset:08x}: {row.hex(' '):<47}  {_shown(row)}" for offset, row in _rows(data, 16)
-    ),
     "logcat rows": lambda data: "\n".join(f"D/EV3 ( 1234): {row.hex(' ')}" for _, row in _rows(data, 8)),
     "assembler rows": lambda data: "frame:\n" + _in_rows(data, 8, "{:02X}h", ", ", "    db ", "  ; part"),
-    "gas rows": lambda data: _in_rows(data, 8, "0x{:02x}", ", ", "\t.byte ", ""),
     "BASIC rows": lambda data: "\n".join(
         f"{100 + 10 * index} DATA {_list(row, '{}', ',')}" for index, (_, row) in enumerate(_rows(data, 8))
     ),
     "numpy rows": lambda data: (
         "array([" + ",\n       ".join(_list(row, "{:3}") for _, row in _rows(data, 8)) + "], dtype=uint8)"
     ),
-    "VB rows": lambda data: (
-        "Dim b() As Byte = { _\n" + ", _\n".join(_list(r, "&H{:X}") for _, r in _rows(data, 8)) + " }"
-    ),
-    "calls, one a line": lambda data: "\n".join(f"    data.Add(0x{byte:02X});" for byte in data),
     "numbered": lambda data: "n,byte\n" + "\n".join(f"{index},{byte}" for index, byte in enumerate(data)),
-    "numbered, hex and decimal": lambda data: "\n".join(f"{i}\t0x{byte:02X}\t{byte}" for i, byte in enumerate(data)),
     "printed by index": lambda data: "\n".join(f"buf[{i}] = 0x{byte:02x} ({byte})" for i, byte in enumerate(data)),
     "Visual Studio": lambda data: "\n".join(f"\t[{i}]\t0x{byte:02x}\tbyte" for i, byte in enumerate(data)),
-    "var_dump": lambda data: (
-        "array {\n" + "\n".join(f"  [{index}]=>\n  int({byte})" for index, byte in enumerate(data)) + "\n}"
-    ),
-    "MATLAB's columns": lambda data: (
-        "ans =\n"
-        + "".join(
-            f"\n  Columns {at + 1} through {at + len(row)}\n\n  {_list(row, '{:3}', '   ')}\n"
-            for at, row in _rows(data, 9)
-        )
-    ),
     "gdb x/xb, with a name": lambda data: "\n".join(
         f"0x{0x601040 + at:x} <cmd+{at}>:\t" + _list(row, "0x{:02x}", "\t") for at, row in _rows(data, 8)
-    ),
-    "gdb x/ub": lambda data: "\n".join(
-        f"0x{0x601040 + at:x} <cmd+{at}>:\t" + _list(row, "{}", "\t") for at, row in _rows(data, 8)
     ),
     "Netty": lambda data: (
         "         +-------------------------------------------------+\n"
@@ -420,9 +321,6 @@ LINES: dict[str, Notation] = {
     "Format-Hex of PowerShell 7": lambda data: "\n".join(
         f"{at:016X} {row.hex(' ').upper():<47} {_shown(row).replace('.', chr(0xFFFD))}" for at, row in _rows(data, 16)
     ),
-    "hexdump -x": lambda data: "\n".join(
-        f"{at:07x}    " + "    ".join(f"{word:04x}" for word in _words(row)) for at, row in _rows(data, 16)
-    ),
     "hexdump -d": lambda data: "\n".join(
         f"{at:07x}   " + "   ".join(f"{word:05}" for word in _words(row)) for at, row in _rows(data, 16)
     ),
@@ -430,9 +328,6 @@ LINES: dict[str, Notation] = {
         f"> 2024/01/31 12:00:00.123456  length={len(data)} from=0 to={len(data) - 1}\n"
         + "\n".join(f" {row.hex(' '):<47}  {_shown(row)}" for _, row in _rows(data, 16))
         + "\n--"
-    ),
-    "ncat -x": lambda data: "\n".join(
-        f"[{at:04x}]   {row[:8].hex(' '):<23}   {row[8:].hex(' '):<23}   {_shown(row)}" for at, row in _rows(data, 16)
     ),
     "btmon, with the check sum": lambda data: (
         f"< ACL Data TX: Handle 42 flags 0x00 dlen {len(data) + 8}   #12 [hci0] 5.123456\n"
@@ -444,10 +339,8 @@ LINES: dict[str, Notation] = {
         f">\t0x{byte:02x} ({chr(byte) if 32 <= byte < 127 else '^' + chr(byte + 64) if byte < 32 else 'M-'})"
         for byte in data
     ),
-    "XML, decimal": lambda data: "<frame>\n" + "\n".join(f"  <byte>{byte}</byte>" for byte in data) + "\n</frame>",
     "XML, hex": lambda data: "<data>\n" + "\n".join(f"  <b>{byte:02X}</b>" for byte in data) + "\n</data>",
     "DataView": lambda data: "\n".join(f"view.setUint8({at}, 0x{byte:02x});" for at, byte in enumerate(data)),
-    "writeUInt8": lambda data: "\n".join(f"buf.writeUInt8(0x{byte:02x}, {at});" for at, byte in enumerate(data)),
     "println(HEX)": lambda data: "\n".join(f"{byte:X}" for byte in data),
     "quoted-printable, wrapped": lambda data: "=\n".join(
         "".join(f"={byte:02X}" for byte in row) for _, row in _rows(data, 10)
@@ -461,10 +354,6 @@ LINES: dict[str, Notation] = {
     ),
     "explained": lambda data: (
         f"{data[:2].hex()} length\n{data[2:4].hex()} counter\n{data[4]:02x} type\n{data[5:].hex()} all the rest"
-    ),
-    "explained, in front": lambda data: (
-        f"Length:  {data[:2].hex(' ')}\nCounter: {data[2:4].hex(' ')}\n"
-        f"Type:    {data[4]:02x}\nRest:    {data[5:].hex(' ')}"
     ),
 }
 """Notations of several lines."""

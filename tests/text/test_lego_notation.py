@@ -9,7 +9,6 @@ from support.cli import run_ev3proto_text
 
 from ev3proto import parse
 from ev3proto.dialogue import Dialogue
-from ev3proto.testing import raw_operations
 from ev3proto.text.assembly import assemble
 from ev3proto.text.assembly.disassembly import assembly
 
@@ -62,12 +61,6 @@ LONGER = {
 @pytest.mark.parametrize("code", LONGER)
 def test_other_encodings_are_named(code: str) -> None:
     assert lines(code) == LONGER[code]
-
-
-@given(st.lists(raw_operations(), min_size=1, max_size=6).map(b"".join).filter(lambda code: len(code) < 1000))
-def test_operations_in_any_encoding_come_back(code: bytes) -> None:
-    frame = (len(code) + 5).to_bytes(2, "little") + bytes.fromhex("2A 00 80 00 00") + code
-    assert [message.build() for message in assemble(written(frame))] == [frame]
 
 
 @given(st.lists(st.integers(-150, 150), min_size=1, max_size=8))

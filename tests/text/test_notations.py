@@ -54,47 +54,30 @@ PREFIXES = {
     "robot send: {}": "sent",
     "EV3 <- {}": "by type",
     "D/EV3 ( 1234): send {}": "sent",
-    "Value: {}": None,
-    "[EV3] {}": None,
-    "msg={}": None,
     "brick >> {}": "by type",
-    "DEBUG:ev3: {}": None,
     "frame 12: {}": None,
     "Sent to EV3: {}": "sent",
     "<- {}": "by type",
-    "=> {}": "by type",
-    "<= {}": "by type",
     ">>> {}": "by type",
-    "<<< {}": "by type",
-    "> {}": "by type",
     "< {}": "by type",
     "12:30:45 PC => {}": "by type",
     "{}.": None,
-    "{},": None,
     "It was {}, I think.": None,
     "12:30:45.123 -> {}": "by type",
     "2024-01-31T12:30:45 ev3[1234]: recv {}": "received",
     "to 00:16:53:42:2B:99: {}": None,
-    "({})": None,
     "len=17 data={} ok": None,
-    "#12 {}": None,
-    "17 bytes: {}": None,
     "{} (17 bytes)": None,
     "| {} |": None,
-    "    {}  // start": None,
     "\x1b[32mINFO\x1b[0m {}": None,
-    "- {}": None,
     '{{"t": 12, "data": "{}"}}': None,
 }
 
 PLAIN = (
     "blanks",
-    "colons",
-    "HEX",
     "0x and commas",
     "dashes (BitConverter)",
     "lesson",
-    "decimals, commas",
     "Go",
     "repr",
 )
@@ -195,9 +178,7 @@ def test_annotated_hex_of_forums(text: str) -> None:
 
 NO_FRAMES = (
     "00:16:53:42:2B:99",
-    "d41d8cd98f00b204e9800998ecf8427e  brick.bin",
     "da39a3ee5e6b4b0d3255bfef95601890afd80709",
-    "{0f000000-0080-0094-0181-0282e80382e8}",
     "00001101-0000-1000-8000-00805F9B34FB",
     "2024-01-31T12:30:45.123456Z",
     "2024-01-31 12:30:45.123 INFO  sha1 da39a3ee5e6b4b0d3255bfef95601890afd80709",
@@ -209,15 +190,11 @@ NO_FRAMES = (
     "the face of a bad cab faded",
     "Serial-Number: 0016532a2b2c",
     "font-size: 12px; color: #0f0000; #ffffff",
-    "46031b3d04dc90994ca317a7c55c4289  file1630.bin",
     "9c2e79b57d0c4d70045d080062aa0918524ac0f7  file7444.bin",
-    "9a02893b80af2f4f6b916a467724570ca05f2d13ef98fe7a092827956e6ba505",
-    "fe80::3105:02ff:fee5:d970",
     '         rx="0.56326956"',
     "inet6 fe80::e39b:05ff:fe28:1a50/64 scope link",
     "const odd = _.without([1, 2, 1, 0, 3, 1, 4], 0, 1);",
     r"3[0-1]|[1-2]\d|0[1-9]|[1-9]| [1-9]",
-    r"5[0-3]|[0-4]\d|\d",
     'd="M15 7a4,4 0 0 1 4,4 V 58 H 18 V 37 a 4,4 0 0 1 4,-4 z"',
     "rusersd\t\t100002\trusers\nnfs\t\t100003\tnfsprog\nypserv\t\t100004\typprog\nmountd\t\t100005\tmount\n"
     "ypbind\t\t100007\nwalld\t\t100008\trwall shutdown\nyppasswdd\t100009\typpasswd",
@@ -239,8 +216,6 @@ ANSWER = "07 00 01 00 02 a4 70 fd 40"
 DIALOGUES = (
     "sending {}\ngot {}",
     "out: {}\nin: {}",
-    "To EV3: {}\nFrom EV3: {}",
-    "PC -> EV3: {}\nEV3 -> PC: {}",
     "Sending:\n{}\nReceived:\n{}",
     "12:30:45.123 Outgoing\n  {}\n12:30:45.133 Incoming\n  {}",
     "TX: {} RX: {}",
@@ -280,14 +255,6 @@ def test_bytes_that_are_only_said_to_repeat(name: str) -> None:
 def test_a_frame_that_a_line_shows_twice_is_one() -> None:
     text = f'<field showname="Data: {TONE.hex()}" show="{TONE.hex(":")}" value="{TONE.hex()}"/>'
     assert [piece.data for piece in pieces(text)] == [TONE]
-
-
-@pytest.mark.parametrize("counter", ["xxxx", "XX XX", "MMMM", "mmmm", "MM MM"])
-def test_letters_for_a_counter(counter: str) -> None:
-    marks = f"0f 00 {counter} 80 00 00 94 01 81 02 82 e8 03 82 e8 03"
-    for text in (marks, marks.replace(" ", ""), marks.replace(" ", ":")):
-        if ":" not in text or len(counter) == 5:
-            assert [piece.data for piece in pieces(text)] == [TONE], text
 
 
 def test_a_dump_of_strace_is_only_dropped_where_its_string_is() -> None:

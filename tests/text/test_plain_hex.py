@@ -10,7 +10,6 @@ from ev3proto.testing import frames
 from ev3proto.text.paste import read_argument, read_text
 
 TONE = "0e002a0080000094010182b80182e803"
-FRAME = bytes.fromhex(TONE)
 
 
 @st.composite

@@ -8,10 +8,7 @@ from typing import Any
 import pytest
 from support.cli import run_ev3proto_text
 
-import ev3proto
-from ev3proto import Dialogue, operation, parse
-from ev3proto.cli.inputs import split
-from ev3proto.text.assembly import operation_line
+from ev3proto import Dialogue, parse
 from ev3proto.text.forms import as_c
 from ev3proto.text.phrases import Seen, dialogue_line, plain, short_float
 from ev3proto.text.spans import plain_text
@@ -184,19 +181,6 @@ def test_the_table_holds_every_byte_of_every_kind_of_message() -> None:
             assert frame.startswith(bytes.fromhex(text.partition("...")[0]))
 
 
-def test_assembly_fixes_every_encoding() -> None:
-    lines = {
-        operation("SOUND.TONE", 1, 440, 1000): "opSOUND, LC0(TONE), LC0(1), LC2(440), LC2(1000)",
-        operation("MOVEF_F", 1.5, b"\xc1\x04"): "opMOVEF_F, LCF(1.5), LV1(4)",
-        operation("FILE.CLOSE", b"\xd1\x04"): "opFILE, LC0(CLOSE), HND(LV1(4))",
-        operation("UI_DRAW.STORE", b"\x81\x05"): "opUI_DRAW, LC0(STORE), LC1(5)",
-        operation("JR", b"\xa0\xfb"): "opJR, LAB1(-5)",
-        operation("MOVEF_F", b"\x83\x01\x00\xc0\x7f", b"\x40"): "opMOVEF_F, LC4(0x7FC00001), LV0(0)",
-    }
-    for one, line in lines.items():
-        assert operation_line(one) == line
-
-
 def test_json_of_a_command_has_the_promised_keys() -> None:
     assert as_json(TONE) == [
         {
@@ -277,21 +261,3 @@ def test_floats_have_no_more_digits_than_they_need() -> None:
     assert short_float(float("nan")) == "nan"
     assert plain([1.5, 2.0]) == "[1.5, 2.0]"
     assert plain('quo"te\n') == '"quo\\"te\\n"'
-
-
-def test_several_frames_in_one_piece() -> None:
-    assert [piece.message.counter for piece in split(TONE + ASK)] == [42, 1]
-
-
-def test_padding_of_a_usb_report() -> None:
-    (piece,) = split(TONE.ljust(1024, b"\xaa"))
-    assert piece.message == ev3proto.parse(TONE)
-    assert piece.padding == 1008
-    (piece,) = split(TONE + bytes(3))
-    assert (piece.message.fault, piece.padding) == (None, 3)
-
-
-def test_bytes_behind_a_frame_are_a_fault() -> None:
-    (piece,) = split(TONE + b"\x01")
-    assert piece.message.fault is not None
-    assert piece.message.fault.offset == 16

@@ -308,9 +308,3 @@ def test_what_the_readme_says_of_channels(tshark: Tshark) -> None:
     assert tshark.run(begun_late, "-Y", "ev3") == ""
     form = ["-Y", "ev3.cmd", "-T", "fields", "-e", "ev3.cmd"]
     assert tshark.run(begun_late, *found[1].split(), *form) == tshark.run(whole, *form) != ""
-
-
-def test_the_files_it_names_are_there() -> None:
-    for name in re.findall(r"`((?:ev3proto|captures|dissector)/[\w./-]*)`", README):
-        assert (ROOT / name).exists(), name
-    assert (ROOT / "dissector" / "wireshark.png").stat().st_size < 250_000

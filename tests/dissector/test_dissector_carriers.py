@@ -463,21 +463,6 @@ def test_what_is_behind_the_frame_is_padding(tshark: Tshark, is_known: bool) -> 
         assert bytes.fromhex(padding.raw_value).startswith(b"what an earlier")
 
 
-def test_a_full_report_has_no_padding(ask: Ask) -> None:
-    capture = Capture(USBMON)
-    frame = ev3proto.system_command("CONTINUE_DOWNLOAD", counter=1, handle=0, data=bytes(1017)).build()
-    known(capture).send(frame)
-    assert len(frame) == 1024
-    assert ask(capture, "ev3", "ev3.msg_len", "ev3.padding") == ["1022\t"]
-
-
-def test_without_the_product_frames_are_recognised(ask: Ask) -> None:
-    capture = Capture(USBMON)
-    brick = Device(capture)
-    sent = [brick.send(voltage(1)), brick.receive(volts(1)), brick.send(begin_upload(2)), brick.send(tone(3))]
-    assert ask(capture, "ev3") == [str(number) for number in sent]
-
-
 def test_what_is_no_frame_in_every_respect_is_left_to_wireshark(ask: Ask) -> None:
     """Each report is of another device; the last device says a frame."""
     capture = Capture(USBMON)
@@ -527,15 +512,6 @@ def test_reports_between_bricks(ask: Ask) -> None:
     assert lines[3] == "daisy DOWNSTREAM layer 0 to 1: OUTPUT_SPEED layer=0 nos=6 speed=50 % (+1 operation)"
     assert lines[5] == "daisy reply layer 1 to 0"
     assert len(lines) == 8
-
-
-def test_a_daisy_report_has_padding_too(ask: Ask) -> None:
-    capture = Capture(USBMON)
-    Device(capture, size=64).send(bytes.fromhex("0600 0100 0A A2 00 01"))
-    (line,) = ask(capture, "ev3", "ev3.daisy.command", "ev3.padding")
-    command, padding = line.split("\t")
-    assert command == "0xa2"
-    assert bytes.fromhex(padding) == bytes(64 - 8)
 
 
 def test_a_computer_sends_daisy_messages_in_its_own_reports(ask: Ask) -> None:

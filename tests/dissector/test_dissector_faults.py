@@ -713,31 +713,6 @@ terminating zero is missing]
     )
 
 
-def test_a_variable_that_the_brick_refuses_is_told_of_where_it_stands(tshark: Tshark) -> None:
-    frame = "0800 0400 80 0800 81 01 61"
-    assert (
-        tree(tshark, one_frame(tshark, frame))
-        == """\
-EV3: UI_READ.GET_VBATT
-    [Brick: 192.0.2.10:5555]
-    Length: 8
-    Message counter: 4
-    Type: DIRECT_COMMAND_NO_REPLY (0x80)
-    Memory asked for: 0x0008
-        .... ..00 0000 1000 = Global memory: 8 bytes
-        0000 00.. .... .... = Local memory: 0 bytes
-    Opcode: UI_READ (0x81) GET_VBATT
-        CMD: UI_READ.GET_VBATT
-        VALUE: GV(1)
-            [Expert Info (Error/Protocol): VALUE: the index of a DATAF must be a multiple of 4, the brick refuses GV(1)]
-                [VALUE: the index of a DATAF must be a multiple of 4, the brick refuses GV(1)]
-                [Severity level: Error]
-                [Group: Protocol]
-            Encoding: GV0
-"""
-    )
-
-
 def test_a_reply_shorter_than_what_was_asked_is_read_as_far_as_it_goes(tshark: Tshark) -> None:
     capture = Capture(RAW_IP)
     connection = Connection(capture)
@@ -765,21 +740,6 @@ EV3: reply to UI_READ.GET_VBATT: 7.92 V
     Answers: UI_READ.GET_VBATT
         VALUE: 7.92 V
     [Request in: 1]
-"""
-    )
-
-
-def test_no_frame(tshark: Tshark) -> None:
-    assert (
-        tree(tshark, one_frame(tshark, b"no frame"))
-        == """\
-EV3: no frame (8 bytes)
-    [Brick: 192.0.2.10:5555]
-    Not read: 6e 6f 20 66 72 61 6d 65
-    [Expert Info (Error/Malformed): no frame can start here: the length field says 28526, but it can be 3 to 1022]
-        [no frame can start here: the length field says 28526, but it can be 3 to 1022]
-        [Severity level: Error]
-        [Group: Malformed]
 """
     )
 

@@ -155,12 +155,6 @@ def test_the_two_files_load_in_any_order(home: Home) -> None:
     assert home.read(*words) == said
 
 
-def test_the_tshark_that_is_named(home: Home) -> None:
-    done = run("--tshark", str(home.program))
-    assert (done.returncode, done.stderr) == (0, "")
-    assert home.plugin.exists()
-
-
 def test_an_older_one_is_replaced(tmp_path: Path) -> None:
     plugin = tmp_path / "ev3.lua"
     run("--dir", str(tmp_path))
@@ -265,15 +259,6 @@ def test_a_folder_that_cannot_be_written(tmp_path: Path) -> None:
     assert (done.returncode, done.stdout) == (1, "")
     assert done.stderr == f"{tmp_path / 'ev3.lua'} cannot be written: Is a directory\n"
     assert run("--dir", str(file)).returncode == 2
-
-
-@pytest.mark.skipif(os.geteuid() == 0, reason="root may write everywhere")
-def test_a_folder_that_belongs_to_another(tmp_path: Path) -> None:
-    tmp_path.chmod(0o555)
-    done = run("--dir", str(tmp_path))
-    tmp_path.chmod(0o755)
-    assert (done.returncode, done.stdout) == (1, "")
-    assert "cannot be written: Permission denied" in done.stderr
 
 
 def test_another_dissector_of_the_same_name(home: Home) -> None:
@@ -457,11 +442,6 @@ def test_the_session_in_the_readme(home: Home) -> None:
 
 def test_the_help_shows_calls_line_by_line() -> None:
     assert "\n    ev3proto dissector install --profile\n" in run("--help").stdout
-
-
-def test_the_folders_in_the_readme() -> None:
-    assert "`~/.local/lib/wireshark/plugins`" in README
-    assert r"`%APPDATA%\Wireshark\plugins`" in README
 
 
 def test_uninstall_removes_what_install_wrote_and_no_more(tmp_path: Path) -> None:

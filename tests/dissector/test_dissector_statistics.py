@@ -142,13 +142,6 @@ def download(
         yield True, ev3proto.system_command("CONTINUE_DOWNLOAD", counter=number, reply=True, handle=handle, data=piece)
 
 
-def test_an_empty_file_is_exported(tshark: Tshark) -> None:
-    folder = export_folder(tshark, "empty")
-    said = moved(tshark, download(0, "../prjs/empty.rtf", 0), "-o", f"ev3_statistics.export:{folder}")
-    assert said == [f"{folder}/empty.rtf: 0 bytes"]
-    assert [(path.name, path.stat().st_size) for path in folder.iterdir()] == [("empty.rtf", 0)]
-
-
 def test_a_file_of_another_size_than_was_said(tshark: Tshark) -> None:
     folder = export_folder(tshark, "sizes")
     messages = [*download(0, "short.rtf", 9, b"12345678"), *download(10, "long.rtf", 3, b"12", b"34")]
@@ -173,11 +166,6 @@ def test_a_complete_file_takes_no_more(tshark: Tshark) -> None:
     said = moved(tshark, [*download(0, "first.rtf", 2, b"ab"), *second], "-o", f"ev3_statistics.export:{folder}")
     assert said == [f"{folder}/first.rtf: 2 bytes"]
     assert (folder / "first.rtf").read_bytes() == b"ab"
-
-
-def test_one_command_is_counted_in_the_singular(tshark: Tshark) -> None:
-    said = moved(tshark, list(download(0, "x.rtf", 1))[:1], "-o", "ev3_statistics.print:TRUE")
-    assert "1 of 1 command that wanted a reply got none" in said
 
 
 def test_exported_files_stay_in_their_folder(tshark: Tshark) -> None:

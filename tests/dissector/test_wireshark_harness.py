@@ -5,10 +5,8 @@ from __future__ import annotations
 import subprocess
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Literal
 
 import pytest
-from pyshark.capture.capture import TSharkCrashException
 from support.wireshark import SETTING, Tshark
 
 # A dissector of one field, which is the first byte.
@@ -26,9 +24,7 @@ DissectorTable.get("tcp.port"):add(5555, toy)
 """
 BROKEN = {
     "arithmetic": "local missing; missing = missing + 1",
-    "a method that is not there": "tvb(0, 1):nothing()",
     "beyond the packet": "item:add(first, tvb(100, 1))",
-    "no words": "error({})",
     "in the length of a PDU": "dissect_tcp_pdus(tvb, tree, 2, function() return nil + 1 end, function() return 4 end)",
     "in a PDU": "dissect_tcp_pdus(tvb, tree, 2, function() return 4 end, function() return nil + 1 end)",
 }
@@ -91,41 +87,6 @@ def test_an_error_outside_of_packets_is_noticed(toy: Tshark, udp: Path, fault: s
     assert len(toy.lua_errors(udp)) == 1
     with pytest.raises(AssertionError, match="Lua: "):
         toy.run(udp)
-
-
-def test_a_capture_that_cannot_be_read_is_noticed(toy: Tshark) -> None:
-    with pytest.raises(AssertionError, match="exit status"):
-        toy.run(toy.place(b"no capture", "nothing.pcap"))
-
-
-@pytest.mark.filterwarnings("error")
-@pytest.mark.parametrize("output", ["xml", "json", "ek"])
-def test_pyshark_reads_fields(toy: Tshark, udp: Path, output: Literal["xml", "json", "ek"]) -> None:
-    found = [packet.ev3toy.first for packet in toy.packets(udp, output=output)]
-    assert found == ([42, 43] if output == "ek" else ["42", "43"])
-    assert len(toy.packets(udp, "-Y", "ev3toy.first == 43", output=output)) == 1
-
-
-def test_pyshark_tells_of_a_tshark_that_fails(toy: Tshark, udp: Path) -> None:
-    with pytest.raises(TSharkCrashException):
-        toy.packets(udp, "-Y", "no such field")
-
-
-def test_a_pipe_is_read(toy: Tshark, udp: Path) -> None:
-    words = [str(toy.path), *toy.words, "-r", "-", "-T", "fields", "-e", "ev3toy.first"]
-    assert subprocess.run(words, input=udp.read_bytes(), capture_output=True, timeout=60).stdout.split() == [
-        b"42",
-        b"43",
-    ]
-
-
-def test_paths_mean_the_same_on_both_sides(toy: Tshark, udp: Path) -> None:
-    placed = toy.place(udp, "renamed.pcap")
-    assert placed.parent == toy.folder
-    toy.run(placed, "-w", str(toy.folder / "written.pcapng"))
-    written = toy.folder / "written.pcapng"
-    assert toy.run(written, "-T", "fields", "-e", "ev3toy.first").split() == ["42", "43"]
-    written.unlink()
 
 
 def stand_in(folder: Path, said: str) -> Path:

@@ -156,11 +156,6 @@ def test_every_name_of_filters_is_on_their_page() -> None:
     assert listed == list(places_of())
 
 
-def test_no_page_says_where_something_is_in_memory() -> None:
-    for page in (DOCS / "reference").glob("*.md"):
-        assert not re.search(r"\bat 0x[0-9a-f]{6,}", page.read_text(encoding="utf-8")), page
-
-
 def entries(page: str) -> dict[str, str]:
     """What stands under each heading of a page of the reference."""
     text = (DOCS / "reference" / f"{page}.md").read_text(encoding="utf-8")
@@ -193,21 +188,6 @@ def test_every_operation_has_all_that_the_tables_know(area: str) -> None:
             assert "```python\nev3proto.command(" in entry
             assert re.search(r"```text\n(?:[0-9A-F]{2} )+ +length: ", entry), each.name
         assert "- In Wireshark: `ev3." in entry
-
-
-def test_every_system_command_has_all_that_the_tables_know() -> None:
-    found = entries("system-commands")
-    for each in SYSTEM:
-        entry = re.sub(r"\\(.)", r"\1", found[f"{each.name} (bootloader)" if each.bootloader else each.name])
-        assert f"0x{each.number:02X}" in entry
-        assert each.text.lower() in entry.lower()
-        assert all(f"it {effect.value.lower()}." in entry.lower() for effect in each.effects), each.name
-        for field in (*each.request, *each.reply):
-            assert f"`{field.name}`" in entry
-            assert field.text.lower() in entry.lower()
-        assert "```python\nsystem." in entry
-        assert "```text" in entry
-        assert f'href="../playground/index.html#text={system_example(each).frame.hex()}"' in entry
 
 
 def test_an_entry_in_full() -> None:

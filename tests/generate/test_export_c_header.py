@@ -267,15 +267,3 @@ def test_the_form_of_the_file() -> None:
     assert [one for one in lines if len(one) > 120 or one != one.rstrip() or "\t" in one] == []
     assert text.endswith("#endif /* EV3PROTO_H */\n")
     assert "$" not in text
-
-
-def test_comments_say_what_the_tables_say() -> None:
-    assert """\
-    /*
-     * Plays one tone and returns at once
-     *   VOLUME     DATA8   volume (0 to 100 %; 0: silent)
-     *   FREQUENCY  DATA16  pitch; the driver clamps it to the range (250 to 10000 Hz)
-     *   DURATION   DATA16  duration, read unsigned (-1 is 65535) (ms; 0: until BREAK or the next sound)
-     */
-    TONE = 1,
-""" in build()

@@ -66,13 +66,6 @@ def test_what_is_written_is_read_again(carrier: str) -> None:
     assert [value.value for value in found[1].values] == [pytest.approx(7.92)]
 
 
-@pytest.mark.parametrize("carrier", CARRIERS)
-def test_nothing_but_frames_is_left_over(carrier: str) -> None:
-    read = capture.read(io.BytesIO(made(DIALOGUE, carrier)))
-    kinds = {type(event) for event in read.events()}
-    assert kinds == ({Record, Announcement} if carrier == "wifi" else {Record})
-
-
 def test_a_brick_on_wifi_is_found_and_unlocked_first() -> None:
     events = list(capture.read(io.BytesIO(made(DIALOGUE, "wifi"))).events())
     said = [event.said for event in events if isinstance(event, Announcement)]
@@ -167,11 +160,6 @@ def test_the_packets_are_those_that_dpkt_builds() -> None:
         ip = ethernet.data
         ip.sum = ip.data.sum = 0  # dpkt works checksums out where there are none
         assert bytes(ethernet) == packet
-
-
-def test_a_conversation_without_frames() -> None:
-    for carrier in CARRIERS:
-        assert records(made([], carrier)) == []
 
 
 @pytest.mark.parametrize(

@@ -72,11 +72,6 @@ def test_all_files_at_once(tmp_path: Path) -> None:
     ]
 
 
-def test_the_dialect_of_a_description() -> None:
-    assert run("kaitai", "--dialect", "compat").stdout == description("compat").encode()
-    assert description("compat") != description("official")
-
-
 def test_calls_that_are_wrong(tmp_path: Path) -> None:
     done = run("json", "--check")
     assert done.returncode == 2
@@ -172,9 +167,3 @@ def test_no_frame_at_all(tmp_path: Path) -> None:
     assert path.read_bytes() == b"kept"
     done = run("pcapng", stdin=b"")
     assert (done.returncode, done.stdout) == (1, b"")
-
-
-def test_where_nothing_can_be_written(tmp_path: Path) -> None:
-    done = run("pcapng", TONE, "-o", str(tmp_path / "none" / "tone.pcapng"))
-    assert done.returncode == 1
-    assert done.stderr.decode().endswith("tone.pcapng: cannot be written: No such file or directory\n")

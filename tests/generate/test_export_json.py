@@ -30,20 +30,6 @@ def test_the_schema_is_one_and_the_tables_follow_it() -> None:
     assert [error.message for error in VALIDATOR.iter_errors(TABLES)] == []
 
 
-def test_an_operation() -> None:
-    tone = entry("sound", "SOUND")["commands"][1]
-    assert (tone["number"], tone["name"], tone["text"]) == (1, "TONE", "Plays one tone and returns at once")
-    assert tone["parameters"][1] == {
-        "name": "FREQUENCY",
-        "type": "DATA16",
-        "direction": "in",
-        "text": "pitch; the driver clamps it to the range",
-        "unit": "Hz",
-        "range": [250, 10000],
-    }
-    assert tone["parameters"][0]["special"] == {"0": "silent"}
-
-
 def test_a_list_whose_type_another_parameter_tells() -> None:
     values = entry("input", "INPUT_READEXT")["parameters"][-1]
     assert (values["type"], values["element_from"], values["elements"]) == ("count", "FORMAT", "out")

@@ -92,13 +92,6 @@ def test_the_frame_of_the_lesson(parser: Any) -> None:
     assert len(parser.from_bytes(TONE * 3).frames) == 3
 
 
-def test_names_of_values(parser: Any) -> None:
-    light = (
-        parser.from_bytes(bytes.fromhex("0800000080000082 1b05".replace(" ", ""))).frames[0].message.body.operations[0]
-    )
-    assert light.arguments.parameters.pattern_name.name == "led_red_flash"
-
-
 def values(operation: Any) -> list[Any]:
     """The values of an operation's arguments, one after the other."""
     found = []

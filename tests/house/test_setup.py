@@ -1,4 +1,4 @@
-"""bin/setup survives: interrupted, twice at once, in a checkout that was moved. And tests/fresh, and the tests' lock.
+"""bin/setup survives: interrupted, twice at once, in a checkout that was moved. And tests/run, and the tests' lock.
 
 A program stands for Python and pip here, which makes an environment that looks like one, in no time.
 """
@@ -180,21 +180,10 @@ def test_twice_at_once(checkout: Checkout) -> None:
 
 def test_a_checkout_that_was_moved(checkout: Checkout) -> None:
     checkout.run()
-    checkout.folder = checkout.folder.rename(checkout.folder.with_name("elsewhere with spaces"))
+    checkout.folder = checkout.folder.rename(checkout.folder.with_name("[old] issue #1 & Übung a.*"))
     assert "making .venv" in checkout.run()
     assert checkout.run() == ""
     assert str(checkout.folder) in (checkout.folder / ".venv" / "bin" / "ev3proto").read_text()
-
-
-@pytest.mark.parametrize("name", ["with spaces", "b & c", "issue #1", "[old] a.*", "Übung"])
-def test_any_name_of_a_folder(checkout: Checkout, name: str) -> None:
-    checkout.folder = checkout.folder.rename(checkout.folder.with_name(name))
-    checkout.run()
-    for place in ("bin/ev3proto", "pyvenv.cfg"):
-        text = (checkout.folder / ".venv" / place).read_text()
-        assert f"{checkout.folder}/.venv" in text
-        assert ".venv.new" not in text
-    assert checkout.run() == ""
 
 
 def test_settings_of_python_and_pip_that_lead_elsewhere(checkout: Checkout) -> None:
@@ -220,61 +209,6 @@ def test_versions_that_are_not_to_be_had(checkout: Checkout) -> None:
     said = checkout.run("test", not_to_be_had=True)
     assert "the versions of tests/requirements.lock cannot all be installed: taking the newest ones" in said
     assert ["--constraint" in call for call in checkout.installed] == [True, False]
-
-
-# A bare Debian
-
-
-DEBOOTSTRAP = """#!/bin/bash
-root=$4
-if [ -e "$root" ]; then echo "there is something in $root"; exit 1; fi
-mkdir -p "$root/proc"
-mount -t proc proc "$root/proc"
-echo "$*" >{calls}
-sleep 600
-"""
-"""Stops where the real one is long at work, with something mounted."""
-
-
-@pytest.mark.skipif(os.geteuid() != 0, reason="debootstrap and chroot need root")
-def test_a_bare_debian_is_interrupted_and_made_anew(tmp_path: Path) -> None:
-    programs, calls, root = tmp_path / "bin", tmp_path / "calls", tmp_path / "clone" / ".fresh" / "bookworm" / "root"
-    (tmp_path / "clone" / "tests").mkdir(parents=True)
-    shutil.copy2(ROOT / "tests" / "fresh", tmp_path / "clone" / "tests")
-    programs.mkdir()
-    for name, text in {
-        "debootstrap": DEBOOTSTRAP.format(calls=calls),
-        "apt-get": "#!/bin/sh\necho http://example.org/debian\n",
-        "apt-config": "#!/bin/sh\n",
-    }.items():
-        (programs / name).write_text(text)
-        (programs / name).chmod(0o755)
-    environment = {"PATH": f"{programs}:{os.environ['PATH']}", "HOME": "/root"}
-    for number in (signal.SIGTERM, signal.SIGINT, signal.SIGKILL):
-        process = subprocess.Popen(
-            [tmp_path / "clone" / "tests" / "fresh", "bookworm"],
-            env=environment,
-            stderr=subprocess.PIPE,
-            start_new_session=True,
-        )
-        until = time.monotonic() + 120
-        while not calls.exists() and process.poll() is None:
-            assert time.monotonic() < until
-            time.sleep(0.01)
-        assert process.returncode is None
-        assert calls.read_text().split()[-3:] == ["bookworm", str(root), "http://example.org/debian"]
-        calls.unlink()
-        process.send_signal(number)
-        # Its error output ends when all that it started has ended.
-        process.communicate(timeout=30)
-        assert process.returncode == (-number if number == signal.SIGKILL else 128 + number)
-        assert list((root / "proc").iterdir()) == []
-
-
-@pytest.mark.parametrize("words", [(), ("no/suite",), ("--within",)])
-def test_a_bare_debian_of_no_name(words: tuple[str, ...]) -> None:
-    done = subprocess.run([ROOT / "tests" / "fresh", *words], stderr=subprocess.PIPE, text=True, check=False)
-    assert (done.returncode, done.stderr.startswith("usage: ")) == (2, True)
 
 
 # The lock

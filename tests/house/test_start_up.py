@@ -50,12 +50,3 @@ def test_decode_loads_nothing_that_it_has_no_use_for() -> None:
     assert "ev3proto.text.tree" in names
     assert [part for part in PARTS_NOT_NEEDED if f"ev3proto.{part}" in names] == []
     assert [name for name in OTHERS_NOT_NEEDED if name in names] == []
-
-
-def test_the_instruction_sets_of_other_dialects_are_not_made() -> None:
-    program = (
-        "import ev3proto; from ev3proto.schema import instructions;"
-        f"ev3proto.parse(bytes.fromhex('{TONE}')); print(instructions.instruction_set.cache_info().currsize)"
-    )
-    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True, cwd=ROOT)
-    assert done.stdout == "1\n"

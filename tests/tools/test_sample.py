@@ -103,18 +103,7 @@ def test_another_program_around_it_changes_nothing(tmp_path: Path) -> None:
     assert [path.name for path in tmp_path.iterdir()] == ["program.py"]
 
 
-def test_more_frames_begin_with_those_of_fewer() -> None:
-    few, many = (run("-n", count, "--seed", "3").stdout.splitlines() for count in ("20", "220"))
-    assert many[:20] == few
-
-
 # What is asked for
-
-
-def test_one_operation() -> None:
-    for message in drawn("-n", "50", "--op", "sound.tone"):
-        assert isinstance(message, DirectCommand)
-        assert {operation.full_name for operation in message.operations} == {"SOUND.TONE"}
 
 
 def test_several_operations_and_a_family() -> None:
@@ -237,15 +226,6 @@ def test_every_form_is_the_same_frames() -> None:
     assert "Plays one tone" in run(*words, "--format", "tree").stdout
 
 
-def test_decode_reads_them() -> None:
-    text = run("-n", "50", "--seed", "9").stdout
-    done = run_ev3proto_text("decode", "--json", stdin=text)
-    assert (done.returncode, done.stderr) == (0, "")
-    assert [json.loads(line)["hex"] for line in done.stdout.splitlines()] == [
-        frame_of(line).hex() for line in text.splitlines()
-    ]
-
-
 # What is wrong
 
 
@@ -265,7 +245,7 @@ def test_decode_reads_them() -> None:
             "no given name is in the area timer or output: SOUND and LIST_FILES are of sound, system",
         ),
         (("--area", "none"), "'none' is not one of"),
-        (("--accepted", "--mutate"), "--accepted draws frames without errors, and --mutate adds some"),
+        (("--accepted", "--mutate"), "--accepted and --mutate cannot be used together"),
         (("--accepted", "--type", "direct-reply"), "the brick accepts only commands"),
         (("--count", "0"), "0 is not in the range x>=1"),
         (("--seed", "-1"), "-1 is not in the range"),

@@ -39,7 +39,7 @@ from ev3proto.scapy.system import RENAMED
 from ev3proto.schema.names import HND
 from ev3proto.tables import operations as operations_of
 from ev3proto.tables.discovery import ACCEPT
-from ev3proto.testing import frames, mutated_frames, operations
+from ev3proto.testing import frames, mutated_frames
 
 ROOT = Path(__file__).parents[2]
 TONE = bytes.fromhex("0e002a0080000094010182b80182e803")
@@ -96,14 +96,6 @@ def test_what_is_put_together_can_be_fuzzed() -> None:
     frames = {bytes(fuzzed) for _ in range(20)}
     assert len(frames) > 10
     assert all(len(frame) == int.from_bytes(frame[:2], "little") + 2 for frame in frames)
-
-
-def test_operations_of_the_codec_will_do() -> None:
-    tone = operation("SOUND.TONE", 1, 440, 1000)
-    packet = EV3(counter=42) / EV3DirectCommand(operations=[tone])
-    assert bytes(packet) == TONE
-    assert packet[EV3DirectCommand].operations[0].FREQUENCY == 440
-    assert bytes(EV3(counter=42) / EV3DirectCommand(operations=tone)) == TONE
 
 
 def test_a_frame_is_dissected() -> None:
@@ -412,12 +404,6 @@ def test_random_values_make_frames() -> None:
             }
         built = bytes(found)
         assert bytes(EV3(built)) == built
-
-
-def test_operations_of_the_strategies() -> None:
-    for told in drawn(operations(), effort(100, 1000)):
-        layer = getattr(ev3, told.full_name.replace(".", "_"))
-        assert bytes(layer(told.raw)) == told.raw
 
 
 def test_without_scapy_it_says_what_to_install() -> None:

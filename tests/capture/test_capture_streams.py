@@ -444,7 +444,7 @@ def test_a_stream_longer_than_its_numbers() -> None:
 
 
 def test_a_port_is_used_again() -> None:
-    """The new connection starts with its own numbers and a complete frame; commands of the old one get no replies in it."""
+    """The new connection starts with its own numbers and a frame; commands of the old one get no replies in it."""
     packets = [
         segment(True, 999, flags=SYN),
         segment(False, 4999, flags=SYN, acknowledged=1000),

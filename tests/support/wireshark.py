@@ -55,7 +55,7 @@ _CLEAN += ["HOME=/nonexistent", "LC_ALL=C.UTF-8", "TZ=UTC"]
 
 
 class _Reader(pyshark.FileCapture):  # type: ignore[misc]
-    """pyshark kills tshark when its output ends; if it was just ending by itself, its exit status is lost (read as 255).
+    """pyshark kills tshark when its output ends; if it was just ending by itself, its exit status is lost (255).
 
     So this class waits for it.
     """

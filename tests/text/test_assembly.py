@@ -11,6 +11,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from support.cases import each
+from support.cli import run_ev3proto_text
 
 from ev3proto import DirectCommand, Operation, parse, tables
 from ev3proto.capture import Record, read
@@ -542,3 +543,13 @@ def test_what_is_written_can_be_read_by_people() -> None:
     }
     for frame, expected in texts.items():
         assert written([bytes.fromhex(frame)]).split("\n") == ["// what it is", *expected]
+
+
+def test_what_looks_like_assembly_is_told() -> None:
+    def is_told(line: str) -> bool:
+        return "is assembly, not a frame" in run_ev3proto_text("decode", line).stderr
+
+    for line in ("opSOUND(TONE)", "Sound(TONE)", "message counter 42", "DATA8 x"):
+        assert is_told(line), line
+    for line in ("Sent: hello", "bytes.fromhex('0e0')", '{"kind": "x"}', "printf(1)", "INFO(main): sent"):
+        assert not is_told(line), line

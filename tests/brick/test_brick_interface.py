@@ -236,11 +236,6 @@ class TestState:
         ask(brick, "UI_WRITE(LED, LED_RED_FLASH)")
         assert brick.leds == 6
 
-    def test_an_unknown_command_of_ui_write_fails(self, brick: Brick) -> None:
-        """ADDRESS has a number that the validator lets pass, and no code."""
-        with pytest.raises(RefusedError):
-            ask(brick, "DATA32 a UI_WRITE(ADDRESS, a)")
-
 
 class TestButtons:
     PRESS, RELEASE = "UI_BUTTON(PRESS, {0})", "UI_BUTTON(RELEASE, {0})"

@@ -38,14 +38,6 @@ def test_a_program_of_the_lesson(
     compare(capsys.readouterr().out, program)
 
 
-def test_the_brick_does_what_the_lesson_says(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    with served(tmp_path, Options(port=0, beacon=False)) as brick:
-        monkeypatch.setenv("EV3PROTO_TARGET", f"wifi:127.0.0.1:{brick.port}")
-        my_ev3 = runpy.run_path(str(FOLDER / "brick_name.py"))["my_ev3"]
-        assert my_ev3.name == "myEV3"
-        my_ev3.close()
-
-
 def compare(printed: str, program: Path) -> None:
     lines = printed.splitlines()
     assert all(TIME.match(line) for line in lines)

@@ -437,16 +437,6 @@ def test_a_frame_whose_rest_never_comes_is_named() -> None:
         assert "the stream ends inside a frame, after 18 bytes" in found.said[0]
 
 
-def test_a_client_that_says_nothing_keeps_nobody_waiting() -> None:
-    with (
-        standing("virtual") as found,
-        Client(found.proxy.port, unlocks=False),
-        Client(found.proxy.port, timeout=5) as client,
-    ):
-        assert client.ask(command("NOP()", 7)) == bytes.fromhex("0300070002")
-        assert found.said == []
-
-
 def test_of_many_clients_that_say_nothing_the_oldest_gives_way() -> None:
     with standing("virtual") as found, contextlib.ExitStack() as stack:
         silent = [stack.enter_context(Client(found.proxy.port, unlocks=False)) for _ in range(70)]

@@ -245,7 +245,7 @@ def test_replies_go_to_the_connections_that_they_belong_to(brick: Brick) -> None
 
 
 def test_a_command_runs_on_when_its_client_has_gone(brick: Brick) -> None:
-    """Then the light turns red and the next client is served; nobody is there to be answered."""
+    """Then the light turns red and the next client is served; the first one has gone."""
     wait = (op("TIMER_WAIT", 50, LV(0)), op("TIMER_READY", LV(0)), op("UI_WRITE.LED", 2))
     assert brick.receive_from("a", command(*wait, locals=4)) == []
     assert brick.receive_from("b", command(op("NOP"), counter=2)) == []

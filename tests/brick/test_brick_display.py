@@ -176,7 +176,7 @@ class TestShowing:
         assert display.font == selected
 
     def test_the_line_at_the_top(self) -> None:
-        """The name stands in whole cells, in the middle: 22 cells, so 9 before a name of three letters."""
+        """The name is in whole cells, in the middle: 22 cells, so 9 before a name of three letters."""
         display = Display()
         display.is_headed = True
         display.canvas.fillrect(1, 0, 0, WIDTH, 20)
@@ -190,7 +190,7 @@ class TestShowing:
 
 
 def inked(draw: Callable[[Display], None]) -> tuple[int, int, int, int] | None:
-    """The box of what text draws in colour 0, where all but the letters is set: left, top, right, bottom."""
+    """The box of a text in colour 0, in which everything except the letters is set: left, top, right, bottom."""
     display = Display()
     draw(display)
     found = pixels(display.canvas)
@@ -230,7 +230,7 @@ class TestText:
         ],
     )
     def test_cells_at_the_edges(self, x: int, y: int, box: tuple[int, int, int, int]) -> None:
-        """What lies on whole bytes left of the display lands at the end of the row above."""
+        """Whole bytes left of the display are drawn at the end of the row above."""
         assert inked(lambda display: display.text(0, x, y, b" ")) == box
 
     def test_a_character_without_a_glyph_leaves_a_gap(self) -> None:

@@ -140,7 +140,7 @@ class TestText:
         ],
     )
     def test_lines_of_a_text_box(self, brick: Brick, number: int, memory: str) -> None:
-        """The second line has the mark of a font before it; the third has no end, so it is none."""
+        """The second line has the mark of a font before it; the third has no end, so it does not count."""
         text = "one\\n\\x02two\\nthree"
         read = f"UI_READ(TEXTBOX_READ, '{text}', 99, DEL_LINEFEED, 16, {number}, line)"
         assert ask(brick, f"DATAS line 16 {read}").startswith(memory)
@@ -252,7 +252,7 @@ class TestButtons:
             (["UI_BUTTON(PRESS, 2)", "UI_BUTTON(PRESSED, 99, a)"], "01"),
             (["UI_BUTTON(PRESSED, 0, a)"], "00"),
             (["UI_BUTTON(PRESS, 9)", "UI_BUTTON(PRESSED, 6, a)"], "01"),
-            # A press is remembered until somebody asks.
+            # A press is remembered until a program asks.
             (["UI_BUTTON(PRESS, 1)", "UI_BUTTON(RELEASE, 1)", "UI_BUTTON(SHORTPRESS, 1, a)"], "01"),
             (["UI_BUTTON(PRESS, 1)", "UI_BUTTON(SHORTPRESS, 1, b)", "UI_BUTTON(SHORTPRESS, 1, a)"], "00"),
             (["UI_BUTTON(PRESS, 1)", "UI_BUTTON(SHORTPRESS, 7, b)", "UI_BUTTON(SHORTPRESS, 1, a)"], "00"),

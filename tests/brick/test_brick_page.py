@@ -1,4 +1,4 @@
-"""The page of the virtual brick: who may open it, what it sends, and what a real browser shows of it."""
+"""The page of the virtual brick: access to it, what it sends, and what a real browser shows."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def brick(tmp_path: Path) -> Iterator[Served]:
 
 
 def fetch(url: str, **headers: str) -> tuple[int, Any, bytes]:
-    """Status, headers and body of what a plain client gets."""
+    """Status, headers and body of the response to a plain client."""
     request = urllib.request.Request(url, headers={name.replace("_", "-"): value for name, value in headers.items()})
     try:
         with urllib.request.urlopen(request, timeout=30) as response:
@@ -60,7 +60,7 @@ def test_link_opens_the_page_and_nothing_else_does(brick: Served) -> None:
     assert "HttpOnly" in cookie
     assert "SameSite=Strict" in cookie
     assert fetch(plain + "page.js", Cookie=cookie.partition(";")[0])[0] == 200
-    # A name that somebody lets lead to this computer, and a page of another site.
+    # A name that resolves to this computer, and a page of another site.
     assert fetch(link, Host=f"ev3.example:{parts.port}")[0] == 403
     assert fetch(link, Host="127.0.0.1:1")[0] == 403
     assert fetch(link, Origin="http://ev3.example")[0] == 403
@@ -185,7 +185,7 @@ def _look(browser: Chrome, brick: Served, client: Client) -> None:
     browser.find_element(By.CSS_SELECTOR, "[data-button=enter]").click()
     read = command("DATA8 light\nDATA8 enter\nINPUT_READ(0, 0, 0, -1, light)\nUI_BUTTON(SHORTPRESS, 2, enter)", 7)
     wait.until(lambda _: client.ask(read)[5] == 77)
-    # The button is released in a message of its own.
+    # The button is released in a separate message.
     wait.until(lambda _: brick.now.brick.buttons.bump(2))
 
     # A distance has its unit; a touch sensor is a button.
@@ -199,7 +199,7 @@ def _look(browser: Chrome, brick: Served, client: Client) -> None:
     wait.until(lambda _: brick.now.brick.inputs.plugged()[3].raw() == 1000 and touch.text == "not pressed")
     assert not scrolls_sideways(browser)
 
-    # What is not asked for is hidden; a name is shown as text.
+    # Lines that do not match are hidden; a name is shown as text.
     browser.find_element(By.ID, "filter").send_keys("input_read")
     assert "FREQUENCY" not in browser.find_element(By.ID, "talks").text
     assert "INPUT_READ" in browser.find_element(By.ID, "talks").text

@@ -1,4 +1,4 @@
-"""Mailboxes, what the brick says of itself, and programs that run on the virtual brick."""
+"""Mailboxes, information about the brick, and programs that run on the virtual brick."""
 
 from __future__ import annotations
 
@@ -176,7 +176,7 @@ def test_damaged_images_are_not_started(brick: Brick, data: bytes) -> None:
 
 
 def test_what_the_validator_does_not_mind_is_no_damage(brick: Brick) -> None:
-    """A CMD that no table has is accepted, and does nothing; bytes after the last object are not looked at."""
+    """An unknown CMD is accepted, and does nothing; bytes after the last object are ignored."""
     code = bytes.fromhex("8D 1F") + op("MOVE8_8", 7, GV(0)) + op("JR", -2)
     start(brick, image((0, 0, 0, code + op("OBJECT_END")), globals=1) + b"more")
     brick.advance(0.01)
@@ -238,7 +238,7 @@ def test_an_open_box_cannot_be_opened_and_a_closed_one_still_gets_messages(brick
     run(brick, op("MAILBOX_CLOSE", 1))
     write_mailbox(brick, "abc", b"\x07")
     assert run(brick, op("MAILBOX_TEST", 1, GV(0)), globals=1) == (OK, b"\0")
-    # What stands after the number of values is skipped: this brick does not execute it.
+    # The bytes after the number of values are skipped: this brick does not execute them.
     skipped = op("MOVE8_8", 9, GV(0)), op("MAILBOX_READ", 1, 4, [GV(0)])
     assert run(brick, *skipped, globals=1) == (OK, b"\x09")
     assert run(brick, box, op("MAILBOX_TEST", 1, GV(0)), globals=1) == (OK, b"\x01")
@@ -254,7 +254,7 @@ def test_the_first_of_two_boxes_of_one_name_gets_the_message(brick: Brick) -> No
 def test_waiting_for_a_message(brick: Brick) -> None:
     run(brick, op("MAILBOX_OPEN", 0, "abc", "DATA_8", 0, 0))
     assert brick.receive(command(op("MAILBOX_READY", 0))) == []
-    # The message waits as well: nothing is read while a direct command is under way.
+    # The message waits as well: the brick does not read while a direct command runs.
     assert brick.receive(system.writemailbox(name="abc", payload=b"\x07").build()) == []
     assert brick.advance(1) == []
 

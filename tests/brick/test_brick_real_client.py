@@ -1,4 +1,4 @@
-"""A real client that nobody here wrote, `ev3_dc`, talks to the virtual brick: what it returns is right."""
+"""An independent client, `ev3_dc`, talks to the virtual brick: its results are right."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def test_about_the_brick(talking: Talking) -> None:
     assert tuple(sensors) == (16, 29, 33, None, 7, None, 8, 7)
     assert (system.fw_version, system.hw_version) == ("V1.04H", "V0.60")
     assert memory == (6000, 6000)
-    # The third is the address of the WiFi dongle, which this client takes apart in the wrong places.
+    # The third is the address of the WiFi dongle, which this client splits in the wrong places.
     assert network[:2] == ("ev3proto", "127.0.0.1")
     assert changed == ("Robot", 20, 10)
     assert client.host == "00:16:53:0F:0C:1E"
@@ -53,7 +53,7 @@ def test_motor(talking: Talking) -> None:
 
 def test_vehicle_drives_a_square(talking: Talking) -> None:
     _, client = talking
-    # It ends where it began, and looks to where it looked.
+    # It ends where it began, in the same direction.
     assert tuple(tour.square(client)) == pytest.approx((0, 0, 0), abs=0.002)
 
 
@@ -65,7 +65,7 @@ def test_jukebox(talking: Talking) -> None:
 
 def test_files(talking: Talking) -> None:
     _, client = talking
-    # What md5sum prints of it.
+    # The output of md5sum for it.
     digest = "3C75ACA2359B8B5B31670E96EE3DAF86"
     folders, is_intact, names, is_left = tour.files(client)
     assert folders == ([".", "..", "apps", "prjs", "sys", "tools"], [])

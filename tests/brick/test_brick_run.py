@@ -138,7 +138,7 @@ def test_keys_of_a_terminal_are_buttons(tmp_path: Path) -> None:
             shown += os.read(master, 65536)
         os.write(master, b"\n")
         with contextlib.suppress(OSError):
-            # Reading fails when nobody has the terminal any more.
+            # Reading fails when the terminal has gone.
             while select.select([master], [], [], PATIENCE)[0]:
                 shown += os.read(master, 65536)
         assert process.wait(PATIENCE) == 0

@@ -1,4 +1,4 @@
-"""The virtual brick on loopback: carriers, clients that behave badly, and what its user is shown."""
+"""The virtual brick on loopback: carriers, clients that behave badly, and what its user sees."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ from ev3proto.schema.discovery import Beacon
 PLAIN = Options(port=0, beacon=False)
 # INPUT_READ of port 1 in its mode, to GV0.
 READ = bytes.fromhex("0b00 0700 00 0100 9a 00 00 00 00 60".replace(" ", ""))
-# INFO GET_VOLUME to GV0; a brick that was never used answers 100.
+# INFO GET_VOLUME to GV0; a new brick answers 100.
 VOLUME = command("DATA8 volume\nINFO(GET_VOLUME, volume)")
 HUNDRED = bytes.fromhex("0400 0100 02 64".replace(" ", ""))
 # JR to itself.
@@ -140,7 +140,7 @@ def test_a_client_that_goes_in_the_middle_of_a_frame(tmp_path: Path) -> None:
 
 
 def until(is_so: Callable[[], bool]) -> None:
-    """Waits until something is so, for at most half a minute."""
+    """Waits until a condition is true, for at most half a minute."""
     end = time.monotonic() + 30
     while not is_so():
         assert time.monotonic() < end
@@ -173,7 +173,7 @@ def test_an_endless_command_of_a_client_that_has_gone_is_ended(tmp_path: Path, m
 
 
 def test_a_client_out_of_step_is_named(tmp_path: Path) -> None:
-    """A program that sends text where frames are due waits for ever; so does the brick, which says why."""
+    """A program that sends text instead of frames waits for ever; so does the brick, which says why."""
     with served(tmp_path) as brick, Client(brick.port) as client:
         client.send(VOLUME + b"\0\0" + VOLUME)
         assert [client.reply(), client.reply()] == [HUNDRED, HUNDRED]
@@ -183,7 +183,7 @@ def test_a_client_out_of_step_is_named(tmp_path: Path) -> None:
 
 
 def test_a_frame_whose_rest_never_comes_is_shown_and_recorded(tmp_path: Path) -> None:
-    """A client that writes lengths of one too many."""
+    """A client whose lengths are too large by one."""
     unfinished = bytes.fromhex("1100000001920a0000002f6e6f6e652f7800")
     path = tmp_path / "talk.pcapng"
     with served(tmp_path / "root", replace(PLAIN, record=path)) as brick:
@@ -196,7 +196,7 @@ def test_a_frame_whose_rest_never_comes_is_shown_and_recorded(tmp_path: Path) ->
 
 
 def test_a_recording_has_what_was_on_the_wire_and_nothing_else(tmp_path: Path) -> None:
-    """No beacon, no serial number of its own: the client's address and its unlock text, here with a made-up number."""
+    """No beacon and no serial number: the client's address and its unlock text, here with an invented number."""
     path, text = tmp_path / "talk.pcapng", b"GET /target?sn=12:34VMTP1.0\nProtocol: EV3\n"
     with served(tmp_path / "root", replace(PLAIN, record=path)) as brick:
         with Client(brick.port, unlocks=False) as client:
@@ -259,7 +259,7 @@ def test_garbage_is_recorded_checked_and_watched(tmp_path: Path) -> None:
         assert brick.now.reporter is not None
         assert brick.now.reporter.frames == 302
         assert len(list(brick.now.reporter.lines())) > 10
-        # Nothing was said about a defect.
+        # The brick reported no bug.
         assert [said for said in brick.said if "please report" in said] == []
 
 
@@ -275,7 +275,7 @@ def test_a_frame_that_never_ends(tmp_path: Path) -> None:
 
 
 def test_a_client_that_does_not_read_waits_and_the_others_do_not(tmp_path: Path) -> None:
-    # Each answer has 1,000 bytes; nobody reads the first client's.
+    # Each answer has 1,000 bytes; the first client does not read its answers.
     large = frame(1, 0x00, b"\xe8\x03\x01")
     with served(tmp_path, replace(PLAIN, clients=2)) as brick, Client(brick.port) as slow, Client(brick.port) as other:
         slow.socket.settimeout(0.5)
@@ -287,7 +287,7 @@ def test_a_client_that_does_not_read_waits_and_the_others_do_not(tmp_path: Path)
         assert other.ask(VOLUME) == HUNDRED
         held = brick.now.host.connections[0]
         assert len(held._incoming) < limits.MOST_BUFFERED * 4
-        # Once it reads, everything comes.
+        # When it reads, everything comes.
         slow.socket.settimeout(30)
         assert [slow.reply()[:5] for _ in range(500)] == [bytes.fromhex("eb03010002")] * 500
 
@@ -301,7 +301,7 @@ def test_endless_commands_do_not_keep_others_out(tmp_path: Path, monkeypatch: py
         begin = time.monotonic()
         for _ in range(20):
             assert good.ask(VOLUME) == HUNDRED
-        # They would wait for minutes behind the other client's.
+        # They would have to wait for minutes after the other client's.
         assert time.monotonic() - begin < 30
         assert bad.reply()[4] == 0x04
         assert "was ended after 0.3 s" in brick.said[-1]
@@ -387,7 +387,7 @@ def test_nothing_outside_the_folder(tmp_path: Path) -> None:
 
 
 def reported(tmp_path: Path, sent: list[bytes], *words: str) -> subprocess.CompletedProcess[str]:
-    """What `ev3proto brick --report` prints of some frames of a client, and of one that asks for the volume."""
+    """Returns the output of `ev3proto brick --report` for some frames, and for one that asks for the volume."""
     call = [sys.executable, "-m", "ev3proto", "brick", "--port", "0", "--no-beacon", "--quiet", "--report", *words]
     process = subprocess.Popen(
         [*call, "--root", tmp_path / "root"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
@@ -475,7 +475,7 @@ def test_replies_come_late(tmp_path: Path) -> None:
         begin = time.monotonic()
         client.send(VOLUME * 50)
         assert [client.reply() for _ in range(50)] == [HUNDRED] * 50
-        # All are late by the same time, and not each by that of those before it, too: that would be 10 s.
+        # All are late by the same time; the delays do not add up, which would be 10 s.
         assert 0.2 <= time.monotonic() - begin < 8
 
 
@@ -688,6 +688,6 @@ def test_memory_does_not_grow(tmp_path: Path) -> None:
 
 
 def _resident(number: int) -> int:
-    """KB of memory that a process has."""
+    """Returns the KB of memory of a process."""
     status = Path(f"/proc/{number}/status").read_text()
     return int(next(line.split()[1] for line in status.splitlines() if line.startswith("VmRSS")))

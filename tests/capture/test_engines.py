@@ -223,7 +223,7 @@ def children() -> set[str]:
     return found
 
 
-@pytest.mark.skipif(not Path("/proc/self/task").exists(), reason="only Linux tells which programs somebody started")
+@pytest.mark.skipif(not Path("/proc/self/task").exists(), reason="only Linux lists child processes")
 def test_nothing_is_left_of_a_capture_that_is_closed_early(opened: Open, tshark: Tshark) -> None:
     before = children()
     capture = Capture(RAW_IP)

@@ -1,4 +1,4 @@
-"""Where packets are missing in a capture, the messages that are whole are found: by both readers, in the same way."""
+"""After missing packets in a capture, complete messages are found, by both readers in the same way."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ from ev3proto.schema.header import frame_size
 COUNT = 300
 SIZES = {"bytes": (1, 5), "pieces": (1, 20), "parts": (8, 60), "segments": (50, 400)}
 
-# The shares are those that were found, a little less. On RFCOMM nothing tells of a gap: where one or two bytes of a
-# frame are missing, what is left may well be a frame that ends in the next one.
+# The limits are slightly below the measured shares. On RFCOMM a gap is not marked: if one or two bytes of a
+# frame are missing, the rest may well look like a frame that ends in the next one.
 LEAST = {"tcp": 0.995, "rfcomm": 0.986}
 LEAST_IN_BYTES = {"tcp": 0.99, "rfcomm": 0.93}
 MOST_INVENTED = {"tcp": 0.01, "rfcomm": 0.03}
@@ -29,7 +29,7 @@ MOST_INVENTED_IN_BYTES = {"tcp": 0.02, "rfcomm": 0.15}
 
 
 def speeds(count: int) -> Iterator[Segment]:
-    """Commands without a reply of the same operation again and again, in whose middle others seem to begin."""
+    """The same command without a reply again and again, in whose middle other commands seem to begin."""
     for number in range(count):
         speed = ev3proto.operation("OUTPUT_SPEED", 0, 1, number % 100)
         yield Segment(True, ev3proto.direct_command(*[speed] * (number % 30 + 1), counter=number).build())
@@ -43,13 +43,13 @@ DIALOGUES: dict[str, Callable[[int], Iterator[Segment]]] = {
 
 
 def read_by_us(data: bytes) -> Counter[Segment]:
-    """What the built-in reader finds in a capture."""
+    """The messages that the built-in reader finds in a capture."""
     records = (event for event in read(io.BytesIO(data)).events() if isinstance(event, Record))
     return Counter(Segment(record.direction is Direction.SENT, record.frame) for record in records)
 
 
 def dissected(tshark: Tshark, data: bytes, *words: str) -> Counter[Segment]:
-    """What the dissector finds in it: frames of the length that they say."""
+    """The messages that the dissector finds in it: frames with a correct length."""
     path = tshark.place(data, "losses.pcap")
     fields = ("-T", "fields", "-e", "ip.src", "-e", "hci_h4.direction", "-e", "ev3.bytes")
     found: Counter[Segment] = Counter()
@@ -86,7 +86,7 @@ def test_the_dissector_finds_what_is_whole(carrier: str, size: str, made: Lossy,
 
 
 def test_a_capture_begins_inside_a_frame_of_tiny_packets(tshark: Tshark) -> None:
-    """Packets as small as a header do not show that a connection is a stranger's, unless they are many."""
+    """Packets as small as a header do not show that a connection is a stranger's, unless there are many."""
     capture = Capture(RAW_IP)
     connection = Connection(capture)
     for _ in range(20):

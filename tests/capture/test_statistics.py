@@ -323,7 +323,7 @@ def test_only_what_the_filter_lets_through() -> None:
     assert [entry["name"] for entry in found["whole"]["operations"]] == [
         "UI_READ.GET_VBATT",
         "COM_GET.GET_BRICKNAME",
-        # These stand in one command with a UI_READ.
+        # These are in one command with a UI_READ.
         "INPUT_DEVICE.GET_NAME",
         "INPUT_DEVICE_LIST",
         "UI_READ.GET_FW_VERS",

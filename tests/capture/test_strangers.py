@@ -1,4 +1,4 @@
-"""Other programs' traffic on the ports, channels and devices that bricks use is left to others, whoever reads it."""
+"""Traffic of other programs on the ports, channels and devices of bricks is ignored by every reader."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ REPORTS = 3000
 
 
 def tone(counter: int) -> bytes:
-    """A command that no reply comes to: 16 bytes."""
+    """A command without a reply: 16 bytes."""
     return struct.pack("<HHB", 14, counter, 0x80) + bytes.fromhex("0000 94 01 01 82B801 82E803")
 
 
@@ -63,12 +63,12 @@ def voltage(counter: int) -> bytes:
 
 
 def volts(counter: int) -> bytes:
-    """The reply to it."""
+    """Its reply."""
     return struct.pack("<HHBf", 7, counter, 0x02, 7.5)
 
 
 def over_tcp(stranger: Callable[[random.Random], Iterator[Said]]) -> bytes:
-    """The same said in 20 connections."""
+    """The same on 20 connections."""
     capture = Capture(RAW_IP)
     for number in range(20):
         over(capture, Connection(capture, 10_000 + number), stranger(random.Random(number)))
@@ -116,12 +116,12 @@ STRANGERS: dict[str, Callable[[], bytes]] = {
 }
 
 MOST = 0.01
-"""Of others' packets so many may be taken for ours."""
+"""This number of other programs' packets may be taken for ours."""
 
 
 @cache
 def said_by(stranger: str) -> tuple[bytes, float]:
-    """A capture, and how many of its packets may be taken for ours."""
+    """A capture, and the number of its packets that may be taken for ours."""
     data = STRANGERS[stranger]()
     capture = read(io.BytesIO(data))
     list(capture.events())
@@ -156,7 +156,7 @@ def test_the_dissector_leaves_them_where_only_the_beginnings_of_packets_were_cap
     whole, most = said_by(stranger)
     for size in (45, 80):
         path = tshark.place(snapped(whole, size), "beginnings.pcap")
-        # Of a beacon the first label may be all that is there.
+        # The first label of a beacon may be all that was captured.
         taken = tshark.run(path, "-Y", "ev3 && !udp", "-T", "fields", "-e", "frame.number").splitlines()
         assert len(taken) <= most, size
 
@@ -171,12 +171,12 @@ def test_wireshark_shows_strangers_on_port_5555_as_without_us(tshark: Tshark, st
 
 
 def swapped(stranger: Callable[[random.Random], Iterator[Said]], rng: random.Random) -> Iterator[Said]:
-    """The same with each side in the other's place."""
+    """The same with both sides exchanged."""
     return ((not from_host, data) for from_host, data in stranger(rng))
 
 
 def cut(said: Iterator[Said], rng: random.Random, size: int) -> Iterator[Said]:
-    """The same in small pieces, from somewhere on."""
+    """The same in small pieces, from some place on."""
     for from_host, data in list(said)[rng.randrange(8) :]:
         at = 0
         while at < len(data):
@@ -195,7 +195,7 @@ def ours(rng: random.Random) -> Iterator[Said]:
 
 
 def everybody() -> bytes:
-    """Others and we, each in connections of their own, whole and in pieces."""
+    """Other programs and ours, each on their own connections, complete and in pieces."""
     capture, port = Capture(RAW_IP), 20_000
     for who in (debug_bridge, encrypted, numbered, padded, database, modbus, object_exchange, torrent, ours):
         for seed in range(9):
@@ -222,7 +222,7 @@ def test_the_dissector_and_the_built_in_reader_take_the_same_messages(tshark: Ts
     assert sorted((record.numbers[-1], record.message.counter) for record in records) == sorted(shown)
 
 
-# What is ours is found all the same
+# Our own traffic is found nevertheless
 
 
 @pytest.fixture
@@ -250,7 +250,7 @@ def test_a_connection_is_claimed_by_its_first_plausible_command(shown: Callable[
 
 
 def test_strange_packets_count_once_where_the_connection_begins(shown: Callable[..., list[str]]) -> None:
-    """Wireshark then knows which end is the server, and hands over twice what is left to others."""
+    """Wireshark then knows which end is the server, and passes data to other dissectors twice."""
     capture = Capture(RAW_IP)
     capture.add(segment(True, 0, flags=SYN))
     capture.add(segment(False, 0, acknowledged=1, flags=SYN))
@@ -262,7 +262,7 @@ def test_strange_packets_count_once_where_the_connection_begins(shown: Callable[
 
 
 def test_two_replies_in_a_row_are_believed_on_tcp(shown: Callable[..., list[str]]) -> None:
-    """The first one is past when the second one comes."""
+    """The first one has ended when the second one comes."""
     capture = Capture(RAW_IP)
     connection = Connection(capture)
     connection.receive(volts(1))
@@ -308,7 +308,7 @@ def test_the_unlock_text_is_known_on_any_port(shown: Callable[..., list[str]]) -
 
 
 def test_the_unlock_text_on_any_port_may_come_in_two_segments(shown: Callable[..., list[str]]) -> None:
-    """Cut at each place after which it tells enough; the same beginning of another text is left alone."""
+    """Split at each place after which it can be recognised; the same beginning of another text is ignored."""
     capture = Capture(RAW_IP)
     ours = []
     for at in range(17, len(UNLOCK), 5):
@@ -323,7 +323,7 @@ def test_the_unlock_text_on_any_port_may_come_in_two_segments(shown: Callable[..
 
 
 def test_the_unlock_text_on_a_port_of_another_dissector(shown: Callable[..., list[str]]) -> None:
-    """Wireshark asks that one first, unless a preference of TCP says otherwise."""
+    """Wireshark asks that dissector first, unless a preference of TCP says otherwise."""
     capture = Capture(RAW_IP)
     connection = Connection(capture, brick_port=8080)
     packets = [connection.send(UNLOCK), connection.send(voltage(1)), connection.receive(volts(1))]
@@ -342,7 +342,7 @@ def test_a_beacon_names_a_port(shown: Callable[..., list[str]]) -> None:
 
 
 def test_decode_as_takes_everything_on_a_port_that_a_beacon_names(shown: Callable[..., list[str]]) -> None:
-    """The beacon is of one brick; the port of another machine is ours because somebody said so."""
+    """The beacon is from one brick; the port on another machine is ours because the user set it."""
     capture = Capture(RAW_IP)
     beacon = capture.add(datagram(BEACON.replace(b"5555", b"6000"), source=bytes((192, 0, 2, 11))))
     sent = Connection(capture, brick_port=6000).send(b"something else")
@@ -392,22 +392,22 @@ FAULTY = bytes.fromhex("0700 0100 80 0000 94 77")
 
 
 def claims_that_end() -> tuple[bytes, list[int]]:
-    """Connections to port 5555 that begin like ours, and the packets whose frames are taken."""
+    """Connections to port 5555 that begin like ours, and the packets whose frames are read."""
     capture = Capture(RAW_IP)
     strange = b"\xff" * 20
-    # Each packet with a plausible command begins anew.
+    # Each packet with a plausible command starts again.
     telling = Connection(capture, 10_000)
     ours = [telling.send(data) for data in (tone(1), FAULTY, FAULTY, tone(2), FAULTY)]
     telling.send(strange)
     ours.append(telling.send(tone(3)))
-    # It ends after three in a row, whoever says them.
+    # It ends after three in a row, from either side.
     ours.append(telling.send(FAULTY))
     telling.receive(strange)
     ours.append(telling.send(FAULTY))
     telling.send(FAULTY)
     telling.receive(volts(4))
     ours.append(telling.send(tone(4)))
-    # After a reply just as it was asked for all frames are ours, until there are none.
+    # After a reply of the requested size, all frames are ours, until a packet without one.
     answered = Connection(capture, 10_001)
     ours += [answered.send(voltage(1)), answered.receive(volts(1))]
     ours += [answered.send(FAULTY) for _ in range(10)]
@@ -418,7 +418,7 @@ def claims_that_end() -> tuple[bytes, list[int]]:
         answered.send(b"\xff" * 300)
     answered.send(FAULTY)
     answered.receive(volts(5))
-    # The text says it for good.
+    # The text settles it.
     unlocked = Connection(capture, 10_002)
     unlocked.send(UNLOCK)
     for _ in range(9):
@@ -437,7 +437,7 @@ def test_claims_end(tshark: Tshark) -> None:
 
 
 def claims_of_serial_ports() -> tuple[bytes, list[int]]:
-    """Serial ports on which something begins like ours, and the packets whose frames are taken."""
+    """Serial ports on which data begins like ours, and the packets whose frames are read."""
     capture = Capture(HCI_WITH_DIRECTION)
     strange = b"\xff" * 20
 
@@ -497,11 +497,11 @@ def test_claims_of_devices_end(tshark: Tshark) -> None:
     assert [event.numbers[0] for event in read(io.BytesIO(data)).events() if isinstance(event, Record)] == ours
 
 
-# Streams of which something is missing
+# Incomplete streams
 
 
 def test_losses_cost_few_frames(tshark: Tshark) -> None:
-    """3 of 100 segments are missing, and frames are cut anywhere: most of those that are whole are found."""
+    """3 of 100 segments are missing, and frames are split anywhere: most of the complete ones are found."""
     rng = random.Random(3)
     frames = [
         ev3proto.direct_command(

@@ -1,4 +1,4 @@
-"""Timelines: marks from a dialogue made by hand, the picture in its three forms, and the command line."""
+"""Timelines: marks from a dialogue made by hand, the chart in its three forms, and the command line."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ TONE = operation("SOUND.TONE", VOLUME=5, FREQUENCY=440, DURATION=250)
 
 
 class Brick:
-    """A brick that is talked to: its records have numbers one after the other and the times that they are given."""
+    """A brick in a dialogue: its records have consecutive numbers and the given times."""
 
     def __init__(self, peer: str = "1.7", carrier: Carrier = Carrier.USB) -> None:
         self._conversation = Conversation(frame_schema())
@@ -247,7 +247,7 @@ def test_files() -> None:
         "packets": "5 to 8",
     }
     assert files[2].tip["error"].startswith("ILLEGAL_PATH")
-    # The command that was refused is an error, the file that was not moved for it is none of its own.
+    # The command that was refused is an error; the file that was not transferred because of it is not another one.
     assert timeline.outcomes[MarkState.ERROR] == 1
     assert [mark.lane.subject for mark in timeline.marks][:3] == ["BEGIN_DOWNLOAD", "", "CONTINUE_DOWNLOAD"]
 
@@ -324,7 +324,7 @@ def test_beyond_the_limit_marks_are_counted() -> None:
     assert (first.count, first.latencies, first.slowest) == (5, (0.002, 0.005), 8)
     assert dict(first.troubles) == {MarkState.UNANSWERED: 1}
     assert sum(cell.count for cell in timeline.cells.values()) == 1000
-    # Only troubles are marks: 40 without a reply, and every 10th that is none of those.
+    # Only troubles are marks: 40 without a reply, and every 10th of the others.
     assert timeline.outcomes == {MarkState.ANSWERED: 880, MarkState.ERROR: 80, MarkState.UNANSWERED: 40}
     assert len(timeline.marks) == 120
     assert {mark.outcome for mark in timeline.marks} == {MarkState.ERROR, MarkState.UNANSWERED}
@@ -562,7 +562,7 @@ def test_page(drawn: Timeline) -> None:
 
 
 def test_names_of_kinds_are_not_clipped_off(drawn: Timeline) -> None:
-    """They stand left of the view, and what is in a view whose time can be dragged is clipped by itself."""
+    """They are left of the view; a view whose time can be dragged clips its contents."""
     root = ElementTree.fromstring(render(drawn, Form.SVG, "x"))
     clipped = {
         text

@@ -127,7 +127,7 @@ LOG = """\
 sent 09 00 01 00 00 04 00 81 01 60 00
 received 07 00 01 00 02 00 00 00 41
 """
-"""A battery of 8 V, and nobody wrote down when."""
+"""A battery of 8 V, in a log without times."""
 
 
 def test_a_log_without_times_has_none(tmp_path: Path) -> None:

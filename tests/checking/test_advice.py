@@ -1,6 +1,6 @@
-"""Every help of `check` that names a number was tried: with it, the finding is gone, and nothing new is wrong there.
+"""Every help of `check` that names a number is tried: with it, the finding is gone, and nothing new is wrong there.
 
-`support.advice` does what a help says. What is tried: the examples of all codes, those with other bytes around, and
+`support.advice` applies a help. The inputs are the examples of all codes, those with other bytes around, and
 frames with one thing wrong, drawn from the tables.
 """
 
@@ -39,11 +39,11 @@ WITHOUT_A_NUMBER_TO_TRY = {
     "E802": "the names of types have numbers in them",
     "W804": "the length in front of the message changes, too",
 }
-"""Codes whose helps may have digits in them and no number that could be put in, with the reason."""
+"""Codes whose helps may have digits but no number to apply, with the reason."""
 
 
 def trouble(frame: bytes, carrier: str | None = None, dialect: str = "official") -> Iterator[str]:
-    """What is wrong with the helps of a frame's findings."""
+    """Returns what is wrong with the helps of a frame's findings."""
     report = check(frame, carrier=carrier, dialect=dialect)
     known = {(it.code, it.offset) for it in report.findings}
     for finding in report.findings:
@@ -61,7 +61,7 @@ tried: Counter[str] = Counter()
 
 
 def is_same(one: Finding, other: Finding) -> bool:
-    """Whether two findings at one place are the same; the header requests two memories at one place."""
+    """Returns whether two findings at one place are the same; the header requests two memories at one place."""
     scopes = [re.findall("local|global", it.message)[:1] for it in (one, other)]
     return one.code == other.code and scopes[0] == scopes[1]
 
@@ -109,7 +109,7 @@ def with_a_wrong_argument(draw: st.DrawFn) -> bytes:
 
 @st.composite
 def with_jumps(draw: st.DrawFn) -> bytes:
-    """Jumps to anywhere, in any encoding, among other operations."""
+    """Jumps to any place, in any encoding, among other operations."""
     pieces = []
     for _ in range(draw(st.integers(1, 5))):
         number = draw(st.integers(-60, 60) | st.integers(-3000, 3000))
@@ -139,12 +139,12 @@ def with_long_fields(draw: st.DrawFn) -> bytes:
 
 
 LISTS = [it for it in KNOWN if any(isinstance(each.length, str) or each.most is not None for each in it.parameters)]
-"""Operations with texts or arrays of which the tables tell how long they are, or may be."""
+"""Operations with texts or arrays whose lengths, or maximum lengths, are in the tables."""
 
 
 @st.composite
 def with_wrong_lists(draw: st.DrawFn) -> bytes:
-    """Texts in place of arrays and names, and lengths that may be those of others."""
+    """Texts instead of arrays and names, and lengths that may belong to other parameters."""
     declaration = draw(st.sampled_from(LISTS))
     told = {each.length for each in declaration.parameters}
     values = [
@@ -184,7 +184,7 @@ EFFECTS = [
     "84 02 01 00 00",
     "85 0a 40",
 ]
-"""Sounds, moves and drawings, and what waits for them or shows them."""
+"""Sounds, moves and drawings, and operations that wait for them or show them."""
 
 
 @st.composite

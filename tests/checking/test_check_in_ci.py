@@ -1,4 +1,4 @@
-"""`check` among other tools and in programs: exit status, SARIF, GitHub's annotations, reports as text, fixes."""
+"""`check` with other tools and in programs: exit status, SARIF, GitHub's annotations, reports as text, fixes."""
 
 from __future__ import annotations
 
@@ -73,7 +73,7 @@ def test_a_refused_frame_is_exit_status_1_whatever_is_shown(words: list[str], tm
 
 
 BEYOND_FIXING = "08:00|2A:00|80|00:00|94|07|01|"
-"""A CMD that there is not: nobody knows what was meant."""
+"""An unknown CMD: the intended one is unknown."""
 
 
 def test_errors_only_and_quiet_among_many_frames() -> None:
@@ -117,7 +117,7 @@ ANNOTATION = re.compile(r"::(error|warning|notice) (\w+=[^:,]*(?:,\w+=[^:,]*)*):
 
 
 def annotations_in(text: str) -> list[tuple[str, dict[str, str], str]]:
-    """What GitHub makes of the lines of a workflow."""
+    """Returns GitHub's reading of the lines of a workflow."""
     found = []
     for line in text.splitlines():
         read = ANNOTATION.fullmatch(line)
@@ -210,7 +210,7 @@ def test_a_program_report_as_text_is_what_the_command_prints(tmp_path: Path) -> 
 
 @st.composite
 def with_a_fault(draw: st.DrawFn) -> bytes:
-    """A careful frame in which a few bytes are others; its length field may say too much, but not too little."""
+    """A careful frame with a few changed bytes; its length field may be too large, but not too small."""
     frame = bytearray(draw(careful_frames()))
     for _ in range(draw(st.integers(0, 3))):
         frame[draw(st.integers(4, len(frame) - 1))] = draw(st.integers(0, 255))

@@ -1,4 +1,4 @@
-"""What a check finds: every code by its own example, then what each topic has to say, by hand."""
+"""The findings of a check: every code by its own example, then each topic, by hand."""
 
 from __future__ import annotations
 
@@ -36,13 +36,13 @@ def codes(frame: bytes, **options: str) -> list[str]:
 
 
 def only(frame: bytes, **options: str) -> Finding:
-    """The one thing that is found."""
+    """The only finding."""
     (finding,) = check(frame, **options).findings
     return finding
 
 
 def span(finding: Finding, frame: bytes) -> str:
-    """The bytes that a finding is about."""
+    """The bytes of a finding."""
     return frame[finding.offset : finding.offset + finding.length].hex(" ")
 
 
@@ -135,7 +135,7 @@ def test_mailbox_write_takes_the_hardware_that_compilers_write() -> None:
 
 
 def test_the_frames_of_the_lesson() -> None:
-    """All are right, but the triad of which one hears only the last tone."""
+    """All are right, except the triad, of which only the last tone is heard."""
     found = {}
     for pasted in read_text((CAPTURES / "lesson-02.log").read_text().splitlines()):
         if pasted.direction != "received":
@@ -156,9 +156,9 @@ def test_the_frames_of_the_lesson() -> None:
     "path", sorted({*CAPTURES.glob("*.pcap*")} - {CAPTURES / "ev3_dc.pcap"}), ids=lambda path: path.name
 )
 def test_the_frames_of_captures(path: Path) -> None:
-    """They hold one command that the brick refused, on purpose, and nothing else that anybody would change.
+    """They have one command that the brick refuses, on purpose, and nothing else to improve.
 
-    What is in `ev3_dc.pcap` is another program's, and as it is.
+    `ev3_dc.pcap` is from another program, and unchanged.
     """
     for record in ev3proto.capture.read(path):
         if not isinstance(record, ev3proto.capture.Record):
@@ -180,7 +180,7 @@ def test_too_short(size: int) -> None:
 
 
 def test_one_cause_one_finding() -> None:
-    """A frame that is cut off anywhere is said once to be so."""
+    """A frame that is cut off anywhere is reported once."""
     frame = bytes.fromhex("1E002A00800000940281648 42E2F75692F446F776E6C6F616453756363657300".replace(" ", ""))
     assert codes(frame) == []
     for size in range(5, len(frame)):
@@ -335,7 +335,7 @@ def test_a_text_for_a_number_of_any_width() -> None:
 
 
 def test_handles_and_addresses_are_not_looked_into() -> None:
-    """What is there, only the brick knows."""
+    """Only the brick knows whether it exists."""
     assert codes(raw("7D 05 9105 9106")) == []
     assert codes(raw("A3 00 8B00000000 01")) == []
 
@@ -573,7 +573,7 @@ def test_longer_forms() -> None:
 
 
 def test_jumps_into_operations_are_followed() -> None:
-    """What is read there may end, or lead back for ever."""
+    """A text may end before it, or a jump may lead back for ever."""
     ends = "40 03 7D 01 84 01 01 40 02 00 60"
     assert codes(raw(ends, type=0, memory=2)) == ["E602"]
     endless = "40 03 7D 01 84 01 01 40 3C 00 60"

@@ -1,4 +1,4 @@
-"""What holds for every frame: a check never raises, says why the brick refuses, has nothing against what is right."""
+"""Properties of every frame: a check never raises, gives the reason of a refusal, and accepts what is right."""
 
 from __future__ import annotations
 
@@ -75,7 +75,7 @@ def test_what_is_built_from_valid_values_has_no_errors(frame: bytes) -> None:
 @settings(max_examples=effort(3, 30))
 @given(st.data())
 def test_no_operation_raises_a_false_alarm(declaration: Declaration, data: st.DataObject) -> None:
-    """Of each operation with values that the tables provide for, nothing is said about its values or encodings."""
+    """Every operation with legal values has no finding about its values or encodings."""
     operation = data.draw(careful_operation(declaration))
     frame = ev3proto.direct_command(operation, reply=True, global_size=ROOM, local_size=ROOM).build()
     found = {finding.code for finding in check(frame).findings}
@@ -102,14 +102,14 @@ def test_a_changed_byte_is_another_meaning_or_is_reported(frame: bytes, data: st
     message = ev3proto.parse(changed, strict=False)
     if report.errors:
         return
-    # What raises no error reads to its end, and says what its bytes say.
+    # What raises no error reads to its end, and means what its bytes say.
     assert report.accepted
     assert message.fault is None
     assert message.build() == changed
 
 
 def test_every_changed_byte_of_a_tone() -> None:
-    """All 4080 of them: what raises no error is another tone, another counter, or asks for other memory or a reply."""
+    """All 4080 of them: without an error, it is another tone, another counter, or requests other memory or a reply."""
     frame = bytes.fromhex("0E002A0080000094010182B80182E803")
     silent: set[int] = set()
     for at in range(len(frame)):
@@ -132,7 +132,7 @@ def test_verdicts_do_not_depend_on_counter_and_type(command: DirectCommand) -> N
 
 
 def test_a_command_full_of_results_is_checked_at_once() -> None:
-    """Everything in it overlaps: work grows no faster than the frame."""
+    """Everything in it overlaps: the work grows no faster than the frame."""
     crowded = [ev3proto.operation("INPUT_DEVICE_LIST", 127, Variable("global", 0), GV(200)) for _ in range(160)]
     frame = ev3proto.direct_command(*crowded, reply=True, global_size=1000).build()
     assert len(check(frame).findings) >= 159

@@ -1,4 +1,4 @@
-"""What a report looks like: reports made by hand, and the very lines that people see."""
+"""The form of a report: reports made by hand, and the exact lines that users see."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ ERROR, WARNING, HINT = Severity.ERROR, Severity.WARNING, Severity.HINT
 TONE = bytes.fromhex("0e002a0080000094010182c80082e803")
 LOW = Finding(ERROR, "E1", 10, 3, "the pitch is too low", "give a higher one", "SOUND.TONE", "FREQUENCY")
 LONG = Finding(HINT, "H1", 10, 3, "the encoding is long", "give a shorter one", "SOUND.TONE", "FREQUENCY")
-QUIET = Finding(WARNING, "W1", 9, 1, "nobody will hear it", "make it louder", "SOUND.TONE", "VOLUME")
+QUIET = Finding(WARNING, "W1", 9, 1, "it is inaudible", "make it louder", "SOUND.TONE", "VOLUME")
 LENGTH = Finding(ERROR, "E2", 0, 2, "the length is wrong", "count again")
 
 
@@ -204,7 +204,7 @@ def test_frames_as_the_lesson_prints_them(frame: str, text: str) -> None:
 
 
 def test_only_fixed_frames_are_read_again() -> None:
-    """What --fix prints can be given to every command that reads frames: nothing else in it looks like one."""
+    """The output of --fix can be given to every command that reads frames: nothing else in it looks like a frame."""
 
     def lines() -> Iterator[str]:
         for number in range(10, 26):

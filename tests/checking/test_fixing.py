@@ -1,4 +1,4 @@
-"""Fixes: what is fixed, what is left alone, and that no fix does any harm."""
+"""Fixes: what is fixed, what is unchanged, and that no fix does any harm."""
 
 from __future__ import annotations
 
@@ -129,7 +129,7 @@ def test_memory_grows_for_what_is_certain() -> None:
 
 
 def test_memory_that_nothing_uses_stays() -> None:
-    """What reads the reply may count on its size."""
+    """Programs that read the reply may depend on its size."""
     frame = asking(operation("UI_READ.GET_VBATT", GV(0)), global_size=20)
     assert fix(frame).frame == frame
 
@@ -169,7 +169,7 @@ def test_each_misaligned_variable_is_named_once() -> None:
 
 
 def test_what_only_the_processor_needs_is_said_too() -> None:
-    """After a count of parameters the firmware looks at no index."""
+    """After a count of parameters, the firmware ignores the index."""
     frame = asking(operation("INPUT_DEVICE.READY_SI", 0, 0, 0, 0, [GV(1)]), global_size=5)
     assert check(frame).accepted
     assert "GV(1) is not at a multiple of 4" in fix(frame).unfixed[0]
@@ -186,7 +186,7 @@ def test_what_cannot_be_read_on_is_said() -> None:
 def test_shorter_encodings() -> None:
     values = (encode_as("LC2", 5), encode_as("LC4", 440), encode_as("LC4", 100000))
     fixed = fix(hexed("14:00|00:00|80|00:00|94|81:01|") + b"".join(values))
-    # The length field was wrong as well.
+    # The length field was also wrong.
     assert fixed.frame == hexed("10:00|00:00|80|00:00|94|01|05|82:B8:01|83:A0:86:01:00|")
     assert told(fixed)[1:] == [
         "CMD of SOUND.TONE at offset 8: 81:01 -> 01",
@@ -203,7 +203,7 @@ def test_variables_in_shorter_encodings() -> None:
 @pytest.mark.parametrize(
     ("name", "argument"),
     [
-        ("MOVE8_8", encode_as("LC1", -128)),  # means "not a number": a longer encoding would say something else
+        ("MOVE8_8", encode_as("LC1", -128)),  # means "not a number": a longer encoding would mean something else
         ("MOVEF_F", encode_as("LC4", 0.0)),
         ("MOVE8_8", bytes((0x91, 0x05))),  # a handle
     ],
@@ -232,7 +232,7 @@ def test_what_is_jumped_over_keeps_its_length() -> None:
 
 
 def meaning(frame: bytes) -> list[object]:
-    """Operations in their order, with the values of their constants and the kinds of everything."""
+    """Operations in order, with the values of their constants and the kinds of all arguments."""
     message = ev3proto.parse(frame, strict=False)
     return [
         (
@@ -257,7 +257,7 @@ def is_better(fixed: Fix, frame: bytes) -> bool:
     "frame",
     [
         "0900010000040082118100",  # firmware of 2013 runs the shorter argument as an operation, and refuses that
-        "0e002a0080000094010182b80182e8030080",  # what follows the stated length is no operation
+        "0e002a0080000094010182b80182e8030080",  # the bytes after the stated length are not an operation
     ],
 )
 def test_an_accepted_frame_stays_accepted(frame: str) -> None:

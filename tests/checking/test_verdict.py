@@ -23,7 +23,7 @@ def command(code: str, *, memory: int = 0, type: int = 0x80) -> bytes:
 
 
 def answer(code: str) -> tuple[int | None, Reason | None]:
-    """Where a command is refused, counted from its first operation, and why; nothing where it is accepted."""
+    """Returns where a command is refused, counted from its first operation, and why; None if it is accepted."""
     found = verdict(command(code))
     assert found.accepted == (found.rejected_at is None) == (found.reason is None) == (found.blamed is None)
     return (None if found.rejected_at is None else found.rejected_at - START), found.reason
@@ -35,7 +35,7 @@ ACCEPTED = (None, None)
 @pytest.mark.parametrize(
     ("code", "expected"),
     [
-        # Rule 1: from one operation to the next, up to the very end
+        # Rule 1: from one operation to the next, to the end
         ("01", ACCEPTED),
         ("01 01 01", ACCEPTED),
         ("94 01 01 82B801 82E803", ACCEPTED),
@@ -49,7 +49,7 @@ ACCEPTED = (None, None)
         ("94 02 01 80 78 00", ACCEPTED),
         ("2F 60 82F401" + "8301000000" * 100, (0, Reason.CUT_OFF)),
         ("2F 60 04" + "8400" * 2, (0, Reason.CUT_OFF)),
-        ("9E 00 00 00 00 00 D101", ACCEPTED),  # a handle that is to count parameters: none follow, it may be odd
+        ("9E 00 00 00 00 00 D101", ACCEPTED),  # a handle as the count of parameters: none follow, it may be odd
         # Rule 2
         ("B5", (0, Reason.OPCODE)),
         ("01 00", (1, Reason.OPCODE)),
@@ -151,7 +151,7 @@ ACCEPTED = (None, None)
         ("0D 3F", (0, Reason.LABEL)),
         ("0D 8120", (0, Reason.LABEL)),
         ("0D 41", ACCEPTED),
-        # Jumps have numbers, no labels, for the validator
+        # Jumps have numbers, not labels, for the validator
         ("40 00", ACCEPTED),
         ("40 83FFFFFF7F", ACCEPTED),
         ("40 41", (0, Reason.ALIGNMENT)),
@@ -163,11 +163,11 @@ def test_the_rules(code: str, expected: tuple[int | None, Reason | None]) -> Non
 
 @pytest.mark.parametrize(
     ("code", "number"),
-    # -1 of PROGRAM_INFO is 32 of FILE, which is none; -2 is 31: MOVE with two texts
+    # -1 of PROGRAM_INFO is 32 of FILE, which does not exist; -2 is 31: MOVE with two texts
     [("0C 3F", 0), ("0C 3E 00 00", 2), ("0C 3E 00", None), ("82 3F", 0), ("83 3F 00 00 00 00 84 00 00 0D 40", 9)],
 )
 def test_a_negative_cmd_reaches_into_the_table_before(code: str, number: int | None) -> None:
-    """The firmware does not expect it: the tables stand one after the other."""
+    """The firmware does not expect it: the tables are adjacent in memory."""
     assert verdict(command(code)).accepted == (number is not None)
 
 
@@ -186,7 +186,7 @@ def test_dialects() -> None:
 
 @pytest.mark.parametrize("count", ["3F", "81FF", "83FFFFFFFF", "8300000080", "83FFFFFF7F", "8340420F00"])
 def test_counts_that_make_the_brick_spin(count: str) -> None:
-    """In constant time: nobody waits for thousands of millions of values."""
+    """In constant time, without stepping through thousands of millions of values."""
     frame = command(f"01 2F 40 {count} 01 02 03")
     assert milliseconds(lambda: verdict(frame), 10) <= 10
     assert verdict(frame) == Verdict(False, 8, Reason.CUT_OFF, 10, True)
@@ -198,7 +198,7 @@ def test_a_count_that_is_only_too_large() -> None:
 
 
 def test_blame() -> None:
-    """Beside the operation, at which the firmware stops, the very argument."""
+    """In addition to the operation, at which the firmware stops, the exact argument."""
     assert verdict(command("01 A6 8180 01")) == Verdict(False, 8, Reason.RANGE, 9)
     assert verdict(command("81 1E 60 61 68")) == Verdict(False, 7, Reason.ALIGNMENT, 10)
 
@@ -228,7 +228,7 @@ def test_what_is_no_direct_command(frame: bytes) -> None:
 
 
 def test_every_operation_from_its_shortest_values() -> None:
-    """What is built from zeros and aligned variables is accepted, but for what the 2013 firmware does not know."""
+    """Frames of zeros and aligned variables are accepted, except those that the 2013 firmware does not know."""
     for name, declaration in operations().items():
         if declaration.is_newer or name == "ERROR":
             continue
@@ -251,7 +251,7 @@ def test_every_code_of_two_bytes_has_an_answer() -> None:
 
 
 def test_every_family_has_a_table_of_cmds() -> None:
-    """The tables are named after families, and every family has one; two pairs of families share theirs."""
+    """The tables are named after families, and every family has one; two pairs of families share one."""
     families = {opcode.name: opcode.validator_table for opcode in OPCODES if opcode.is_family}
     assert set(families.values()) == set(CMD_TABLES)
     assert {name for name, table in families.items() if name != table} == {"TST", "FILENAME"}

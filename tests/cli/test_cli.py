@@ -295,7 +295,7 @@ def test_ops_lists_searches_and_shows() -> None:
 
 
 def on_a_terminal(**env: str) -> str:
-    """What `decode` writes to a terminal."""
+    """Returns the output of `decode` on a terminal."""
     ours, theirs = pty.openpty()
     process = subprocess.Popen(
         [sys.executable, "-m", "ev3proto", "decode", TONE],

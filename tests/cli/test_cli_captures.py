@@ -1,4 +1,4 @@
-"""`ev3proto decode` on captures, as a user types it: what is printed, what is complained about, the exit status."""
+"""`ev3proto decode` on captures, as a user types it: output, errors, exit status."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def run(*words: str, stdin: bytes = b"") -> subprocess.CompletedProcess[bytes]:
 
 
 def entries(*words: str, stdin: bytes = b"") -> list[dict[str, Any]]:
-    """What `decode --json` prints without any complaint."""
+    """Returns the output of `decode --json`, which must not report errors."""
     done = run("decode", "--json", *words, stdin=stdin)
     assert (done.returncode, done.stderr.decode()) == (0, "")
     return [json.loads(line) for line in done.stdout.splitlines()]
@@ -92,8 +92,8 @@ def test_dialogues_that_fail() -> None:
     connection = Connection(capture)
     connection.send(VOLTAGE)
     connection.receive(bytes.fromhex("0300010004"))  # an error
-    connection.receive(VOLTS)  # a reply that nobody asked for
-    connection.send(VOLTAGE)  # and a command that nobody answers
+    connection.receive(VOLTS)  # a reply without a command
+    connection.send(VOLTAGE)  # and a command without a reply
     lines = run("decode", "--dialogues", stdin=capture.data()).stdout.decode().splitlines()
     assert [line.partition("5555  ")[2] for line in lines] == [
         "UI_READ.GET_VBATT(VALUE=GV(0)) -> error  1.000 ms",
@@ -199,7 +199,7 @@ def test_another_dialect() -> None:
     assert entries("--dialect", "xtended", stdin=capture.data())[1]["operations"][0]["op"] == "FILE_MD5SUM"
 
 
-# Bad input: everything readable is printed, a sentence says what was not, the exit status is 1.
+# Bad input: everything readable is printed, an error names the rest, the exit status is 1.
 
 
 def test_a_file_cut_off_in_the_middle() -> None:
@@ -390,11 +390,11 @@ def test_a_filter_that_is_wrong() -> None:
 
 
 IMPATIENT = "from ev3proto.cli import main, output; output.PATIENCE = 0.1; main.main()"
-"""A program that is `ev3proto`, but for how long is taken for long."""
+"""`ev3proto` as a program with another threshold for long reading."""
 
 
 def on_a_terminal(path: Path, *words: str) -> str:
-    """What goes to a terminal on standard error while standard output goes elsewhere."""
+    """Returns what goes to a terminal on standard error while standard output goes elsewhere."""
     ours, theirs = pty.openpty()
     with subprocess.Popen(
         [sys.executable, "-c", IMPATIENT, *words, str(path)],
@@ -431,7 +431,7 @@ def test_a_progress_bar_on_long_files_only(tmp_path: Path) -> None:
 @pytest.mark.parametrize("words", [("check", "--json"), ("stats",)])
 def test_a_progress_bar_on_long_texts_too(tmp_path: Path, words: tuple[str, ...]) -> None:
     path = tmp_path / "long.log"
-    path.write_text("".join(f"12 of the {number} words here are no frame\n" for number in range(5_000)) + TONE.hex())
+    path.write_text("".join(f"12 of the {number} words here are not a frame\n" for number in range(5_000)) + TONE.hex())
     assert "%" in on_a_terminal(path, *words)
 
 
@@ -465,7 +465,7 @@ def test_files_says_where_there_is_no_frame(tmp_path: Path) -> None:
 
 
 def test_a_request_in_place_of_a_reply_is_a_fault_and_no_command() -> None:
-    """What the brick's bootloader does on USB 3 ports, in packet 24."""
+    """The fault of the brick's bootloader on USB 3 ports, in packet 24."""
     path = str(CAPTURES / "usb-bootloader.pcapng")
     lines = run("decode", "--dialogues", path).stdout.decode().splitlines()
     assert lines[0].split("-> ")[1] == "fault: the request came back in place of a reply  4.000 ms"

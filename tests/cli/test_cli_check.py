@@ -1,4 +1,4 @@
-"""`ev3proto check` as a user types it: what is printed, what is complained about, the exit status."""
+"""`ev3proto check` as a user types it: output, errors, exit status."""
 
 from __future__ import annotations
 
@@ -128,7 +128,7 @@ def test_a_capture_without_commands() -> None:
 
 
 def test_warnings_count_when_that_is_asked_for() -> None:
-    frame = "06:00|01:00|80|04:00|01"  # global memory that nothing uses
+    frame = "06:00|01:00|80|04:00|01"  # unused global memory
     entry = entries(frame)[0]
     assert {found["severity"] for found in entry["findings"]} == {"warning"}
     assert run(frame).returncode == 0
@@ -259,7 +259,7 @@ def test_help() -> None:
 
 
 SPOILT_SOURCE = "vmthread MAIN\n{\n  FOO(1)\n  DATA8 x\n  DATA8 x\n}\n"
-"""An operation that there is not, and a variable that is declared twice."""
+"""An unknown operation, and a variable that is declared twice."""
 
 SOURCE_WITH_A_WARNING = "vmthread MAIN\n{\n  DATA8 x\n  MOVE8_8(300, x)\n}\n"
 """300 is more than a DATA8 can be."""
@@ -333,7 +333,7 @@ def test_assembly_that_cannot_be_read_is_shown_as_send_shows_it() -> None:
 
 
 def test_assembly_in_a_file(tmp_path: Path) -> None:
-    """Commands are checked one by one, and replies passed over, as in a log."""
+    """Commands are checked one by one, and replies skipped, as in a log."""
     file = tmp_path / "robot.asm"
     file.write_text(
         run_ev3proto_text("decode", "--format", "asm", "06002a0000000001", "03002a0002", "08000100000500810161").stdout

@@ -1,4 +1,4 @@
-"""Filters on the command line: nothing else is let through, errors are underlined, everything can be found out."""
+"""Filters on the command line: only matching frames are shown, errors are underlined, all names are listed."""
 
 from __future__ import annotations
 
@@ -91,13 +91,13 @@ def test_time_is_the_time_that_is_shown() -> None:
     assert min(late) > 5.25
     assert max(early) <= 5.25
     assert early + late == shown_times("--filter", "size", WIFI)
-    # Each file begins anew.
+    # Each file is read independently.
     assert shown_times("--filter", "time > 5.25s", WIFI, WIFI) == late + late
 
 
 def test_dialogues_are_filtered_together() -> None:
     every = run("decode", "--dialogues", WIFI).stdout.splitlines()
-    # A command whose reply the filter does not name was answered all the same.
+    # A command whose reply does not match the filter was still answered.
     shown = run("decode", "--dialogues", "--filter", "kind == direct-command && !unanswered", WIFI).stdout.splitlines()
     assert {*shown} < {*every}
     assert not any("no reply" in line for line in shown)

@@ -1,4 +1,4 @@
-"""Texts on the command line: as good as a capture, with nothing in them passed over in silence."""
+"""Texts on the command line: they work like captures, and everything in them is read or reported."""
 
 from __future__ import annotations
 
@@ -165,7 +165,7 @@ def test_commands_of_a_text_wait_within_the_memory_that_is_given(tmp_path: Path)
 @pytest.mark.parametrize("command", ["stats", "values", "decode", "check"])
 def test_what_is_neither_text_nor_capture_is_named_by_its_first_bytes(command: str, tmp_path: Path) -> None:
     path = tmp_path / "junk.bin"
-    path.write_bytes(b"abc\x01\x02 that is none of them")
+    path.write_bytes(b"abc\x01\x02 that is something else")
     done = run(command, str(path))
     assert done.returncode == 1
     assert b"it starts with 61 62 63 01 02 20 74 68;" in done.stderr
@@ -179,7 +179,7 @@ def test_padding_is_counted(count: int, sentence: str) -> None:
 
 
 def test_a_status_is_explained() -> None:
-    """A folder that cannot be made, as decode and as --dialogues show it."""
+    """A folder that cannot be created, in the output of decode and of --dialogues."""
     talk = b"Sent 08:00:01:00:01:9b:2f:70:2f:00\nRecv 05:00:01:00:05:9b:05\n"
     meaning = "it cannot be created: it exists, its parent does not, or permission is denied"
     tree = run_ev3proto("decode", stdin=talk).stdout.decode().splitlines()

@@ -1,4 +1,4 @@
-"""`ev3proto encode`: what it takes, what it writes; the forms of frames, and JSON back to frames."""
+"""`ev3proto encode`: its input and output; the forms of frames, and JSON back to frames."""
 
 from __future__ import annotations
 
@@ -233,7 +233,7 @@ def test_a_name_that_is_nothing() -> None:
 
 
 def entry_of(frame: bytes) -> dict[str, Any]:
-    """The object of a frame, as it comes through a file."""
+    """The object of a frame, read back from a file."""
     message = parse(frame, strict=False)
     entry: dict[str, Any] = json.loads(json.dumps(record(Exchange(message), Seen())))
     return entry
@@ -352,7 +352,7 @@ def test_an_array_and_a_byte_string_have_all_bytes(frame: bytes) -> None:
     names: dict[str, bytes] = {}
     exec(as_python(message), names)
     assert names["frame"] == frame
-    # Bytes whose length field does not fit may hold a frame; a zero before others may be the number of a HID report.
+    # Bytes whose length field does not fit may contain a frame; a leading zero may be the number of a HID report.
     if len(frame) >= 7 and frame[0] != 0 and message.stated_length is None:
         assert [pasted.data for pasted in read_text(as_c(message).split("\n"))] == [frame]
 

@@ -30,7 +30,7 @@ sys.argv[0] = "ev3proto"
 from ev3proto.cli.main import main
 main()
 """
-"""A program that is `ev3proto` but for the Ctrl-C that it gets when so many modules were looked for."""
+"""`ev3proto` as a program that gets Ctrl-C after a number of modules were looked for."""
 
 
 @pytest.mark.parametrize("number", [30, 60, 100, 140])
@@ -111,7 +111,7 @@ with ending.ended_by_signals(), ending.stopped_by_signals(lambda: None):
     finally:
         taken.acquire()
 """
-"""A server that does not stop, and whose cleaning up waits for a thread that cannot go on, such as one that prints."""
+"""A server that does not stop, and whose cleanup waits for a blocked thread, such as one that prints."""
 
 
 def test_one_signal_is_enough_whatever_hangs() -> None:
@@ -163,7 +163,7 @@ def test_help_and_version_that_cannot_be_written(words: str) -> None:
 def test_a_signal_while_a_class_is_made_is_no_internal_error(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """Python 3.11 makes a RuntimeError of whatever comes then, as where a subcommand is being loaded."""
+    """Python 3.11 turns such an exception into a RuntimeError, for example while a subcommand is being loaded."""
 
     class Part:
         def __set_name__(self, _owner: type, _name: str) -> None:

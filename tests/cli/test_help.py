@@ -1,4 +1,4 @@
-"""Help: of every subcommand, whole and with examples that work; versions; the search for operations."""
+"""Help: every subcommand has complete help, with examples that work; versions; the search for operations."""
 
 from __future__ import annotations
 
@@ -132,13 +132,13 @@ def test_every_help_ends_with_examples_of_commands_that_there_are(path: str) -> 
 
 
 NEEDS_MORE = re.compile(
-    r"ev3proto (brick|copy|live|proxy|send)\b"  # a brick, an interface, or somebody who presses Ctrl-C
+    r"ev3proto (brick|copy|live|proxy|send)\b"  # they need a brick, an interface, or Ctrl-C
     r"|--http|--to (usb|wifi)|\| (my_decoder|tshark)"
 )
-"""Examples that need more than a computer with ev3proto on it."""
+"""Examples that need more than a computer with ev3proto."""
 
 MAY_FIND = ("ev3proto check", "ev3proto decode", "ev3proto replay")
-"""Commands whose exit status says what they found: a fault, a reply that is another."""
+"""Commands whose exit status reports a result: a fault, a different reply."""
 
 NOT_AS_ROOT = "as root, Wireshark 4.4 and later load no Lua plugins"
 """What `dissector install` says to root, who has everything in its place then, and no Wireshark that would load it."""

@@ -1,4 +1,4 @@
-"""What the command line says to a wrong call or a wrong input: what is wrong first, then what would be right."""
+"""Messages of the command line about wrong use or wrong input: what is wrong first, then what would be right."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
-"""Input that is no ordinary file, numbers that are too large, disks that are full: a sentence each, never a traceback.
+"""Special files, numbers that are too large, full disks: each gives an error message, never a traceback.
 
-Whatever is odd here is the caller's or the network's doing, so the status is 1 or 2, and nothing is left half written.
+The cause is the caller or the network, so the status is 1 or 2, and no file is left half written.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ TONE = "0e002a0080000094010182b80182e803"
 CAPTURE = "captures/wifi.pcapng"
 SCRIPT = Path(sys.executable).with_name("ev3proto")
 UNREADABLE = "/proc/self/mem"
-"""A file whose bytes at the start nobody can read, root included."""
+"""A file whose first bytes cannot be read, even by root."""
 
 READERS = (
     ("decode",),
@@ -153,7 +153,7 @@ def test_standard_output_is_closed(words: Sequence[str]) -> None:
 
 @pytest.mark.parametrize("words", [("decode",), ("stats",)], ids=" ".join)
 def test_raw_frames_are_not_all_kept(words: Sequence[str], tmp_path: Path) -> None:
-    """Frames of eight bytes: each took 350 bytes of memory when all were read before the first was shown."""
+    """Frames of eight bytes: reading all before showing the first took 350 bytes of memory for each."""
     peaks = []
     for count in (10_000, 40_000):
         (tmp_path / "frames.bin").write_bytes(bytes.fromhex("06002a0080000001") * count)

@@ -1,6 +1,6 @@
-"""Nothing from outside reaches a terminal as it is: every subcommand, with every character that steers a terminal.
+"""No input reaches a terminal unchanged: every subcommand, with every character that controls a terminal.
 
-Only the program's own colours, and what moves the cursor for a progress bar or a display, may be control sequences.
+The only control sequences are the program's colours, and those that move the cursor for a progress bar or a display.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ if "-i" in words:
     words[at : at + 2] = ["-r", "{capture}"]
 os.execv("{tshark}", ["tshark", *words])
 """
-"""A tshark that reads a file in place of what it should capture."""
+"""A tshark that reads a file instead of capturing."""
 
 C0 = "".join(map(chr, range(1, 0x20)))
 C1 = "".join(map(chr, range(0x7F, 0xA0)))
@@ -43,17 +43,17 @@ HARMFUL = f"a{SEQUENCES}{C0}{C1}{DIRECTIONS}z"
 IN_FRAMES = (
     b"a" + SEQUENCES.encode("latin-1") + bytes([*range(1, 0x20), *range(0x7F, 0x100)]) + DIRECTIONS.encode() + b"z"
 )
-"""The same as a brick sends it: bytes, which are no UTF-8."""
+"""The same as a brick sends it: bytes that are not UTF-8."""
 
 IN_PATHS = b"a" + HARMFUL.encode()[1:-1].replace(b"\n", b"")[:150] + b"\xff\xed\xa0\x80z"
 """The name of a file, with bytes that become lone surrogates."""
 
 NEW_LINE = b"\n\n06:00|2A:00|80|00:00|01\nSOUND(BREAK)\n"
-"""What ends a comment too early would be taken for frames."""
+"""An early end of a comment would make the rest look like frames."""
 
 
 def harmless(*words: str | bytes | Path, status: int | tuple[int, ...] = 0, draws: bool = False) -> str:
-    """Runs a subcommand, which must end with that status and steer nothing; what it printed."""
+    """Runs a subcommand, which must end with that status and not control the terminal; returns its output."""
     found, shown = on_a_terminal(*words)
     assert not steering(shown, draws=draws), shown
     assert "Traceback" not in shown
@@ -77,14 +77,14 @@ BEACON = b"Serial-Number: %b\r\nPort: 5555\r\nName: %b\r\nProtocol: EV3\r\n"
 
 
 def program() -> bytes:
-    """An image whose only string has what steers a terminal."""
+    """An image whose only string controls a terminal."""
     code = b"\x84\x05\x01\x00\x00\x84" + IN_FRAMES.replace(b"\0", b"") + b"\0\x0a"
     head = struct.pack("<4sIHHI", b"LEGO", 28 + len(code), 0x6D, 1, 0)
     return head + struct.pack("<IHHI", 28, 0, 0, 0) + code
 
 
 def frames() -> list[tuple[bool, bytes]]:
-    """A dialogue: whether the computer says it, and the frame."""
+    """A dialogue: whether the computer sends it, and the frame."""
     image = program()
     begin = ev3proto.system_command(
         "BEGIN_DOWNLOAD", counter=4, size=len(image), path=text_of(b"../prjs/" + IN_FRAMES + b".rbf")
@@ -109,7 +109,7 @@ def frames() -> list[tuple[bool, bytes]]:
 
 @pytest.fixture
 def capture(tmp_path: Path) -> bytes:
-    """The path of a capture: beacon, unlock, frames and bytes that are none."""
+    """The path of a capture: beacon, unlock, frames and other bytes."""
     found = Capture(RAW_IP)
     one_line = IN_FRAMES.replace(b"\r", b"").replace(b"\n", b"")
     for text in (BEACON % (one_line[:60], one_line), BEACON % (b"00", NEW_LINE), IN_FRAMES, b"Name: " + IN_FRAMES):
@@ -227,7 +227,7 @@ SOURCES = (
     f"{HARMFUL} 06:00|2A:00|80|00:00",
     f"0x|06:00|2A:00|80|00:00|01|  # {HARMFUL}",
 )
-"""Texts that are at fault, or have what steers a terminal around their frames."""
+"""Texts that are faulty, or that have control characters around their frames."""
 
 
 @pytest.mark.parametrize("number", range(len(SOURCES)))
@@ -308,7 +308,7 @@ def test_a_script_of_a_brick(tmp_path: Path) -> None:
 
 
 def hostile_replies(frame: bytes, send: Callable[[bytes], None]) -> None:
-    """Answers with what steers a terminal."""
+    """Answers with characters that control a terminal."""
     if frame[4] == 0x00:
         send(reply(frame, IN_FRAMES[:126].ljust(127, b"\0")))
     elif frame[5] == 0x99:
@@ -337,8 +337,8 @@ def test_what_a_brick_answers(tmp_path: Path, capture: bytes) -> None:
 
 
 def test_what_tshark_says(tmp_path: Path, tshark: Tshark, capture: bytes, monkeypatch: pytest.MonkeyPatch) -> None:
-    """A tshark that reads a file in place of an interface, and one that only complains."""
-    # This tshark finds the dissector there. The subcommand may be run in a copy of this process, or in one of its own.
+    """A tshark that reads a file instead of an interface, and one that only reports errors."""
+    # This tshark finds the dissector there. The subcommand may run in a copy of this process, or in another one.
     monkeypatch.setattr(tempfile, "tempdir", str(tshark.folder))
     monkeypatch.setenv("TMPDIR", str(tshark.folder))
     copy = tshark.folder / "steering.pcap"
@@ -361,7 +361,7 @@ def test_what_tshark_says(tmp_path: Path, tshark: Tshark, capture: bytes, monkey
 def test_the_headings_of_tables_have_colours(name: str) -> None:
     shown = harmless(name, "captures/wifi.pcapng")
     assert "\x1b[2m" in shown
-    # The listing in this capture has line feeds of its own.
+    # The listing in this capture contains line feeds.
     assert "\\u" not in shown.replace("\\u000a", "")
 
 

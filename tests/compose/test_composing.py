@@ -1,6 +1,6 @@
 """Commands composed from operations: places in memory, sizes, reply type, and replies that read back by name.
 
-What is expected is written out, or worked out here from the protocol's description, not by the code under test.
+Expected values are written out, or computed here from the protocol's description, not by the code under test.
 """
 
 from __future__ import annotations

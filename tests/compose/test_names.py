@@ -37,7 +37,7 @@ BOOL = "a bool is an int to ev3_dc; as an argument it is more likely a mistake"
 DIFFERENT = {
     "opTst": "ev3_dc has 0xDD, which is MAILBOX_CLOSE; the firmware's TST is 0xFF",
     "OBJ_STOP": "ev3_dc has the int 0, which cannot be joined; all its other CMDs are bytes",
-    "SET_TESTPIN": "ev3_dc is one too low: the firmware has 24, and 23 is no CMD of UI_WRITE in LEGO's firmware",
+    "SET_TESTPIN": "ev3_dc is one too low: the firmware has 24, and UI_WRITE has no CMD 23 in LEGO's firmware",
     "INIT_RUN": "ev3_dc is one too low: the firmware has 25, and 24 is SET_TESTPIN",
     "CURRENT_SLOT": MINUS_ONE,
     "ICON_NONE": MINUS_ONE,

@@ -1,6 +1,6 @@
-"""What the dissector shows: the info column, fields to filter for, replies read through their commands, files moved.
+"""The output of the dissector: info column, fields for filters, replies read through their commands, transferred files.
 
-Everything is asked of the real tshark; packet numbers are those of the captures that stand in the repository.
+All tests use the real tshark; packet numbers are those of the captures in the repository.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ Ask = Callable[..., list[str]]
 
 @pytest.fixture
 def ask(tshark: Tshark) -> Ask:
-    """The values of a field in the packets that a filter lets through, a line a packet."""
+    """The values of a field in the packets that match a filter, a line per packet."""
 
     def asked(display_filter: str, *fields: str, capture: Path = WIFI, passes: int = 2) -> list[str]:
         words = ["-T", "fields", "-Y", display_filter]
@@ -49,7 +49,7 @@ def info(ask: Ask, packet: int, capture: Path = WIFI) -> str:
 
 @pytest.fixture(scope="module")
 def infos(tshark: Tshark) -> list[str]:
-    """What is said of each packet."""
+    """The text of each packet."""
     return tshark.run(WIFI, "-2", "-T", "fields", "-e", "_ws.col.Info").splitlines()
 
 
@@ -110,7 +110,7 @@ FILTERS = {
     'ev3.mailbox == "abc"': [52],
     'ev3.beacon.name == "myEV3"': [1, 2],
 }
-"""Filters, and the packets that they let through."""
+"""Filters, and the packets that match."""
 
 
 @pytest.fixture(scope="module")
@@ -249,7 +249,7 @@ def one_segment(path: Path, frame: bytes, *, from_brick: bool = False) -> Path:
 
 
 def test_no_control_character_is_in_a_line(tshark: Tshark) -> None:
-    """Of ISO-8859-1 neither those below 20 nor 7F to 9F: tshark 4.0 hands them to the terminal as they are."""
+    """ISO-8859-1 without 00 to 1F and 7F to 9F: tshark 4.0 sends those to the terminal unchanged."""
     name = b"a\x1b\x7f\x85\x9b\xe4"
     body = b"\x00\x00\xd4\x08\x84" + name + b"\x00"
     capture = Capture(RAW_IP)

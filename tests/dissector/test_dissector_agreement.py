@@ -1,7 +1,7 @@
-"""The dissector and the codec agree: what tshark shows of a frame is what `ev3proto.parse` and `Dialogue` make of it.
+"""The dissector and the codec agree: tshark shows of a frame what `ev3proto.parse` and `Dialogue` read in it.
 
-The one side comes through tshark, the dissector and pyshark. The other side gets the frames without the dissector: from
-tshark's fields of the carrier below it, or from the strategies that drew them.
+One side comes through tshark, the dissector and pyshark. The other side gets the frames without the dissector: from
+tshark's fields of the lower carrier, or from the strategies that drew them.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ LESSON = CAPTURES / "lesson-02.log"
 
 
 def check(tshark: Tshark, capture: Path, expected: Sequence[Frame], *words: str, dialect: str = "official") -> None:
-    """Compares all messages that tshark shows in a capture with the frames that are in it."""
+    """Compares all messages that tshark shows in a capture with its frames."""
     layers = packets(tshark, capture, *words)
     found = [(number, layer) for number, layer in layers if is_message(layer)]
     follower = Follower(dialect, passes=2 if "-2" in words else 1)
@@ -56,13 +56,13 @@ def check(tshark: Tshark, capture: Path, expected: Sequence[Frame], *words: str,
 
 
 class Pieces:
-    """A stream in one direction, piece by piece; texts in front of the frames are passed over."""
+    """A stream in one direction, piece by piece; texts before the frames are skipped."""
 
     def __init__(self) -> None:
         self.decoder = ev3proto.Decoder(strict=False)
 
     def feed(self, data: bytes) -> Iterator[bytes]:
-        """The frames that are complete with this piece."""
+        """Returns the frames that are complete with this piece."""
         if data.startswith(UNLOCK_REQUEST.encode()):
             data = data[UNLOCK.read(data, 0)[1] :]
         elif data.startswith(ACCEPT):
@@ -74,7 +74,7 @@ Row = list[str]
 
 
 def rows(tshark: Tshark, capture: Path, display_filter: str, *fields: str, words: Iterable[str] = ()) -> Iterator[Row]:
-    """Fields of the packets that a filter lets through, read without the dissector."""
+    """Fields of the packets that match a filter, read without the dissector."""
     arguments = ["-T", "fields", "-Y", display_filter, *words]
     for name in ("frame.number", "frame.time_relative", *fields):
         arguments += ["-e", name]
@@ -83,7 +83,7 @@ def rows(tshark: Tshark, capture: Path, display_filter: str, *fields: str, words
 
 
 def over_tcp(tshark: Tshark, capture: Path) -> Iterator[Frame]:
-    """Segments in the order of their numbers; what came already is passed over, what comes early waits."""
+    """Segments in the order of their numbers; repeated ones are skipped, early ones wait."""
     streams: dict[bool, Pieces] = {True: Pieces(), False: Pieces()}
     behind: dict[bool, int] = {}
     early: dict[tuple[bool, int], bytes] = {}
@@ -102,7 +102,7 @@ def over_tcp(tshark: Tshark, capture: Path) -> Iterator[Frame]:
 
 
 def over_usb(devices: str) -> Callable[[Tshark, Path], Iterator[Frame]]:
-    """Reports of some devices, cut by the length field."""
+    """Reports of some devices, truncated by the length field."""
 
     def read(tshark: Tshark, capture: Path) -> Iterator[Frame]:
         fields = ("usb.src", "usb.dst", "usb.capdata", "usbhid.data")
@@ -117,7 +117,7 @@ def over_usb(devices: str) -> Callable[[Tshark, Path], Iterator[Frame]]:
 
 
 def over_rfcomm(*words: str) -> Callable[[Tshark, Path], Iterator[Frame]]:
-    """What the channel of the serial port carries; the words make tshark see that it is RFCOMM."""
+    """The contents of the serial port's channel; the words make tshark recognise RFCOMM."""
 
     def read(tshark: Tshark, capture: Path) -> Iterator[Frame]:
         streams: dict[bool, Pieces] = {True: Pieces(), False: Pieces()}
@@ -132,7 +132,7 @@ def over_rfcomm(*words: str) -> Callable[[Tshark, Path], Iterator[Frame]]:
 
 
 class Carrier(NamedTuple):
-    """How to get at the frames of a capture, how many there are, and what tshark needs to see them."""
+    """How to extract the frames of a capture, their number, and the arguments with which tshark sees them."""
 
     frames: Callable[[Tshark, Path], Iterator[Frame]]
     total: int
@@ -176,7 +176,7 @@ def test_captures(tshark: Tshark, name: str) -> None:
 
 
 def in_segments(said: Iterable[tuple[bool, bytes]], chance: random.Random) -> tuple[list[Segment], list[Frame]]:
-    """Frames of both sides put into segments: whole or cut anywhere, alone or with others that go the same way."""
+    """Frames of both sides in segments: whole or split anywhere, alone or with others in the same direction."""
     segments: list[Segment] = []
     found: list[Frame] = []
     for from_host, group in groupby(said, lambda one: one[0]):
@@ -197,7 +197,7 @@ def in_segments(said: Iterable[tuple[bool, bytes]], chance: random.Random) -> tu
 
 
 def test_lesson(tshark: Tshark) -> None:
-    """The frames of a lesson, in the order in which they stand there."""
+    """The frames of a lesson, in their order."""
     lines = re.findall(r"(Sent|Recv) 0x\|([0-9A-F:|]+)\|$", LESSON.read_text(encoding="utf-8"), re.MULTILINE)
     said = [(way == "Sent", bytes.fromhex(re.sub("[:|]", " ", data))) for way, data in lines]
     segments, found = in_segments(said, random.Random(0))
@@ -226,7 +226,7 @@ def names_of(dialect: str) -> list[str]:
 
 @cache
 def of_every_operation(dialect: str) -> list[bytes]:
-    """A direct command for each operation of a firmware, which asks for all the memory that there is."""
+    """A direct command for each operation of a firmware, which requests as much memory as possible."""
     strategies = [raw_operations(dialect, name) for name in names_of(dialect)]
     bodies: list[bytes] = []
     for start in range(0, len(strategies), AT_ONCE):
@@ -269,7 +269,7 @@ LENGTHS = st.sampled_from((-1, -3, 0, 1, 2, 5, 20, 127)) | PLACES
 
 @st.composite
 def asking(draw: st.DrawFn, dialect: str) -> bytes:
-    """Direct commands whose operations have outputs, most of them inside the memory that the command asks for."""
+    """Direct commands whose operations have outputs, most of them inside the requested memory."""
     chosen: list[Operation] = []
     with_outputs = [it for it in operations(dialect).values() if any(map(_gives, it.parameters))]
     for declaration in draw(st.lists(st.sampled_from(with_outputs), min_size=1, max_size=4)):
@@ -299,7 +299,7 @@ TONE = bytes.fromhex("0e002a0080000094010182b80182e803")
 
 
 class Conversation:
-    """A host and a brick that say what was drawn; the brick answers nearly everything, in its order."""
+    """A host and a brick with a drawn dialogue; the brick answers almost everything, in order."""
 
     def __init__(self, dialect: str, seed: int) -> None:
         self.chance = random.Random(seed)
@@ -308,12 +308,12 @@ class Conversation:
         self.waiting: list[bytes] = []
 
     def say(self, frames: Iterable[bytes]) -> None:
-        """Frames as they were drawn; replies among them are the brick's, which were asked for by nobody."""
+        """Frames as they were drawn; replies among them are the brick's, and belong to no command."""
         for data in frames:
             message = ev3proto.parse(data, dialect=self.dialect)
             assert message.type is not None
             if isinstance(message, SystemCommand | SystemReply) and "handle" in message.fields:
-                # Few handles, so that files go on.
+                # Few handles, so that files are continued.
                 handle = int(message.fields["handle"]) % 3
                 data = replace(message, fields={**message.fields, "handle": handle}).build()
             self.said.append((message.type.is_command, data))
@@ -324,12 +324,12 @@ class Conversation:
         self.answer()
 
     def answer(self) -> None:
-        """The brick says all that it owes."""
+        """The brick sends all outstanding replies."""
         self.said += [(False, data) for data in self.waiting]
         self.waiting.clear()
 
     def reply(self, message: Message) -> bytes:
-        """The reply to a command: most often of the size asked for."""
+        """The reply to a command: usually of the requested size."""
         chance, counter = self.chance, message.counter
         if isinstance(message, DirectCommand):
             size = message.global_size if chance.random() < 0.9 else chance.randrange(64)
@@ -346,7 +346,7 @@ class Conversation:
 
 
 def agree(tshark: Tshark, dialect: str, drawn_frames: Iterable[bytes], *words: str) -> None:
-    """Has frames said in a connection of their own, and compares what is shown of them and of their replies.
+    """Puts frames into their own connection, and compares what is shown of them and of their replies.
 
     It begins with a tone: not every frame claims a connection.
     """
@@ -371,7 +371,7 @@ def test_every_letter(tshark: Tshark) -> None:
 
 
 def test_floats(tshark: Tshark) -> None:
-    """Those at the edges of what there is, for the dissector puts them together itself."""
+    """Numbers at the limits of their types, because the dissector assembles them itself."""
     edges = [0.0, -0.0, 1e-45, 1.1754942e-38, 1.17549435e-38, 0.1, 1.0, 16777215.0, 3.4028235e38]
     values = [*edges, *(-edge for edge in edges), math.inf, -math.inf, math.nan]
     moves = (ev3proto.operation("MOVEF_F", value, LV(0)) for value in values)
@@ -399,7 +399,7 @@ def test_reply_values(tshark: Tshark, dialect: str) -> None:
 
 
 def test_a_length_counts_for_its_own_operation(tshark: Tshark) -> None:
-    """The first name has two bytes and does not come back; how long the second one is, only the brick knows."""
+    """The first name has two bytes and is not returned; only the brick knows the length of the second."""
     name = "INPUT_DEVICE.GET_NAME"
     asked = (ev3proto.operation(name, 0, 0, 2, LV(0)), ev3proto.operation(name, 0, 0, GV(0), GV(1)))
     command = ev3proto.direct_command(*asked, reply=True, global_size=8, local_size=2)

@@ -1,4 +1,4 @@
-"""The dissector's file is what the tables give, Wireshark has a field for all that is in them, and its README holds."""
+"""The dissector's file is generated from the tables, Wireshark has a field for everything, and its README is right."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ README = (ROOT / "dissector" / "README.md").read_text(encoding="utf-8")
 
 
 class Field(NamedTuple):
-    """What Wireshark knows of a field."""
+    """Wireshark's description of a field."""
 
     name: str
     type: str
@@ -36,7 +36,7 @@ class Field(NamedTuple):
 
 @pytest.fixture(scope="module")
 def fields(tshark: Tshark) -> dict[str, Field]:
-    """Every field of the dissector by what it is called in filters; none is there twice."""
+    """Every field of the dissector by its name in filters; each name is unique."""
     rows = [line.split("\t") for line in report(tshark, "fields")]
     found = [(row[2], Field(row[1], row[3], row[5], row[7])) for row in rows if row[0] == "F" and row[4] == "ev3"]
     assert [name for name, count in Counter(name for name, _ in found).items() if count > 1] == []
@@ -45,7 +45,7 @@ def fields(tshark: Tshark) -> dict[str, Field]:
 
 @pytest.fixture(scope="module")
 def values(tshark: Tshark) -> dict[str, dict[int, str]]:
-    """The names of numbers that Wireshark knows, by field."""
+    """Wireshark's names of numbers, by field."""
     found: dict[str, dict[int, str]] = {}
     for line in report(tshark, "values"):
         if line.startswith("V\tev3."):
@@ -64,7 +64,7 @@ def report(tshark: Tshark, what: str) -> list[str]:
 
 
 def parameters() -> Iterator[tuple[str, Parameter]]:
-    """Every parameter of every operation, with what its field is called."""
+    """Every parameter of every operation, with the name of its field."""
     for opcode in OPCODES:
         for parameter in opcode.parameters:
             yield f"ev3.{opcode.name}.{parameter.name}".lower(), parameter
@@ -136,7 +136,7 @@ def test_every_parameter_has_its_field(fields: dict[str, Field]) -> None:
             wrong.append((name, field))
         if parameter.type is Type.COUNT:
             item = fields.get(f"{name}.item")
-            # Where another argument tells the type, a double holds any number.
+            # If another argument gives the type, a double holds any number.
             type_of_item = expected_type(element) if isinstance(element, Type) else "FT_DOUBLE"
             if item is None or (item.name, item.type) != (parameter.name, type_of_item):
                 wrong.append((f"{name}.item", item))
@@ -151,7 +151,7 @@ def test_names_that_say_little_have_a_word_before_them(fields: dict[str, Field])
 
 
 def test_every_parameter_tells_what_it_means(fields: dict[str, Field]) -> None:
-    # An operation that dialects have in two forms has one field for both.
+    # An operation that has two forms in dialects has one field for both.
     meanings: dict[str, set[str]] = {}
     for name, parameter in parameters():
         meanings.setdefault(name, set()).add(parameter.text)
@@ -213,7 +213,7 @@ FAMILIAR = {
     "hw_id": "FT_UINT32",
     "fw_id": "FT_UINT32",
 }
-"""The names that people have filters with, of the dissector that was public before."""
+"""The names in users' filters, from the dissector that was public before."""
 
 
 def test_familiar_names(fields: dict[str, Field]) -> None:
@@ -235,7 +235,7 @@ def test_names_of_the_header(fields: dict[str, Field], values: dict[str, dict[in
 
 ROWS = re.findall(r"^\| [^|`]+ \| `(.*)` \|(?: `([\w.-]+)`: (\d+))? \|$", README, re.MULTILINE)
 TWICE = set(re.findall(r"^\| [^|`]+ \(-2\) \| `(.*)` \|.*$", README, re.MULTILINE))
-"""Filters that find all only when the capture is read twice."""
+"""Filters that only find all if the capture is read twice."""
 SESSIONS = re.findall(r"^\$ (tshark .*)\n((?:(?!\$ |```).*\n)*)", README, re.MULTILINE)
 
 
@@ -248,7 +248,7 @@ def test_there_is_something_to_test() -> None:
 
 @pytest.fixture(scope="module")
 def filtered(tshark: Tshark) -> dict[tuple[str, str], int]:
-    """How many packets each filter lets through, by filter and capture."""
+    """The number of packets that match each filter, by filter and capture."""
     found = {}
     for name in {capture or "wifi.pcapng" for _, capture, _ in ROWS}:
         texts = [text for text, capture, _ in ROWS if (capture or "wifi.pcapng") == name]

@@ -1,4 +1,4 @@
-"""Frames are found in whatever carries them, however it cuts them; what is not theirs is left to Wireshark."""
+"""Frames are found in every carrier, however it splits them; other traffic is left to Wireshark."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ Ask = Callable[..., list[str]]
 
 
 def tone(counter: int) -> bytes:
-    """A command that no reply comes to: 16 bytes."""
+    """A command without a reply: 16 bytes."""
     return struct.pack("<HHB", 14, counter, 0x80) + bytes.fromhex("0000 94 01 01 82B801 82E803")
 
 
@@ -48,7 +48,7 @@ def voltage(counter: int) -> bytes:
 
 
 def volts(counter: int, value: float = 7.5) -> bytes:
-    """The reply to it."""
+    """Its reply."""
     return struct.pack("<HHBf", 7, counter, 0x02, value)
 
 
@@ -58,7 +58,7 @@ def begin_upload(counter: int) -> bytes:
 
 @pytest.fixture
 def ask(tshark: Tshark) -> Ask:
-    """Fields of the packets that a filter lets through, a line a packet."""
+    """Fields of the packets that match a filter, a line per packet."""
 
     def asked(capture: Capture | Path, display_filter: str, *fields: str, words: Sequence[str] = ()) -> list[str]:
         path = capture if isinstance(capture, Path) else tshark.place(capture.data(), "carrier.pcap")
@@ -71,7 +71,7 @@ def ask(tshark: Tshark) -> Ask:
 
 
 def counters(lines: Iterable[str]) -> list[int]:
-    """All counters, in whichever packets they are."""
+    """All counters, in any packets."""
     return [int(number) for line in lines for number in line.split(",") if number]
 
 
@@ -84,7 +84,7 @@ STREAM = b"".join(FRAMES)
 @pytest.mark.parametrize("words", [[], ["-2"]])
 @pytest.mark.parametrize("port", [5555, 10_000])
 def test_connections_with_the_same_ports_are_told_apart(ask: Ask, port: int, words: list[str]) -> None:
-    """Three of them, with one other end each; all count their messages alike, and frames are split."""
+    """Three of them, each with another client; all count their messages alike, and frames are split."""
     capture = Capture(RAW_IP)
     other_host, other_brick = HOST[:3] + bytes([HOST[3] + 100]), BRICK[:3] + bytes([BRICK[3] + 100])
     connections = [
@@ -161,7 +161,7 @@ def test_a_preference_names_the_ports_of_both_ends(ask: Ask, words: tuple[str, .
 
 @pytest.mark.parametrize("words", [(), ("-2",)], ids=" ".join)
 def test_a_preference_names_the_port_of_the_computer(ask: Ask, words: tuple[str, ...]) -> None:
-    """The unlock text, or Decode As, tells all the same that the other end is the brick."""
+    """The unlock text, or Decode As, shows nevertheless that the other end is the brick."""
     for is_unlocked in (True, False):
         capture = Capture(RAW_IP)
         connection = Connection(capture, 40_000, 61_000)
@@ -191,7 +191,7 @@ def test_decode_as_on_another_port(ask: Ask) -> None:
 
 
 def test_frames_are_cut_anywhere(ask: Ask) -> None:
-    """Two segments for all frames, cut at every place; the same from the brick, with replies."""
+    """Two segments for all frames, split at every place; the same from the brick, with replies."""
     replies = b"".join(volts(number) for number in range(1, 6))
     capture = Capture(RAW_IP)
     for at in range(1, len(STREAM)):
@@ -219,7 +219,7 @@ def test_segments_of_any_size(ask: Ask) -> None:
 
 
 def test_both_directions_at_once(ask: Ask) -> None:
-    """While a reply is on its way in pieces, commands are, too."""
+    """While a reply arrives in pieces, so do commands."""
     capture = Capture(RAW_IP)
     connection = Connection(capture)
     connection.send(voltage(1) + voltage(2)[:4])
@@ -265,7 +265,7 @@ UNLOCKS = [
 
 
 def test_texts_stand_before_the_frames(ask: Ask) -> None:
-    """Whatever ends the text, in a segment of its own or together with the frame: a connection each."""
+    """Every end of the text, in its own segment or together with the frame: a connection each."""
     capture = Capture(RAW_IP)
     ways = [(unlock, apart) for unlock in UNLOCKS for apart in (True, False)]
     for port, (unlock, apart) in enumerate(ways, 10_000):
@@ -296,7 +296,7 @@ def test_texts_are_cut_anywhere(ask: Ask) -> None:
 
 
 def test_a_frame_of_three_segments_of_which_the_second_comes_twice(ask: Ask) -> None:
-    """Each command is shown with its last segment, before its reply, which finds it."""
+    """Each command is shown with its last segment, before its reply, which refers to it."""
     capture = Capture(RAW_IP)
     connection = Connection(capture)
     connection.send(tone(0))
@@ -313,7 +313,7 @@ def test_a_frame_of_three_segments_of_which_the_second_comes_twice(ask: Ask) -> 
 
 
 def test_a_command_captured_after_its_reply_is_a_message_of_its_own(ask: Ask) -> None:
-    """As on two interfaces. Of TCP this needs the order back: Wireshark takes what was acknowledged for repeated."""
+    """As on two interfaces. TCP needs the order for this: Wireshark takes acknowledged data for repeated."""
     device, port = Device(Capture(USBMON)), SerialPort(Capture(HCI_WITH_DIRECTION))
     streams: tuple[Connection | Device | SerialPort, ...] = (Connection(Capture(RAW_IP)), device, port)
     for stream in streams:
@@ -336,7 +336,7 @@ def test_a_command_captured_after_its_reply_is_a_message_of_its_own(ask: Ask) ->
 
 @pytest.mark.parametrize("words", [(), ("-2",)], ids=" ".join)
 def test_the_first_frame_of_which_the_segment_before_the_last_comes_twice(ask: Ask, words: tuple[str, ...]) -> None:
-    """Before anything else tells that a connection is ours; however the frame is cut, it is shown with its last one."""
+    """Before anything else shows that a connection is ours; a split frame is shown with its last part."""
     capture = Capture(RAW_IP)
     frame = struct.pack("<HHB", 17, 1, 0x00) + bytes.fromhex("0400 81 01 60 94 01 01 82B801 82E803")
     last = []
@@ -395,7 +395,7 @@ def test_a_beacon_with_a_port_that_there_cannot_be(tshark: Tshark) -> None:
 
 
 def test_a_beacon_of_which_less_was_captured(ask: Ask) -> None:
-    """What is there tells nothing else: the first label has 15 bytes, the first line 29, the last label ends at 64."""
+    """A beacon at its limits: the first label has 15 bytes, the first line 29, the last label ends at 64."""
     whole = datagram(BEACON)
     head = len(whole) - len(BEACON)
     capture = Capture(RAW_IP)
@@ -427,7 +427,7 @@ def test_a_brick_is_known_by_its_product(ask: Ask, product: int) -> None:
     capture = Capture(USBMON)
     brick, other = known(capture, product), Device(capture, 8)
     other.enumerate(0x1234, product)
-    # Only of a brick: a command that ends inside an operation.
+    # Only from a brick: a command that ends inside an operation.
     frame = bytes.fromhex("0800 0100 80 0000 94 01 01")
     sent = brick.send(frame)
     other.send(frame)
@@ -437,7 +437,7 @@ def test_a_brick_is_known_by_its_product(ask: Ask, product: int) -> None:
 
 @pytest.mark.parametrize("is_known", [True, False])
 def test_bulk_transfers_are_left_to_wireshark(ask: Ask, is_known: bool) -> None:
-    """Other programs that run on a brick have the brick's product number and speak their own protocol in these."""
+    """Other programs on a brick have the brick's product number and use their own protocol in these."""
     capture = Capture(USBMON)
     brick = known(capture) if is_known else Device(capture)
     brick.kind = Device.BULK
@@ -464,7 +464,7 @@ def test_what_is_behind_the_frame_is_padding(tshark: Tshark, is_known: bool) -> 
 
 
 def test_what_is_no_frame_in_every_respect_is_left_to_wireshark(ask: Ask) -> None:
-    """Each report is of another device; the last device says a frame."""
+    """Each report is from another device; the last device sends a frame."""
     capture = Capture(USBMON)
     sent = {}
     for number, (report, (from_host, data)) in enumerate(UNLIKELY.items(), 1):
@@ -493,7 +493,7 @@ def test_other_devices_are_left_to_wireshark(ask: Ask) -> None:
     ],
 )
 def test_of_many_random_reports_hardly_any_is_taken_for_a_frame(ask: Ask, size: int, first: bytes, most: int) -> None:
-    """`most` of a hundred thousand. Of those of 1024 bytes some are: replies may have any memory in them."""
+    """At most `most` of a hundred thousand. Some of those with 1024 bytes are taken: replies may contain any memory."""
     rng = random.Random(size)
     capture = Capture(USBMON)
     device = Device(capture, size=size)
@@ -515,7 +515,7 @@ def test_reports_between_bricks(ask: Ask) -> None:
 
 
 def test_a_computer_sends_daisy_messages_in_its_own_reports(ask: Ask) -> None:
-    """Of 1024 bytes: nothing in them tells against what else the computer says."""
+    """With 1024 bytes: nothing in them contradicts what else the computer sends."""
     capture = Capture(USBMON)
     device = Device(capture)
     for _ in range(3):
@@ -573,7 +573,7 @@ def test_frames_cut_over_rfcomm_frames_and_sharing_them(ask: Ask) -> None:
 
 
 HEADER = 5
-"""Bytes that tell whether a stream may be of this protocol."""
+"""Bytes that show whether a stream may be of this protocol."""
 
 
 def test_rfcomm_frames_of_any_size(ask: Ask) -> None:
@@ -628,7 +628,7 @@ def test_other_protocols_on_channel_1_are_left_to_wireshark(ask: Ask, is_typed: 
 
 
 def test_a_stream_whose_first_piece_says_nothing_yet(ask: Ask) -> None:
-    """It is not shown before the frame is whole, as it might be another program's."""
+    """It is not shown before the frame is complete, as it might be another program's."""
     capture, port = rfcomm()
     numbers = [port.send(piece) for piece in (voltage(1)[:1], voltage(1)[1:3], voltage(1)[3:] + tone(2))]
     fields = ("frame.number", "ev3.fragments", "ev3.msg_num")
@@ -652,7 +652,7 @@ def test_a_device_whose_name_is_learnt_on_the_way_stays_the_same(ask: Ask) -> No
 
 
 def event(capture: Capture, code: int, body: bytes) -> None:
-    """What the host's Bluetooth controller reports."""
+    """Reports of the host's Bluetooth controller."""
     capture.add(struct.pack(">IBBB", 1, 4, code, len(body)) + body)
 
 

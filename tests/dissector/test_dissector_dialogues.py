@@ -1,4 +1,4 @@
-"""Long dialogues: which command a reply answers is kept in little space, and stays there for whoever looks later."""
+"""Long dialogues: the links from replies to commands take little memory, and remain for later readings."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import ev3proto
 
 UNLOCK = ev3proto.Unlock("06165300000a").build()
 READINGS = {"VBATT": ("01", "V"), "IBATT": ("02", "A"), "TBATT": ("05", "°C")}
-"""Of what UI_READ reads: the CMD in hexadecimal, and the unit."""
+"""What UI_READ reads: the CMD in hexadecimal, and the unit."""
 
 
 def frame(counter: int, kind: str, body: str) -> bytes:
@@ -21,7 +21,7 @@ def frame(counter: int, kind: str, body: str) -> bytes:
 
 
 def command(counter: int, what: str) -> bytes:
-    """Asks for a reading, then plays a tone: no two of these commands are the same."""
+    """Asks for a reading, then plays a tone: all of these commands are different."""
     tone = "94 01 05 82" + struct.pack("<h", counter).hex() + "8164"
     return frame(counter, "00", f"0400 81 {READINGS[what][0]} 60" + tone)
 
@@ -31,7 +31,7 @@ def reply(counter: int, value: float) -> bytes:
 
 
 def test_a_long_dialogue(tshark: Tshark) -> None:
-    """4,500 commands, each with its reply after it."""
+    """4,500 commands, each followed by its reply."""
     capture = Capture(RAW_IP)
     connection = Connection(capture)
     connection.send(UNLOCK)
@@ -53,7 +53,7 @@ def test_a_long_dialogue(tshark: Tshark) -> None:
 
 
 def test_many_commands_in_a_packet(tshark: Tshark) -> None:
-    """3,000 commands in one packet and their replies in another; what is known of them is looked up much later."""
+    """3,000 commands in one packet and their replies in another; the commands are looked up much later."""
     counters = range(3000)
     capture = Capture(RAW_IP)
     connection = Connection(capture)

@@ -1,7 +1,7 @@
-"""What is wrong with a frame is said, and where; nothing on the wire makes the dissector fail, hang, or lose its way.
+"""Faults of a frame are reported with their place; nothing on the wire makes the dissector fail, hang, or lose its way.
 
-Frames that were right until they were mutated go over all carriers: 10,000, or 100,000 where the tests are thorough.
-The frames are drawn once, the mutations follow from a seed: every run reads the same bytes.
+Correct frames that were mutated are sent over all carriers: 10,000, or 100,000 in the thorough tests.
+The frames are drawn once, the mutations depend on a seed: every run reads the same bytes.
 """
 
 from __future__ import annotations
@@ -42,14 +42,14 @@ CAPTURES = Path(__file__).parents[2] / "captures"
 
 SHARES = {"tcp": 40, "udp": 5, "usb": 15, "usb guessed": 10, "rfcomm": 25, "daisy": 5}
 MUTATED = {carrier: share * effort(100, 1000) for carrier, share in SHARES.items()}
-"""How many mutated frames go over which carrier."""
+"""The number of mutated frames, and their carriers."""
 
 SEGMENT_HEAD = 40
-"""Bytes in front of what a segment carries."""
+"""Bytes before the contents of a segment."""
 
 DRAWN = effort(600, 3000)
 SECONDS = 60
-"""What tshark may take for the mutated frames of one carrier; it takes a few."""
+"""Maximum seconds of tshark for the mutated frames of one carrier; it takes a few."""
 
 BEACON = ev3proto.Beacon("06165300000a", name="myEV3").build()
 UNLOCK = ev3proto.Unlock("06165300000a").build()
@@ -73,13 +73,13 @@ def good_daisy_frames() -> list[bytes]:
 
 
 def with_length(frame: bytes, length: int | None = None) -> bytes:
-    """The frame with another length field; with the one that is right if none is given."""
+    """The frame with another length field; by default the correct one."""
     fitting = min(len(frame) - 2, 1022) if length is None else length
     return fitting.to_bytes(2, "little") + frame[2:]
 
 
 def mutated(frame: bytes, rng: random.Random) -> bytes:
-    """A frame with one to three faults; half of those that are long enough have a length field that fits again."""
+    """A frame with one to three faults; half of those that are long enough have a fitting length field."""
     data = bytearray(frame)
     for _ in range(rng.randint(1, 3)):
         at, size = rng.randrange(len(data) + 1), rng.randint(1, 8)
@@ -109,13 +109,13 @@ def mutations(found: list[bytes], count: int, seed: str) -> Iterator[bytes]:
 
 
 def answer(frame: bytes, rng: random.Random) -> bytes:
-    """A reply with the counter of a faulty command, with memory of any size: what it asked for is not asked."""
+    """A reply with the counter of a faulty command, with memory of any size, independent of the requested size."""
     memory = rng.randbytes(rng.choice((0, 1, 4, 7, 40, rng.randrange(1019))))
     return ev3proto.direct_reply(memory, counter=int.from_bytes(frame[2:4], "little")).build()
 
 
 def exchanged(found: Iterable[bytes], rng: random.Random) -> Iterator[tuple[bool, bytes]]:
-    """Faulty frames one way or the other, and answers to those that may be commands which want one."""
+    """Faulty frames in either direction, and answers to those that may be commands which want one."""
     for frame in found:
         wants_reply = len(frame) >= 5 and frame[4] == 0
         yield wants_reply or rng.random() < 0.5, frame
@@ -124,9 +124,9 @@ def exchanged(found: Iterable[bytes], rng: random.Random) -> Iterator[tuple[bool
 
 
 def over_stream(found: Iterable[bytes], rng: random.Random, streams: Callable[[int], Connection | SerialPort]) -> None:
-    """Frames sent both ways: alone, several together, cut anywhere.
+    """Frames in both directions: alone, several together, split anywhere.
 
-    Most have a length field that fits, as one that does not swallows what follows; now and then a new stream begins.
+    Most have a length field that fits, as others swallow the next frames; now and then a new stream begins.
     """
     stream = streams(0)
     waiting = {True: b"", False: b""}
@@ -207,7 +207,7 @@ MAKE: dict[str, Callable[[], bytes]] = {
 
 
 def check_no_errors(tshark: Tshark, capture: bytes, *words: str) -> None:
-    """No Lua error with the tree on two passes, nor without it on one."""
+    """Checks that there is no Lua error with the tree on two passes, nor without it on one."""
     path = tshark.place(capture, "faulty.pcap")
     assert tshark.lua_errors(path, "-2", "-V", *words)[:3] == []
     assert tshark.lua_errors(path, *words)[:3] == []
@@ -221,11 +221,11 @@ def test_no_mutated_frame_makes_an_error_or_hangs(
     check_no_errors(tshark, MAKE[carrier]())
 
 
-# Frames that somebody might send on purpose
+# Malicious frames
 
 
 def command(*operations: bytes | str, counter: int = 1, sizes: int = 0, kind: int = 0x00) -> bytes:
-    """A direct command of any bytes; it asks for a reply."""
+    """A direct command of any bytes, which wants a reply."""
     body = b"".join(bytes.fromhex(piece) if isinstance(piece, str) else piece for piece in operations)
     return struct.pack("<HHBH", 5 + len(body), counter, kind, sizes) + body
 
@@ -237,7 +237,7 @@ def reply(memory: bytes, counter: int = 1, kind: int = 0x02) -> bytes:
 INIT_BYTES, MAILBOX_WRITE, READ, MOVE_FLOAT = "2F 40", "D9 8400 02 846100 00", "9E 00 00 00 00 13", "3F"
 NAN, INFINITE, SMALLEST = "83 0000C07F", "83 000080FF", "83 01000000"
 LAST_INDEX = "E3 FFFFFFFF"
-"""GV4 with the largest index there is."""
+"""GV4 with the largest possible index."""
 
 ODD: dict[str, list[bytes]] = {
     "a list of -1, of 2 to the 31 and of 2 to the 31 less one values": [
@@ -258,17 +258,13 @@ ODD: dict[str, list[bytes]] = {
     "CMD in all its forms": [
         command("94", cmd, "01 01 01") for cmd in ("81 01", "82 0100", "83 01000000", "83 FFFFFFFF")
     ],
-    "CMD that is none": [
-        command("94", cmd, "01 01 01") for cmd in ("41", "61", "84 31 00", "A0 01", "85", "C1 01", "")
-    ],
-    "floats that are no numbers": [
+    "unknown CMD": [command("94", cmd, "01 01 01") for cmd in ("41", "61", "84 31 00", "A0 01", "85", "C1 01", "")],
+    "floats that are not numbers": [
         command(*(piece for value in (NAN, INFINITE, SMALLEST, "83 FFFFFFFF") for piece in (MOVE_FLOAT, value, "40"))),
         command("C1 0B 00 00 04", NAN, INFINITE, SMALLEST, "83 FFFFFFFF"),
     ],
-    "floats where numbers should stand, and the other way round": [
-        command(MOVE_FLOAT, "05 40", MOVE_FLOAT, "84 35 00 40")
-    ],
-    "replies of floats that are no numbers": [
+    "floats in place of numbers, and the other way round": [command(MOVE_FLOAT, "05 40", MOVE_FLOAT, "84 35 00 40")],
+    "replies of floats that are not numbers": [
         *(command("81 01 60 81 01 64 81 01 68", sizes=12), reply(bytes.fromhex("0000C07F 000080FF FFFFFFFF"))),
     ],
     "the largest indexes": [
@@ -344,7 +340,7 @@ def converse(carrier: Connection | Device | SerialPort, frames: list[bytes]) -> 
         (carrier.send if frame[4] & 0x7F in (0x00, 0x01) else carrier.receive)(frame)
 
 
-# The command, how much memory it asks for, and what the line on a reply says of some memory.
+# The command, the size of the requested memory, and the line on a reply about some memory.
 REPLIES: dict[tuple[str, int], dict[str, str]] = {
     ("81 01 60", 4): {  # a DATAF with a unit
         "A470FD40": "UI_READ.GET_VBATT: 7.92 V",
@@ -369,7 +365,7 @@ def test_a_line_on_a_reply_says_the_same_however_often_its_command_came(tshark: 
     connection = Connection(capture)
     expected = []
     for (operations, size), lines in REPLIES.items():
-        # The first replies are read in another way than later ones.
+        # The first replies are read in a different way than later ones.
         for memory, line in (*lines.items(), *lines.items()):
             converse(connection, [command(operations, sizes=size), reply(bytes.fromhex(memory))])
             expected.append(f"reply to {line}")
@@ -466,8 +462,8 @@ def test_a_channel_that_begins_with_another_firmwares_operation(tshark: Tshark) 
 
 @pytest.mark.parametrize("carrier", ["tcp", "rfcomm"])
 def test_few_are_hidden_where_they_are_cut(tshark: Tshark, carrier: str) -> None:
-    # On RFCOMM nothing tells whether packets are missing between two: a faulty frame that comes in several is doubted,
-    # as nearly all such frames are two of which the middle is missing. One mutated frame in some dozens is lost so.
+    # On RFCOMM, gaps between packets are not marked: a faulty frame that comes in several packets is doubted,
+    # as almost all such frames are two whose middle is missing. About one in thirty mutated frames is lost in this way.
     capture = Capture(RAW_IP if carrier == "tcp" else HCI_WITH_DIRECTION)
     stream = Connection(capture) if carrier == "tcp" else SerialPort(capture)
     rng = random.Random(44)
@@ -503,7 +499,7 @@ def test_a_gap_after_a_connection_whose_first_frame_came_in_pieces(tshark: Tshar
 
 @pytest.mark.parametrize("carrier", ["tcp", "rfcomm"])
 def test_where_packets_are_missing_only_the_frames_in_them_are(tshark: Tshark, carrier: str) -> None:
-    """Three packets in a hundred are not in the capture, and frames are cut anywhere."""
+    """Three packets in a hundred are not in the capture, and frames are split anywhere."""
     capture, missing = Capture(RAW_IP if carrier == "tcp" else HCI_WITH_DIRECTION), Capture(RAW_IP)
     stream = Connection(capture) if carrier == "tcp" else SerialPort(capture)
     rng = random.Random(5)
@@ -527,7 +523,7 @@ def test_where_packets_are_missing_only_the_frames_in_them_are(tshark: Tshark, c
 
 
 def inner_faults(count: int) -> Iterator[bytes]:
-    """Mutated frames whose length fields are right."""
+    """Mutated frames whose length fields are correct."""
     found = mutations(good_frames(), count, "inside")
     return (with_length(frame[:1024]) if len(frame) >= 5 else reply(frame) for frame in found)
 
@@ -555,11 +551,11 @@ def test_an_impossible_length_hides_none_of_the_frames_beside_it(tshark: Tshark,
     assert [f"{line.split()[0]} {''.join(line.split()[1:])}" for line in lines] == lost
 
 
-# What is said of faults, and where
+# Reports about faults, and their places
 
 
 class Told(NamedTuple):
-    """What is said of a faulty frame: the kind of fault, the words, and the bytes that could not be read."""
+    """The report about a faulty frame: the kind of fault, the words, and the bytes that could not be read."""
 
     kind: str
     words: str
@@ -781,6 +777,6 @@ def test_the_fault_of_the_bootloader(tshark: Tshark) -> None:
         "a known fault of the EV3's bootloader on USB 3 ports: the reply to GET_VERSION with the request written over "
         "its first bytes"
     )
-    # After the request's six bytes stands what is left of the reply.
+    # After the request's six bytes comes the rest of the reply.
     assert padding.startswith("7f b6 00 00 00 06 00 00")
     assert len(bytes.fromhex(padding)) == 1024 - 6

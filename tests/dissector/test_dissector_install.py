@@ -1,7 +1,7 @@
-"""`ev3proto dissector install`, with the real tshark: what it writes where, what it says, and that Wireshark loads it.
+"""`ev3proto dissector install`, with the real tshark: the files and messages it writes, and that Wireshark loads them.
 
-Each test has a home of its own. It lies in the work folder of the fixture `tshark`: a tshark that runs inside a folder
-sees nothing else of ours.
+Each test has its own home folder. It is in the work folder of the fixture `tshark`: a tshark that runs inside a folder
+cannot read our other files.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ def tree(folder: Path) -> list[str]:
 
 @dataclass
 class Home:
-    """A home folder, with a tshark in it that takes it for its own."""
+    """A home folder with a tshark that uses it."""
 
     folder: Path
     tshark: Tshark
@@ -55,7 +55,7 @@ class Home:
         self.set()
 
     def set(self, **variables: Path) -> None:
-        """Makes the tshark; `variables` are in its environment."""
+        """Creates the tshark; `variables` are in its environment."""
         words = shlex.join(f"{name}={value}" for name, value in {"HOME": self.folder, **variables}.items())
         text = self.tshark.path.read_text()
         assert "HOME=/nonexistent" in text
@@ -78,7 +78,7 @@ class Home:
 
     @property
     def launcher(self) -> Path:
-        """What Wireshark starts to capture through the proxy."""
+        """The program that Wireshark starts to capture through the proxy."""
         folder = ".config/wireshark" if self.tshark.version == (4, 0) else ".local/lib/wireshark"
         return self.folder / folder / "extcap" / "ev3proxy"
 
@@ -91,7 +91,7 @@ class Home:
         return run(*words, path=f"{self.program.parent}{os.pathsep}{os.environ['PATH']}")
 
     def read(self, capture: str | Path, *words: str) -> str:
-        """What tshark prints of a capture, without the name of any script, and without complaining."""
+        """The output of tshark for a capture, without naming a script, and without errors."""
         placed = self.tshark.place(CAPTURES / capture)
         done = subprocess.run(
             [str(self.program), "-n", "-r", str(placed), *words],
@@ -105,7 +105,7 @@ class Home:
         return done.stdout
 
     def files(self) -> list[str]:
-        """What is there but for tshark itself and the launcher."""
+        """The files except tshark itself and the launcher."""
         return [name for name in tree(self.folder) if name != "bin/tshark" and not name.endswith("extcap/ev3proxy")]
 
 
@@ -122,7 +122,7 @@ def home(tshark: Tshark) -> Home:
 
 @pytest.fixture(scope="module")
 def with_profile(tshark: Tshark) -> Home:
-    """One where the profile is installed, for tests that only look at it."""
+    """A home folder in which the profile is installed, for tests that only look at it."""
     home = make_home(tshark)
     assert home.install("--profile").returncode == 0
     return home
@@ -320,7 +320,7 @@ def test_the_preferences_of_the_profile(with_profile: Home) -> None:
     )
     # With it a single segment that the capture lacks hides all that follow.
     assert "\n#tcp.reassemble_out_of_order: FALSE\n" in done.stdout
-    # Only what was changed has no # in front.
+    # Only changed settings have no # before them.
     columns = re.search(r"^gui\.column\.format: ?\n((?:\t.*\n)+)", done.stdout, re.MULTILINE)
     assert columns
     pairs = re.findall(r'"(.*?)", "(.*?)"', columns[1])
@@ -348,7 +348,7 @@ def test_the_colours_of_the_profile(with_profile: Home) -> None:
 
 
 def edited(text: str) -> str:
-    """As Wireshark leaves a file: all of it written anew, without our first line."""
+    """As Wireshark writes a file: completely, without our first line."""
     return "# Written by Wireshark\n" + text.partition("\n")[2]
 
 
@@ -359,7 +359,7 @@ def older(text: str) -> str:
 
 
 def test_the_button_for_trouble_shows_what_is_wrong_with_ev3_alone(with_profile: Home) -> None:
-    """Wireshark complains of every packet of a Bluetooth connection whose beginning the capture lacks."""
+    """Wireshark reports an error for every packet of a Bluetooth connection whose beginning is not in the capture."""
     trouble = {label: text for label, text, _ in profile.BUTTONS}["Trouble"]
 
     def found(capture: str, text: str) -> list[int]:
@@ -461,7 +461,7 @@ def test_uninstall_removes_what_install_wrote_and_no_more(tmp_path: Path) -> Non
 
 def test_uninstall_leaves_the_plugin_of_others(tmp_path: Path) -> None:
     plugin = tmp_path / "ev3.lua"
-    plugin.write_text("-- somebody else's\n")
+    plugin.write_text("-- from another program\n")
     assert "kept" in run_ev3proto_text("dissector", "uninstall", "--dir", str(tmp_path)).stdout
     assert plugin.exists()
 

@@ -1,4 +1,4 @@
-"""What Lua holds while the dissector reads a capture."""
+"""Lua's memory while the dissector reads a capture."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def tone(number: int, frequency: int = 440) -> bytes:
 
 
 def test_how_lua_frees_for_other_plugins_is_left_alone() -> None:
-    """All scripts share one Lua: what is set for it is set for all. To ask how much it holds, or to free, sets none."""
+    """All scripts share one Lua: its settings are shared by all. Asking for the memory, or freeing it, changes none."""
     uses = set(re.findall(r"collectgarbage\b(?:\((.*?)\))?", build()))
     assert uses == {'"count"', ""}
 
@@ -36,11 +36,11 @@ do
     function tap.draw() print(freed, #held) end
 end
 """
-"""A script that holds so much, and says at the end of the run how often Lua went through all that it holds."""
+"""A script that keeps this much memory, and prints at the end how often Lua collected garbage."""
 
 
 def test_what_packets_leave_behind_is_freed_soon(tmp_path: Path) -> None:
-    """But not where other plugins hold much, as it takes long to go through that."""
+    """But not if other plugins keep a lot, as collecting that takes long."""
     script = tmp_path / "ev3.lua"
     freed = []
     for held in (0, 40):
@@ -58,13 +58,13 @@ do
     function tap.draw() collectgarbage() print(math.floor(collectgarbage("count"))) end
 end
 """
-"""A script that says at the end of the run how many kilobytes Lua holds."""
+"""A script that prints at the end how many kilobytes Lua holds."""
 
 WITH_TREE = ("-T", "fields", "-e", "ev3.op")
 
 
 def number_said(tshark: Tshark, frames: Iterable[bytes], *words: str) -> int:
-    """What such a script says after these frames; without words there is no tree."""
+    """The output of such a script for these frames; without words there is no tree."""
     capture = tshark.place(tcp_capture(Segment(True, frame) for frame in frames), "frames.pcap")
     return int(tshark.run(capture, *words).split()[-1])
 
@@ -80,7 +80,7 @@ def every_operation() -> Iterable[bytes]:
 
 
 def test_what_is_known_of_an_operation_is_read_when_it_comes(tmp_path: Path) -> None:
-    """Lua goes through all that it holds whenever it frees something, and most captures have a few operations."""
+    """Lua goes through its whole memory whenever it frees something, and most captures have few operations."""
     script = tmp_path / "ev3.lua"
     script.write_text(build() + HELD)
     tones = [tone(number) for number in range(10)]

@@ -1,6 +1,6 @@
-"""What Wireshark shows does not depend on how it reads a file: in one pass or two, with filters, with other columns.
+"""Wireshark's output does not depend on how it reads a file: in one pass or two, with filters, with other columns.
 
-Wireshark tells a dissector to leave out all of the tree that nobody asks for, and asks for it later.
+Wireshark tells a dissector to omit the parts of the tree that are not needed, and asks for them later.
 """
 
 from __future__ import annotations
@@ -21,20 +21,20 @@ READINGS = {
     "a read filter": ("-2", "-R", "ev3", "-Y", "ev3"),
     "the profile's columns": ("-2", "-Y", "ev3", "-o", f"gui.column.format:{PROFILE},{INFO}"),
 }
-"""How tshark reads what Wireshark's window reads."""
+"""The options with which tshark reads like Wireshark's window."""
 
 CASES = [(reading, path) for reading in READINGS for path in CAPTURES]
-# A packet that a read filter drops leaves its number to the next one, and TCP puts segments in order by their numbers.
+# A packet that a read filter drops leaves its number to the next one, and TCP orders segments by these numbers.
 CASES.remove(("a read filter", CAPTURES[0].with_name("wifi-reordered.pcap")))
 
 
 READ = r"EV3|LEGO|    +[^\s\[]"
 GENERATED = rf"{READ}|    +\[(?:Brick|Request in|Response time|File:|Moved so far|Size|Began in)"
-"""Lines of a tree: what was read, and what every pass knows. That a reply is missing only the second one knows."""
+"""Lines of a tree: those of one reading, and those of every pass. Only the second pass knows about missing replies."""
 
 
 def shown(tshark: Tshark, capture: Path, lines: str, *words: str) -> list[tuple[str, list[str]]]:
-    """Of each packet of ours the line of the packet list, and those lines of the tree."""
+    """Of each packet of ours, the line in the packet list, and those lines of the tree."""
     text = tshark.run(capture, "-P", "-V", "-O", "ev3", *words)
     packets = re.findall(r"^(.*)\nFrame \d+.*\n((?:.+\n)*)", text, re.MULTILINE)
     return [(line, re.findall(rf"^(?:{lines}).*", tree, re.MULTILINE)) for line, tree in packets]
@@ -42,7 +42,7 @@ def shown(tshark: Tshark, capture: Path, lines: str, *words: str) -> list[tuple[
 
 @pytest.mark.parametrize(("reading", "capture"), CASES, ids=lambda case: getattr(case, "name", case))
 def test_what_is_shown_does_not_depend_on_the_reading(tshark: Tshark, reading: str, capture: Path) -> None:
-    # A read filter drops packets that others are linked to.
+    # A read filter drops packets to which others are linked.
     lines = READ if reading == "a read filter" else GENERATED
     once = shown(tshark, capture, lines, "-Y", "ev3", "-o", f"gui.column.format:{INFO}")
     columns = () if "gui.column" in READINGS[reading][-1] else ("-o", f"gui.column.format:{INFO}")

@@ -1,4 +1,4 @@
-"""What the dissector counts and writes at the end of a run of tshark, and what one packet costs at most."""
+"""The dissector's statistics and exports at the end of a run of tshark, and the maximum cost of one packet."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def test_statistics_at_the_end_of_a_run(tshark: Tshark) -> None:
 
 
 def test_statistics_fit_in_a_window(tshark: Tshark) -> None:
-    """Wireshark's window for text breaks lines after some 70 characters: columns are as wide as what stands in them."""
+    """Wireshark's text window breaks lines after some 70 characters: columns are as wide as their contents."""
     said = tshark.run(
         CAPTURES / "wifi.pcapng", "-q", *tshark.statistics, "-o", "ev3_statistics.print:TRUE"
     ).splitlines()
@@ -52,7 +52,7 @@ def test_without_the_preference_nothing_is_printed(tshark: Tshark) -> None:
 
 
 def export_folder(tshark: Tshark, name: str) -> Path:
-    """A folder that tshark may write to, whoever runs it."""
+    """A folder that tshark may write to, also as another user."""
     folder = tshark.folder / name
     folder.mkdir()
     folder.chmod(0o777)
@@ -81,7 +81,7 @@ def test_a_link_in_the_folder_is_not_followed(tshark: Tshark) -> None:
 
 
 def test_what_cannot_be_exported_is_said_and_leaves_nothing(tshark: Tshark) -> None:
-    """A folder that is missing, and a disk with room for 2,560 bytes a file: first.rbf fits, values.rtf does not."""
+    """A missing folder, and a disk with room for 2,560 bytes per file: first.rbf fits, values.rtf does not."""
     capture = tshark.place(CAPTURES / "wifi.pcapng")
     missing = tshark.folder / "missing"
     said = tshark.run(capture, "-q", *tshark.statistics, "-o", f"ev3_statistics.export:{missing}")
@@ -106,7 +106,7 @@ def test_what_cannot_be_exported_is_said_and_leaves_nothing(tshark: Tshark) -> N
 
 
 def exported(tshark: Tshark, folder: Path, names: list[str]) -> list[str]:
-    """The names under which one file of one byte for each of these names is written into the folder."""
+    """The names under which a file of one byte is written into the folder, for each of these names."""
     capture = Capture(RAW_IP)
     connection = Connection(capture)
     for number, name in enumerate(names):
@@ -124,7 +124,7 @@ def exported(tshark: Tshark, folder: Path, names: list[str]) -> list[str]:
 
 
 def moved(tshark: Tshark, messages: Iterable[tuple[bool, ev3proto.Message]], *words: str) -> list[str]:
-    """What is said at the end of a run on these messages, each with whether it goes to the brick."""
+    """The output at the end of a run for these messages, each with its direction."""
     capture = Capture(RAW_IP)
     connection = Connection(capture)
     for to_brick, message in messages:
@@ -152,7 +152,7 @@ def test_a_file_of_another_size_than_was_said(tshark: Tshark) -> None:
 
 
 def test_a_file_whose_beginning_comes_with_its_name(tshark: Tshark) -> None:
-    """Data after the name are the first bytes of the file."""
+    """Data after the name is the beginning of the file."""
     folder = export_folder(tshark, "beginning")
     begin = ev3proto.parse(bytes.fromhex("1d0001000192050000002e2e2f70726a732f712f612e7478740068656c6c6f"))
     assert moved(tshark, [(True, begin)], "-o", f"ev3_statistics.export:{folder}") == [f"{folder}/a.txt: 5 bytes"]
@@ -160,7 +160,7 @@ def test_a_file_whose_beginning_comes_with_its_name(tshark: Tshark) -> None:
 
 
 def test_a_complete_file_takes_no_more(tshark: Tshark) -> None:
-    """Where the reply to the next file's beginning is missing, its pieces have the handle of the file before."""
+    """If the reply to the next file's beginning is missing, its pieces have the handle of the file before."""
     folder = export_folder(tshark, "complete")
     second = [(True, message) for to_brick, message in download(10, "second.rtf", 2, b"cd") if to_brick]
     said = moved(tshark, [*download(0, "first.rtf", 2, b"ab"), *second], "-o", f"ev3_statistics.export:{folder}")
@@ -178,14 +178,14 @@ def test_exported_files_stay_in_their_folder(tshark: Tshark) -> None:
 
 
 def test_exported_files_have_names_that_windows_keeps(tshark: Tshark) -> None:
-    """There a name is a device's also with blanks before its dot, and loses the dots and blanks at its end."""
+    """On Windows, a name is a device's also with blanks before its dot, and loses dots and blanks at its end."""
     names = ["AUX .txt", "com1  .a.b", "x" * 99 + ".", "y" * 98 + ". ."]
     written = exported(tshark, export_folder(tshark, "windows"), names)
     assert written == ["_AUX .txt", "_com1  .a.b", "x" * 99, "y" * 98]
 
 
 def test_long_names_of_exported_files_keep_their_extension(tshark: Tshark) -> None:
-    """100 bytes: the name is cut before a short extension; a letter of two bytes is two underscores, as ever."""
+    """100 bytes: the name is truncated before a short extension; a letter of two bytes becomes two underscores."""
     cut = ["n" * 120 + ".rbf", "n" * 121 + ".rbf", "m" * 80 + "é" * 20 + ".rtf", "l." + "e" * 120, ".h" + "i" * 120]
     written = exported(tshark, export_folder(tshark, "long"), cut)
     assert written == [
@@ -207,7 +207,7 @@ def test_the_info_column_is_bounded(tshark: Tshark) -> None:
 
 
 def answered_commands(tshark: Tshark, commands: Iterable[int], replies: Iterable[int]) -> list[str]:
-    """Sends commands with these counters, then the replies: of each its counter, and the packet with its command."""
+    """Sends commands with these counters, then the replies; returns each reply's counter and its command's packet."""
     capture = Capture(RAW_IP)
     connection = Connection(capture)
     for counter in commands:
@@ -220,19 +220,19 @@ def answered_commands(tshark: Tshark, commands: Iterable[int], replies: Iterable
 
 
 def test_only_so_many_commands_wait_for_their_replies(tshark: Tshark) -> None:
-    """4,096 of one connection at least, twice as many at most; the oldest are given up."""
+    """At least 4,096 on one connection, at most twice as many; the oldest are dropped."""
     said = answered_commands(tshark, range(9000), (0, 9000 - 8192 - 1, 9000 - 4096, 8999))
     assert said == ["0\t", "807\t", "4904\t4905", "8999\t9000"]
 
 
 def test_commands_that_wait_long_keep_those_before_them(tshark: Tshark) -> None:
-    """Two with one counter, then 300 with others: the first reply is that of the newer one."""
+    """Two with one counter, then 300 with others: the first reply belongs to the newer one."""
     said = answered_commands(tshark, (5, 5, *range(1000, 1300)), (5, 1000, 5, 1299))
     assert said == ["5\t2", "1000\t3", "5\t1", "1299\t302"]
 
 
 def test_pieces_of_frames_cost_little(tshark: Tshark) -> None:
-    """A frame of 1000 bytes that comes byte by byte: each packet shows where it began, the last one all of them."""
+    """A frame of 1000 bytes that comes byte by byte: each packet shows the first, the last one all of them."""
     capture = Capture(HCI_WITH_DIRECTION)
     port = SerialPort(capture)
     first = port.send(tone(1))
@@ -246,7 +246,7 @@ def test_pieces_of_frames_cost_little(tshark: Tshark) -> None:
 
 
 def test_the_main_chunk_has_room_for_locals(tmp_path: Path) -> None:
-    """Lua allows 200 at once in a function, the main chunk included; at the end of a block those around it count."""
+    """Lua allows 200 at once in a function, including the main chunk; at the end of a block, those around it count."""
     room = "local " + ", ".join(f"room_{number}" for number in range(20))
     script = tmp_path / "ev3.lua"
     script.write_text(re.sub(r"^(do\n.*?)^end$", rf"\1{room}\nend", build(), flags=re.MULTILINE | re.DOTALL) + room)

@@ -1,4 +1,4 @@
-"""The harness runs a script in tshark, sees what goes wrong in it, and leaves nothing behind."""
+"""The harness runs a script in tshark, notices its errors, and leaves no files behind."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from support.wireshark import SETTING, Tshark
 
-# A dissector of one field, which is the first byte.
+# A dissector with one field, which is the first byte.
 SCRIPT = """
 local toy = Proto("ev3toy", "Toy")
 local first = ProtoField.uint8("ev3toy.first", "First", base.DEC)
@@ -90,7 +90,7 @@ def test_an_error_outside_of_packets_is_noticed(toy: Tshark, udp: Path, fault: s
 
 
 def stand_in(folder: Path, said: str) -> Path:
-    """A program that says it is a tshark."""
+    """A program that pretends to be tshark."""
     program = folder / "tshark"
     program.write_text(f'#!/bin/sh\n[ "$1" = -v ] && echo "TShark (Wireshark) 4.4.18." || echo "{said}"\n')
     program.chmod(0o755)

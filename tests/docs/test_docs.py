@@ -157,7 +157,7 @@ def test_every_name_of_filters_is_on_their_page() -> None:
 
 
 def entries(page: str) -> dict[str, str]:
-    """What stands under each heading of a page of the reference."""
+    """The text under each heading of a page of the reference."""
     text = (DOCS / "reference" / f"{page}.md").read_text(encoding="utf-8")
     parts = re.split(r"^#{2,3} (.+)$", text, flags=re.MULTILINE)
     return dict(zip(parts[1::2], parts[2::2], strict=True))
@@ -168,7 +168,7 @@ def test_every_operation_has_all_that_the_tables_know(area: str) -> None:
     found = entries(area)
     for each in declarations(AREAS[area]):
         entry = found[each.name]
-        # Marks of Markdown are no part of what it says.
+        # Marks of Markdown are not part of the text.
         said = re.sub(r"\\(.)", r"\1", entry).lower()
         assert f"0x{each.opcode.number:02x}" in said, each.name
         assert each.text.lower() in said

@@ -242,7 +242,7 @@ with ev3proto.EV3(target=f"wifi:{sys.argv[2]}") as brick:
     print(brick.battery.voltage > 6)
     brick.send_direct_cmd(bytes.fromhex("9401 0a 82 0000 82 e803".replace(" ", "")))
 """
-"""The tests of somebody's library: they ask, and send a tone of a pitch that there is not."""
+"""The tests of a user's library: they ask, and send a tone of an impossible pitch."""
 
 
 REFUSED = CLIENT.replace("82 0000 82 e803", "82 0000 82")

@@ -1,4 +1,4 @@
-"""Captures made of frames: Wireshark finds nothing wrong with them, and everybody reads the same frames back."""
+"""Captures made of frames: Wireshark finds no fault in them, and every reader reads the same frames."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ from ev3proto.testing import frames
 
 CARRIERS = ("wifi", "usb", "bluetooth")
 BEGIN_NS = 1_767_261_600_000_000_000
-"""2026-01-01 10:00 UTC, when a conversation begins of which nobody says it."""
+"""2026-01-01 10:00 UTC, the default start of a conversation."""
 
 NOTE = 0x00400000
-"""Wireshark's number for remarks that are no warnings: a connection is closed, a command has no reply."""
+"""Wireshark's number for remarks below warnings: a connection is closed, a command has no reply."""
 
 CHUNK = bytes(range(256)) * 3 + bytes(249)
 
@@ -116,14 +116,14 @@ def test_any_frame_on_any_carrier(carrier: str, tshark: Tshark) -> None:
     assert [record.frame for record in records(data)] == told
     path = tshark.place(data, f"export-any-{carrier}.pcapng")
     assert tshark.run(path, "-Y", "_ws.malformed") == ""
-    # The dissector may have warnings for frames; of what stands around them there are none.
+    # The dissector may warn about frames; the packets around them have no warnings.
     others = f"(tcp || usb || btrfcomm || btl2cap) && !ev3 && _ws.expert.severity > {NOTE}"
     assert tshark.run(path, "-2", "-Y", others) == ""
 
 
 @pytest.mark.parametrize("carrier", CARRIERS)
 def test_many_commands_that_nobody_answers(carrier: str, tshark: Tshark) -> None:
-    # TCP's window, RFCOMM's credits and the numbers of packets come to their ends.
+    # TCP's window, RFCOMM's credits and the numbers of packets reach their limits.
     told = [direct_command(operation("SOUND_READY"), counter=number % 65536) for number in range(400)]
     data = made(told, carrier)
     assert len(records(data)) == 400
@@ -158,7 +158,7 @@ def test_the_packets_are_those_that_dpkt_builds() -> None:
     for packet in packets:
         ethernet = Ethernet(packet)
         ip = ethernet.data
-        ip.sum = ip.data.sum = 0  # dpkt works checksums out where there are none
+        ip.sum = ip.data.sum = 0  # dpkt computes missing checksums
         assert bytes(ethernet) == packet
 
 

@@ -28,7 +28,7 @@ FILES = {
     "ev3-output.schema.json": ("output-schema", output_schemas()),
 }
 
-# The group by itself, whatever stands around it.
+# The group by itself, not as part of another word.
 
 
 def run(*words: str, stdin: bytes = b"") -> subprocess.CompletedProcess[bytes]:

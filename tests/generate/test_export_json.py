@@ -1,4 +1,4 @@
-"""The tables as JSON: every entry of the tables is there, and the schema says what stands in it."""
+"""The tables as JSON: every entry of the tables is there, and the schema describes it."""
 
 from __future__ import annotations
 
@@ -126,7 +126,7 @@ def test_the_form_of_the_files() -> None:
     for text in (build_tables(), build_schema()):
         assert text.endswith("}\n")
         assert [line for line in text.split("\n") if line != line.rstrip()] == []
-    # What fits one line stands on one.
+    # What fits in one line is in one.
     assert (
         '\n          {"number": 11, "name": "TST_CLOSE", "text": "Ends the test mode", "parameters": []},\n'
         in build_tables()

@@ -1,4 +1,4 @@
-"""The Kaitai Struct description: its compiler takes it, and the parser that it makes reads what the codec reads.
+"""The Kaitai Struct description: its compiler accepts it, and the generated parser agrees with the codec.
 
 The compiler is the npm package kaitai-struct-compiler, run by node: the one in the folder that the variable
 EV3PROTO_KSC names, the one that tests/run installed, or the one that node itself finds.
@@ -110,7 +110,7 @@ def value(argument: Any) -> Any:
 
 
 def same(told: list[Any], expected: list[Any]) -> bool:
-    """Whether values are the same; what is not a number is the same as itself here."""
+    """Whether values are the same; "not a number" equals itself here."""
     return [repr(one) for one in told] == [repr(one) for one in expected]
 
 
@@ -158,10 +158,10 @@ def test_any_frame_of_other_dialects(dialect: str, tmp_path: Path) -> None:
     "frame",
     [
         "0e002a0080000094010182b80182e8",  # cut off
-        "02002a00",  # a length that no frame has
-        "03002a0077",  # no message type
-        "06002a00800000ff"[:-2] + "fe",  # no opcode
-        "09002a00800000940185b8",  # no identification byte
+        "02002a00",  # impossible length
+        "03002a0077",  # unknown message type
+        "06002a00800000ff"[:-2] + "fe",  # unknown opcode
+        "09002a00800000940185b8",  # unknown identification byte
         "0a002a0080000094028084616200"[:-2] + "61",  # a string without its zero
     ],
 )

@@ -1,4 +1,4 @@
-"""What is kept of long input has a limit, and what has to go is handed back."""
+"""What is kept of long input has a limit, and evicted things are handed back."""
 
 from __future__ import annotations
 

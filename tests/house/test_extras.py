@@ -1,4 +1,4 @@
-"""The command that installs an extra fits how ev3proto was installed; it is shown wherever a package is missing."""
+"""The command that installs an extra fits how ev3proto was installed; every message about a missing package has it."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ ROOT = Path(__file__).parents[2]
 
 @pytest.fixture
 def clone(tmp_path: Path) -> Path:
-    """A clone that bin/ev3proto was called in."""
+    """A clone in which bin/ev3proto was called."""
     setup = tmp_path / "ev3 clone" / "bin" / "setup"
     setup.parent.mkdir(parents=True)
     setup.touch()
@@ -26,7 +26,7 @@ def clone(tmp_path: Path) -> Path:
 
 
 def environment(folder: Path) -> Path:
-    """The interpreter of a new Python environment."""
+    """The interpreter of a new virtual environment."""
     python = folder / "bin" / "python"
     python.parent.mkdir(parents=True)
     python.touch()

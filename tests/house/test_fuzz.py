@@ -1,4 +1,4 @@
-"""The targets of fuzz/: all seeds, everything that once made one fail, and some inputs near them."""
+"""The targets of fuzz/ with all seeds, all inputs that once made one fail, and some similar inputs."""
 
 from __future__ import annotations
 

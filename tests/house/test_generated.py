@@ -1,4 +1,4 @@
-"""What is generated from the tables is up to date; the modules in it are light, readable, known to type checkers."""
+"""What is generated from the tables is up to date; its modules are light, readable, and typed."""
 
 from __future__ import annotations
 
@@ -78,7 +78,7 @@ def test_a_folder_that_cannot_be_written(tmp_path: Path) -> None:
     assert len(done.stderr.splitlines()) == 1
 
 
-# What is in them
+# Their contents
 
 
 @each("name", MODULES)
@@ -119,7 +119,7 @@ def test_the_generated_modules_are_loaded_when_they_are_first_named() -> None:
     assert {"ev3proto.ops", "ev3proto.enums", "ev3proto.system"}.isdisjoint(done.stdout.split())
 
 
-# What a type checker makes of it
+# What a type checker finds
 
 GOOD = """\
 import ev3proto
@@ -176,7 +176,7 @@ system.list_file("a")
 
 @pytest.fixture(scope="module")
 def complaints(tmp_path_factory: pytest.TempPathFactory) -> dict[str, list[str]]:
-    """What mypy finds in each of the two programs."""
+    """The errors of mypy in each of the two programs."""
     folder = tmp_path_factory.mktemp("programs")
     programs = {"good": GOOD, "bad": BAD}
     for name, source in programs.items():

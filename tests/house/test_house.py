@@ -1,4 +1,4 @@
-"""The floors of the house, as CONTRIBUTING.md lists them: everything leans on lower floors only, and on no circle."""
+"""The floors of the house, as in CONTRIBUTING.md: files import from lower floors only, and never in a circle."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def _imports(path: Path) -> Iterator[str]:
         else:
             continue
         for name in names:
-            # What is imported is a module, or a name in one.
+            # An import names a module, or a name in one.
             found = name if name in FILES else name.rpartition(".")[0]
             if found in FILES:
                 yield found
@@ -67,7 +67,7 @@ def _part(module: str) -> str:
 def test_every_part_has_a_floor() -> None:
     placed = [part for floor in FLOORS for part in floor]
     assert len(placed) == len(set(placed))
-    # The package itself offers by name what all floors have.
+    # The package itself offers names of all floors.
     assert {_part(module) for module in FILES} == {"", *placed}
 
 

@@ -1,4 +1,4 @@
-"""A new opcode is one entry in one table: after the one command that regenerates, everything knows it.
+"""A new opcode is one entry in one table: after the one command that generates, all parts know it.
 
 An invented opcode and an invented family are added to the tables in a copy of the project.
 """
@@ -50,7 +50,7 @@ ENTRIES = """
 """
 
 FRAME = "0f000700000c00b80360b9020264b90101"
-"""TIMER_LAP 3 into GV(0), WATCH LAPS 2 into GV(4), WATCH STOP 1, and room for 12 bytes of reply."""
+"""TIMER_LAP 3 into GV(0), WATCH LAPS 2 into GV(4), WATCH STOP 1, with 12 bytes of global memory."""
 
 USER = """
 import json
@@ -85,7 +85,7 @@ print(json.dumps({
 
 @pytest.fixture(scope="module")
 def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The project with the invented entries, regenerated."""
+    """A copy of the project with the invented entries, generated again."""
     root = tmp_path_factory.mktemp("project")
     for name in ("ev3proto", "dissector", "exports"):
         shutil.copytree(ROOT / name, root / name, ignore=shutil.ignore_patterns("__pycache__"))
@@ -101,7 +101,7 @@ def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def _run(root: Path, *arguments: str) -> str:
-    """What Python prints that has the copy in front of everything else."""
+    """The output of Python that imports from the copy first."""
     done = subprocess.run(
         [sys.executable, *arguments],
         cwd=root,

@@ -1,4 +1,4 @@
-"""Values of the right type that a function cannot take: each is refused with a sentence that says what it takes."""
+"""Values of the right type that a function cannot use: each raises an error that says what is legal."""
 
 from __future__ import annotations
 

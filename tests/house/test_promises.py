@@ -1,4 +1,4 @@
-"""What SECURITY.md promises and docs/limits.md says: each line has a test, here or where it names one."""
+"""The promises of SECURITY.md and the limits of docs/limits.md: each line has a test, here or in the file it names."""
 
 from __future__ import annotations
 
@@ -89,7 +89,7 @@ def test_the_limits_of_the_dissector_are_those_of_its_code() -> None:
     script = build()
 
     def limit(name: str) -> int:
-        """The number that a constant has, also where several are set in one line."""
+        """The value of a constant, also if several are set in one line."""
         found = re.search(rf"local ((?:MOST_\w+, )*{name}(?:, MOST_\w+)*) = ([\d, *]+)$", script, re.MULTILINE)
         assert found, name
         value = found[2].split(",")[found[1].split(", ").index(name)]
@@ -118,7 +118,7 @@ try:
 finally:
     print(*seen, sep="\\n", file=sys.stderr)
 """
-"""Runs a subcommand, and says last which programs it started and whom it sent something."""
+"""Runs a subcommand, and prints last which programs it started and to whom it sent something."""
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,4 @@
-"""The public face is what tests/public_face.txt says: whoever changes it sees how, and so does the review."""
+"""The public face is that of tests/public_face.txt, so that a change of it shows in a review."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Python as its users meet it: sentences for wrong types, what is printed, what can be pickled, what checkers know."""
+"""Python for its users: messages for wrong types, printed forms, pickling, types."""
 
 from __future__ import annotations
 

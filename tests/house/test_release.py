@@ -1,4 +1,4 @@
-"""What a release is made of. tests/release.py tries one that was built; building takes a minute and the network."""
+"""The contents of a release. tests/release.py tries one that was built; building takes a minute and the network."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """bin/setup survives: interrupted, twice at once, in a checkout that was moved. And tests/run, and the tests' lock.
 
-A program stands for Python and pip here, which makes an environment that looks like one, in no time.
+A program takes the place of Python and pip here, and quickly makes something that looks like an environment.
 """
 
 from __future__ import annotations
@@ -40,14 +40,14 @@ case "$*" in
     chmod +x "$here/ev3proto" ;;
 esac
 """
-"""Writes down what it installs. It takes some tenths of a second, but no longer than until there is `calls.enough`."""
+"""Records what it installs. It takes some tenths of a second, at most until `calls.enough` exists."""
 
 
 NOTHING: Mapping[str, str] = {}
 
 
 class Checkout:
-    """A copy of what bin/setup needs, with a Python that only pretends."""
+    """A copy of what bin/setup needs, with a fake Python."""
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder / "checkout"
@@ -122,7 +122,7 @@ def test_interrupted_in_the_middle(checkout: Checkout, number: signal.Signals) -
 
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGKILL])
 def test_interrupted_while_it_is_brought_up_to_date(checkout: Checkout, number: signal.Signals) -> None:
-    """The packages of the environment that was there may be half removed by then."""
+    """The packages of the existing environment may be half removed by then."""
     checkout.run()
     checkout.calls.write_text("")
     process = checkout.start("test", takes=600)
@@ -135,7 +135,7 @@ def test_interrupted_while_it_is_brought_up_to_date(checkout: Checkout, number: 
 
 
 AS_OTHERS = ("setpriv", "--bounding-set=-dac_override", "--inh-caps=-dac_override")
-"""Before a command: root, too, may only write where the permissions let its owner write."""
+"""Before a command: even root may then write only where the permissions let the owner write."""
 
 
 def test_a_folder_that_cannot_be_written(checkout: Checkout) -> None:
@@ -215,7 +215,7 @@ def test_versions_that_are_not_to_be_had(checkout: Checkout) -> None:
 
 
 def wanted() -> dict[str, list[Requirement]]:
-    """What the tests need, and what that needs, with the versions that will do."""
+    """The dependencies of the tests and their dependencies, with the versions that fit."""
     project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
     extras = project["optional-dependencies"]
     left = [(Requirement(text), "") for text in [*project["dependencies"], "ev3proto[test]"]]
@@ -234,7 +234,7 @@ def wanted() -> dict[str, list[Requirement]]:
         try:
             texts = requires(name) or []
         except PackageNotFoundError:
-            continue  # the lock is asked for it by name
+            continue  # the lock is looked up by this name
         left += [(Requirement(text), one) for text in texts for one in ("", *need.extras)]
     return found
 
@@ -288,7 +288,7 @@ def test_help_installs_nothing(checkout: Checkout) -> None:
 
 
 class Machine:
-    """A machine on which tests/run finds the programs that are named, and those write down how they are called."""
+    """A machine on which tests/run finds the named programs, which record their calls."""
 
     def __init__(self, folder: Path, *programs: str) -> None:
         self.folder = folder / "checkout"

@@ -1,4 +1,4 @@
-"""What a short command loads: the time that `ev3proto decode FRAME` takes is that of the modules it imports."""
+"""The imports of a short command: they determine the time of `ev3proto decode FRAME`."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What strangers send: nothing of it steers a terminal, takes more memory than there is, or ends in a traceback."""
+"""Untrusted input never controls a terminal, exceeds the memory limits, or ends in a traceback."""
 
 from __future__ import annotations
 
@@ -126,7 +126,7 @@ def test_a_budget_lets_the_oldest_go() -> None:
 
 
 def commands(count: int) -> bytes:
-    """A capture of commands that want replies and get none, on 256 connections."""
+    """A capture of commands whose replies never come, on 256 connections."""
     found = [struct.pack("<IHHiIII", 0xA1B2C3D4, 2, 4, 0, 0, 65535, 101)]
     for number in range(count):
         port, turn = 1024 + number % 256, number // 256
@@ -142,7 +142,7 @@ def commands(count: int) -> bytes:
 def test_commands_without_replies_share_a_budget() -> None:
     capture = read(io.BytesIO(commands(3000)), memory=1 << 20)
     assert sum(1 for _ in capture) == 3000
-    # Each counts for about 800 bytes, so 1 MiB has room for 1,300.
+    # Each counts as about 800 bytes, so 1 MiB has room for 1,300.
     assert 1500 < capture.account.forgotten < 1900
 
 
@@ -173,7 +173,7 @@ def test_a_frame_longer_than_any_is_not_looked_into() -> None:
 
 
 def hostile(kind: str, count: int) -> bytes:
-    """A capture whose packets all want something to be remembered."""
+    """A capture in which every packet needs memory."""
     found = Capture(RAW_IP)
     one = Connection(found)
     waiting = struct.pack("<HHBH", 95, 1, 0, 0) + b"\x01" * 90
@@ -201,7 +201,7 @@ def hostile(kind: str, count: int) -> bytes:
 
 
 def hostile_bluetooth(kind: str, count: int) -> bytes:
-    """The same of Bluetooth."""
+    """The same for Bluetooth."""
     found = Capture(HCI_WITH_DIRECTION)
     reply = frame_of(b"\0" * 1000, 1, 2, memory=b"")
     for number in range(count):
@@ -216,7 +216,7 @@ def hostile_bluetooth(kind: str, count: int) -> bytes:
 
 
 def hostile_interfaces(kind: str, count: int) -> bytes:
-    """A pcapng file that says a lot of its interfaces, in one section or in as many."""
+    """A pcapng file with many facts about its interfaces, in one section or in many."""
     found = Blocks()
     own_address = struct.pack(">IB", 1, 4) + bytes((0x0E, 10, 1, 9, 0x10, 0)) + b"abcdef"
     for number in range(count):

@@ -1,4 +1,4 @@
-"""Files are whole or not there: on a full disk, after a signal, and where they were there before."""
+"""Files are complete or do not exist: on a full disk, after a signal, and if they existed before."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def test_a_full_disk_changes_nothing(words: tuple[str, ...], before: dict[str, b
 
 
 def moved(*files: tuple[str, bytes]) -> str:
-    """Frames that move files to a brick, as a log."""
+    """Frames that transfer files to a brick, as a log."""
     lines = []
     for handle, (path, data) in enumerate(files):
         begin = ev3proto.system_command("BEGIN_DOWNLOAD", counter=1, size=len(data), path=path, reply=True)

@@ -1,4 +1,4 @@
-"""What the worst frames cost: no frame of at most 1,024 bytes keeps any face busy for long."""
+"""The cost of the worst frames: no frame of at most 1,024 bytes keeps any face busy for long."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ from ev3proto.text.tree import tree
 
 BODY = 1017
 MOST_SHOWING = 10
-"""Milliseconds that a face may take. Nearly everything takes less than five."""
+"""Maximum milliseconds of a face. Almost all take less than five."""
 
 MOST = {"check": 15, "fix": 30}
 """The same for a check, and for a fix, which checks the frame before and after, and after each try with fewer steps."""
@@ -40,7 +40,7 @@ def _command(body: bytes, *, kind: int = 0, memory: int = 0) -> bytes:
 
 
 def _frame(*operations: str, kind: int = 0, memory: int = 0) -> bytes:
-    """A frame as full as can be of operations, over and over."""
+    """A frame filled with the same operations again and again."""
     unit = bytes.fromhex("".join(operations))
     return _command(unit * (BODY // len(unit)), kind=kind, memory=memory)
 
@@ -96,7 +96,7 @@ FACES: dict[str, Callable[[bytes], object]] = {
 
 
 def _new(frame: bytes) -> bytes:
-    """The frame, after those that were read last are forgotten: it is not checked faster when it is checked again."""
+    """The frame, after recent ones were evicted from the caches, so that a second check is not faster."""
     read_last.cache_clear()
     return frame
 
@@ -106,7 +106,7 @@ def _exchange(frame: bytes) -> Exchange:
 
 
 def test_no_face_takes_long() -> None:
-    """In a process of its own: in one that has run thousands of tests, the same work takes up to twice as long."""
+    """In another process: after thousands of tests, the same work takes up to twice as long."""
     command = [sys.executable, __file__]
     paths = os.pathsep.join((str(TESTS), str(TESTS.parent)))
     done = subprocess.run(command, capture_output=True, text=True, check=True, env=os.environ | {"PYTHONPATH": paths})
@@ -114,7 +114,7 @@ def test_no_face_takes_long() -> None:
 
 
 def _measure() -> None:
-    """Prints the faces that take long."""
+    """Prints the slow faces."""
     for name, frame in FRAMES.items():
         assert len(frame) <= 1024
         for face, show in FACES.items():

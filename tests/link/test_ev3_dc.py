@@ -1,6 +1,6 @@
-"""A program of ev3_dc's lower layer, run by ev3_dc and by this project against the same brick: they print the same.
+"""A program of ev3_dc's lower layer, run by ev3_dc and by this project against the same brick, prints the same.
 
-What differs on purpose is in docs/ev3_dc.md.
+docs/ev3_dc.md lists the intended differences.
 """
 
 from __future__ import annotations
@@ -22,13 +22,13 @@ import socket
 bind = socket.socket.bind
 socket.socket.bind = lambda self, place: bind(self, ("127.0.0.1", {}) if place[1] == 3015 else place)
 """
-"""Lets ev3_dc wait for beacons at a port of the test's own."""
+"""Lets ev3_dc wait for beacons on a port of the test."""
 
 TIME = re.compile(r"^\d\d:\d\d:\d\d\.\d{6} ", re.MULTILINE)
 
 
 def printed(program: str, **environment: str) -> list[str]:
-    """What a program prints, without its times."""
+    """Returns the output of a program, without its times."""
     done = subprocess.run(
         [sys.executable, "-c", program],
         env={**os.environ, **environment},

@@ -1,4 +1,4 @@
-"""What a frame may do to a brick: nothing harmful runs that `harms_of` does not name."""
+"""What a frame may do to a brick: everything harmful that runs is named by `harms_of`."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ SKIPPED = operation("MOVE8_8", 1, LV(0))
 @pytest.mark.parametrize(
     ("frame", "found"),
     [
-        ("1500010000020440037d0184a4400f8132a6400f0a0060", Harm.MOTORS),  # into a text, in which OUTPUT_START is
+        ("1500010000020440037d0184a4400f8132a6400f0a0060", Harm.MOTORS),  # into a text that contains OUTPUT_START
         ("1300010000041030034040407d0184a6440f0a0060", Harm.UNKNOWN),  # by a variable
     ],
 )
@@ -38,7 +38,7 @@ def test_a_command_of_the_operating_system() -> None:
 
 
 HIDDEN = operation("STRINGS.GET_SIZE", "\xa6\x40\x0f\x40\x02", GV(0))
-"""OUTPUT_START(LV(0), 15) and a jump over the rest stand in its text, three bytes after its start."""
+"""OUTPUT_START(LV(0), 15) and a jump over the rest are in its text, three bytes after its start."""
 
 
 @pytest.mark.parametrize(
@@ -63,7 +63,7 @@ def test_a_jump_back_into_code_is_read() -> None:
 
 
 def test_a_label_in_a_text_is_none() -> None:
-    """The firmware sets labels where it reads the code from its start."""
+    """The firmware places labels when it reads the code from its start."""
     text = operation("STRINGS.GET_SIZE", "\x0d\x03", GV(0))
     assert harms(command(text, operation("JR", encode_as("LAB1", 3)))) == {Harm.UNKNOWN}
 
@@ -76,8 +76,8 @@ def test_a_label_in_a_text_is_none() -> None:
         operation("JR", 100),
         operation("JR", -100),
         operation("JR_TRUE", 1, LV(0)),
-        operation("JR", encode_as("LAB1", 3)),  # there is no such label
-        operation("JR", encode_as("LAB1", 100)),  # no label, but a distance
+        operation("JR", encode_as("LAB1", 3)),  # unknown label
+        operation("JR", encode_as("LAB1", 100)),  # not a label, but a distance
         operation("JR", bytes((0x91, 3))),  # a handle, though a constant
     ],
 )

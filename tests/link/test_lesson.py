@@ -1,7 +1,7 @@
 """The programs of the lessons, with only their import changed, against a virtual brick on a socket.
 
-Each ends with the lines that the lesson shows for it, as comments. Times aside they must be the same; those that the
-lesson cuts short are compared as far as they go.
+Each ends with the lines of the lesson, as comments. Except for times they must be the same; those that the
+lesson cuts off are compared up to there.
 """
 
 from __future__ import annotations

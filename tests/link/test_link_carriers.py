@@ -1,4 +1,4 @@
-"""What brings bytes to a brick: WiFi and the serial port for real, USB and Bluetooth down to the last call."""
+"""The carriers to a brick: WiFi and the serial port for real, USB and Bluetooth up to the last call."""
 
 from __future__ import annotations
 
@@ -162,11 +162,11 @@ def test_packages_that_are_not_installed(monkeypatch: pytest.MonkeyPatch) -> Non
             open_wire(Target.parse(target))
 
 
-# USB: what hidapi is given and gives
+# USB: calls of hidapi and their results
 
 
 class Device:
-    """The part of hidapi's device that is used: a brick that answers with what its memory should be."""
+    """The used part of hidapi's device: a brick that answers with given memory."""
 
     def __init__(self) -> None:
         self.reports: list[bytes] = []
@@ -253,7 +253,7 @@ def test_usb_says_what_to_do(hid: Callable[..., Device]) -> None:
     assert UDEV_RULE == 'SUBSYSTEMS=="usb", ATTRS{idVendor}=="0694", ATTRS{idProduct}=="0005", MODE="0666"'
 
 
-# Bluetooth: what the socket is given
+# Bluetooth: calls of the socket
 
 
 def test_bluetooth_connects_to_channel_1(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -152,7 +152,7 @@ def test_the_conformance_capture_is_answered_by_the_virtual_brick_as_recorded() 
 
 
 def test_a_reply_that_only_another_firmware_gives_is_shown(tmp_path: Path) -> None:
-    """What a brick answers that has other arithmetic: the value is shown, and the battery's is not."""
+    """A brick with different arithmetic: the value is shown, and the battery's is not."""
     frames = [
         *(ev3proto.parse(bytes.fromhex(frame)) for frame in ("0800010000040081 0160", "0900020000010010070560")),
         ev3proto.direct_reply(bytes.fromhex("00000041"), counter=1),
@@ -204,7 +204,7 @@ def line_of(pair: RequestReply) -> str:
 
 
 class Standing:
-    """A proxy in a thread, what it showed and what it said."""
+    """A proxy in a thread, its output and its messages."""
 
     def __init__(self, target: str, recording: Recording | None = None, **options: Any) -> None:
         self.shown: list[str] = []
@@ -265,7 +265,7 @@ def test_what_goes_through_is_recorded(tmp_path: Path) -> None:
     assert [record.message.kind for record in records] == ["direct-command", "direct-command", "direct-reply"]
     assert records[2].values[0].value == "EV3"
     assert records[2].request is records[1]
-    # The numbers beside the dialogue are those of the packets.
+    # The numbers next to the dialogue are those of the packets.
     assert found.numbers == [record.number for record in records]
 
 
@@ -275,7 +275,7 @@ def test_read_only_lets_nothing_through_that_changes_the_brick() -> None:
             my_ev3.name = "other"
         with pytest.raises(ev3proto.SystemCommandError, match="NO_PERMISSION"):
             my_ev3.mkdir("../prjs/a")
-        my_ev3.send_direct_cmd(b"\xff\xff\xff")  # nobody knows what that does
+        my_ev3.send_direct_cmd(b"\xff\xff\xff")  # its effect is unknown
         assert my_ev3.name == "EV3"
         assert found.said == [
             "blocked by --read-only: COM_SET.SET_BRICKNAME changes settings",
@@ -285,11 +285,11 @@ def test_read_only_lets_nothing_through_that_changes_the_brick() -> None:
 
 
 PROGRAM = Random(1).randbytes(1187)
-"""A program of 1187 bytes, as one that a foreign client sent in a single CONTINUE_DOWNLOAD."""
+"""A program of 1187 bytes, like one that a foreign client sent in a single CONTINUE_DOWNLOAD."""
 
 
 def upload(client: Client, data: bytes, path: bytes = b"../prjs/x/x.rbf") -> bytes:
-    """Sends a file in two frames, however long it is; returns the last reply."""
+    """Sends a file of any length in two frames; returns the last reply."""
     begun = client.ask(system(0x92, len(data).to_bytes(4, "little") + path + b"\0"))
     return client.ask(system(0x93, begun[7:8] + data))
 

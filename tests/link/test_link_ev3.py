@@ -1,4 +1,4 @@
-"""EV3 and AsyncEV3: against a virtual brick on a socket, and against one that does what no brick should."""
+"""EV3 and AsyncEV3, against a virtual brick on a socket, and against one that misbehaves."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def echo(number: int) -> bytes:
     return b"".join([ev3proto.opMove32_32, ev3proto.LC4(number), ev3proto.GVX(0)])
 
 
-# What comes back, as ev3_dc has it
+# Results, as ev3_dc has them
 
 
 def test_std_waits_where_there_is_global_memory(my_ev3: EV3) -> None:
@@ -135,7 +135,7 @@ def test_frames_are_logged(my_ev3: EV3, caplog: pytest.LogCaptureFixture, capsys
 
 
 def test_what_is_printed_steers_no_terminal() -> None:
-    """The names of bricks and files are in the character set in which 80 to 9F steer a terminal as ESC does."""
+    """Names of bricks and files are in a character set in which 80 to 9F control a terminal like ESC."""
     command = ev3proto.system_command("LIST_FILES", reply=True, max_bytes=500, path="/\x1b[2J\x9b2J\x85\x7f").build()
     assert meaning_line(command, None, "official") == (
         '    LIST_FILES max_bytes=500 path="/\\u001b[2J\\u009b2J\\u0085\\u007f"'
@@ -192,7 +192,7 @@ def test_no_frame_can_carry_too_much(my_ev3: EV3) -> None:
             my_ev3.send_direct_cmd(nothing)
 
 
-# What the brick is and has
+# Information and settings of the brick
 
 
 def test_properties(my_ev3: EV3) -> None:
@@ -428,7 +428,7 @@ def test_nobody_listens() -> None:
         stubbed(port)
 
 
-# Many at once
+# Many at the same time
 
 
 def test_fifty_threads_on_one_connection(my_ev3: EV3) -> None:

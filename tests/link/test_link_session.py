@@ -1,4 +1,4 @@
-"""The session without I/O: counters, pairing, and everything that can come of what a brick sends."""
+"""The session without I/O: counters, pairing, and every consequence of what a brick sends."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ NOP = bytes.fromhex("000001")
 
 
 def reply(counter: int, memory: bytes = b"", type: int = 2) -> bytes:
-    """A reply as the specification has it."""
+    """A reply as specified."""
     return (3 + len(memory)).to_bytes(2, "little") + counter.to_bytes(2, "little") + bytes((type,)) + memory
 
 
@@ -110,7 +110,7 @@ def test_the_largest_reply_that_the_firmware_grants_is_taken() -> None:
 
 
 class Traffic(RuleBasedStateMachine):
-    """Commands and their replies in any order, in any chunks, with everything between them that a line can bring."""
+    """Commands and their replies in any order, in any chunks, with any noise between them."""
 
     waiting = Bundle("waiting")
     over = Bundle("over")
@@ -177,7 +177,7 @@ class Traffic(RuleBasedStateMachine):
 
     @rule(zeros=st.integers(5, 30))
     def send_zeros(self, zeros: int) -> None:
-        # What LEGO's firmware answers to some system commands. Only an answer that is awaited ends the search.
+        # Answers of LEGO's firmware to some system commands. Only an awaited answer ends the search.
         self.settle()
         assert all(isinstance(event, Garbage) for event in self.session.feed(bytes(zeros)))
         request = self.session.command(ASK, NOP)

@@ -1,4 +1,4 @@
-"""What `--hide` writes over: whatever is not known to be harmless."""
+"""What `--hide` overwrites: everything that is not known to be harmless."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ MEMORY = SECRET.encode().ljust(16, b"\0")
         NAMING,
         NAMING[:-1],
         b"\x1f" + NAMING[1:],
-        NAMING[:4] + b"\x77" + NAMING[5:],  # no message type
+        NAMING[:4] + b"\x77" + NAMING[5:],  # unknown message type
         asking(operation("STRINGS.DUPLICATE", SECRET, LV(0)), operation("COM_SET.SET_BRICKNAME", LV(0))),
         asking(operation("STRINGS.DUPLICATE", SECRET, GV(0))),  # the next command names the brick by GV(0)
         asking(operation("INIT_BYTES", LV(0), len(SECRET), *[encode_as("LC1", byte) for byte in SECRET.encode()])),
@@ -51,7 +51,7 @@ MEMORY = SECRET.encode().ljust(16, b"\0")
             *(operation("MOVE8_8", encode_as("LC1", byte), LV(at)) for at, byte in enumerate(SECRET.encode())),
             operation("COM_SET.SET_BRICKNAME", LV(0)),
         ),
-        # A jump into a text, in which an operation about communication may be.
+        # A jump into a text that may contain an operation about communication.
         asking(operation("JR", 3), operation("SOUND.PLAY", 100, SECRET)),
         asking(operation("UI_DRAW.KEYBOARD", 1, 0, 0, 0, 16, SECRET, LV(20), LV(0))),
     ],
@@ -78,7 +78,7 @@ def test_commands(frame: bytes) -> None:
         (replying(MEMORY), None),
         (replying(MEMORY, fails=True), NAME),
         (replying(MEMORY, fails=True), BATTERY),
-        (replying(b"\0\0\0\0" + MEMORY), BATTERY),  # left over from the command before
+        (replying(b"\0\0\0\0" + MEMORY), BATTERY),  # left from the command before
         (replying(b"\0" + SECRET[1:].encode()), asking(operation("UI_READ.GET_FW_VERS", 16, GV(0)))),
         (
             replying(MEMORY),

@@ -1,4 +1,4 @@
-"""What is wrong with programs: every code with its example, and the brick's verdict on whole programs."""
+"""Faults of programs: every code with its example, and the brick's verdict on whole programs."""
 
 from __future__ import annotations
 
@@ -91,7 +91,7 @@ PAIR = image_of((0, 0, "01 0A"), (0, 0, "01 01 0A"))
 @pytest.mark.parametrize(
     ("image", "accepted", "position", "codes"),
     [
-        # The size is the end: what follows it is not looked at, what is missing is.
+        # The size is the end: bytes after it are ignored, missing ones are not.
         (THREAD + b"\xff\xff", True, None, ["W011"]),
         (THREAD[:-1], False, 4, ["E001"]),
         (with_word(THREAD, 4, 27), False, 4, ["E001"]),
@@ -147,7 +147,7 @@ def test_newer_commands_are_known_to_the_firmware_that_the_image_is_for() -> Non
 
 
 def test_jumps_of_programs_are_followed() -> None:
-    """A jump by a variable is told; what a jump into an operation runs is read there."""
+    """A jump by a variable is reported; the target of a jump into an operation is read there."""
     (by_variable,) = check_program(PROGRAM_CODES["W015"].example).findings
     assert (by_variable.code, by_variable.operation) == ("W015", "JR")
     assert check_program(PROGRAM_CODES["W015"].counterexample).findings == ()

@@ -1,4 +1,4 @@
-"""Images: what is in them, what is wrong with them, and that they build back byte for byte whoever wrote them."""
+"""Images: their contents, their faults, and that they build to the same bytes, from any assembler."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Variables for compiled programs, and the settings by which a source says what is odd about its image."""
+"""Variables for compiled programs, and the settings by which a source describes what is unusual in its image."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Whatever a program holds: it builds back, and its source assembles to the same bytes."""
+"""Any program builds to the same bytes, and so does its source."""
 
 from __future__ import annotations
 

@@ -360,7 +360,7 @@ def test_a_jump_of_more_than_16_bits_is_refused() -> None:
         _code(body)
 
 
-# What LEGO's dialect lets pass
+# Mistakes that LEGO's dialect accepts
 
 
 @pytest.mark.parametrize(

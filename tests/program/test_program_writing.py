@@ -1,4 +1,4 @@
-"""Images to sources and back: whatever an image has, its source assembles to the same bytes."""
+"""Images to sources and back: the source of any image assembles to the same bytes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Byte code, operation by operation: what is read of it, where it is at fault, and what is kept up to there."""
+"""Byte code, operation by operation: what is read, where it is faulty, and what is kept before the fault."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def test_a_frame_that_is_too_long_whatever_its_length_field_says() -> None:
 
 
 def read(frame: bytes) -> DirectCommand:
-    """A direct command as a stream gives it."""
+    """A direct command as a stream returns it."""
     (message,) = Decoder().feed(frame)
     assert isinstance(message, DirectCommand)
     return message

@@ -1,4 +1,4 @@
-"""Every schema is a Construct: it parses, builds, also from mappings, and stands in anybody's `Struct`."""
+"""Every schema is a Construct: it parses, builds, also from mappings, and works inside other `Struct`s."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ TONE = bytes.fromhex("0e002a0080000094010182b80182e803")
 
 
 def assert_stands_in_a_struct(schema: Any, value: Any, data: bytes) -> None:
-    """Between two other fields: the same bytes from the value, and again from what was parsed."""
+    """Between two other fields: the same bytes are built from the value and from the parsed object."""
     record = construct.Struct("before" / construct.Int8ul, "it" / schema, "after" / construct.Const(b"END"))
     whole = b"\x07" + data + b"END"
     assert record.build({"before": 7, "it": value}) == whole
@@ -70,7 +70,7 @@ def test_headers_and_identification_bytes(schema: Any, value: Mapping[str, Any],
     raw = bytes.fromhex(data)
     assert schema.build(value) == raw
     assert schema.build(schema.parse(raw)) == raw
-    if schema is not SENSOR_REPORT:  # which goes to the end of the bytes
+    if schema is not SENSOR_REPORT:  # which continues to the end of the bytes
         assert_stands_in_a_struct(schema, value, raw)
 
 
@@ -88,7 +88,7 @@ def test_what_comes_before_frames() -> None:
 
 @each("name", sorted(HOME))
 def test_every_operation(name: str) -> None:
-    """From values in order and by name: the bytes that `ev3proto.operation` gives; and each argument by itself."""
+    """Values in order and by name build the bytes of `ev3proto.operation`; so does each argument alone."""
     schema = instruction_set(HOME[name])[name]
     parameters = schema.declaration.parameters
 
@@ -101,7 +101,7 @@ def test_every_operation(name: str) -> None:
         named = {parameter.name: value for parameter, value in zip(parameters, values, strict=True)}
         try:
             raw = ev3proto.operation(name, *values, dialect=HOME[name]).raw
-        except BuildError:  # the elements of a list are of a type that another value tells
+        except BuildError:  # another value gives the type of the elements of a list
             return
         assert schema.build(named) == schema.build(values) == schema.build(schema.parse(raw)) == raw
         assert_stands_in_a_struct(schema, named, raw)
@@ -112,7 +112,7 @@ def test_every_operation(name: str) -> None:
 
 
 _DATA: dict[Kind, str | bytes] = {Kind.TEXT: "/a", Kind.LISTING: "a\nb", Kind.COUNTED_TEXT: "ab", Kind.DATA: b"\1\2"}
-"""What is in each kind of field that is no number."""
+"""The values of each kind of field that is not a number."""
 
 
 def _value(field: Field, fields: tuple[Field, ...]) -> Any:
@@ -221,7 +221,7 @@ def test_messages_stand_in_a_struct(message: ev3proto.Message) -> None:
 
 
 def test_a_mapping_of_attributes_is_the_message() -> None:
-    """What `parse` gives, field by field, builds the same frame."""
+    """The result of `parse`, field by field, builds the same frame."""
     message = ev3proto.parse(TONE, expect=ev3proto.DirectCommand)
     names = ("type", "counter", "global_size", "local_size", "operations")
     assert frame_schema().build({name: getattr(message, name) for name in names}) == TONE

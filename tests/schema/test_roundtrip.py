@@ -1,7 +1,7 @@
-"""Both ways: what is built parses back to the same, what is parsed builds back byte for byte, and nothing ever crashes.
+"""Both ways: what is built parses to the same, what is parsed builds to the same bytes, and nothing ever crashes.
 
 These are properties: they hold for anything that `ev3proto.testing` can draw, and for every operation of every dialect.
-What is expected is worked out here from the protocol's description, not by the code under test.
+Expected values are computed here from the protocol's description, not by the code under test.
 """
 
 from __future__ import annotations
@@ -73,7 +73,7 @@ def test_values_come_back(name: str) -> None:
             assert isinstance(values[-1], list)
             values[-2] = len(values[-1])
         elif declaration.parameters and isinstance(declaration.parameters[-1].element, str):
-            # The elements drawn are whole numbers, for which the parameter that tells their type has to be a variable.
+            # The elements are whole numbers, for which the parameter with their type has to be a variable.
             teller = [parameter.name for parameter in declaration.parameters].index(declaration.parameters[-1].element)
             values[teller] = ev3proto.LV(0)
         expected = list(expected_arguments(declaration.parameters, values))
@@ -139,14 +139,14 @@ def only_operation(operation: Operation, dialect: str) -> Operation:
 
 
 def direct_frame(byte_code: bytes) -> bytes:
-    """A direct command without reply and memory, put together by hand."""
+    """A direct command without reply and memory, built by hand."""
     return struct.pack("<HHBH", 5 + len(byte_code), 42, 0x80, 0) + byte_code
 
 
 def expected_arguments(
     parameters: Sequence[Parameter], values: Sequence[OperationValue]
 ) -> Iterator[tuple[str, str, object]]:
-    """Name, kind and value of the arguments that carry these values."""
+    """Name, kind and value of the arguments for these values."""
     for parameter, value in zip(parameters, values, strict=True):
         if isinstance(value, list):
             if parameter.type is Type.COUNT:
@@ -168,7 +168,7 @@ def expected_value(parameter: Parameter, value: object, is_float: bool) -> tuple
 
 
 def same(value: object) -> object:
-    """Floats as their four bytes, because "not a number" equals nothing. All of these are one on the wire."""
+    """Floats as their four bytes, because "not a number" equals nothing. All of these are the same on the wire."""
     if isinstance(value, float) and math.isnan(value):
         return b"\x00\x00\xc0\x7f"
     return struct.pack("<f", value) if isinstance(value, float) else value
@@ -185,7 +185,7 @@ def shortest(argument: Argument) -> int:
         return 1 + len(argument.value) + 1
     if argument.parameter.type is Type.DATAF:
         return 1 + 4
-    # Each type has one bit pattern that means "not a number", and carries it in its own width.
+    # Each type has one bit pattern for "not a number", in its own width.
     nan_width = {(Type.DATA8, -0x80): 1, (Type.DATA16, -0x8000): 2, (Type.HANDLE, -0x8000): 2}
     return 1 + nan_width.get((argument.parameter.type, int(argument.value)), shortest_number(int(argument.value)) - 1)
 
@@ -198,7 +198,7 @@ def shortest_number(value: int) -> int:
 
 
 def assert_tiled(found: Sequence[Operation], frame: bytes, start: int) -> None:
-    """Operations follow each other without a gap to the end of the frame, arguments to the end of their operation."""
+    """Operations are adjacent up to the end of the frame, arguments up to the end of their operation."""
     ends = [start] + [operation.offset + operation.length for operation in found]
     assert [operation.offset for operation in found] + [len(frame)] == ends
     for operation in found:
@@ -257,7 +257,7 @@ headers = st.builds(
     st.sampled_from((0x00, 0x80, 0x01, 0x81, 0x02, 0x04, 0x03, 0x05, 0x0A, 0x8A, 0x08, 0x09)),
     st.binary(max_size=40),
 )
-"""A proper length, counter and type, and then anything."""
+"""A correct length, counter and type, followed by anything."""
 
 garbage = st.one_of(st.binary(max_size=40), headers, mutated_frames())
 
@@ -342,7 +342,7 @@ def test_a_stream_of_garbage_raises_decode_errors_only(chunks: list[bytes], stri
     errors: list[DecodeError] = []
     for chunk in chunks:
         try:
-            # One by one: a list would lose those in front of an error.
+            # One by one: a list would lose those before an error.
             for message in decoder.feed(chunk):
                 got.append(message.build())
                 assert stream[: decoder.position].endswith(got[-1])
@@ -369,7 +369,7 @@ def test_a_dialogue_takes_any_messages(found: list[Message]) -> None:
 @many
 @given(direct_commands(), st.data())
 def test_a_reply_of_any_memory_can_be_read(command: DirectCommand, data: st.DataObject) -> None:
-    """Values never reach beyond the memory that came, whatever the command says of their length."""
+    """Values never extend beyond the memory in the reply, whatever length the command gives."""
     dialogue = Dialogue()
     dialogue.feed(replace(command, type=MessageType.DIRECT_COMMAND_REPLY, counter=7))
     memory = data.draw(st.binary(min_size=command.global_size, max_size=command.global_size))

@@ -1,7 +1,7 @@
-"""The protocol by example: what the published frames mean, what is said of faulty ones, what the builder refuses.
+"""The protocol by example: the meaning of published frames, messages about faulty ones, refusals of the builder.
 
-Every expected value is written out from the description of the protocol. The schemas are shown as the Constructs that
-they are, for people who want to put them into a `Struct` of their own.
+Every expected value is written out from the description of the protocol. The schemas are used as Constructs, for
+readers who want to put them into their own `Struct`.
 """
 
 from __future__ import annotations
@@ -189,7 +189,7 @@ def test_an_error_reply_tells_nothing_more() -> None:
 
 
 def test_a_list_whose_counter_is_missing() -> None:
-    """INIT_BYTES ends after its destination, where the number of bytes that follow should stand."""
+    """INIT_BYTES ends after its destination, before the number of bytes that follow."""
     message = ev3proto.parse(frame_of("07:00|01:00|80|00:14|2F:40"), strict=False)
     assert message.fault is not None
     assert (message.fault.offset, message.fault.truncated) == (9, True)
@@ -197,7 +197,7 @@ def test_a_list_whose_counter_is_missing() -> None:
 
 
 def test_a_long_list_is_read_whole() -> None:
-    """The counter is an LC1 where there are more than 31 elements."""
+    """The counter is an LC1 if there are more than 31 elements."""
     elements = list(range(1, 41))
     (operation,) = ev3proto.direct_command(
         ev3proto.operation("INIT_BYTES", LV(0), 40, elements), local_size=40
@@ -209,7 +209,7 @@ def test_a_long_list_is_read_whole() -> None:
 
 @pytest.mark.parametrize("faulty", ["FF", "94:01:FF", "94:01:85", "2F:40:01:85", "2F:40:3F", "2F:40:85"])
 def test_a_fault_early_in_more_bytes_than_any_frame_has(faulty: str) -> None:
-    """Undefined bytes are found, however many bytes follow them."""
+    """Undefined bytes are found, even if many bytes follow them."""
     frame = frame_of(f"FF:FF|01:00|80|00:00|{faulty}") + bytes(9000)
     message = ev3proto.parse(frame, strict=False)
     assert isinstance(message, ev3proto.DirectCommand)
@@ -219,7 +219,7 @@ def test_a_fault_early_in_more_bytes_than_any_frame_has(faulty: str) -> None:
 
 
 def test_dialects_share_what_is_the_same() -> None:
-    """An operation made for one firmware equals the one that another firmware's frame has; copies equal it, too."""
+    """An operation made for one firmware equals the one in another firmware's frame; so do copies."""
     made = ev3proto.operation("SOUND.TONE", 1, 440, 1000)
     assert made == ev3proto.operation("SOUND.TONE", 1, 440, 1000, dialect="xtended")
     assert instruction_set()["SOUND.TONE"] is instruction_set("compat")["SOUND.TONE"]
@@ -275,7 +275,7 @@ def test_cmd_is_a_parameter_like_any_other(cmd: str) -> None:
     ],
 )
 def test_encodings(text: str, encoding: str, value: object) -> None:
-    """As the argument of a jump, which takes anything."""
+    """As the argument of a jump, which accepts anything."""
     operation = instruction_set()["JR"].parse(b"\x40" + frame_of(text))
     (argument,) = operation.arguments
     assert (argument.encoding, argument.value, argument.raw) == (encoding, value, frame_of(text))
@@ -474,7 +474,7 @@ def test_daisy_sensor_report() -> None:
     assert (report.data, report.checksum, report.busy) == (data, 0x5A, b"\x0f")
 
 
-# What is wrong, and where
+# Faults and their places
 
 
 @pytest.mark.parametrize(
@@ -557,7 +557,7 @@ def test_what_is_in_front_of_a_fault_is_there() -> None:
 
 
 def test_the_bootloader_fault_is_named() -> None:
-    """The request written over the first bytes of the reply: somebody on a USB 3 port saw just these bytes."""
+    """The request written over the first bytes of the reply, as observed on a USB 3 port."""
     frame = frame_of("04:00:00:00:01:F6:7F:B6:00:00:00:06:00:00")
     message = ev3proto.parse(frame, strict=False)
     assert message.fault is not None
@@ -598,7 +598,7 @@ def test_the_bootloader_fault_is_named() -> None:
     ],
 )
 def test_refusals(build: Callable[[], object], words: list[str]) -> None:
-    """The sentence names the parameter, the value, and what it may be."""
+    """The message names the parameter, the value, and the legal values."""
     with pytest.raises(BuildError) as raised:
         build()
     for word in words:

@@ -1,4 +1,4 @@
-"""Streams: chunks of any size to whole messages, bounded memory, and what is said when no frame can come any more."""
+"""Streams: chunks of any size to complete messages, bounded memory, and the error if no frame can follow."""
 
 from __future__ import annotations
 
@@ -111,7 +111,7 @@ def test_memory_stays_that_of_one_frame() -> None:
             for _ in decoder.feed(TONE):
                 pass
 
-    stream(1000)  # what is made once, the expression for byte code among it, is no memory of the stream's
+    stream(1000)  # what is computed once, such as the expression for byte code, is not the stream's memory
     tracemalloc.start()
     stream(5000)
     _, peak = tracemalloc.get_traced_memory()

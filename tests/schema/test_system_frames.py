@@ -1,4 +1,4 @@
-"""System commands as functions, and files cut into the commands that bring them to the brick."""
+"""System commands as functions, and files split into the commands that send them to the brick."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ pytestmark = pytest.mark.portable
 
 
 def build(message: SystemCommand) -> str:
-    """A frame in hex, header apart."""
+    """A frame in hex, without its header."""
     frame = message.build()
     return f"{frame[:5].hex()} {frame[5:].hex()}"
 
 
 def test_a_listing() -> None:
     message = system.list_files("/home/root/lms2012/sys/", counter=42)
-    # 1024 bytes less header, command and status, size of the listing, handle: 1012 is the most that a reply carries.
+    # 1024 bytes minus header, command and status, size of the listing, handle: at most 1012 fit into a reply.
     path = b"/home/root/lms2012/sys/\0".hex()
     assert build(message) == "1e002a0001 " + "99" + "f403" + path
     assert build(system.list_files("a", max_bytes=100)) == "0800000001 9964006100"

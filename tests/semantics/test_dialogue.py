@@ -179,7 +179,7 @@ def test_a_sender_that_never_changes_its_counter() -> None:
 
 
 def test_a_reply_with_less_memory_than_asked_for() -> None:
-    """As in a log whose lines are cut: what is there is read."""
+    """As in a log whose lines are cut: the available bytes are read."""
     first = ev3proto.operation("UI_READ.GET_VBATT", GV(0))
     second = ev3proto.operation("UI_READ.GET_IBATT", GV(4))
     dialogue = ev3proto.Dialogue()

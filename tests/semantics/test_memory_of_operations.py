@@ -64,7 +64,7 @@ class Values:
         return [self._value(parameter) for parameter in parameters if not self._is_counted(parameter)]
 
     def _is_counted(self, parameter: Parameter) -> bool:
-        """Whether it is the number of the values after it, which is worked out."""
+        """Whether it is the number of the values after it, which is computed."""
         last = self._declaration.parameters[-1]
         return last.type is Type.VALUES and parameter is self._declaration.parameters[-2]
 
@@ -102,7 +102,7 @@ class Values:
             lambda: Global(8) if is_text else Local(),
             lambda: Local().as_handle(),
             lambda: Local().as_address(),
-            # Of a text nobody knows how long it is, so nothing has a safe place after one that is given by hand.
+            # The length of a text is unknown, so no place after one given by hand is safe.
             (lambda: Global(8)) if is_text else self.by_hand,
         )
 

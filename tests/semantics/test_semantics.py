@@ -1,4 +1,4 @@
-"""What arguments mean: the memory that an operation uses, the same for whoever composes, checks or reads replies."""
+"""The meaning of arguments: the memory that an operation uses, shared by composing, checking and reading replies."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import ev3proto
 from ev3proto import GV, LV, Draft, check, command, ops
 from ev3proto.semantics.footprint import footprints
 
-# What is asked for is what a check wants
+# The requested memory is what a check wants
 
 
 @pytest.mark.parametrize(
@@ -81,7 +81,7 @@ def test_a_value_of_a_mailbox_may_be_a_text() -> None:
     ],
 )
 def test_lengths_below_zero(operation: ev3proto.Operation, size: int, most: int | None) -> None:
-    """-1 is no limit for a text; other arrays are read in reverse order."""
+    """-1 means unlimited for a text; other arrays are read in reverse order."""
     *_, last = footprints(operation)
     assert (last.size, last.most) == (size, most)
 

@@ -1,7 +1,7 @@
 r"""The ways in which programs, logs, debuggers and forum posts write bytes, as functions from bytes to text.
 
-Each is written after what a real program prints or what its source looks like. `EVERY` takes any bytes; what a notation
-cuts or cannot hold stands apart in the tests.
+Each follows the output of a real program, or its source. `EVERY` takes any bytes; notations with limits are listed
+separately in the tests.
 """
 
 from __future__ import annotations

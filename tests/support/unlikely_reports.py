@@ -15,5 +15,5 @@ UNLIKELY: dict[str, tuple[bool, bytes]] = {
     "an unknown system command": (FROM_HOST, bytes.fromhex("0400 0100 01 77")),
     "a length that is too large": (FROM_HOST, bytes.fromhex("FF03 0100 80 0000")),
     "a daisy command to a computer": (FROM_DEVICE, bytes.fromhex("0600 0100 0A A2 00 01")),
-    "a daisy reply that nobody asked for": (FROM_DEVICE, bytes.fromhex("0500 0100 08 01 00")),
+    "a daisy reply without a command": (FROM_DEVICE, bytes.fromhex("0500 0100 08 01 00")),
 }

@@ -1,4 +1,4 @@
-"""A carrier is one entry in the tables, and whatever reads, writes and dissects it is found by the entry's name."""
+"""A carrier is one entry in the tables; its reader, writer and dissector are found by the entry's name."""
 
 from __future__ import annotations
 

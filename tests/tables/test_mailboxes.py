@@ -1,4 +1,4 @@
-"""The messages of mailboxes: what their bytes can mean, and the bytes of texts, numbers and logic values."""
+"""The messages of mailboxes: the possible meanings of their bytes, and the bytes of texts, numbers and logic values."""
 
 import pytest
 from support.cases import each
@@ -28,7 +28,7 @@ READINGS: dict[str, dict[str, str | float | bool]] = {
     "68656c6c6f00": {"text": "hello"},
     "68656c006f00": {},
 }
-"""Payloads, and all readings that fit each."""
+"""Payloads, each with all readings that fit."""
 
 
 @each("payload, expected", READINGS.items())

@@ -1,4 +1,4 @@
-"""The tables are whole: what the instruction set counts, and that every entry says what a reader needs."""
+"""The tables are complete: the size of the instruction set, and the fields that every entry needs."""
 
 from __future__ import annotations
 
@@ -99,12 +99,12 @@ def test_system_commands() -> None:
         for fields in (entry.request, entry.reply):
             names = [field.name for field in fields]
             assert all(field.counts in (None, *names) for field in fields)
-            # What has no length of its own takes all that is left, so nothing can stand after it.
+            # A value without a length takes all remaining bytes, so it must be the last.
             assert all(field.kind not in (Kind.DATA, Kind.LISTING) for field in fields[:-1])
 
 
 def test_what_harms_a_brick_is_named() -> None:
-    """What stands at the entries, for whoever warns before such a command is sent."""
+    """The effects in the entries, by which commands are checked before they are sent."""
     harmful = {Effect.DELETES_FILES, Effect.RENAMES, Effect.RUNS_SHELL, Effect.WRITES_FIRMWARE, Effect.RESTARTS}
     assert {name for name, entry in operations().items() if harmful & set(entry.effects)} == {
         "COM_SET.SET_BRICKNAME",
@@ -127,7 +127,7 @@ def test_every_effect_and_role_is_some_entry_s() -> None:
 
 
 def test_effects_are_decisions() -> None:
-    """Every operation and system command stands in the file with its effects, so that none is forgotten."""
+    """Every operation and system command is in the file with its effects, so that none is forgotten."""
     entries = [(declaration.name, declaration.effects) for declaration in declarations(OPCODES)]
     entries += [(f"{entry.number:02X} {entry.name}", entry.effects) for entry in SYSTEM]
     lines = [f"{name}: {', '.join(effect.name for effect in effects) or '-'}" for name, effects in entries]

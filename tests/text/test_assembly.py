@@ -1,4 +1,4 @@
-"""Assembly: both notations to frames, every frame to assembly and back, and what is said of bad text."""
+"""Assembly: both notations to frames, every frame to assembly and back, and the messages about bad text."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def assembled(text: str, *, counter: int = 0, reply: bool | None = None) -> list
 
 
 def code(text: str) -> str:
-    """The byte code of the one direct command in a text, in hex."""
+    """The byte code of the only direct command in a text, in hex."""
     (message,) = assemble(text)
     return message.build()[7:].hex(" ").upper()
 
@@ -45,7 +45,7 @@ def written(data: list[bytes], dialect: str = "official", notation: str = MACROS
 
 
 def wrong(text: str) -> AssemblyError:
-    """What is wrong with a text."""
+    """Returns the error for a text."""
     with pytest.raises(AssemblyError) as caught:
         assemble(text)
     return caught.value
@@ -358,7 +358,7 @@ def test_errors_say_where_and_what(text: str, line: int, column: int, reason: st
 
 
 def _value(parameter: Parameter) -> str:
-    """Something that can be given for a parameter."""
+    """Something that is legal for a parameter."""
     if parameter.is_output:
         return "GV(0)"
     if parameter.type is Type.STRING or parameter.length is not None:
@@ -496,7 +496,7 @@ def test_every_capture_comes_back(path: Path) -> None:
 
 
 def lego(operation: Operation) -> str:
-    """An operation in LEGO's notation, with nothing said of encodings but for variables that are marked."""
+    """An operation in LEGO's notation, without encodings except for marked variables."""
     values = [] if operation.command is None else [operation.command]
     for argument in operation.arguments:
         if argument.form.handle or argument.form.address:

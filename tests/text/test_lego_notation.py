@@ -1,4 +1,4 @@
-"""Frames in LEGO's notation: what it looks like, and that every frame comes back of it, byte for byte."""
+"""Frames in LEGO's notation: how they look, and that they encode to the same bytes."""
 
 from __future__ import annotations
 

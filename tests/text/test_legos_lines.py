@@ -1,4 +1,4 @@
-"""Operations as LEGO's own sources have them: sloppy lines, names for everything, subroutines by name."""
+"""Operations as in LEGO's own sources: sloppy lines, names for everything, subroutines by name."""
 
 from __future__ import annotations
 
@@ -12,32 +12,32 @@ from ev3proto.text.assembly import AssemblyError, assemble
 
 
 def code(text: str) -> str:
-    """The byte code of the one direct command in a text, in hex."""
+    """The byte code of the only direct command in a text, in hex."""
     (message,) = assemble(text)
     return message.build()[7:].hex(" ").upper()
 
 
 def reason(text: str) -> str:
-    """What is wrong with a text."""
+    """Returns the error for a text."""
     with pytest.raises(AssemblyError) as caught:
         assemble(text)
     return caught.value.reason
 
 
 LINES = {
-    # The large icons have no name for "none": that of the other icons stands there.
+    # The large icons have no name for "none": they use that of the other icons.
     "DATA8 state\nDATA8 answer\nUI_DRAW(QUESTION,FG_COLOR,30,40,YES_SEL,ICON_NONE,'Go on?',state,answer)": (
         "84 0C 01 1E 81 28 01 3F 84 47 6F 20 6F 6E 3F 00 60 61"
     ),
-    # The number of a CMD wherever a number stands: SQRT is 8.
+    # A CMD as a number: SQRT is 8.
     "DATA8 cmd\nJR_NEQ8(cmd,SQRT,End)\nNOP\nEnd:": "70 60 08 01 01",
-    # The letters of motor ports: bits where ports are listed, a number where there is one.
+    # The letters of motor ports: bits if several ports are possible, otherwise a number.
     "OUTPUT_POWER(0,A+B,50)": "A4 00 03 81 32",
     "OUTPUT_POWER(0,B,50)": "A4 00 02 81 32",
     "OUTPUT_START(0,A+B+C+D)": "A6 00 0F",
     "OUTPUT_READ(0,B,GV(0),GV(4))": "A8 00 01 60 64",
     "DATA8 A\nOUTPUT_POWER(0,A,50)": "A4 00 60 81 32",
-    # A number that is read without sign: 40000 is 0x9C40, and so is -25536.
+    # A number that is read as unsigned: 40000 is 0x9C40, and so is -25536.
     "SOUND(TONE,1,440,40000)": "94 01 01 82 B8 01 82 40 9C",
     "SOUND(TONE,1,440,-25536)": "94 01 01 82 B8 01 82 40 9C",
     "UI_WRITE(VALUE16,65535)": "82 0A 3F",
@@ -49,11 +49,11 @@ LINES = {
     # The line under the display's title ends a column after the last.
     "UI_DRAW(LINE,FG_COLOR,0,TOPLINE_HEIGHT,LCD_WIDTH,TOPLINE_HEIGHT)": "84 03 01 00 0A 82 B2 00 0A",
     "FILENAME(PACK,'../prjs/My\\ Robot')": "C6 15 84 2E 2E 2F 70 72 6A 73 2F 4D 79 5C 20 52 6F 62 6F 74 00",
-    # Where a CMD stands, its name means the CMD, whatever else has that name.
+    # In the place of a CMD, its name means the CMD, even if something else has that name.
     "define LINE 64\nDATAS text LINE\nUI_DRAW(LINE,1,0,0,9,9)": "84 03 01 00 00 09 09",
-    # A letter is its number where an array of any type is filled.
+    # A letter is its number when an array of any type is filled.
     "ARRAY_APPEND(LV0(0),'T')": "C4 40 81 54",
-    # What is defined twice as the same thing.
+    # The same definition twice.
     "define PORT 1\ndefine PORT 1\nOUTPUT_START(0,PORT)": "A6 00 01",
 }
 
@@ -70,7 +70,7 @@ CALLS = {
     ),
     "define Show 2\nCALL(Show)": "09 02 00",
     "define Show 2\nCALL(Show,'-')": "09 02 01 84 2D 00",
-    # The number of values stands where the subroutine is called by its number, never where it is called by name.
+    # The number of values is written if the subroutine is called by its number, never if it is called by name.
     "define Add 2\nCALL(Add,2,2,LV0(0))": "09 02 03 02 02 40",
     "CALL(2,2,5,6)": "09 02 02 05 06",
     "CALL(2,1,'-')": "09 02 01 84 2D 00",

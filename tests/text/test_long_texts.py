@@ -1,4 +1,4 @@
-"""Texts that somebody sends to keep us busy: twice as much takes at most about twice as long, and little memory."""
+"""Texts that are made to keep us busy: twice the text takes at most about twice the time, and little memory."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ FRAME = bytes.fromhex("0e002a0080000094010182b80182e803")
 SHAPES = ("{whole} ", "{whole} x ", "{cut} x ", "{rows}\n")
 SIZE = effort(1 << 12, 1 << 17)
 MOST_SIZE = 1 << 17
-"""Characters beyond which texts are not made longer: a line of more than eight times that is not read."""
+"""Maximum characters of a text: a line of more than eight times that is not read."""
 
 
 @pytest.mark.parametrize("name", HOSTILE)

@@ -1,4 +1,4 @@
-"""Every notation in which real programs write bytes, with whatever people write around them."""
+"""Every notation in which real programs write bytes, with all that people write around them."""
 
 from __future__ import annotations
 
@@ -281,7 +281,7 @@ def test_every_example_on_the_page_of_notations_is_read() -> None:
 
 
 def test_rows_of_bytes_of_which_some_are_db() -> None:
-    """Assemblers write db in front of bytes, and among pairs of digits it is one."""
+    """Assemblers write db before bytes, and among pairs of digits it is a byte."""
     frame = bytes.fromhex("5b022a000193000400") + bytes(range(0xDB, 0x100)) * 16 + bytes([0xDB] * 4)
     assert len(frame) == 0x25B + 2
     for width in (8, 16, 20):

@@ -1,4 +1,4 @@
-"""What the command line prints with --json is what exports/ev3-output.schema.json says, key by key."""
+"""The output of --json is as described in exports/ev3-output.schema.json, key by key."""
 
 from __future__ import annotations
 
@@ -33,10 +33,10 @@ def validator(name: str) -> Any:
 
 
 def printed(command: str, *words: str, stdin: str = "") -> list[Any]:
-    """The objects that a command prints, each of which its schema allows."""
+    """The objects that a command prints, each of which is valid by its schema."""
     lines = [json.loads(line) for line in run(command, "--json", *words, stdin=stdin).stdout.splitlines()]
     for line in lines:
-        # A message of the wrong kind fits none of a choice; that of its own kind says why.
+        # A message of the wrong kind fits no alternative; that of its own kind gives the reason.
         kind = line.get("kind", command) if command == "decode" else command
         name = kind if kind in SCHEMA["$defs"] else command
         validator(name).validate(line)

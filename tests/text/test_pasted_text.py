@@ -47,7 +47,7 @@ WAYS = {
     "00000005: 0000 9401 01  .....\n"
     "0000000a: 82b8 0182 e803  ......\n",
 }
-"""Beside the notations of `support.notations`."""
+"""In addition to the notations of `support.notations`."""
 
 
 @pytest.mark.parametrize("way", WAYS.values(), ids=WAYS.keys())
@@ -57,7 +57,7 @@ def test_every_way_to_write_a_frame(way: str) -> None:
     assert pasted.problem is None
     assert not pasted.cut
     assert pasted.time is None
-    # A prompt is read as an arrow; a command is sent whichever way it points.
+    # A prompt is read as an arrow; a command is sent in either direction.
     assert pasted.direction == ("sent" if way.startswith(">>> ") else None)
     assert pasted.line == 1 + (way.partition("\n")[0].strip()[-1:] in "{[")
     assert pasted.text

@@ -1,4 +1,4 @@
-"""Plain hex is the frame that it says, as an argument and as a line, whatever the separators and the meaning."""
+"""Plain hex is read as a frame, as an argument and as a line, with any separators and any meaning."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ TONE = "0e002a0080000094010182b80182e803"
 
 @st.composite
 def with_any_body(draw: st.DrawFn) -> bytes:
-    """Bytes of a known type whose length field fits, most of them without a meaning."""
+    """Bytes of a known type whose length field fits, most of them without meaning."""
     counter = draw(st.binary(min_size=2, max_size=2))
     kind = draw(st.sampled_from(b"\x00\x80\x02\x04\x01\x81\x03\x05"))
     after = counter + bytes((kind,)) + draw(st.binary(max_size=60))

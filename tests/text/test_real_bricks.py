@@ -1,4 +1,4 @@
-"""Frames of real bricks: decoded, checked, read as their users read them, and played to the virtual brick."""
+"""Frames of real bricks: decoded, checked, read as their users read them, and sent to the virtual brick."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ LOG = Path(__file__).parents[2] / "captures" / "real-bricks.log"
 
 
 class Exchange(NamedTuple):
-    """A command, the reply that a real brick gave, and what its user read in it; None where there is none."""
+    """A command, the reply of a real brick, and the value that its user read in it, or None."""
 
     printed_in: str
     command: bytes
@@ -88,20 +88,20 @@ def test_values_are_those_that_the_users_saw(exchange: Exchange) -> None:
             assert read[name] == pytest.approx(wanted, abs=0.005, nan_ok=True)
 
 
-# Played to the virtual brick
+# Sent to the virtual brick
 
 SAME_CONTENTS = (
-    b"\x81\x01",  # UI_READ GET_VBATT and what follows it
+    b"\x81\x01",  # UI_READ GET_VBATT and the next operations
     b"\x99\x05",  # INPUT_DEVICE GET_TYPEMODE
     b"\x99\x1d",  # READY_SI
     b"\x99\x1c",  # READY_RAW
 )
-"""How the commands begin whose replies depend on what is plugged in: with the same plugged in they are the same."""
+"""The beginnings of commands whose replies depend on what is plugged in."""
 
 
 @pytest.fixture
 def brick(tmp_path: Path) -> Brick:
-    """A brick with what the pages of the log had plugged in, and the folders that were listed."""
+    """A brick with the devices and folders of the pages in the log."""
     brick = Brick(tmp_path)
     listing = next(exchange.reply for exchange in EXCHANGES if exchange.seen and "list~" in exchange.seen)
     assert listing is not None
@@ -115,7 +115,7 @@ def brick(tmp_path: Path) -> Brick:
 
 
 def plug_in(brick: Brick) -> None:
-    """What the page of examples has: touch sensor bumped 12 times, colour, infrared; motors."""
+    """The devices of the page of examples: touch sensor bumped 12 times, colour, infrared; motors."""
     brick.plug(1, 16, {0: (2000,), 1: (12,)})
     brick.plug(2, 29, {2: (3,)})
     brick.plug(3, 33, {0: (26,), 1: (0, -128, -21, 27, 0, -128, 0, -128)})

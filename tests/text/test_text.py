@@ -1,4 +1,4 @@
-"""How messages are shown: tree, annotated table, assembly, JSON."""
+"""The output of messages: tree, annotated table, assembly, JSON."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def shown(frame: bytes, seen: Seen | None = None, *, before: bytes | None = None
 
 
 def as_json(*frames: bytes | str) -> list[dict[str, Any]]:
-    """What `decode --json` prints for frames, or for a log line."""
+    """Returns the output of `decode --json` for frames, or for a log line."""
     words = [frame if isinstance(frame, str) else frame.hex() for frame in frames]
     return list(map(json.loads, run_ev3proto_text("decode", "--json", *words).stdout.splitlines()))
 
@@ -114,7 +114,7 @@ def test_a_dialogue_says_why_a_command_was_refused() -> None:
         reply = parse(b"\x03\0" + frame[2:4] + bytes.fromhex(type), strict=False)
         return plain_text(dialogue_line(asked, dialogue.follow(reply), None)).rpartition(" -> ")[2]
 
-    # A place that is no multiple of 4; nothing wrong; an unknown opcode, which is told beside the command.
+    # A place that is not a multiple of 4; a correct operation; an unknown opcode, reported next to the command.
     assert refused("08002a00000500810161") == "error (E205: VALUE is GV(1), and must start at a multiple of 4)"
     assert refused("08002a00000400810160") == "error"
     assert refused("06002a00000000fe") == "error"

@@ -1,4 +1,4 @@
-"""What the real tshark prints can be pasted: payloads as fields, and its hex dumps."""
+"""The output of the real tshark can be pasted: payloads as fields, and its hex dumps."""
 
 from __future__ import annotations
 
@@ -37,6 +37,6 @@ def test_payloads_that_tshark_prints(capture: Path) -> None:
 
 def test_hex_dumps_that_tshark_prints(capture: Path) -> None:
     found = [pasted.data for pasted in read_text(tshark(capture, "-x"))]
-    # The dump has the packet's headers of Ethernet, IP and TCP too, 54 bytes in all.
+    # The dump also has the packet's headers of Ethernet, IP and TCP, 54 bytes in all.
     assert found == [COMMAND, REPLY]
     assert [piece.message for data in found for piece in split(data)] == [parse(COMMAND), parse(REPLY)]

@@ -1,4 +1,4 @@
-"""Programs with pyshark: they give it our parameters, and get the messages of each packet, in XML and in EK."""
+"""Programs with pyshark: they pass our parameters, and get the messages of each packet, in XML and in EK."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Samples: what is asked for is what comes, the same for the same seed, on any machine."""
+"""Samples: the requested frames, the same for the same seed, on any machine."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def frame_of(line: str) -> bytes:
 
 
 def drawn(*words: str) -> list[ev3proto.Message]:
-    """The messages of a sample in hex, each of which has to be right."""
+    """The messages of a sample in hex, each of which must be correct."""
     done = run(*words)
     assert done.exit_code == 0
     return [ev3proto.parse(frame_of(line)) for line in done.stdout.splitlines()]
@@ -59,7 +59,7 @@ def test_frames_of_every_kind() -> None:
 
 
 def test_the_same_seed_gives_the_same_examples_everywhere() -> None:
-    """Written out, because that is the promise: not what another run in this process gives."""
+    """Written out, because the promise is about all machines, not about another run in this process."""
     strategy = st.tuples(st.integers(0, 255), st.booleans(), st.text("abc", max_size=4), st.sampled_from("xyz"))
     assert list(islice(samples(strategy, 7), 4)) == [
         (56, True, "cbc", "y"),
@@ -200,7 +200,7 @@ def test_accepted_frames_are_commands_of_every_kind() -> None:
 
 
 def test_accepted_frames_have_operations_of_every_name() -> None:
-    """All but those that the firmware of 2013 refuses."""
+    """All except those that the firmware of 2013 refuses."""
     refused = {"ERROR", "UI_READ.GET_POWER", "UI_WRITE.ADDRESS"}
     for name in operations("official"):
         found = islice(samples(accepted_frames(chosen=choice(names=[name], types=["direct-command"])), 1), 1)
@@ -267,7 +267,7 @@ def test_without_hypothesis() -> None:
 
 
 def test_strategies_take_a_choice() -> None:
-    """The same for people's own tests."""
+    """The same in users' own tests."""
     chosen = choice(areas=["sound"], types=["DIRECT_COMMAND_REPLY"])
     for frame in islice(samples(frames("official", chosen), 1), 30):
         message = ev3proto.parse(frame)

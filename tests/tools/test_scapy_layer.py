@@ -1,4 +1,4 @@
-"""The layer for scapy: dissects and builds what the codec does, byte for byte, and finds frames in streams."""
+"""The layer for scapy: it dissects and builds like the codec, byte for byte, and finds frames in streams."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ TONE = bytes.fromhex("0e002a0080000094010182b80182e803")
 
 @pytest.fixture(autouse=True)
 def _strict() -> Any:
-    """Whatever goes wrong while dissecting is raised, not hidden."""
+    """Raises errors of dissection instead of hiding them."""
     conf.debug_dissector = True
     yield
     conf.debug_dissector = False
@@ -183,12 +183,12 @@ def test_any_frame_is_built_again() -> None:
     for frame in drawn(frames(), effort(200, 2000)):
         packet = EV3(frame)
         assert bytes(packet) == frame
-        # And of its fields alone, without the bytes that scapy keeps.
+        # And from its fields alone, without the bytes that scapy keeps.
         assert bytes(rebuilt(packet)) == frame
 
 
 def rebuilt(packet: Packet) -> Packet:
-    """A packet made of the values of another one's fields."""
+    """A packet made from the values of another packet's fields."""
     values: dict[str, Any] = {
         name: [rebuilt(one) if isinstance(one, Packet) else one for one in value] if isinstance(value, list) else value
         for name, value in packet.fields.items()
@@ -215,7 +215,7 @@ def test_any_frame_says_what_the_codec_says() -> None:
             told = body.payload
             if not isinstance(told, Raw):
                 for name, value in message.fields.items():
-                    # What ends in front of its first field has no packet for them.
+                    # What ends before its first field has no packet for them.
                     found = told.getfieldval(RENAMED.get(name, name)) if told else type(value)()
                     assert found == value
         if packet.haslayer(Raw):
@@ -344,7 +344,7 @@ def test_a_stream_in_pieces() -> None:
     accepted = EV3.tcp_reassemble(ACCEPT + b"\0", {}, {})
     assert accepted is not None
     assert accepted[EV3Text].text == ACCEPT + b"\0"
-    # Whoever speaks first on a stream may speak another protocol.
+    # The first speaker on a stream may use another protocol.
     assert isinstance(EV3.tcp_reassemble(b"\xff\xff\xff\xff\xff", {}, {}), Raw)
     assert isinstance(EV3.tcp_reassemble(b"GET /target?sn=" + bytes(200), {}, {}), Raw)
 
@@ -374,7 +374,7 @@ def test_a_conversation_over_a_socket() -> None:
     host, brick = socket.socketpair()
 
     def answer() -> None:
-        end = StreamSocket(brick, EV3)  # which closes the socket when nobody holds it any more
+        end = StreamSocket(brick, EV3)  # which closes the socket when it is no longer referenced
         asked = end.recv()
         assert asked is not None
         end.send(EV3(counter=asked.counter) / EV3DirectReply(memory=bytes.fromhex("a470fd40")))

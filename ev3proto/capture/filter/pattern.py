@@ -57,7 +57,7 @@ def compile_pattern(text: str) -> Callable[[str], bool]:
             search = re.compile(text[begin:], re.DOTALL | (re.NOFLAG if is_exact else re.IGNORECASE)).search
     except (re.error, ValueError, OverflowError, RecursionError) as error:
         position = getattr(error, "pos", None) or 0
-        raise PatternError(begin + position, f"this is no regular expression: {getattr(error, 'msg', error)}") from None
+        raise PatternError(begin + position, f"not a regular expression: {getattr(error, 'msg', error)}") from None
     _refuse_slow(text, begin)
     return lambda examined: search(examined[:MOST_EXAMINED]) is not None
 

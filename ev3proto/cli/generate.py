@@ -33,8 +33,7 @@ def _lines() -> Iterator[str]:
     context = click.Context(cli, info_name=_NAME, max_content_width=_WIDTH, terminal_width=_WIDTH)
     found = list(_commands(cli, context))
     yield "Exit status: 0 fine, 1 the input is at fault, 2 the call is."
-    yield ""
-    yield from table(
+    yield table(
         ("command", "what it does"),
         (
             (f"[{context.command_path}](#{context.command_path.replace(' ', '-')})", command.get_short_help_str(200))
@@ -43,8 +42,7 @@ def _lines() -> Iterator[str]:
     )
     for command, context in found:
         yield f"## {context.command_path}"
-        yield ""
-        yield from block("text", (line.rstrip() for line in command.get_help(context).splitlines()))
+        yield block("text", (line.rstrip() for line in command.get_help(context).splitlines()))
 
 
 def _commands(command: click.Command, context: click.Context) -> Iterator[tuple[click.Command, click.Context]]:

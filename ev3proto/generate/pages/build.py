@@ -12,6 +12,8 @@ from ev3proto.generate.pages import (
     python_api,
     system_commands,
 )
+from ev3proto.generate.pages.areas import AREA_TITLES
+from ev3proto.generate.pages.markdown import page
 from ev3proto.tables import AREAS
 
 FOLDER = "docs/reference"
@@ -25,13 +27,13 @@ def build() -> dict[str, str]:
         Each file by its path in the project's folder.
     """
     pages = {
-        "index.md": contents.text(),
-        **{f"{area}.md": operations.text(area) for area in AREAS},
-        "enumerations.md": enumerations.text(),
-        "system-commands.md": system_commands.text(),
-        "checker-codes.md": checker_codes.text(),
-        "filters.md": filters.text(),
-        "numbers.md": numbers.text(),
-        "python.md": python_api.text(),
+        "index.md": page("Reference", contents.blocks()),
+        **{f"{area}.md": page(f"{AREA_TITLES[area]} ({area})", operations.blocks(area)) for area in AREAS},
+        "enumerations.md": page("Enumerations", enumerations.blocks()),
+        "system-commands.md": page("System commands", system_commands.blocks()),
+        "checker-codes.md": page("What check finds", checker_codes.blocks()),
+        "filters.md": page("Filters", filters.blocks()),
+        "numbers.md": page("Numbers and names", numbers.blocks()),
+        "python.md": page("The Python API", python_api.blocks()),
     }
     return {f"{FOLDER}/{name}": text for name, text in pages.items()}

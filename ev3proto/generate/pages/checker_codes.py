@@ -7,15 +7,11 @@ from collections.abc import Iterator
 
 from ev3proto.checking.codes import CODES, Code
 from ev3proto.checking.program_codes import PROGRAM_CODES
-from ev3proto.generate.pages.markdown import block, link, page, plain, table
+from ev3proto.generate.pages.markdown import block, link, plain, table
 
 
-def text() -> str:
-    """Returns the page."""
-    return page("What check finds", _lines())
-
-
-def _lines() -> Iterator[str]:
+def blocks() -> Iterator[str]:
+    """Yields what the page has below its title."""
     yield (
         "`ev3proto check` and `ev3proto.check` report what they find with a code, which never changes its meaning."
         " `E` is an error: it will not do what was meant. `W` is a warning: it may not. `H` is a hint: it could be"
@@ -23,30 +19,23 @@ def _lines() -> Iterator[str]:
         " 4 memory, 5 texts and arrays, 6 the way through the code, 7 sounds, drawings and moves, 8 system messages,"
         " 9 encodings."
     )
-    yield ""
     yield "`ev3proto check --explain E205` prints one of these."
-    yield ""
     codes = {**PROGRAM_CODES, **CODES}
-    yield from table(("code", "what it is"), ((link(it.code, it.code), plain(it.title)) for it in codes.values()))
+    yield table(("code", "what it is"), ((link(it.code, it.code), plain(it.title)) for it in codes.values()))
     for entry in codes.values():
         yield from _entry(entry)
 
 
 def _entry(entry: Code) -> Iterator[str]:
     yield f"## {entry.code}"
-    yield ""
     yield f"**{plain(entry.title[:1].upper() + entry.title[1:])}** ({entry.severity})"
-    yield ""
     for paragraph in re.split(r"\n\s*\n", entry.explanation):
         yield plain(" ".join(paragraph.split()))
-        yield ""
     carrier = f" (by {entry.carrier})" if entry.carrier else ""
     yield f"Found in{carrier}:"
-    yield ""
-    yield from block("text", _hex(entry.example))
+    yield block("text", _hex(entry.example))
     yield "Not found in:"
-    yield ""
-    yield from block("text", _hex(entry.counterexample))
+    yield block("text", _hex(entry.counterexample))
 
 
 def _hex(data: bytes) -> Iterator[str]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ev3proto.generate.pages.areas import AREA_TITLES
-from ev3proto.generate.pages.markdown import block, page, table
+from ev3proto.generate.pages.markdown import block, listed, table
 from ev3proto.tables import AREAS
 from ev3proto.tables.declaration import Declaration, declarations
 
@@ -21,27 +21,18 @@ OTHERS = {
 """The other pages of the reference, in order."""
 
 
-def text() -> str:
-    """Returns the page."""
-    return page("Reference", _lines())
-
-
-def _lines() -> Iterator[str]:
+def blocks() -> Iterator[str]:
+    """Yields what the page has below its title."""
     yield "All of this is drawn from the tables and from the program itself."
-    yield ""
     yield "## The instruction set"
-    yield ""
     rows = (
         (f"[{AREA_TITLES[area]}]({area}.md)", f"`{area}`", str(len(list(declarations(opcodes)))), _first(area))
         for area, opcodes in AREAS.items()
     )
-    yield from table(("page", "area", "operations", "among them"), rows)
+    yield table(("page", "area", "operations", "among them"), rows)
     yield "## Everything else"
-    yield ""
-    yield from (f"- [{title}]({name})" for name, title in OTHERS.items())
-    yield ""
+    yield listed(f"[{title}]({name})" for name, title in OTHERS.items())
     yield "## How to read an entry"
-    yield ""
     yield (
         "Names are the firmware's. A parameter is `in` where the operation reads it, `out` where it writes to a"
         " variable, `inout` where it does both. `DATA8`, `DATA16` and `DATA32` are signed numbers of 1, 2 and 4"
@@ -49,20 +40,17 @@ def _lines() -> Iterator[str]:
         ' float of 4 bytes; the lowest number of each type means "not a number". A range, where there is one, is what'
         " makes sense to the brick."
     )
-    yield ""
     yield (
         "The Python call needs `import ev3proto` and `from ev3proto import ops, system`; operations of other firmwares"
         " need `from ev3proto.ops import xtended, compat`; variables such as `LV(0)` and `Global()` are attributes of"
         " `ev3proto`. Outputs that a call omits get a place in global memory. Below the call is its frame, byte by"
         " byte, in hexadecimal. The last word of a line is the encoding."
     )
-    yield ""
     yield (
         "The fields of Wireshark are those of the dissector; `ev3.op` is every opcode, `ev3.cmd` every operation by"
         " name."
     )
-    yield ""
-    yield from block("{toctree}", [":hidden:", "", *(f"{area}" for area in AREAS), *(each[:-3] for each in OTHERS)])
+    yield block("{toctree}", [":hidden:", "", *(f"{area}" for area in AREAS), *(each[:-3] for each in OTHERS)])
 
 
 def _first(area: str) -> str:

@@ -4,42 +4,32 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ev3proto.generate.pages.markdown import code, link, page, sentence, table
+from ev3proto.generate.pages.markdown import code, link, sentence, table
 from ev3proto.tables import AREAS
 from ev3proto.tables.declaration import Enumeration, declarations
 from ev3proto.tables.enumerations import ENUMERATIONS
 
 
-def text() -> str:
-    """Returns the page."""
-    return page("Enumerations", _lines())
-
-
-def _lines() -> Iterator[str]:
+def blocks() -> Iterator[str]:
+    """Yields what the page has below its title."""
     yield (
         "The names that the firmware gives to numbers. In Python each is a class of `ev3proto.enums`. Where all names"
         " of one have a word in common, they have a name without it, too: `enums.LEDPATTERN.LED_RED_FLASH` is"
         " `enums.LED.RED_FLASH`. Operations take the name as a text, too."
     )
-    yield ""
     users = _users()
     for declared in ENUMERATIONS:
         yield f"## {declared.name}"
-        yield ""
-        yield sentence(declared.text)
-        if declared.flags:
-            yield "Its members are bits, and a value is any of them together."
-        yield ""
+        bits = "\nIts members are bits, and a value is any of them together." if declared.flags else ""
+        yield sentence(declared.text) + bits
         rows = ((str(number), f"0x{number & 0xFF:02X}", code(name)) for name, number in declared.members.items())
-        yield from table(("number", "byte", "name"), rows)
+        yield table(("number", "byte", "name"), rows)
         if declared.end is not None:
             name, number = declared.end
             yield f"`{name}` is {number}, the number after the last or a mask of all; it is a constant, never a value."
-            yield ""
         found = users.get(declared.name, [])
         if found:
             yield f"Taken or given by {', '.join(found)}."
-            yield ""
 
 
 def _users() -> dict[str, list[str]]:

@@ -6,30 +6,23 @@ from collections.abc import Iterable, Iterator
 
 from ev3proto.capture.filter.fields import places_of
 from ev3proto.capture.filter.manual import Entry, sections
-from ev3proto.generate.pages.markdown import code, page, plain, table
+from ev3proto.generate.pages.markdown import code, plain, table
 
 _MOST_PLACES = 4
 """Number of operations named as examples of a parameter."""
 
 
-def text() -> str:
-    """Returns the page."""
-    return page("Filters", _lines())
-
-
-def _lines() -> Iterator[str]:
+def blocks() -> Iterator[str]:
+    """Yields what the page has below its title."""
     yield (
         "All that can be written after `--filter`. [How to use filters](../filters.md) shows it on captures;"
         " `ev3proto decode --help-filter` prints this list."
     )
-    yield ""
     for title, entries in sections().items():
         yield f"## {title}"
-        yield ""
-        yield from table(("written", "what it means", "example"), _rows(entries))
+        yield table(("written", "what it means", "example"), _rows(entries))
     yield "## All parameters and fields"
-    yield ""
-    yield from table(("name", "of"), ((code(name), _owners(owners)) for name, owners in places_of().items()))
+    yield table(("name", "of"), ((code(name), _owners(owners)) for name, owners in places_of().items()))
 
 
 def _rows(entries: Iterable[Entry]) -> Iterator[tuple[str, str, str]]:

@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ev3proto.generate.modules.source import FIRMWARES
-from ev3proto.generate.pages.areas import AREA_TITLES
 from ev3proto.generate.pages.examples import example_of, explained, is_accepted
-from ev3proto.generate.pages.markdown import block, code, link, page, plain, sentence, table, try_it
+from ev3proto.generate.pages.markdown import block, code, link, listed, plain, sentence, table, try_it
 from ev3proto.schema.instructions import instruction_set
 from ev3proto.semantics.domain import element, facts
 from ev3proto.tables import AREAS
@@ -19,25 +18,17 @@ _MOST_NAMES = 8
 """Number of an enumeration's names listed with a parameter."""
 
 
-def text(area: str) -> str:
-    """Returns the page of an area."""
-    return page(f"{AREA_TITLES[area]} ({area})", _lines(area))
-
-
-def _lines(area: str) -> Iterator[str]:
+def blocks(area: str) -> Iterator[str]:
+    """Yields what the page has below its title."""
     yield f"The operations of the firmware's area `{area}`. [How to read this](index.md#how-to-read-an-entry)."
-    yield ""
     opcodes = AREAS[area]
-    yield from table(("opcode", "operation", "what it does"), (_summary(entry) for entry in declarations(opcodes)))
+    yield table(("opcode", "operation", "what it does"), (_summary(entry) for entry in declarations(opcodes)))
     for opcode in opcodes:
         if opcode.is_family:
             yield f"## {opcode.name}"
-            yield ""
             yield f"Opcode `0x{opcode.number:02X}`, a family: CMD selects the operation. {sentence(opcode.text)}"
-            yield ""
             if opcode.note:
                 yield f"Note: {sentence(opcode.note)}"
-                yield ""
         for declaration in declarations((opcode,)):
             yield from _entry(declaration, "###" if opcode.is_family else "##")
 
@@ -58,15 +49,12 @@ def dialect_of(declaration: Declaration) -> str | None:
 
 def _entry(declaration: Declaration, level: str) -> Iterator[str]:
     yield f"{level} {declaration.name}"
-    yield ""
     yield sentence(declaration.text)
-    yield ""
-    yield from _facts(declaration)
+    yield listed(_facts(declaration))
     if declaration.parameters:
-        yield from table(("parameter", "", "type", "what it is"), map(_parameter, declaration.parameters))
+        yield table(("parameter", "", "type", "what it is"), map(_parameter, declaration.parameters))
     else:
         yield "It has no parameters."
-        yield ""
     dialect = dialect_of(declaration)
     if dialect is not None:
         yield from _example(declaration, dialect)
@@ -80,22 +68,20 @@ def _facts(declaration: Declaration) -> Iterator[str]:
     if dialect is not None:
         head = instruction_set(dialect)[declaration.name].head
         number += f": it starts with `{head.hex(' ').upper()}`"
-    items = [f"{number}."]
+    yield f"{number}."
     if not declaration.dialects:
-        items.append("No firmware that was released has it.")
+        yield "No firmware that was released has it."
     elif declaration.dialects != DIALECTS:
-        items.append(f"Only in {' and '.join(FIRMWARES[each] for each in declaration.dialects)}.")
+        yield f"Only in {' and '.join(FIRMWARES[each] for each in declaration.dialects)}."
     if declaration.is_newer:
-        items.append("The validator of the release of 2013 does not know it.")
-    items += [f"It {plain(effect.value)}." for effect in declaration.effects]
+        yield "The validator of the release of 2013 does not know it."
+    yield from (f"It {plain(effect.value)}." for effect in declaration.effects)
     if declaration.note:
-        items.append(f"Note: {sentence(declaration.note)}")
+        yield f"Note: {sentence(declaration.note)}"
     fields = [filter_name(declaration, each) for each in declaration.parameters]
     if not fields:
         fields = [f'ev3.cmd == "{declaration.name}"']
-    items.append(f"In Wireshark: {', '.join(map(code, fields))}.")
-    yield from (f"- {item}" for item in items)
-    yield ""
+    yield f"In Wireshark: {', '.join(map(code, fields))}."
 
 
 def filter_name(declaration: Declaration, parameter: Parameter) -> str:
@@ -125,10 +111,9 @@ def _parameter(parameter: Parameter) -> tuple[str, str, str, str]:
 
 def _example(declaration: Declaration, dialect: str) -> Iterator[str]:
     example = example_of(declaration, dialect)
-    yield from block("python", [example.call])
-    yield from block("text", explained(example.frame, dialect))
+    yield block("python", [example.call])
+    yield block("text", explained(example.frame, dialect))
     if dialect == DIALECTS[0]:
-        yield from try_it(example.frame)
+        yield try_it(example.frame)
     if not is_accepted(example, dialect):
         yield "The validator of the release of 2013 refuses this frame."
-        yield ""

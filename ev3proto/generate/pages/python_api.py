@@ -12,7 +12,7 @@ from importlib import import_module
 from types import ModuleType
 from typing import Any
 
-from ev3proto.generate.pages.markdown import block, link, page, plain, table
+from ev3proto.generate.pages.markdown import block, link, listed, plain, table
 
 MODULES = ("ev3proto", "ev3proto.capture", "ev3proto.program", "ev3proto.system", "ev3proto.brick", "ev3proto.testing")
 """The public modules; each lists its names in `__all__`."""
@@ -22,21 +22,14 @@ _WIDTH = 100
 _SECTIONS = ("Args", "Returns", "Raises", "Yields", "Attributes")
 
 
-def text() -> str:
-    """Returns the page."""
-    return page("The Python API", _lines())
-
-
-def _lines() -> Iterator[str]:
+def blocks() -> Iterator[str]:
+    """Yields what the page has below its title."""
     yield (
         "The public names of the package. The functions of `ev3proto.ops` are listed with their operations in the"
         " reference of the instruction set, those of `ev3proto.enums` with the [enumerations](enumerations.md)."
     )
-    yield ""
     modules = [import_module(name) for name in MODULES]
-    for module in modules:
-        yield f"- {link(module.__name__, module.__name__)}: {plain(_first_line(module))}"
-    yield ""
+    yield listed(f"{link(module.__name__, module.__name__)}: {plain(_first_line(module))}" for module in modules)
     for module in modules:
         yield from _module(module)
 
@@ -47,18 +40,16 @@ def _first_line(value: object) -> str:
 
 def _module(module: ModuleType) -> Iterator[str]:
     yield f"## {module.__name__}"
-    yield ""
     offered = [(name, getattr(module, name)) for name in module.__all__]
     shown = [(name, value) for name, value in offered if inspect.isclass(value) or inspect.isroutine(value)]
     rows = ((link(name, f"{module.__name__}.{name}"), plain(_first_line(value))) for name, value in shown)
-    yield from table(("name", "what it is"), rows)
+    yield table(("name", "what it is"), rows)
     for name, value in shown:
         yield f"### {module.__name__}.{name}"
-        yield ""
         if inspect.isclass(value):
             yield from _class(name, value)
         else:
-            yield from block("python", _signature(f"def {name}", value))
+            yield block("python", _signature(f"def {name}", value))
             yield from _docstring(value)
 
 
@@ -66,13 +57,12 @@ def _class(name: str, value: type) -> Iterator[str]:
     if issubclass(value, enum.Enum):
         yield from _docstring(value)
         yield ", ".join(f"`{member}`" for member in value.__members__)
-        yield ""
         return
     bases = [base.__name__ for base in value.__bases__ if base.__module__.startswith("ev3proto")]
     if dataclasses.is_dataclass(value) or "__init__" not in vars(value):
-        yield from block("python", [f"class {name}" + (f"({', '.join(bases)})" if bases else "")])
+        yield block("python", [f"class {name}" + (f"({', '.join(bases)})" if bases else "")])
     else:
-        yield from block("python", _signature(f"class {name}", value.__init__))
+        yield block("python", _signature(f"class {name}", value.__init__))
     yield from _docstring(value)
     if "__init__" in vars(value) and not dataclasses.is_dataclass(value):
         yield from _docstring(value.__init__)
@@ -81,10 +71,9 @@ def _class(name: str, value: type) -> Iterator[str]:
             continue
         if isinstance(found, property | cached_property):
             yield f"`.{member}`: {plain(_first_line(found))}"
-            yield ""
         elif inspect.isfunction(found) or isinstance(found, classmethod | staticmethod):
             function = getattr(found, "__func__", found)
-            yield from block("python", _signature(f".{member}", function))
+            yield block("python", _signature(f".{member}", function))
             yield from _docstring(function)
 
 
@@ -157,35 +146,20 @@ def _docstring(value: object) -> Iterator[str]:
         title = lines[0].removesuffix(":") if lines else ""
         if title in _SECTIONS:
             yield f"**{title}**"
-            yield ""
-            yield from _items(lines[1:])
-            yield ""
+            # An entry continues in lines that are indented further.
+            yield listed(map(_item, re.sub(r"\n {8,}", " ", "\n".join(lines[1:])).splitlines()))
         elif any(line.startswith("    ") or re.match(r"\w+ {2,}\S", line) for line in lines):
-            yield from block("text", lines)
+            yield block("text", lines)
         elif lines:
             yield _prose(" ".join(lines))
-            yield ""
 
 
-def _items(lines: list[str]) -> Iterator[str]:
-    """Yields the entries of a section; an entry continues in lines that are indented further."""
-    entry = ""
-    for line in lines:
-        if line.startswith("        "):
-            entry += f" {line.strip()}"
-        else:
-            if entry:
-                yield _item(entry)
-            entry = line.strip()
-    if entry:
-        yield _item(entry)
-
-
-def _item(entry: str) -> str:
+def _item(line: str) -> str:
+    entry = line.strip()
     name, colon, meaning = entry.partition(": ")
     if colon and re.fullmatch(r"[\w.*, ]+", name) and len(name.split()) <= 2:
-        return f"- `{name}`: {_prose(meaning)}"
-    return f"- {_prose(entry)}"
+        return f"`{name}`: {_prose(meaning)}"
+    return _prose(entry)
 
 
 def _prose(text: str) -> str:

@@ -6,40 +6,33 @@ from collections.abc import Iterator
 
 from ev3proto.generate.dissector.names import filter_name
 from ev3proto.generate.pages.examples import explained, system_example
-from ev3proto.generate.pages.markdown import block, code, link, page, plain, sentence, table, try_it
+from ev3proto.generate.pages.markdown import block, code, link, listed, plain, sentence, table, try_it
 from ev3proto.tables.system import SYSTEM, UNUSED_STATUSES, Field, SystemCommand, SystemStatus
 
 
-def text() -> str:
-    """Returns the page."""
-    return page("System commands", _lines())
-
-
-def _lines() -> Iterator[str]:
+def blocks() -> Iterator[str]:
+    """Yields what the page has below its title."""
     yield (
         "What a brick is sent besides byte code: a number, then fields. A reply repeats the number, then has a"
         " [status](#statuses) and its own fields. Numbers are little-endian, texts end at a zero."
     )
-    yield ""
     rows = (
         (f"0x{entry.number:02X}", link(entry.name, heading(entry)), plain(entry.text), "bootloader" * entry.bootloader)
         for entry in SYSTEM
     )
-    yield from table(("number", "command", "what it does", ""), rows)
+    yield table(("number", "command", "what it does", ""), rows)
     for entry in SYSTEM:
         yield from _entry(entry)
     yield "## Statuses"
-    yield ""
-    yield from table(
+    yield table(
         ("number", "name", ""),
         ((f"0x{status.value:02X}", code(status.name), _outcome(status)) for status in SystemStatus),
     )
     yield "What a status means depends on the command:"
-    yield ""
     meanings = (
         (code(entry.name), code(status.name), plain(meaning)) for entry in SYSTEM for status, meaning in entry.statuses
     )
-    yield from table(("command", "status", "it means"), meanings)
+    yield table(("command", "status", "it means"), meanings)
 
 
 def _outcome(status: SystemStatus) -> str:
@@ -55,33 +48,32 @@ def heading(entry: SystemCommand) -> str:
 
 def _entry(entry: SystemCommand) -> Iterator[str]:
     yield f"## {heading(entry)}"
-    yield ""
     yield sentence(entry.text)
-    yield ""
-    yield f"- Number `0x{entry.number:02X}`."
-    if entry.bootloader:
-        yield "- Only the brick's firmware updater knows it, which is reached by USB."
-    elif entry.usb_only:
-        yield "- The firmware takes it by USB only."
-    yield from (f"- It {plain(effect.value)}." for effect in entry.effects)
-    if not entry.answered:
-        yield "- It is never replied to."
-    yield ""
-    yield from _fields("request", entry, entry.request)
+    yield listed(_facts(entry))
+    yield _fields("request", entry, entry.request)
     if entry.answered:
-        yield from _fields("reply", entry, entry.reply)
+        yield _fields("reply", entry, entry.reply)
     example = system_example(entry)
-    yield from block("python", [example.call])
-    yield from block("text", explained(example.frame))
-    yield from try_it(example.frame)
+    yield block("python", [example.call])
+    yield block("text", explained(example.frame))
+    yield try_it(example.frame)
 
 
-def _fields(title: str, entry: SystemCommand, fields: tuple[Field, ...]) -> Iterator[str]:
+def _facts(entry: SystemCommand) -> Iterator[str]:
+    yield f"Number `0x{entry.number:02X}`."
+    if entry.bootloader:
+        yield "Only the brick's firmware updater knows it, which is reached by USB."
+    elif entry.usb_only:
+        yield "The firmware takes it by USB only."
+    yield from (f"It {plain(effect.value)}." for effect in entry.effects)
+    if not entry.answered:
+        yield "It is never replied to."
+
+
+def _fields(title: str, entry: SystemCommand, fields: tuple[Field, ...]) -> str:
     if not fields:
-        yield f"Its {title} has no fields."
-        yield ""
-        return
-    yield from table((title, "type", "what it is", "in Wireshark"), (_field(entry, field) for field in fields))
+        return f"Its {title} has no fields."
+    return table((title, "type", "what it is", "in Wireshark"), (_field(entry, field) for field in fields))
 
 
 def _field(entry: SystemCommand, field: Field) -> tuple[str, str, str, str]:

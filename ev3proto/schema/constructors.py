@@ -45,13 +45,14 @@ def direct_command(
     Raises:
         BuildError: There is no operation, or the command does not fit into a frame.
     """
+    encoded = []
     for operation in operations:
         if not isinstance(operation, Operation):
             raise BuildError(
                 f"{operation!r} is not an operation: use ev3proto.operation; results of ev3proto.ops, and labels, are"
                 " for ev3proto.command"
             )
-    encoded = [operation.raw for operation in operations]
+        encoded.append(operation.raw)
     command = placed_in_frame(operations, encoded, counter, reply, global_size, local_size)
     if not operations:
         raise BuildError(EMPTY_COMMAND)

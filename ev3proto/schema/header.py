@@ -213,12 +213,12 @@ def build_frame(code: int, counter: int, body: bytes, length: int | None = None)
 
     """
     if length is None:
-        length = HEADER_SIZE - LENGTH_FIELD + len(body)
-        most = MAX_LONG_FRAME if _is_long(code, body[:1]) else MAX_FRAME
-        if length + LENGTH_FIELD > most:
-            raise BuildError(
-                f"the frame would have {length + LENGTH_FIELD} bytes; the brick accepts at most {most} in one frame"
-            )
+        size = HEADER_SIZE + len(body)
+        length = size - LENGTH_FIELD
+        if size > MAX_FRAME:
+            most = MAX_LONG_FRAME if _is_long(code, body[:1]) else MAX_FRAME
+            if size > most:
+                raise BuildError(f"the frame would have {size} bytes; the brick accepts at most {most} in one frame")
     try:
         return _header.pack(length, counter, code) + body
     except struct.error:

@@ -5800,7 +5800,9 @@ do
             end
         end
         for _, row in ipairs(rows) do
-            if by_name[row.length] then by_name[row.length].tells_length = true end
+            if by_name[row.length] then
+                by_name[row.length].tells_length, operation.tells_lengths = true, true
+            end
             if by_name[row.element] then by_name[row.element].tells_type = true end
         end
     end
@@ -5958,82 +5960,58 @@ local ENCODINGS, READ_TYPE, unsigned16, utf8_text, select_operation, read_argume
 do
     local unpack = Struct.unpack
 
-    -- A function that reads a number at an offset, nil where it is not all there; `form` is what Struct calls it.
-    local function reader(form, size)
-        return function(text, at)
-            if at + size > #text then return nil end
-            return (unpack(form, text, at + 1))
-        end
+    -- Functions that read a number at an offset, nil where the text ends before its end. Most are bytes and words, which
+    -- are read faster without Struct.
+    local function unsigned8(text, at)
+        return byte(text, at + 1)
     end
 
-    local unsigned8, unsigned32, signed32 = reader("B", 1), reader("<I4", 4), reader("<i4", 4)
-    unsigned16 = reader("<I2", 2)
-    local read_single = reader("<f", 4)
+    function unsigned16(text, at)
+        local low, high = byte(text, at + 1, at + 2)
+        return high and low + high * 0x100
+    end
+
+    local function signed8(text, at)
+        local low = byte(text, at + 1)
+        return low and low >= 0x80 and low - 0x100 or low
+    end
+
+    local function signed16(text, at)
+        local low, high = byte(text, at + 1, at + 2)
+        return high and low + 0x100 * (high < 0x80 and high or high - 0x100)
+    end
+
+    local function unsigned32(text, at)
+        return at + 4 <= #text and unpack("<I4", text, at + 1) or nil
+    end
+
+    local function signed32(text, at)
+        return at + 4 <= #text and unpack("<i4", text, at + 1) or nil
+    end
 
     local function single(text, at)
-        local value = read_single(text, at)
+        if at + 4 > #text then return nil end
+        local value = unpack("<f", text, at + 1)
         -- All that are not a number are alike.
-        if value ~= value then value = 0 / 0 end
-        return value
+        return value == value and value or 0 / 0
     end
 
     local READ_UNSIGNED = { [1] = unsigned8, [2] = unsigned16, [4] = unsigned32 }
-    READ_TYPE = {
-        [DATA8] = reader("b", 1), [DATA16] = reader("<i2", 2), [DATA32] = signed32, [DATAF] = single,
-        [HANDLE] = reader("<i2", 2),
-    }
-
-    -- What reads an argument whose identification byte is at an offset: its value and the offset after it; nil where it
-    -- is not all there. The value of a variable is its index. There are very many arguments of one and two bytes: the
-    -- bytes themselves are read faster than through Struct.
-    local function read_signed_byte(text, at)
-        local low = byte(text, at + 2)
-        return low and low >= 0x80 and low - 0x100 or low, at + 2
-    end
-
-    local function read_signed_word(text, at)
-        local low, high = byte(text, at + 2, at + 3)
-        if not high then return nil end
-        return low + 0x100 * (high < 0x80 and high or high - 0x100), at + 3
-    end
-
-    local function read_index_byte(text, at)
-        return byte(text, at + 2), at + 2
-    end
-
-    local function read_index_word(text, at)
-        return unsigned16(text, at + 1), at + 3
-    end
-
-    local function read_index_long(text, at)
-        return unsigned32(text, at + 1), at + 5
-    end
-
-    local function read_long(text, at, is_float)
-        return (is_float and single or signed32)(text, at + 1), at + 5
-    end
-
-    local function read_text(text, at)
-        local zero = find(text, "\0", at + 2, true)
-        if zero then return sub(text, at + 2, zero - 1), zero end
-    end
-
-    local READERS = {
-        LC1 = read_signed_byte, LAB1 = read_signed_byte, LC2 = read_signed_word, LC4 = read_long,
-        LCS = read_text, LCS_OLD = read_text,
-        LV1 = read_index_byte, LV2 = read_index_word, LV4 = read_index_long,
-        GV1 = read_index_byte, GV2 = read_index_word, GV4 = read_index_long,
-    }
+    local READ_SIGNED = { [1] = signed8, [2] = signed16, [4] = signed32 }
+    READ_TYPE = { [DATA8] = signed8, [DATA16] = signed16, [DATA32] = signed32, [DATAF] = single, [HANDLE] = signed16 }
 
     -- By identification byte: all that it says. Of short forms it is the value, too.
     local SHORT_VALUES = {}
     ENCODINGS = {}
     local SCOPES = { [LOCAL] = "LV(", [GLOBAL] = "GV(" }
     for _, row in ipairs(ENCODING_ROWS) do
+        local kind, width = row[4], row[5]
+        local scope = SCOPES[kind]
         local encoding = {
-            name = row[3], kind = row[4], handle = row.handle, address = row.address, scope = SCOPES[row[4]],
+            name = row[3], kind = kind, width = width, handle = row.handle, address = row.address, scope = scope,
             label = row[3] .. (row.handle and " HND" or "") .. (row.address and " ADR" or ""),
-            read = READERS[row[3]],
+            -- The value of a variable is its index.
+            read = (scope and READ_UNSIGNED or READ_SIGNED)[width], is_long = kind == CONSTANT and width == 4,
         }
         for first = row[1], row[2] do
             ENCODINGS[first] = encoding
@@ -6075,9 +6053,13 @@ do
         local encoding, value = ENCODINGS[first], SHORT_VALUES[first]
         if value then return encoding, value, at + 1 end
         if not encoding then return nil end
-        local after
-        value, after = encoding.read(text, at, is_float)
-        if value then return encoding, value, after end
+        if encoding.kind == CONSTANT_TEXT then
+            local zero = find(text, "\0", at + 2, true)
+            if not zero then return nil end
+            return encoding, sub(text, at + 2, zero - 1), zero
+        end
+        value = (is_float and encoding.is_long and single or encoding.read)(text, at + 1)
+        if value then return encoding, value, at + 1 + encoding.width end
     end
 
     -- The operation that an opcode and its CMD select, and the offset after the two; else nil, offset, reason and kind.
@@ -6123,29 +6105,24 @@ do
     function read_arguments(operation, text, at, visit, is_brief)
         local parameters, list = operation.parameters, operation.list
         local element_type = list and list.element_type
-        local encoding, value, after, start
-        for index = 1, #parameters do
-            local parameter = parameters[index]
-            encoding, value, after = read_argument(text, at, parameter.is_float)
+        local index, last, elements = 0, #parameters, nil
+        while index < last do
+            index = index + 1
+            local parameter = parameters[index] or elements[index - #parameters - 1]
+            local encoding, value, after = read_argument(text, at, parameter.is_float)
             if not encoding then return at, argument_fault(text, at, parameter.name) end
             if not is_brief or encoding.scope or parameter.tells_length then
                 visit(parameter, encoding, value, at, after)
             end
-            if list and parameter.tells_type and encoding.kind == CONSTANT then
-                element_type = FORMAT_TYPES[value] or element_type
-            end
-            start, at = at, after
-        end
-        if not list then return at end
-        local reason = count_fault(list, encoding, value, #text - at)
-        if reason then return at, start, reason, "fault" end
-        local elements = list.elements_of[element_type]
-        for number = 0, value - 1 do
-            local element = elements[number]
-            encoding, value, after = read_argument(text, at, element.is_float)
-            if not encoding then return at, argument_fault(text, at, element.name) end
-            if not is_brief or encoding.scope then
-                visit(element, encoding, value, at, after)
+            if list and not elements then
+                if parameter.tells_type and encoding.kind == CONSTANT then
+                    element_type = FORMAT_TYPES[value] or element_type
+                end
+                if index == last then
+                    local reason = count_fault(list, encoding, value, #text - after)
+                    if reason then return after, at, reason, "fault" end
+                    elements, last = list.elements_of[element_type], last + value
+                end
             end
             at = after
         end
@@ -6609,6 +6586,7 @@ local add_value, show_operations, read_outputs
 do
     local add, set_len, append_text = TreeItem.add, TreeItem.set_len, TreeItem.append_text
     local new_range = Tvb.range
+    local NO_LENGTHS = {}
     local VARIABLE, OPCODE, CMD, ENCODING = field.variable, field.opcode, field.cmd, field.encoding
 
     -- Adds a value by the field of its parameter. A value that has not the type of its parameter is added as text. An
@@ -6744,7 +6722,7 @@ do
                 break
             end
             if item and selected.cmd_name then add_cmd(heading, selected, text, at + 1, after) end
-            operation, start, lengths = selected, at, {}
+            operation, start, lengths = selected, at, selected.tells_lengths and {} or NO_LENGTHS
             -- A line has the arguments of the first operation only.
             local is_said = item ~= nil or not first
             said, said_count = is_said and "", 0
@@ -7317,9 +7295,22 @@ do
         return said
     end
 
-    -- Whether a frame is without a fault and says something: not a command of nothing, nor to a layer beyond the last.
+    -- Reads operations from an offset on. `judge` gets the opcode of each, `visit` each argument. Returns nothing, or the
+    -- kind of the fault that ends them, and the operation that has it.
+    local function scan(text, at, stop, judge, visit)
+        while at < stop do
+            local code = byte(text, at + 1)
+            if code == CLAIMS.never_sent then return "fault" end
+            local operation, after, _, reason, kind = read_operation(text, at, visit)
+            if operation and judge then judge(code) end
+            if reason then return kind, operation end
+            at = after
+        end
+    end
+
+    -- Whether a frame has no fault and says something: it is not an empty command, nor for a layer that cannot exist.
     local function is_sensible(message)
-        local type, text, at = message.type, message.text, COMMAND_HEADER_SIZE
+        local type, text = message.type, message.text
         if not type or message.stop < message.size or message.fault then return false end
         if type.carries == "daisy" then
             local number, from, to = byte(text, HEADER_SIZE + 1, HEADER_SIZE + 3)
@@ -7331,12 +7322,7 @@ do
             return to ~= nil and from <= DAISY.most_layers and to <= DAISY.most_layers
         end
         if type.carries ~= "direct" or not type.is_command then return true end
-        while at < message.stop do
-            local operation, after, _, reason = read_operation(text, at)
-            if reason or not operation or byte(text, at + 1) == CLAIMS.never_sent then return false end
-            at = after
-        end
-        return message.stop > COMMAND_HEADER_SIZE
+        return message.stop > COMMAND_HEADER_SIZE and not scan(text, COMMAND_HEADER_SIZE, message.stop)
     end
     claiming.is_sensible = is_sensible
 
@@ -7352,26 +7338,20 @@ do
         return not range
     end
 
-    -- The same for all of a direct command's operations.
+    -- The same for all operations of a direct command, at least one of which must be evidence.
     local function fits(text, stop, is_cut)
-        local memory, at, is_right = unsigned16(text, HEADER_SIZE), COMMAND_HEADER_SIZE, true
-        local is_telling = false
+        local memory, is_right, is_telling = unsigned16(text, HEADER_SIZE), true, false
         local globals = memory % (GLOBAL_MASK + 1)
         local sizes = { [GLOBAL] = globals, [LOCAL] = (memory - globals) / (GLOBAL_MASK + 1) }
         local function visit(parameter, encoding, value)
             is_right = is_right and is_in_place(parameter, encoding, value, sizes)
         end
-        while at < stop do
-            local code = byte(text, at + 1)
-            if code == CLAIMS.never_sent or CLAIMS.only_in_programs[code] then return false end
-            if is_cut and code < CLAIMS.first_of_devices then return false end
-            local operation, after, _, reason, kind = read_operation(text, at, visit)
-            if reason and not (is_cut and kind == "cut_off") or not is_right then return false end
-            is_telling = is_telling or operation and not CLAIMS.not_telling[code]
-            if reason then break end
-            at = after
+        local function judge(code)
+            if CLAIMS.only_in_programs[code] or is_cut and code < CLAIMS.first_of_devices then is_right = false end
+            if not CLAIMS.not_telling[code] then is_telling = true end
         end
-        return is_telling
+        local kind = scan(text, COMMAND_HEADER_SIZE, stop, judge, visit)
+        return is_right and is_telling and (not kind or is_cut and kind == "cut_off")
     end
 
     -- Whether a message is a command that somebody would send to a brick, by the instructions of some firmware.
@@ -7449,15 +7429,9 @@ do
         if not accepts(type) then return false end
         if type.carries == "system" then return not number or SYSTEM_COMMANDS[number] ~= nil end
         if type.carries ~= "direct" or not type.is_command then return true end
-        at = at + COMMAND_HEADER_SIZE
-        while at < #text do
-            local operation, after, _, reason, kind = read_operation(text, at)
-            -- Of a list that goes on in the next packet the dissector says that it is too long.
-            local is_list = kind == "fault" and operation ~= nil and operation.list ~= nil
-            if reason then return kind == "cut_off" or is_list end
-            at = after
-        end
-        return true
+        local kind, operation = scan(text, at + COMMAND_HEADER_SIZE, #text)
+        -- A list that continues in the next packet has the fault of being too long.
+        return not kind or kind == "cut_off" or kind == "fault" and operation ~= nil and operation.list ~= nil
     end
     claiming.may_become = may_become
 
@@ -7476,33 +7450,47 @@ do
         end
     end
 
-    -- The first place where a plausible command stands, and true; else the first that may become one, nil where there
-    -- is none. Packets begin at 0 and at `joint`: there anything may follow the command, elsewhere another frame. A
-    -- command that ends at `reported`, of which the capture has less, is whole.
-    function claiming.find_command(text, joint, accepts, reported)
-        local open
-        for place = math.max(#text - HEADER_SIZE + 1, 0), #text - 1 do
-            if may_start(text, place) then
-                open = place
-                break
-            end
-        end
-        local hit = find(text, STARTS, 2)
-        for _ = 1, MOST_TRIALS do
-            if not hit then break end
-            local place, low, high, _, _, code = hit - 2, byte(text, hit - 1, hit + 3)
-            local stop, type = place + frame_size(low, high), MESSAGE_TYPES[code]
-            local is_cut = reported > #text and stop == reported and #text - place >= LEAST_CUT
-            local is_split = stop > #text and not is_cut or place < joint and joint < stop
-            local is_chance = is_split and type.carries == "system" and has_data[byte(text, place + HEADER_SIZE + 1)]
-            if is_length(text, place) and accepts(type) and type.carries ~= "daisy" and not is_chance then
-                if stop > #text and not is_cut then
-                    if not (open and open < place) and may_become(text, place, accepts) then open = place end
-                elseif place == 0 or place == joint or stop >= #text or may_start(text, stop) then
-                    if is_plausible(read_message(sub(text, place + 1, stop)), is_cut) then return place, true end
+    -- The places from an offset on where a frame of an accepted type may start, by its header, with the frame's end.
+    local function each_start(text, at, accepts)
+        local hit, trials = at + 1, 0
+        return function()
+            while trials < MOST_TRIALS do
+                hit = find(text, STARTS, hit + 1)
+                if not hit then return nil end
+                local place = hit - 2
+                local type = MESSAGE_TYPES[byte(text, place + HEADER_SIZE)]
+                if is_length(text, place) and accepts(type) then
+                    trials = trials + 1
+                    return place, stop_of(text, place), type
                 end
             end
-            hit = find(text, STARTS, hit + 1)
+        end
+    end
+
+    -- The first place from an offset on where the last bytes may be the start of a header; nil without one.
+    function claiming.header_at_end(text, at)
+        for place = math.max(#text - HEADER_SIZE + 1, at), #text - 1 do
+            if may_start(text, place) then return place end
+        end
+    end
+
+    -- The first place with a plausible command, and true; else the first that may become one, nil without one.
+    -- Packets begin at 0 and at `joint`: there anything may follow the command, elsewhere another frame. A command that
+    -- ends at `reported`, of which the capture has less, is whole.
+    function claiming.find_command(text, joint, accepts, reported)
+        local open = claiming.header_at_end(text, 0)
+        for place, stop, type in each_start(text, 0, accepts) do
+            local is_cut = reported > #text and stop == reported and #text - place >= LEAST_CUT
+            local is_whole = stop <= #text or is_cut
+            local is_split = not is_whole or place < joint and joint < stop
+            local is_chance = is_split and type.carries == "system" and has_data[byte(text, place + HEADER_SIZE + 1)]
+            if type.carries == "daisy" or is_chance then
+                -- Not enough to tell.
+            elseif not is_whole then
+                if not (open and open < place) and may_become(text, place, accepts) then open = place end
+            elseif place == 0 or place == joint or stop >= #text or may_start(text, stop) then
+                if is_plausible(read_message(sub(text, place + 1, stop)), is_cut) then return place, true end
+            end
         end
         return open, false
     end
@@ -7526,26 +7514,19 @@ do
     -- that can follow it. nil: no frame is here.
     function claiming.find_step(text, at, accepts, least, first, second)
         local open, single, begun
-        local trials, hit = 0, find(text, STARTS, at + 2)
-        while hit and trials < MOST_TRIALS do
-            local place = hit - 2
-            local stop, is_begin = stop_of(text, place), place == first or place == second
-            if is_length(text, place) and accepts(MESSAGE_TYPES[byte(text, place + HEADER_SIZE)]) then
-                trials = trials + 1
-                local following = stop <= #text and follow(text, stop)
-                if stop > #text then
-                    if not open and may_become(text, place, accepts) then open = place end
-                elseif (following or is_begin) and (following or 0) >= least then
-                    local stands = is_sensible(read_message(sub(text, place + 1, stop)))
-                    if stands and following and following > 0 then return place, following end
-                    if stands and following then
-                        single = single or place
-                    elseif is_begin and (stands or following) then
-                        begun = begun or place
-                    end
+        for place, stop in each_start(text, at, accepts) do
+            local following, is_begin = stop <= #text and follow(text, stop), place == first or place == second
+            if stop > #text then
+                if not open and may_become(text, place, accepts) then open = place end
+            elseif (following or is_begin) and (following or 0) >= least then
+                local stands = is_sensible(read_message(sub(text, place + 1, stop)))
+                if stands and following and following > 0 then return place, following end
+                if stands and following then
+                    single = single or place
+                elseif is_begin and (stands or following) then
+                    begun = begun or place
                 end
             end
-            hit = find(text, STARTS, hit + 1)
         end
         if single or begun then return single or begun, 0 end
         return open
@@ -7685,23 +7666,20 @@ do
     function dissect_no_frame(tvb, at, stop, length, tree, is_shown)
         local said = format("no frame (%s)", plural(stop - at, "byte"))
         local reason = "bytes that are in no frame, as after a gap in the capture"
-        if length < MIN_LENGTH or length > MAX_LENGTH then
+        if length and (length < MIN_LENGTH or length > MAX_LENGTH) then
             reason = "no frame can start here: the length field says %d, but it can be %d to %d"
             reason = format(reason, length, MIN_LENGTH, MAX_LENGTH)
         end
         return add_faulty(tvb, at, stop, tree, is_shown, said, "no_boundary", reason)
     end
 
-    -- Where a stream that is out of step goes on: at a frame, a text, or the end; and whether more is needed to tell.
-    -- With `least` the last bytes may begin a header, if they are so many; without it nothing more comes.
+    -- Where a stream that is out of step continues: at a frame, a text, or the end; and whether more is needed to tell.
+    -- With `least` the last bytes may begin a header, if there are at least that many; without it nothing more comes.
     local function next_step(text, at, accepts, least, first, second)
         local place, following = claiming.find_step(text, at, accepts, 0, first, second)
         local is_open = least and place ~= nil and not following
         if not place and least then
-            place = math.max(at, #text - HEADER_SIZE + 1)
-            while place < #text and not may_start(text, place) do
-                place = place + 1
-            end
+            place = claiming.header_at_end(text, at) or #text
             is_open = place <= #text - least
         end
         if not following and not is_open then place = #text end
@@ -7739,90 +7717,89 @@ do
         return following ~= nil and place < stop
     end
 
+    -- What begins at an offset: OURS for a frame that is as whole as it will be; PART for one that is to be waited for,
+    -- and how many bytes it still wants, if that is known, and the step of the stream; nil for no frame.
+    local function judge_frame(text, at, stream, step)
+        local low, high, _, _, code = byte(text, at + 1, at + HEADER_SIZE)
+        local size = frame_size(low, high)
+        if step == "lost" or size and not is_length(text, at) then return nil end
+        if code and at < stream.joint and stream.may_gap then
+            local verdict = claiming.judge_split(text, at, stream.accepts, stream.joint, stream.is_last)
+            if not verdict then return nil end
+            if verdict == PART and at + size <= #text then return PART, nil, step end
+        elseif code and step == "likely" and at + size ~= #text then
+            if is_misleading(text, at, size, stream.accepts) then return nil end
+        end
+        if stream.is_last or code and at + size <= stream.reported then return OURS end
+        -- A gap may be before it: then it is looked at again with each packet.
+        if step == "likely" and at == 0 then return PART, nil, step end
+        return PART, size and at + size - stream.reported, "sure"
+    end
+
     -- The frames and texts in a piece of a stream: the offset after the last one that is whole; how many bytes the
-    -- next one wants, nil where its length is not known yet; how many bytes are in no frame; and the step at the
-    -- end. `stream` is how it stands:
+    -- next one wants, nil if its length is not known yet; how many bytes are in no frame; and the step at the end.
+    -- `stream` has
     --   reported   the size of the piece on the wire, of which a capture may have less
     --   is_last    there is nothing more to wait for
-    --   step       "sure" where a frame starts with the piece, "likely" where one does unless there is a gap before
-    --              it, "lost" where it must be looked for
+    --   step       "sure" if a frame starts with the piece, "likely" if one does unless there is a gap before it,
+    --              "lost" if it must be searched for
     --   start      how many bytes of it are done, if there are any
-    --   joint      where in the piece the newest packet starts; `first` is 0 where a packet starts with the piece, too
+    --   joint      where in the piece the newest packet starts; `first` is 0 if a packet starts with the piece, too
     --   may_gap    nothing tells of gaps between the packets
     --   accepts    tells which types go its way, if that is known
     function dissect_stream(tvb, text, stream, conversation, number, pinfo, tree, is_shown)
         local at, captured, lost, start = stream.start or 0, #text, 0, tvb:offset()
-        local reported, is_last, accepts = stream.reported, stream.is_last, stream.accepts
-        local step, joint = stream.step, stream.joint
+        local step = stream.step
         while at < captured do
-            local low, high, _, _, code = byte(text, at + 1, at + HEADER_SIZE)
-            local said, after
-            if UNLOCK.starts[low] then
+            local said, after, verdict, wanted
+            if UNLOCK.starts[byte(text, at + 1)] then
                 said, after = dissect_text(tvb, text, at, tree, is_shown)
-                if not said and not is_last and is_part_of_text(text, at) then return at, nil, lost, step end
+                if not said and not stream.is_last and is_part_of_text(text, at) then return at, nil, lost, step end
                 if said then step = "sure" end
                 if said and conversation and not conversation.is_sure then claiming.begin(conversation, true) end
             end
-            local polled = low == 0 and high == 0 and step ~= "lost" and after_polls(text, at)
-            if polled and (polled == captured or may_start(text, polled)) then
+            local polled = step ~= "lost" and after_polls(text, at) or at
+            if polled > at and (polled == captured or may_start(text, polled)) then
                 said, after = "poll", polled
                 add_bytes(tvb, at, after, tree, is_shown, said, field.padding)
             end
             if not said then
-                local size = high and LENGTH_FIELD + low + high * 0x100
-                local is_frame = step ~= "lost" and (not size or is_length(text, at))
-                if is_frame and code then
-                    if at < joint and stream.may_gap then
-                        local verdict = claiming.judge_split(text, at, accepts, joint, is_last)
-                        if verdict == PART and at + size <= captured then return at, nil, lost, step end
-                        is_frame = verdict ~= nil
-                    elseif step == "likely" and at + size ~= captured then
-                        is_frame = not is_misleading(text, at, size, accepts)
-                    end
-                end
-                if not is_frame then
-                    after = step ~= "lost" and end_of_text(text, at)
-                    if after then
-                        said = "end of the text before"
-                        add_bytes(tvb, at, after, tree, is_shown, said, field.rest)
-                    else
-                        local from, is_open = at, false
-                        if step ~= "lost" then from = at + 1 end
-                        -- Where nothing tells of a gap, the sender is at fault, and the packet is all there is.
-                        local least
-                        if step == "lost" or stream.may_gap then
-                            least = 1
-                        elseif at > 0 then
-                            least = LENGTH_FIELD
-                        end
-                        after, is_open = next_step(text, from, accepts, not is_last and least, stream.first, joint)
-                        step = (is_open or after == captured) and "lost" or "sure"
-                        if after > at then
-                            local length = size and size - LENGTH_FIELD or MIN_LENGTH
-                            said = dissect_no_frame(tvb, at, after, length, tree, is_shown)
-                            lost = lost + after - at
-                        end
-                        if is_open then
-                            if said then say(said) end
-                            return after, nil, lost, step
-                        end
-                    end
-                elseif not is_last and not code and step == "likely" and at == 0 then
-                    -- Its header must be right before it can ask for all of itself.
-                    return at, nil, lost, step
-                elseif not is_last and (not size or at + size > reported) then
-                    if step ~= "likely" or at > 0 then return at, size and at + size - reported, lost, "sure" end
-                    -- A gap may be before it: it is looked at again with each packet.
-                    return at, nil, lost, step
-                elseif captured - at < HEADER_SIZE then
-                    local reason = "the frame is cut off in its header"
-                    said, after =
-                        add_faulty(tvb, at, captured, tree, is_shown, "part of a frame", "cut_off", reason)
+                local step_then
+                verdict, wanted, step_then = judge_frame(text, at, stream, step)
+                if verdict == PART then return at, wanted, lost, step_then end
+            end
+            if verdict == OURS and captured - at < HEADER_SIZE then
+                local reason = "the frame is cut off in its header"
+                said, after = add_faulty(tvb, at, captured, tree, is_shown, "part of a frame", "cut_off", reason)
+            elseif verdict == OURS then
+                after = math.min(at + LENGTH_FIELD + unsigned16(text, at), captured)
+                local frame = at == 0 and after == captured and text or sub(text, at + 1, after)
+                local place = place_of(number, start + at)
+                said = dissect_message(tvb, at, read_message(frame), conversation, place, pinfo, tree, is_shown)
+            elseif not said then
+                after = step ~= "lost" and end_of_text(text, at)
+                if after then
+                    said = "end of the text before"
+                    add_bytes(tvb, at, after, tree, is_shown, said, field.rest)
                 else
-                    after = math.min(at + size, captured)
-                    local frame = at == 0 and after == captured and text or sub(text, at + 1, after)
-                    local place = place_of(number, start + at)
-                    said = dissect_message(tvb, at, read_message(frame), conversation, place, pinfo, tree, is_shown)
+                    -- Where nothing tells of a gap, the sender is at fault, and the packet is all there is.
+                    local least
+                    if not stream.is_last and (step == "lost" or stream.may_gap) then
+                        least = 1
+                    elseif not stream.is_last and at > 0 then
+                        least = LENGTH_FIELD
+                    end
+                    local from, is_open = step == "lost" and at or at + 1, nil
+                    after, is_open = next_step(text, from, stream.accepts, least, stream.first, stream.joint)
+                    step = (is_open or after == captured) and "lost" or "sure"
+                    if after > at then
+                        said = dissect_no_frame(tvb, at, after, unsigned16(text, at), tree, is_shown)
+                        lost = lost + after - at
+                    end
+                    if is_open then
+                        if said then say(said) end
+                        return after, nil, lost, step
+                    end
                 end
             end
             if said then say(said) end

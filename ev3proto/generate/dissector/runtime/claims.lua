@@ -34,9 +34,22 @@ do
         return said
     end
 
-    -- Whether a frame is without a fault and says something: not a command of nothing, nor to a layer beyond the last.
+    -- Reads operations from an offset on. `judge` gets the opcode of each, `visit` each argument. Returns nothing, or the
+    -- kind of the fault that ends them, and the operation that has it.
+    local function scan(text, at, stop, judge, visit)
+        while at < stop do
+            local code = byte(text, at + 1)
+            if code == CLAIMS.never_sent then return "fault" end
+            local operation, after, _, reason, kind = read_operation(text, at, visit)
+            if operation and judge then judge(code) end
+            if reason then return kind, operation end
+            at = after
+        end
+    end
+
+    -- Whether a frame has no fault and says something: it is not an empty command, nor for a layer that cannot exist.
     local function is_sensible(message)
-        local type, text, at = message.type, message.text, COMMAND_HEADER_SIZE
+        local type, text = message.type, message.text
         if not type or message.stop < message.size or message.fault then return false end
         if type.carries == "daisy" then
             local number, from, to = byte(text, HEADER_SIZE + 1, HEADER_SIZE + 3)
@@ -48,12 +61,7 @@ do
             return to ~= nil and from <= DAISY.most_layers and to <= DAISY.most_layers
         end
         if type.carries ~= "direct" or not type.is_command then return true end
-        while at < message.stop do
-            local operation, after, _, reason = read_operation(text, at)
-            if reason or not operation or byte(text, at + 1) == CLAIMS.never_sent then return false end
-            at = after
-        end
-        return message.stop > COMMAND_HEADER_SIZE
+        return message.stop > COMMAND_HEADER_SIZE and not scan(text, COMMAND_HEADER_SIZE, message.stop)
     end
     claiming.is_sensible = is_sensible
 
@@ -69,26 +77,20 @@ do
         return not range
     end
 
-    -- The same for all of a direct command's operations.
+    -- The same for all operations of a direct command, at least one of which must be evidence.
     local function fits(text, stop, is_cut)
-        local memory, at, is_right = unsigned16(text, HEADER_SIZE), COMMAND_HEADER_SIZE, true
-        local is_telling = false
+        local memory, is_right, is_telling = unsigned16(text, HEADER_SIZE), true, false
         local globals = memory % (GLOBAL_MASK + 1)
         local sizes = { [GLOBAL] = globals, [LOCAL] = (memory - globals) / (GLOBAL_MASK + 1) }
         local function visit(parameter, encoding, value)
             is_right = is_right and is_in_place(parameter, encoding, value, sizes)
         end
-        while at < stop do
-            local code = byte(text, at + 1)
-            if code == CLAIMS.never_sent or CLAIMS.only_in_programs[code] then return false end
-            if is_cut and code < CLAIMS.first_of_devices then return false end
-            local operation, after, _, reason, kind = read_operation(text, at, visit)
-            if reason and not (is_cut and kind == "cut_off") or not is_right then return false end
-            is_telling = is_telling or operation and not CLAIMS.not_telling[code]
-            if reason then break end
-            at = after
+        local function judge(code)
+            if CLAIMS.only_in_programs[code] or is_cut and code < CLAIMS.first_of_devices then is_right = false end
+            if not CLAIMS.not_telling[code] then is_telling = true end
         end
-        return is_telling
+        local kind = scan(text, COMMAND_HEADER_SIZE, stop, judge, visit)
+        return is_right and is_telling and (not kind or is_cut and kind == "cut_off")
     end
 
     -- Whether a message is a command that somebody would send to a brick, by the instructions of some firmware.
@@ -166,15 +168,9 @@ do
         if not accepts(type) then return false end
         if type.carries == "system" then return not number or SYSTEM_COMMANDS[number] ~= nil end
         if type.carries ~= "direct" or not type.is_command then return true end
-        at = at + COMMAND_HEADER_SIZE
-        while at < #text do
-            local operation, after, _, reason, kind = read_operation(text, at)
-            -- Of a list that goes on in the next packet the dissector says that it is too long.
-            local is_list = kind == "fault" and operation ~= nil and operation.list ~= nil
-            if reason then return kind == "cut_off" or is_list end
-            at = after
-        end
-        return true
+        local kind, operation = scan(text, at + COMMAND_HEADER_SIZE, #text)
+        -- A list that continues in the next packet has the fault of being too long.
+        return not kind or kind == "cut_off" or kind == "fault" and operation ~= nil and operation.list ~= nil
     end
     claiming.may_become = may_become
 
@@ -193,33 +189,47 @@ do
         end
     end
 
-    -- The first place where a plausible command stands, and true; else the first that may become one, nil where there
-    -- is none. Packets begin at 0 and at `joint`: there anything may follow the command, elsewhere another frame. A
-    -- command that ends at `reported`, of which the capture has less, is whole.
-    function claiming.find_command(text, joint, accepts, reported)
-        local open
-        for place = math.max(#text - HEADER_SIZE + 1, 0), #text - 1 do
-            if may_start(text, place) then
-                open = place
-                break
-            end
-        end
-        local hit = find(text, STARTS, 2)
-        for _ = 1, MOST_TRIALS do
-            if not hit then break end
-            local place, low, high, _, _, code = hit - 2, byte(text, hit - 1, hit + 3)
-            local stop, type = place + frame_size(low, high), MESSAGE_TYPES[code]
-            local is_cut = reported > #text and stop == reported and #text - place >= LEAST_CUT
-            local is_split = stop > #text and not is_cut or place < joint and joint < stop
-            local is_chance = is_split and type.carries == "system" and has_data[byte(text, place + HEADER_SIZE + 1)]
-            if is_length(text, place) and accepts(type) and type.carries ~= "daisy" and not is_chance then
-                if stop > #text and not is_cut then
-                    if not (open and open < place) and may_become(text, place, accepts) then open = place end
-                elseif place == 0 or place == joint or stop >= #text or may_start(text, stop) then
-                    if is_plausible(read_message(sub(text, place + 1, stop)), is_cut) then return place, true end
+    -- The places from an offset on where a frame of an accepted type may start, by its header, with the frame's end.
+    local function each_start(text, at, accepts)
+        local hit, trials = at + 1, 0
+        return function()
+            while trials < MOST_TRIALS do
+                hit = find(text, STARTS, hit + 1)
+                if not hit then return nil end
+                local place = hit - 2
+                local type = MESSAGE_TYPES[byte(text, place + HEADER_SIZE)]
+                if is_length(text, place) and accepts(type) then
+                    trials = trials + 1
+                    return place, stop_of(text, place), type
                 end
             end
-            hit = find(text, STARTS, hit + 1)
+        end
+    end
+
+    -- The first place from an offset on where the last bytes may be the start of a header; nil without one.
+    function claiming.header_at_end(text, at)
+        for place = math.max(#text - HEADER_SIZE + 1, at), #text - 1 do
+            if may_start(text, place) then return place end
+        end
+    end
+
+    -- The first place with a plausible command, and true; else the first that may become one, nil without one.
+    -- Packets begin at 0 and at `joint`: there anything may follow the command, elsewhere another frame. A command that
+    -- ends at `reported`, of which the capture has less, is whole.
+    function claiming.find_command(text, joint, accepts, reported)
+        local open = claiming.header_at_end(text, 0)
+        for place, stop, type in each_start(text, 0, accepts) do
+            local is_cut = reported > #text and stop == reported and #text - place >= LEAST_CUT
+            local is_whole = stop <= #text or is_cut
+            local is_split = not is_whole or place < joint and joint < stop
+            local is_chance = is_split and type.carries == "system" and has_data[byte(text, place + HEADER_SIZE + 1)]
+            if type.carries == "daisy" or is_chance then
+                -- Not enough to tell.
+            elseif not is_whole then
+                if not (open and open < place) and may_become(text, place, accepts) then open = place end
+            elseif place == 0 or place == joint or stop >= #text or may_start(text, stop) then
+                if is_plausible(read_message(sub(text, place + 1, stop)), is_cut) then return place, true end
+            end
         end
         return open, false
     end
@@ -243,26 +253,19 @@ do
     -- that can follow it. nil: no frame is here.
     function claiming.find_step(text, at, accepts, least, first, second)
         local open, single, begun
-        local trials, hit = 0, find(text, STARTS, at + 2)
-        while hit and trials < MOST_TRIALS do
-            local place = hit - 2
-            local stop, is_begin = stop_of(text, place), place == first or place == second
-            if is_length(text, place) and accepts(MESSAGE_TYPES[byte(text, place + HEADER_SIZE)]) then
-                trials = trials + 1
-                local following = stop <= #text and follow(text, stop)
-                if stop > #text then
-                    if not open and may_become(text, place, accepts) then open = place end
-                elseif (following or is_begin) and (following or 0) >= least then
-                    local stands = is_sensible(read_message(sub(text, place + 1, stop)))
-                    if stands and following and following > 0 then return place, following end
-                    if stands and following then
-                        single = single or place
-                    elseif is_begin and (stands or following) then
-                        begun = begun or place
-                    end
+        for place, stop in each_start(text, at, accepts) do
+            local following, is_begin = stop <= #text and follow(text, stop), place == first or place == second
+            if stop > #text then
+                if not open and may_become(text, place, accepts) then open = place end
+            elseif (following or is_begin) and (following or 0) >= least then
+                local stands = is_sensible(read_message(sub(text, place + 1, stop)))
+                if stands and following and following > 0 then return place, following end
+                if stands and following then
+                    single = single or place
+                elseif is_begin and (stands or following) then
+                    begun = begun or place
                 end
             end
-            hit = find(text, STARTS, hit + 1)
         end
         if single or begun then return single or begun, 0 end
         return open

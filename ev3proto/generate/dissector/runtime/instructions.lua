@@ -195,7 +195,9 @@ do
             end
         end
         for _, row in ipairs(rows) do
-            if by_name[row.length] then by_name[row.length].tells_length = true end
+            if by_name[row.length] then
+                by_name[row.length].tells_length, operation.tells_lengths = true, true
+            end
             if by_name[row.element] then by_name[row.element].tells_type = true end
         end
     end

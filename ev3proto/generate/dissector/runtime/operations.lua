@@ -7,6 +7,7 @@ local add_value, show_operations, read_outputs
 do
     local add, set_len, append_text = TreeItem.add, TreeItem.set_len, TreeItem.append_text
     local new_range = Tvb.range
+    local NO_LENGTHS = {}
     local VARIABLE, OPCODE, CMD, ENCODING = field.variable, field.opcode, field.cmd, field.encoding
 
     -- Adds a value by the field of its parameter. A value that has not the type of its parameter is added as text. An
@@ -142,7 +143,7 @@ do
                 break
             end
             if item and selected.cmd_name then add_cmd(heading, selected, text, at + 1, after) end
-            operation, start, lengths = selected, at, {}
+            operation, start, lengths = selected, at, selected.tells_lengths and {} or NO_LENGTHS
             -- A line has the arguments of the first operation only.
             local is_said = item ~= nil or not first
             said, said_count = is_said and "", 0

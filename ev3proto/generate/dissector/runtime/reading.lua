@@ -8,82 +8,58 @@ local ENCODINGS, READ_TYPE, unsigned16, utf8_text, select_operation, read_argume
 do
     local unpack = Struct.unpack
 
-    -- A function that reads a number at an offset, nil where it is not all there; `form` is what Struct calls it.
-    local function reader(form, size)
-        return function(text, at)
-            if at + size > #text then return nil end
-            return (unpack(form, text, at + 1))
-        end
+    -- Functions that read a number at an offset, nil where the text ends before its end. Most are bytes and words, which
+    -- are read faster without Struct.
+    local function unsigned8(text, at)
+        return byte(text, at + 1)
     end
 
-    local unsigned8, unsigned32, signed32 = reader("B", 1), reader("<I4", 4), reader("<i4", 4)
-    unsigned16 = reader("<I2", 2)
-    local read_single = reader("<f", 4)
+    function unsigned16(text, at)
+        local low, high = byte(text, at + 1, at + 2)
+        return high and low + high * 0x100
+    end
+
+    local function signed8(text, at)
+        local low = byte(text, at + 1)
+        return low and low >= 0x80 and low - 0x100 or low
+    end
+
+    local function signed16(text, at)
+        local low, high = byte(text, at + 1, at + 2)
+        return high and low + 0x100 * (high < 0x80 and high or high - 0x100)
+    end
+
+    local function unsigned32(text, at)
+        return at + 4 <= #text and unpack("<I4", text, at + 1) or nil
+    end
+
+    local function signed32(text, at)
+        return at + 4 <= #text and unpack("<i4", text, at + 1) or nil
+    end
 
     local function single(text, at)
-        local value = read_single(text, at)
+        if at + 4 > #text then return nil end
+        local value = unpack("<f", text, at + 1)
         -- All that are not a number are alike.
-        if value ~= value then value = 0 / 0 end
-        return value
+        return value == value and value or 0 / 0
     end
 
     local READ_UNSIGNED = { [1] = unsigned8, [2] = unsigned16, [4] = unsigned32 }
-    READ_TYPE = {
-        [DATA8] = reader("b", 1), [DATA16] = reader("<i2", 2), [DATA32] = signed32, [DATAF] = single,
-        [HANDLE] = reader("<i2", 2),
-    }
-
-    -- What reads an argument whose identification byte is at an offset: its value and the offset after it; nil where it
-    -- is not all there. The value of a variable is its index. There are very many arguments of one and two bytes: the
-    -- bytes themselves are read faster than through Struct.
-    local function read_signed_byte(text, at)
-        local low = byte(text, at + 2)
-        return low and low >= 0x80 and low - 0x100 or low, at + 2
-    end
-
-    local function read_signed_word(text, at)
-        local low, high = byte(text, at + 2, at + 3)
-        if not high then return nil end
-        return low + 0x100 * (high < 0x80 and high or high - 0x100), at + 3
-    end
-
-    local function read_index_byte(text, at)
-        return byte(text, at + 2), at + 2
-    end
-
-    local function read_index_word(text, at)
-        return unsigned16(text, at + 1), at + 3
-    end
-
-    local function read_index_long(text, at)
-        return unsigned32(text, at + 1), at + 5
-    end
-
-    local function read_long(text, at, is_float)
-        return (is_float and single or signed32)(text, at + 1), at + 5
-    end
-
-    local function read_text(text, at)
-        local zero = find(text, "\0", at + 2, true)
-        if zero then return sub(text, at + 2, zero - 1), zero end
-    end
-
-    local READERS = {
-        LC1 = read_signed_byte, LAB1 = read_signed_byte, LC2 = read_signed_word, LC4 = read_long,
-        LCS = read_text, LCS_OLD = read_text,
-        LV1 = read_index_byte, LV2 = read_index_word, LV4 = read_index_long,
-        GV1 = read_index_byte, GV2 = read_index_word, GV4 = read_index_long,
-    }
+    local READ_SIGNED = { [1] = signed8, [2] = signed16, [4] = signed32 }
+    READ_TYPE = { [DATA8] = signed8, [DATA16] = signed16, [DATA32] = signed32, [DATAF] = single, [HANDLE] = signed16 }
 
     -- By identification byte: all that it says. Of short forms it is the value, too.
     local SHORT_VALUES = {}
     ENCODINGS = {}
     local SCOPES = { [LOCAL] = "LV(", [GLOBAL] = "GV(" }
     for _, row in ipairs(ENCODING_ROWS) do
+        local kind, width = row[4], row[5]
+        local scope = SCOPES[kind]
         local encoding = {
-            name = row[3], kind = row[4], handle = row.handle, address = row.address, scope = SCOPES[row[4]],
+            name = row[3], kind = kind, width = width, handle = row.handle, address = row.address, scope = scope,
             label = row[3] .. (row.handle and " HND" or "") .. (row.address and " ADR" or ""),
-            read = READERS[row[3]],
+            -- The value of a variable is its index.
+            read = (scope and READ_UNSIGNED or READ_SIGNED)[width], is_long = kind == CONSTANT and width == 4,
         }
         for first = row[1], row[2] do
             ENCODINGS[first] = encoding
@@ -125,9 +101,13 @@ do
         local encoding, value = ENCODINGS[first], SHORT_VALUES[first]
         if value then return encoding, value, at + 1 end
         if not encoding then return nil end
-        local after
-        value, after = encoding.read(text, at, is_float)
-        if value then return encoding, value, after end
+        if encoding.kind == CONSTANT_TEXT then
+            local zero = find(text, "\0", at + 2, true)
+            if not zero then return nil end
+            return encoding, sub(text, at + 2, zero - 1), zero
+        end
+        value = (is_float and encoding.is_long and single or encoding.read)(text, at + 1)
+        if value then return encoding, value, at + 1 + encoding.width end
     end
 
     -- The operation that an opcode and its CMD select, and the offset after the two; else nil, offset, reason and kind.
@@ -173,29 +153,24 @@ do
     function read_arguments(operation, text, at, visit, is_brief)
         local parameters, list = operation.parameters, operation.list
         local element_type = list and list.element_type
-        local encoding, value, after, start
-        for index = 1, #parameters do
-            local parameter = parameters[index]
-            encoding, value, after = read_argument(text, at, parameter.is_float)
+        local index, last, elements = 0, #parameters, nil
+        while index < last do
+            index = index + 1
+            local parameter = parameters[index] or elements[index - #parameters - 1]
+            local encoding, value, after = read_argument(text, at, parameter.is_float)
             if not encoding then return at, argument_fault(text, at, parameter.name) end
             if not is_brief or encoding.scope or parameter.tells_length then
                 visit(parameter, encoding, value, at, after)
             end
-            if list and parameter.tells_type and encoding.kind == CONSTANT then
-                element_type = FORMAT_TYPES[value] or element_type
-            end
-            start, at = at, after
-        end
-        if not list then return at end
-        local reason = count_fault(list, encoding, value, #text - at)
-        if reason then return at, start, reason, "fault" end
-        local elements = list.elements_of[element_type]
-        for number = 0, value - 1 do
-            local element = elements[number]
-            encoding, value, after = read_argument(text, at, element.is_float)
-            if not encoding then return at, argument_fault(text, at, element.name) end
-            if not is_brief or encoding.scope then
-                visit(element, encoding, value, at, after)
+            if list and not elements then
+                if parameter.tells_type and encoding.kind == CONSTANT then
+                    element_type = FORMAT_TYPES[value] or element_type
+                end
+                if index == last then
+                    local reason = count_fault(list, encoding, value, #text - after)
+                    if reason then return after, at, reason, "fault" end
+                    elements, last = list.elements_of[element_type], last + value
+                end
             end
             at = after
         end

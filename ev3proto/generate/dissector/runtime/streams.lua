@@ -85,23 +85,20 @@ do
     function dissect_no_frame(tvb, at, stop, length, tree, is_shown)
         local said = format("no frame (%s)", plural(stop - at, "byte"))
         local reason = "bytes that are in no frame, as after a gap in the capture"
-        if length < MIN_LENGTH or length > MAX_LENGTH then
+        if length and (length < MIN_LENGTH or length > MAX_LENGTH) then
             reason = "no frame can start here: the length field says %d, but it can be %d to %d"
             reason = format(reason, length, MIN_LENGTH, MAX_LENGTH)
         end
         return add_faulty(tvb, at, stop, tree, is_shown, said, "no_boundary", reason)
     end
 
-    -- Where a stream that is out of step goes on: at a frame, a text, or the end; and whether more is needed to tell.
-    -- With `least` the last bytes may begin a header, if they are so many; without it nothing more comes.
+    -- Where a stream that is out of step continues: at a frame, a text, or the end; and whether more is needed to tell.
+    -- With `least` the last bytes may begin a header, if there are at least that many; without it nothing more comes.
     local function next_step(text, at, accepts, least, first, second)
         local place, following = claiming.find_step(text, at, accepts, 0, first, second)
         local is_open = least and place ~= nil and not following
         if not place and least then
-            place = math.max(at, #text - HEADER_SIZE + 1)
-            while place < #text and not may_start(text, place) do
-                place = place + 1
-            end
+            place = claiming.header_at_end(text, at) or #text
             is_open = place <= #text - least
         end
         if not following and not is_open then place = #text end
@@ -139,90 +136,89 @@ do
         return following ~= nil and place < stop
     end
 
+    -- What begins at an offset: OURS for a frame that is as whole as it will be; PART for one that is to be waited for,
+    -- and how many bytes it still wants, if that is known, and the step of the stream; nil for no frame.
+    local function judge_frame(text, at, stream, step)
+        local low, high, _, _, code = byte(text, at + 1, at + HEADER_SIZE)
+        local size = frame_size(low, high)
+        if step == "lost" or size and not is_length(text, at) then return nil end
+        if code and at < stream.joint and stream.may_gap then
+            local verdict = claiming.judge_split(text, at, stream.accepts, stream.joint, stream.is_last)
+            if not verdict then return nil end
+            if verdict == PART and at + size <= #text then return PART, nil, step end
+        elseif code and step == "likely" and at + size ~= #text then
+            if is_misleading(text, at, size, stream.accepts) then return nil end
+        end
+        if stream.is_last or code and at + size <= stream.reported then return OURS end
+        -- A gap may be before it: then it is looked at again with each packet.
+        if step == "likely" and at == 0 then return PART, nil, step end
+        return PART, size and at + size - stream.reported, "sure"
+    end
+
     -- The frames and texts in a piece of a stream: the offset after the last one that is whole; how many bytes the
-    -- next one wants, nil where its length is not known yet; how many bytes are in no frame; and the step at the
-    -- end. `stream` is how it stands:
+    -- next one wants, nil if its length is not known yet; how many bytes are in no frame; and the step at the end.
+    -- `stream` has
     --   reported   the size of the piece on the wire, of which a capture may have less
     --   is_last    there is nothing more to wait for
-    --   step       "sure" where a frame starts with the piece, "likely" where one does unless there is a gap before
-    --              it, "lost" where it must be looked for
+    --   step       "sure" if a frame starts with the piece, "likely" if one does unless there is a gap before it,
+    --              "lost" if it must be searched for
     --   start      how many bytes of it are done, if there are any
-    --   joint      where in the piece the newest packet starts; `first` is 0 where a packet starts with the piece, too
+    --   joint      where in the piece the newest packet starts; `first` is 0 if a packet starts with the piece, too
     --   may_gap    nothing tells of gaps between the packets
     --   accepts    tells which types go its way, if that is known
     function dissect_stream(tvb, text, stream, conversation, number, pinfo, tree, is_shown)
         local at, captured, lost, start = stream.start or 0, #text, 0, tvb:offset()
-        local reported, is_last, accepts = stream.reported, stream.is_last, stream.accepts
-        local step, joint = stream.step, stream.joint
+        local step = stream.step
         while at < captured do
-            local low, high, _, _, code = byte(text, at + 1, at + HEADER_SIZE)
-            local said, after
-            if UNLOCK.starts[low] then
+            local said, after, verdict, wanted
+            if UNLOCK.starts[byte(text, at + 1)] then
                 said, after = dissect_text(tvb, text, at, tree, is_shown)
-                if not said and not is_last and is_part_of_text(text, at) then return at, nil, lost, step end
+                if not said and not stream.is_last and is_part_of_text(text, at) then return at, nil, lost, step end
                 if said then step = "sure" end
                 if said and conversation and not conversation.is_sure then claiming.begin(conversation, true) end
             end
-            local polled = low == 0 and high == 0 and step ~= "lost" and after_polls(text, at)
-            if polled and (polled == captured or may_start(text, polled)) then
+            local polled = step ~= "lost" and after_polls(text, at) or at
+            if polled > at and (polled == captured or may_start(text, polled)) then
                 said, after = "poll", polled
                 add_bytes(tvb, at, after, tree, is_shown, said, field.padding)
             end
             if not said then
-                local size = high and LENGTH_FIELD + low + high * 0x100
-                local is_frame = step ~= "lost" and (not size or is_length(text, at))
-                if is_frame and code then
-                    if at < joint and stream.may_gap then
-                        local verdict = claiming.judge_split(text, at, accepts, joint, is_last)
-                        if verdict == PART and at + size <= captured then return at, nil, lost, step end
-                        is_frame = verdict ~= nil
-                    elseif step == "likely" and at + size ~= captured then
-                        is_frame = not is_misleading(text, at, size, accepts)
-                    end
-                end
-                if not is_frame then
-                    after = step ~= "lost" and end_of_text(text, at)
-                    if after then
-                        said = "end of the text before"
-                        add_bytes(tvb, at, after, tree, is_shown, said, field.rest)
-                    else
-                        local from, is_open = at, false
-                        if step ~= "lost" then from = at + 1 end
-                        -- Where nothing tells of a gap, the sender is at fault, and the packet is all there is.
-                        local least
-                        if step == "lost" or stream.may_gap then
-                            least = 1
-                        elseif at > 0 then
-                            least = LENGTH_FIELD
-                        end
-                        after, is_open = next_step(text, from, accepts, not is_last and least, stream.first, joint)
-                        step = (is_open or after == captured) and "lost" or "sure"
-                        if after > at then
-                            local length = size and size - LENGTH_FIELD or MIN_LENGTH
-                            said = dissect_no_frame(tvb, at, after, length, tree, is_shown)
-                            lost = lost + after - at
-                        end
-                        if is_open then
-                            if said then say(said) end
-                            return after, nil, lost, step
-                        end
-                    end
-                elseif not is_last and not code and step == "likely" and at == 0 then
-                    -- Its header must be right before it can ask for all of itself.
-                    return at, nil, lost, step
-                elseif not is_last and (not size or at + size > reported) then
-                    if step ~= "likely" or at > 0 then return at, size and at + size - reported, lost, "sure" end
-                    -- A gap may be before it: it is looked at again with each packet.
-                    return at, nil, lost, step
-                elseif captured - at < HEADER_SIZE then
-                    local reason = "the frame is cut off in its header"
-                    said, after =
-                        add_faulty(tvb, at, captured, tree, is_shown, "part of a frame", "cut_off", reason)
+                local step_then
+                verdict, wanted, step_then = judge_frame(text, at, stream, step)
+                if verdict == PART then return at, wanted, lost, step_then end
+            end
+            if verdict == OURS and captured - at < HEADER_SIZE then
+                local reason = "the frame is cut off in its header"
+                said, after = add_faulty(tvb, at, captured, tree, is_shown, "part of a frame", "cut_off", reason)
+            elseif verdict == OURS then
+                after = math.min(at + LENGTH_FIELD + unsigned16(text, at), captured)
+                local frame = at == 0 and after == captured and text or sub(text, at + 1, after)
+                local place = place_of(number, start + at)
+                said = dissect_message(tvb, at, read_message(frame), conversation, place, pinfo, tree, is_shown)
+            elseif not said then
+                after = step ~= "lost" and end_of_text(text, at)
+                if after then
+                    said = "end of the text before"
+                    add_bytes(tvb, at, after, tree, is_shown, said, field.rest)
                 else
-                    after = math.min(at + size, captured)
-                    local frame = at == 0 and after == captured and text or sub(text, at + 1, after)
-                    local place = place_of(number, start + at)
-                    said = dissect_message(tvb, at, read_message(frame), conversation, place, pinfo, tree, is_shown)
+                    -- Where nothing tells of a gap, the sender is at fault, and the packet is all there is.
+                    local least
+                    if not stream.is_last and (step == "lost" or stream.may_gap) then
+                        least = 1
+                    elseif not stream.is_last and at > 0 then
+                        least = LENGTH_FIELD
+                    end
+                    local from, is_open = step == "lost" and at or at + 1, nil
+                    after, is_open = next_step(text, from, stream.accepts, least, stream.first, stream.joint)
+                    step = (is_open or after == captured) and "lost" or "sure"
+                    if after > at then
+                        said = dissect_no_frame(tvb, at, after, unsigned16(text, at), tree, is_shown)
+                        lost = lost + after - at
+                    end
+                    if is_open then
+                        if said then say(said) end
+                        return after, nil, lost, step
+                    end
                 end
             end
             if said then say(said) end

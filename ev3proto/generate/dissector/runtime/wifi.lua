@@ -93,60 +93,43 @@ do
             return is_to_named(conversation or connection_of(pinfo), pinfo) and is_command or is_reply
         end
 
-        local step_of
-        do
-            -- Whether data may begin with a frame that goes the right way, or with a text.
-            local function may_go(text, accepts)
-                local type = MESSAGE_TYPES[byte(text, HEADER_SIZE)]
-                if type and not accepts(type) then return false end
-                return may_start(text, 0) or UNLOCK.starts[byte(text, 1)] ~= nil
-            end
-
-            -- The step of a buffer that is seen for the first time, how many bytes of it were there before, and how
-            -- many of these are done: TCP hands some over again where a frame that begins in them is not whole yet.
-            local function first_step(known, text, offset, number, pinfo)
-                local pending, is_lost = known.pending, known.step == "lost"
-                local is_further, usual = number == known.number, known.offset
-                known.pending, known.number = nil, number
-                if offset == 0 then
-                    if pending and sub(text, 1, #pending) == pending then return known.step, #pending, 0 end
-                    local done = known.done
-                    if pending and sub(text, done + 1, done + #pending) == pending then
-                        return known.step, done + #pending, done
-                    end
-                    return "likely", 0, 0
-                end
-                if is_further then return is_lost and "lost" or "sure", 0, 0 end
+        -- The step of a buffer that is seen for the first time, how many bytes of it were there before, and how many of
+        -- these are done: TCP hands some over again if a frame that begins in them is not whole yet. It joins segments
+        -- if that was asked for; such a buffer has an offset of 0, others come after their headers.
+        local function first_step(known, text, offset, number)
+            local pending, before, is_further = known.pending, known.step, number == known.number
+            known.pending, known.number = nil, number
+            if offset > 0 then
                 known.offset = offset
-                if not pending and not is_lost then
-                    -- The capture may begin inside a frame.
-                    return (usual or may_go(text, types_of(pinfo))) and "likely" or "lost", 0, 0
-                end
-                -- What was asked for did not come. The rest of a segment follows the frame that was asked for all the
-                -- same.
-                local is_rest = pending and usual and not is_lost and offset > usual and may_go(text, types_of(pinfo))
-                return is_rest and "likely" or "lost", 0, 0
+                -- What was asked for did not come if something is pending.
+                if before == "lost" or pending and not is_further then return "lost", 0, 0 end
+                return is_further and "sure" or "likely", 0, 0
             end
+            for _, done in ipairs({ 0, known.done }) do
+                if pending and sub(text, done + 1, done + #pending) == pending then
+                    return before, done + #pending, done
+                end
+            end
+            return "likely", 0, 0
+        end
 
-            -- How a stream stands with a buffer, how many bytes of it were there before, and how many are done; `known`
-            -- is what is known of the stream, when the buffer is seen for the first time. TCP puts segments together
-            -- where that was asked for: such a buffer begins anew, others after their headers.
-            function step_of(known, text, offset, number, pinfo, start)
-                local place, usual = place_of(number, offset), offset == 0 and "sure" or "likely"
-                if not known then
-                    local found = steps[place]
-                    if found then return found.step, 0, found.done end
-                    return usual, 0, 0
-                end
-                local step, joint, done = "sure", 0, start
-                if start then
-                    known.number, known.offset = number, offset > 0 and offset or nil
-                else
-                    step, joint, done = first_step(known, text, offset, number, pinfo)
-                end
-                if step ~= usual or done > 0 then steps[place] = { step = step, done = done } end
-                return step, joint, done
+        -- The step of the stream at a buffer, how many bytes of it were there before, and how many are done. `known` is
+        -- what is known of the stream, when the buffer is seen for the first time.
+        local function step_of(known, text, offset, number, start)
+            local place, usual = place_of(number, offset), offset == 0 and "sure" or "likely"
+            if not known then
+                local found = steps[place]
+                if found then return found.step, 0, found.done end
+                return usual, 0, 0
             end
+            local step, joint, done = "sure", 0, start
+            if start then
+                known.number, known.offset = number, offset > 0 and offset or nil
+            else
+                step, joint, done = first_step(known, text, offset, number)
+            end
+            if step ~= usual or done > 0 then steps[place] = { step = step, done = done } end
+            return step, joint, done
         end
 
         -- A buffer of a connection that is ours; `start` is where that begins, if it does in this one.
@@ -156,7 +139,7 @@ do
                 known.claims, known.pending, known.step = conversation.claims, nil, nil
                 known.number, known.offset = nil, nil
             end
-            local step, joint, done = step_of(known, text, offset, number, pinfo, start)
+            local step, joint, done = step_of(known, text, offset, number, start)
             brick = is_shown and (conversation or connection_of(pinfo)).name
             start_line(number, offset)
             -- Nearly always one frame is all there is.

@@ -5467,8 +5467,8 @@ local UNLOCK = {
 
 -- Fields ------------------------------------------------------------------------------------------------------------
 --
--- Every value in a frame is a field that one can filter for. Those of operations are named after what the firmware
--- calls them: ev3.<opcode>.<cmd>.<parameter>, in lower case.
+-- Every value in a frame is a field for filters. Fields of operations have the firmware's names:
+-- ev3.<opcode>.<cmd>.<parameter>, in lower case.
 
 local byte, find, format, gsub, sub = string.byte, string.find, string.format, string.gsub, string.sub
 local concat, floor = table.concat, math.floor
@@ -5538,16 +5538,16 @@ for _, declared in pairs(field) do
     fields[#fields + 1] = declared
 end
 
--- Whether a program reads the output, and wants the bytes of whatever is recognised. People see them below anyway.
+-- Whether the bytes of each frame are added as a field, for programs that read the output.
 local gives_bytes = false
 
--- The brick of the packet that is dissected, where somebody looks at the tree.
+-- The brick of the current packet, if there is a tree.
 local brick
 
--- The item of a frame, or of a text around frames; without `said` its text comes later.
+-- Adds the item of a frame, or of a text around frames. Without `said` its text comes later.
 local add_item
 do
-    -- Of an item Wireshark looks up its methods each time; where items are many they are at hand instead.
+    -- Looking up methods of items takes time; frequent ones are local.
     local add, set_generated, brick_field = TreeItem.add, TreeItem.set_generated, field.brick
 
     function add_item(tree, range, said)
@@ -5564,10 +5564,10 @@ for _, line in ipairs(CARRIERS.beacon_lines) do
     fields[#fields + 1] = beacon_field[line.name]
 end
 
--- What a field can hold, by the type that the tables give a parameter or a system message's field.
+-- The kinds of values in fields.
 local NUMBER, FLOAT, TEXT_VALUE = "number", "float", "text"
 
--- Expert information, each kind with a name to filter for.
+-- Expert information, with the filter name of each kind.
 local experts = {
     fault = ProtoExpert.new("ev3.expert.fault", "Faulty frame", expert.group.MALFORMED, expert.severity.ERROR),
     unknown_opcode = ProtoExpert.new("ev3.expert.unknown_opcode", "Unknown opcode",
@@ -5593,7 +5593,7 @@ local experts = {
         expert.group.PROTOCOL, expert.severity.ERROR),
 }
 
--- Wireshark collects expert information also where it makes no tree: `item` is the root of it then.
+-- Adds expert information. Wireshark also collects it without a tree: then `item` is the root.
 local complain
 do
     local add_expert_info = TreeItem.add_proto_expert_info
@@ -5605,11 +5605,11 @@ end
 
 -- The instruction set, made ready -----------------------------------------------------------------------------------
 --
--- The tables above are written to be read. Here each parameter becomes what the reading of an argument needs. Wireshark
--- wants all fields at the start; an operation gets its parameters when it is first seen, as a capture has few of them
--- and the collector goes through all that Lua holds again and again.
+-- The tables above are written for readers. Here each parameter becomes what reading an argument needs. Wireshark needs
+-- all fields at startup; an operation gets its parameters when it is first seen, because a capture has few operations,
+-- and the garbage collector visits everything again and again.
 
--- A table whose entries are made when they are first asked for; where there is none, it is asked for again.
+-- Returns a table whose entries are made on first use.
 local function made_late(make)
     return setmetatable({}, { __index = function(made, key)
         local entry = make(key)
@@ -5622,7 +5622,7 @@ local INSTRUCTION_SETS, SYSTEM_COMMANDS, prepare_operation
 do
     local PARAMETER_KINDS = { [DATAF] = FLOAT, [STRING] = TEXT_VALUE }
 
-    -- A typed field of one parameter. Its kind tells which values it takes.
+    -- Makes the field of one parameter; `kind` is the kind of its values.
     local function parameter_field(abbreviation, parameter, kind, name, text)
         if kind == TEXT_VALUE then return ProtoField.string(abbreviation, name, text) end
         if kind == FLOAT then return ProtoField.float(abbreviation, name, text) end
@@ -5634,7 +5634,7 @@ do
         return ProtoField.int32(abbreviation, name, base.DEC, nil, nil, text)
     end
 
-    -- The field of a system message; several messages share one.
+    -- Makes the field of a system message; several messages share one.
     local system_field
     do
         local MAKE_SYSTEM_FIELD = {
@@ -5658,7 +5658,7 @@ do
         end
     end
 
-    -- What special values of a parameter mean, as it is shown after the value.
+    -- Returns the meanings of special values in brackets, as they are shown after the value.
     local function in_brackets(special)
         local shown = {}
         for value, meaning in pairs(special) do
@@ -5667,7 +5667,7 @@ do
         return shown
     end
 
-    -- What a parameter is called in filters and in the tree, and which values it takes.
+    -- Returns the names of a parameter in filters and in the tree, and the kind of its values.
     local function described(name, row)
         local own, type = row[1], row[3]
         local label = row.label and row.label .. " " .. own or own
@@ -5675,32 +5675,16 @@ do
         return ("ev3." .. name .. "." .. own):lower(), label, kind
     end
 
-    -- Says which single numbers a parameter takes besides its range: those that have names, and sums of flags.
-    local function legal_singles(row)
-        local special, names, flags = row.special or {}, row.enum and row.enum.names or {}, {}
-        for number in pairs(row.enum and row.enum.is_flags and names or {}) do
-            if number > 0 then flags[#flags + 1] = number end
-        end
-        table.sort(flags, function(one, other) return one > other end)
-        return function(value)
-            if special[value] or names[value] then return true end
-            for _, flag in ipairs(flags) do
-                if value >= flag then value = value - flag end
-            end
-            return flags[1] ~= nil and value == 0
-        end
-    end
-
-    -- All of a parameter, from its row in the tables; `value_name` is what the line on a reply calls it.
+    -- Makes a parameter from its row in the tables; `value_name` is its name in the line of a reply.
     local function ready_parameter(row, declared, kind, label, value_name)
         local name, direction, type = row[1], row[2], row[3]
         local is_flags = row.enum and row.enum.is_flags
         return {
             name = name, type = type, field = declared, kind = kind, is_float = type == DATAF, label = label,
             size = SIZE_OF[type] or 1,
-            -- The index of a variable must be a multiple of its type's size, else the brick refuses the command.
+            -- The index of a variable must be a multiple of this, else the brick refuses the command.
             alignment = SIZE_OF[row.validated or type] or 1,
-            -- What precedes the value in a line, where the command or the reply has one.
+            -- What precedes the value in the line of a command and of a reply.
             key = direction ~= OUT and " " .. name:lower() .. "=" or nil,
             value_key = direction ~= IN and " " .. value_name:lower() .. "=" or nil,
             is_output = direction ~= IN,
@@ -5710,18 +5694,18 @@ do
             special = row.special and not is_flags and in_brackets(row.special) or nil,
             length = row.length,
             range = row.range or not row.enum and not row.any and TYPE_RANGES[type] or nil,
-            is_legal = (row.special or row.enum) and legal_singles(row) or nil,
         }
     end
 
-    -- The field of what a count announces. Where another argument tells the type, a double holds whatever it is.
+    -- Makes the field of the values after a count. If another argument determines their type, it is a double, which
+    -- holds any of them.
     local function element_field(abbreviation, row)
         local name, element, text = row[1], row.element, row[4]
         if not TYPE_NAMES[element] then return ProtoField.double(abbreviation, name, text) end
         return parameter_field(abbreviation, {}, PARAMETER_KINDS[element] or NUMBER, name, text)
     end
 
-    -- The elements of a list of one type, by number.
+    -- Makes the elements of a list of one type, by number.
     local function ready_elements(list, row, declared, type)
         local kind = PARAMETER_KINDS[type] or NUMBER
         if row[3] == COUNT and not TYPE_NAMES[row.element] then kind = FLOAT end
@@ -5739,7 +5723,7 @@ do
         end)
     end
 
-    -- The list at the end of an operation; `declared` is the field of its elements.
+    -- Makes the list at the end of an operation; `declared` is the field of its elements.
     local function ready_list(parameter, row, declared)
         local list = { is_count = row[3] == COUNT, elements_of = {} }
         local types = { row.element }
@@ -5757,14 +5741,14 @@ do
         return list
     end
 
-    -- Names, directions and types stand for themselves in the text of parameters.
+    -- In the text of parameters, a name is its own value.
     local WORDS = setmetatable({ ENUMERATIONS = ENUMERATIONS }, { __index = function(_, word) return word end })
 
     local function read_rows(source)
         return load("return {" .. source .. "}", "=parameters", "t", WORDS)()
     end
 
-    -- An operation, and the fields of its parameters: of each, then, if it is a count, of what it announces.
+    -- Makes an operation, and the fields of its parameters: one for each, and one for the values after a count.
     local function declare_operation(name, source)
         local operation = { name = name, source = source, first_field = #fields + 1 }
         for _, row in ipairs(read_rows(source)) do
@@ -5777,8 +5761,8 @@ do
         return operation
     end
 
-    -- Adds the parameters to an operation that is seen for the first time. A list of values is not among them, but is
-    -- the operation's `list`. An operation that is not one of a family has no `cmd_name`.
+    -- Adds the parameters to an operation on first use. Values after a count are in its `list`. Only operations of a
+    -- family have a `cmd_name`.
     function prepare_operation(operation)
         local name, at = operation.name, operation.first_field
         local rows, by_name = read_rows(operation.source), {}
@@ -5786,7 +5770,7 @@ do
         for _, row in ipairs(rows) do
             local own, type = row[1], row[3]
             local _, label, kind = described(name, row)
-            -- LEGO names what a command reads after the command: VALUE of GET_VBATT is VBATT.
+            -- The line of a reply names a VALUE after its command: VALUE of GET_VBATT is VBATT.
             local value_name = own == "VALUE" and name:match("%.GET_(.+)$") or own
             local parameter = ready_parameter(row, fields[at], kind, label, value_name)
             by_name[own] = parameter
@@ -5815,7 +5799,7 @@ do
         return false
     end
 
-    -- Opcode to operation, or to a family: its name, and its operations by CMD. One such set for each dialect.
+    -- By dialect and opcode: an operation, or a family, which has a name and `commands`, its operations by CMD.
     INSTRUCTION_SETS = {}
     for _, dialect in ipairs(DIALECTS) do
         INSTRUCTION_SETS[dialect] = {}
@@ -5861,14 +5845,14 @@ local instructions = INSTRUCTION_SETS[dialect]
 
 -- Memory ------------------------------------------------------------------------------------------------------------
 --
--- Where a message is, and how what packets leave behind is freed.
+-- The places of messages, and memory.
 
 local free_unused, place_of, number_of, new_notes
 do
-    -- Items and ranges of a tree are garbage after their packet. Lua frees it when all that it holds has doubled, long
-    -- after it left the processor's cache. Freed as soon as there is some of it, 30,000 packets take tshark -V 2.75
-    -- times as long as without a dissector, not 3.34, and two passes with a filter 4.6 times, not 5.9. Without a tree
-    -- there is little garbage, and where other scripts hold much, collecting would take long.
+    -- Items and ranges of a tree are garbage after their packet. Lua collects garbage when its memory has doubled, long
+    -- after the garbage has left the processor's cache. If it is collected soon, tshark -V takes 2.75 times as long as
+    -- without a dissector for 30,000 packets, not 3.34 times; two passes with a filter take 4.6 times as long, not 5.9.
+    -- Without a tree there is little garbage, and with much memory held by other scripts a collection takes long.
     do
         local GROWTH, MOST_KILOBYTES = 1.15, 32 * 1024
         local limit = 0
@@ -5876,13 +5860,13 @@ do
         function free_unused()
             local size = collectgarbage("count")
             if size < limit or size > MOST_KILOBYTES then return end
-            -- Objects of other scripts may raise an error when they are freed.
+            -- Finalizers of other scripts may raise errors.
             pcall(collectgarbage)
             limit = GROWTH * collectgarbage("count")
         end
     end
 
-    -- A message's place is the number of its packet and its offset there, in one number.
+    -- The place of a message: the number of its packet and its offset there, in one number.
     local OFFSETS = 0x100000
 
     function place_of(number, offset)
@@ -5893,10 +5877,10 @@ do
         return floor(place / OFFSETS)
     end
 
-    -- Texts by place, of any number of packets. Those of a page of packets are packed outside of Lua as soon as a later
-    -- packet has one: Lua goes through all that it holds whenever it frees something, and lets it double before that.
-    -- A text that an earlier packet gets afterwards stays in `late`. 300,000 packets take 47 bytes each with this, and
-    -- 374 without.
+    -- A compact map from places to texts, for any number of packets. The texts of a page of packets are packed outside
+    -- of Lua's memory once a later page begins: Lua visits all of its memory in each collection, and lets it double
+    -- before that. Texts that are added to an earlier page stay in `late`. 300,000 packets take 47 bytes each with
+    -- this, and 374 without.
     local PAGE = 256 * OFFSETS
     local pack, unpack = Struct.pack, Struct.unpack
 
@@ -5936,7 +5920,7 @@ do
             open[place] = text
         end
 
-        -- The text of a place, nil where it has none.
+        -- Returns the text of a place, or nil.
         function notes.get(place)
             local number = floor(place / PAGE)
             if number == open_number then return open[place] end
@@ -5952,16 +5936,15 @@ end
 
 -- Reading -----------------------------------------------------------------------------------------------------------
 --
--- Bytes to operations and fields. A frame is a string; offsets count from its start, as in every text about the
--- protocol, so that the byte at offset 0 is byte(text, 1). What cannot be read comes back as the offset and the reason:
--- nothing here raises an error.
+-- Bytes to operations and fields. A frame is a string. Offsets start at 0, as in all documents about the protocol: the
+-- byte at offset 0 is byte(text, 1). Nothing here raises errors: a fault is returned as its offset and reason.
 
 local ENCODINGS, READ_TYPE, unsigned16, utf8_text, select_operation, read_arguments, read_operation, read_fields
 do
     local unpack = Struct.unpack
 
-    -- Functions that read a number at an offset, nil where the text ends before its end. Most are bytes and words, which
-    -- are read faster without Struct.
+    -- Functions that read a number at an offset, nil if the text ends too early. Most numbers are bytes and words,
+    -- which are read faster without Struct.
     local function unsigned8(text, at)
         return byte(text, at + 1)
     end
@@ -5992,7 +5975,7 @@ do
     local function single(text, at)
         if at + 4 > #text then return nil end
         local value = unpack("<f", text, at + 1)
-        -- All that are not a number are alike.
+        -- All NaNs are shown alike.
         return value == value and value or 0 / 0
     end
 
@@ -6000,7 +5983,7 @@ do
     local READ_SIGNED = { [1] = signed8, [2] = signed16, [4] = signed32 }
     READ_TYPE = { [DATA8] = signed8, [DATA16] = signed16, [DATA32] = signed32, [DATAF] = single, [HANDLE] = signed16 }
 
-    -- By identification byte: all that it says. Of short forms it is the value, too.
+    -- By identification byte: its encoding and, for short forms, the value.
     local SHORT_VALUES = {}
     ENCODINGS = {}
     local SCOPES = { [LOCAL] = "LV(", [GLOBAL] = "GV(" }
@@ -6019,7 +6002,7 @@ do
         end
     end
 
-    -- A zero would end the text there; it is shown as its symbol.
+    -- A zero would end the text in Wireshark; its symbol is shown.
     local utf8_of = made_late(function(character)
         local code = byte(character)
         if code == 0 then return "\226\144\128" end
@@ -6032,7 +6015,7 @@ do
         return (gsub(text, "[\0\128-\255]", utf8_of))
     end
 
-    -- Why there is no argument at an offset: the offset of the fault, reason and kind.
+    -- Returns the fault of the argument at an offset: its offset, reason and kind.
     local function argument_fault(text, at, name)
         local first = byte(text, at + 1)
         if not first then
@@ -6047,7 +6030,7 @@ do
         return at, "the argument " .. name .. " runs past the end of the frame", "cut_off"
     end
 
-    -- The argument at an offset: encoding, value, and the offset after it; else nil.
+    -- Reads the argument at an offset: its encoding, value, and the offset after it; else nil.
     local function read_argument(text, at, is_float)
         local first = byte(text, at + 1)
         local encoding, value = ENCODINGS[first], SHORT_VALUES[first]
@@ -6062,7 +6045,7 @@ do
         if value then return encoding, value, at + 1 + encoding.width end
     end
 
-    -- The operation that an opcode and its CMD select, and the offset after the two; else nil, offset, reason and kind.
+    -- Returns the operation of an opcode and its CMD, and the offset after them; else nil, offset, reason and kind.
     function select_operation(text, at)
         local code = byte(text, at + 1)
         local operation, after = instructions[code], at + 1
@@ -6087,7 +6070,7 @@ do
         return operation, after
     end
 
-    -- Why a list cannot have as many elements as an argument says: the reason, nil where it can.
+    -- Returns the reason why a list cannot have the number of elements in its argument, else nil.
     local function count_fault(list, encoding, value, room)
         if encoding.kind ~= CONSTANT then
             return format("%s must be a constant: it is the number of values that follow", list.counter.name)
@@ -6098,10 +6081,10 @@ do
         end
     end
 
-    -- The arguments of an operation, from the offset after its opcode and CMD: the offset after them. Each is handed to
-    -- `visit`, with its parameter, encoding, value, and the offsets of its first byte and after its last; with
-    -- `is_brief` only variables, and numbers that say how long something is. At a fault the offset is the one after
-    -- what could be read, and the fault's offset, reason and kind follow.
+    -- Reads the arguments of an operation, from the offset after its opcode and CMD. `visit` gets each one: its
+    -- parameter, encoding, value, and the offsets of its first byte and after its last; with `is_brief` only variables
+    -- and lengths. Returns the offset after the last one that could be read, and after a fault its offset, reason and
+    -- kind.
     function read_arguments(operation, text, at, visit, is_brief)
         local parameters, list = operation.parameters, operation.list
         local element_type = list and list.element_type
@@ -6131,14 +6114,14 @@ do
 
     local function pass_over() end
 
-    -- One operation, and its arguments as above, if `visit` is given: what it is, and the offset after it.
+    -- Reads one operation with its arguments, as above. Returns the operation, and the same as above.
     function read_operation(text, at, visit)
         local operation, after, reason, kind = select_operation(text, at)
         if not operation then return nil, at, after, reason, kind end
         return operation, read_arguments(operation, text, after, visit or pass_over)
     end
 
-    -- One field of a system message: its value and the offset after it; else nil, offset and reason.
+    -- Reads one field of a system message: its value and the offset after it; else nil, offset and reason.
     local function read_field(text, at, stop, declared, before)
         local kind = declared.kind
         local size = kind == U8 and 1 or kind == U16 and 2 or kind == U32 and 4
@@ -6159,7 +6142,7 @@ do
             if at + length > stop then
                 return nil, at, format("a text of %d bytes runs past the end of the frame", length)
             end
-            -- Some senders count the zero, some do not; it is always there.
+            -- Some senders count the terminating zero, others do not.
             if length > 0 and byte(text, at + length) == 0 then
                 return sub(text, at + 1, at + length - 1), at + length
             elseif at + length >= stop then
@@ -6176,8 +6159,8 @@ do
         return sub(text, at + 1, stop), stop
     end
 
-    -- The fields of a system message: { declared, value, at, stop }, the offset after them, and the fault if there is
-    -- one. Replies to failed commands may end before any field: they are not `complete`.
+    -- Reads the fields of a system message. Returns a list of { declared, value, at, stop }, the offset after them, and
+    -- the fault, if any. Replies to failed commands may end before any field: they are not `complete`.
     function read_fields(text, at, stop, declarations, complete)
         local found, counted = {}, {}
         for _, declared in ipairs(declarations) do
@@ -6199,12 +6182,12 @@ end
 
 -- Phrases -----------------------------------------------------------------------------------------------------------
 --
--- What the info column and the headings of the tree say.
+-- The texts of the info column and of headings in the tree.
 
 local MOST_VALUES, plural, on_one_line, shortened, number_text, meaning_of, argument_text, output_text,
     values_text, transfer_text
 do
-    -- Wireshark cuts the info column anyway; a list of a hundred values says no more than its start.
+    -- Maximum number of values in a line.
     MOST_VALUES = 12
     local MOST_TEXT = 60
 
@@ -6212,8 +6195,8 @@ do
         return format("%d %s%s", count, word, count == 1 and "" or "s")
     end
 
-    -- What stands in a line for a byte of a text: for a control character its symbol, as a line end would cut the line;
-    -- for those that have none, U+0080 to U+009F, a mark, as some terminals obey them; for others their UTF-8.
+    -- What represents a byte of a text in a line: the symbol of a control character, because a newline would end the
+    -- line; a mark for U+0080 to U+009F, which have no symbols and control some terminals; else UTF-8.
     local REPLACEMENT = "\239\191\189"
     local in_line = made_late(function(character)
         local code = byte(character)
@@ -6236,7 +6219,7 @@ do
     end
 
     function number_text(value)
-        -- Not a number is the one value that is not equal to itself.
+        -- NaN is the only value that differs from itself.
         if value ~= value then return "NaN" end
         if value % 1 ~= 0 or value <= -1e15 or value >= 1e15 then return format("%.7g", value) end
         return format("%d", value)
@@ -6252,14 +6235,13 @@ do
         return names[1] and "(" .. concat(names, "|") .. ")"
     end
 
-    -- What there is to say of a value beside the name that Wireshark itself shows: its special meaning, or the names of
-    -- the flags that it is made of.
+    -- Returns the special meaning of a value, or the names of its flags. Wireshark itself shows other names.
     function meaning_of(parameter, value)
         if parameter.flags then return flags_text(parameter.flags, value) end
         return parameter.special and parameter.special[value]
     end
 
-    -- A value in a line: a text, a name, or a number with its unit.
+    -- Returns a value for a line: a text, a name, or a number with its unit.
     local function value_text(parameter, value)
         if type(value) == "string" then return shortened(value) end
         local name = parameter.names and parameter.names[value]
@@ -6288,7 +6270,7 @@ do
         return "[" .. concat(pieces, ", ") .. "]"
     end
 
-    -- After a head: 7.92 V; of several values vbatt=7.92 V ibatt=0.21 A
+    -- Appends values to a head: 7.92 V; several as vbatt=7.92 V ibatt=0.21 A
     function values_text(head, outputs)
         if #outputs == 1 then return head .. " " .. output_text(outputs[1]) end
         local pieces = { head }
@@ -6311,24 +6293,21 @@ end
 
 -- Dialogues ---------------------------------------------------------------------------------------------------------
 --
--- Which reply answers which command, and which file is on its way. Wireshark dissects all packets once in their order
--- and afterwards whichever one is looked at: what is found out the first time is kept, by the place of each message,
--- and later passes only look it up.
+-- Which reply answers which command, and which file a message belongs to. Wireshark dissects all packets once in order,
+-- and afterwards those that are displayed. What the first pass finds is kept by the place of each message; later passes
+-- look it up.
 
 local read_message
-local forget_dialogues, conversation_of, known_conversation, take_note, request_of, reply_to, transfer_at
+local forget_dialogues, conversation_of, take_note, request_of, reply_to, transfer_at
 do
-    -- Commands with one counter that are remembered, for senders who never change it.
+    -- Commands with the same counter that are remembered, for senders that never change it.
     local MOST_PER_COUNTER = 4
-
-    -- Commands of one conversation that may wait for their replies. Beyond twice as many the oldest are given up: a
-    -- brick has one answer after the other.
-    local MOST_WAITING = 4096
 
     local CARRIES = { direct = 0x000000, system = 0x010000, daisy = 0x020000 }
 
-    -- By place: of a command the number of the packet with its reply; of a reply the place of its command, the seconds
-    -- that it took, and the command's frame, in one text; of a message on a file what is known of that.
+    -- By place. `replies`: for a command, the number of the packet with its reply. `requests`: for a reply, the place
+    -- of its command, the seconds that passed, and the command's frame, in one text. `transfers`: for a message, the
+    -- state of its file.
     local replies, requests, transfers
 
     local conversations
@@ -6338,7 +6317,7 @@ do
     end
     forget_dialogues()
 
-    -- The command that a reply answers: `place`, `message`, and `delay`, the seconds that the reply took.
+    -- Returns the command that a reply answers: `place`, `message`, and `delay`, the response time in seconds.
     function request_of(place)
         local known = requests.get(place)
         if not known then return nil end
@@ -6346,51 +6325,37 @@ do
         return { place = command, delay = delay, message = read_message(sub(known, start)) }
     end
 
-    -- The number of the packet with the reply to a command.
+    -- Returns the number of the packet with the reply to a command.
     function reply_to(place)
         local number = replies.get(place)
         return number and tonumber(number)
     end
 
-    -- The file that a message is about: path, size, bytes done.
+    -- Returns the file that a message belongs to: path, size, bytes done.
     function transfer_at(place)
         return transfers[place]
     end
 
-    -- All that is known of the messages between one computer and one brick, who have that key: the commands that wait
-    -- for replies, by counter, each list oldest first, and what waited `before` those; transfers `begun` by counter,
-    -- and `open` by handle.
+    -- Returns the conversation of a computer and a brick. `waiting` has the commands that wait for a reply: lists by
+    -- counter, oldest first. Transfers are `begun` by counter, and `open` by handle.
     function conversation_of(key)
         local conversation = conversations[key]
         if not conversation then
-            conversation = { key = key, waiting = {}, waiting_count = 0, waiting_before = {}, begun = {}, open = {} }
+            conversation = { key = key, waiting = {}, begun = {}, open = {} }
             conversations[key] = conversation
         end
         return conversation
     end
 
-    -- The same, where anything is known of them.
-    function known_conversation(key)
-        return conversations[key]
-    end
-
-    -- What a reply has in common with the command it answers.
+    -- Returns what a reply has in common with its command.
     local function pending_key(message)
         return CARRIES[message.type.carries] + message.counter
     end
 
     local function remember(conversation, place, message, pinfo)
         local key = pending_key(message)
-        local commands = conversation.waiting[key]
-        if not commands then
-            if conversation.waiting_count == MOST_WAITING then
-                conversation.waiting, conversation.waiting_before = {}, conversation.waiting
-                conversation.waiting_count = 0
-            end
-            commands = conversation.waiting_before[key] or {}
-            conversation.waiting[key] = commands
-            conversation.waiting_count = conversation.waiting_count + 1
-        end
+        local commands = conversation.waiting[key] or {}
+        conversation.waiting[key] = commands
         if #commands == MOST_PER_COUNTER then table.remove(commands, 1) end
         commands[#commands + 1] = { place = place, time = pinfo.rel_ts, message = message }
     end
@@ -6400,14 +6365,14 @@ do
         return byte(command.message.text, HEADER_SIZE + 1) == byte(message.text, HEADER_SIZE + 1)
     end
 
-    -- Whether a reply has just the size that was asked for.
+    -- Tells whether a reply has the size that its command requested.
     local function fits(message, command)
         local type, sizes = message.type, unsigned16(command.message.text, HEADER_SIZE)
         if type.carries ~= "direct" or type.is_error or not sizes then return true end
         return message.size - HEADER_SIZE == sizes % (GLOBAL_MASK + 1)
     end
 
-    -- Whether a reply shows that both are messages of ours: only a brick gives just the size that was asked for.
+    -- Tells whether a reply proves that both are ours: only a brick returns exactly the requested size.
     local function is_proof(message, command)
         local type, size = message.type, message.size
         if message.fault or type.carries == "daisy" then return false end
@@ -6416,11 +6381,11 @@ do
         return fits(message, command)
     end
 
-    -- The command that a reply answers: of those with its counter the newest of the right size, else the newest. The
-    -- newest, because a sender comes back to a counter only after it gave up on the one before.
+    -- Returns the command that a reply answers: the newest with its counter and the right size, else the newest with
+    -- its counter, because a sender reuses a counter only after it gave up on the earlier command.
     local function answered(conversation, message)
         local key, best = pending_key(message), nil
-        local commands = conversation.waiting[key] or conversation.waiting_before[key] or {}
+        local commands = conversation.waiting[key] or {}
         for index = #commands, 1, -1 do
             if can_answer(message, commands[index]) then
                 best = best or index
@@ -6430,11 +6395,13 @@ do
                 end
             end
         end
-        return best and table.remove(commands, best)
+        local command = best and table.remove(commands, best)
+        if #commands == 0 then conversation.waiting[key] = nil end
+        return command
     end
 
-    -- Adds a piece to a file and returns that. One that is complete takes no more, as the brick has closed it: then the
-    -- handle stands for another one, of which the beginning is missing in the capture, and nothing is known.
+    -- Adds a piece to a file and returns the file. The brick closes a complete file; more data for its handle belong to
+    -- another file, whose beginning was not captured: then returns nil.
     local function add_piece(conversation, handle, transfer, piece)
         if #piece > 0 and transfer.size and transfer.done >= transfer.size then
             conversation.open[handle] = nil
@@ -6444,7 +6411,7 @@ do
         return transfer
     end
 
-    -- The file that a system command is about, as far as it is now.
+    -- Returns the file that a system command belongs to, with its progress.
     local function follow_request(conversation, message)
         local command, values = message.command, message.fields
         if command.transfer == "begin" then
@@ -6457,12 +6424,12 @@ do
         return add_piece(conversation, values.handle, transfer, values.data)
     end
 
-    -- The handle that a command for an open file has as its first field.
+    -- Returns the handle in a command for an open file, which is its first field.
     local function asked_handle(command)
         return command and byte(command.message.text, HEADER_SIZE + 2)
     end
 
-    -- The same for a reply. `request` is the command that it answers, where that was seen.
+    -- The same for a reply. `request` is its command, nil if that was not captured.
     local function follow_reply(conversation, message, request)
         local command, values = message.command, message.fields
         local failed = message.type.is_error or STATUS.fails[message.status] ~= false
@@ -6471,11 +6438,11 @@ do
             transfer = conversation.begun[message.counter]
             conversation.begun[message.counter] = nil
             if failed or not values.handle then return transfer end
-            -- Where the command was not seen, the handle stands for another file than before all the same.
+            -- Even if the command was not captured, the handle now belongs to another file.
             conversation.open[handle] = transfer
         else
             transfer = handle and conversation.open[handle]
-            -- The brick takes a handle back when a file is closed, complete or in trouble.
+            -- The brick releases a handle when its file is closed, complete, or failed.
             if handle and (command.transfer == "close" or failed or message.status == STATUS.end_of_file) then
                 conversation.open[handle] = nil
             end
@@ -6485,7 +6452,7 @@ do
         return add_piece(conversation, handle, transfer, values.data or values.list or "")
     end
 
-    -- What becomes known of a message when it is seen for the first time, in the conversation it belongs to.
+    -- Records a message of a conversation, in the first pass.
     function take_note(place, conversation, message, pinfo)
         local type = message.type
         local is_on_file = message.command and message.command.transfer
@@ -6502,7 +6469,7 @@ do
                 request.delay, message.request = pinfo.rel_ts - request.time, request
                 conversation.is_answered = conversation.is_answered or is_proof(message, request)
                 replies.put(request.place, format("%d", number_of(place)))
-                -- Of a system command its number is enough.
+                -- The number of a system command is enough.
                 if message.command then text = sub(text, 1, HEADER_SIZE + 1) end
                 requests.put(place, Struct.pack("dd", request.place, request.delay) .. text)
             end
@@ -6516,29 +6483,29 @@ end
 
 -- Reply values ------------------------------------------------------------------------------------------------------
 --
--- A reply to a direct command is nothing but memory. Every output parameter of the command that names a global variable
--- says what is in it and where.
+-- A reply to a direct command is just memory. The output parameters of the command that name global variables tell what
+-- is where in it.
 
 local stated_length, tells_length, read_output
 do
-    -- How many bytes or elements a parameter has: what its length parameter says, or `most` where that does not say it.
-    -- `lengths` are the constants of those parameters that say one.
+    -- Returns the number of bytes or elements of a parameter, by its length parameter, else `most`. `lengths` has the
+    -- constants that were given for length parameters.
     function stated_length(parameter, lengths, most)
         local length = parameter.length
         if type(length) == "string" then length = lengths[length] end
         if not length then return most end
-        -- Some lengths are negative: -1 for no limit, others for bytes in reverse order.
+        -- Negative lengths: -1 for no limit, others for bytes in reverse order.
         if length == -1 and parameter.type == STRING then return most end
         return floor(math.abs(length))
     end
 
-    -- Whether an argument is a number in the frame itself that says how long another parameter is.
+    -- Tells whether an argument is a constant that is the length of another parameter.
     function tells_length(parameter, encoding)
         return parameter.tells_length and encoding.kind == CONSTANT and not encoding.handle and not encoding.address
     end
 
-    -- The type of an output that has that of the array it comes from: what fits before the next output of its
-    -- operation.
+    -- Returns the type of an output that has the type of an array: the largest that fits before the operation's next
+    -- output.
     local function untyped(output, outputs, stop)
         for _, other in ipairs(outputs) do
             if other.at == output.at and output.index < other.index and other.index < stop then stop = other.index end
@@ -6547,7 +6514,7 @@ do
         return room >= 4 and DATA32 or room >= 2 and DATA16 or room >= 1 and DATA8 or DATA32
     end
 
-    -- Reads the `value` of an output, which may be a list, and the `size` of that. False where the memory ends before.
+    -- Reads the `value` of an output, which may be a list, and its `size`. Returns false if the memory ends before it.
     function read_output(output, outputs, memory)
         local parameter, start, lengths = output.parameter, output.index, output.lengths
         local kind = output.is_handle and HANDLE or parameter.type
@@ -6579,8 +6546,7 @@ end
 
 -- Operations --------------------------------------------------------------------------------------------------------
 --
--- What a direct command says, or the payload of a daisy command: the line on it, what is wrong with it, and its items
--- in the tree.
+-- The operations of a direct command, or of a daisy command's payload: their line, their faults, and their items.
 
 local add_value, show_operations, read_outputs
 do
@@ -6589,8 +6555,8 @@ do
     local NO_LENGTHS = {}
     local VARIABLE, OPCODE, CMD, ENCODING = field.variable, field.opcode, field.cmd, field.encoding
 
-    -- Adds a value by the field of its parameter. A value that has not the type of its parameter is added as text. An
-    -- element of a list has a name with its number.
+    -- Adds a value with the field of its parameter, as text if its type differs from the parameter's. `numbered` is the
+    -- name of an element of a list, with its number.
     function add_value(tree, parameter, range, value, numbered)
         local declared, kind, is_text = parameter.field, parameter.kind, type(value) == "string"
         if is_text ~= (kind == TEXT_VALUE) or kind == NUMBER and value % 1 ~= 0 then
@@ -6611,14 +6577,13 @@ do
         return add(tree, declared, range, value, label, unit, meaning)
     end
 
-    -- The operations that are read now: the `root` of the tree, where it is told what is wrong with them; the `heading`
-    -- of the operation and its `buffer`, if somebody looks at the tree, and where in that the frame has its `base`; how
-    -- much memory the command asks for; the operation, its offset, and the lengths that its arguments state; what is
-    -- `said` of it, and of how many arguments; whether a variable `is_beyond` the memory; the `outputs`. There are very
-    -- many arguments, and each reads these faster here than in a table.
+    -- The state of reading operations: the `root` of the tree, for expert information; the `heading` of the operation
+    -- (nil without a tree), its `buffer`, and the frame's `base` there; the requested memory; the operation, where it
+    -- starts, and the lengths that its arguments state; the text `said` so far, and its number of arguments; whether a
+    -- variable `is_beyond` the memory; the `outputs`. Local variables are faster than a table for the many arguments.
     local root, heading, buffer, base, globals, locals, operation, start, lengths, said, said_count, is_beyond, outputs
 
-    -- Tells that the brick refuses a variable for its index.
+    -- Adds the expert information that the brick refuses the index of a variable.
     local function complain_of_index(item, parameter, encoding, index, alignment)
         local reason = "%s: the index of a %s must be a multiple of %d, the brick refuses %s"
         local sort = encoding.handle and "handle" or TYPE_NAMES[parameter.type]
@@ -6626,8 +6591,8 @@ do
         complain(item or root, "misaligned", format(reason, parameter.name, sort, alignment, variable))
     end
 
-    -- Checks the index of a variable, and that it is within the memory that the command asks for. Without a tree one
-    -- variable beyond that memory stands for all.
+    -- Checks the index of a variable: its alignment, and whether it is within the requested memory. Without a tree only
+    -- the first variable beyond that memory is reported.
     local function check_variable(item, parameter, encoding, index)
         local size, alignment = parameter.size, parameter.alignment
         if encoding.handle then
@@ -6649,7 +6614,7 @@ do
             parameter.name, index + size, is_global and "global" or "local", plural(asked, "byte")))
     end
 
-    -- Adds an argument to the line on its operation: joining few short texts takes less than a table of them.
+    -- Appends an argument to the line of its operation.
     local function say_argument(parameter, encoding, value)
         said_count = said_count + 1
         if said_count <= MOST_VALUES then
@@ -6659,8 +6624,8 @@ do
         end
     end
 
-    -- Adds an output to those of the command: its parameter, the `index` of its variable, its operation and where that
-    -- is, and the lengths that the operation's arguments state.
+    -- Keeps an output for the reply: its parameter, the `index` of its variable, its operation, and the lengths that
+    -- the operation's arguments state.
     local function note_output(parameter, encoding, index)
         outputs[#outputs + 1] = {
             parameter = parameter, index = index, is_handle = encoding.handle, operation = operation, at = start,
@@ -6671,7 +6636,7 @@ do
     local function show_argument(parameter, encoding, value, at, after)
         local item, range
         if heading then
-            -- A range costs more than an item: one of a byte serves the argument and its encoding.
+            -- A range costs more than an item: one serves both the argument and its encoding.
             range = new_range(buffer, base + at, 1)
             if encoding.scope then
                 local variable = argument_text(parameter, encoding, value)
@@ -6683,7 +6648,7 @@ do
         end
         if encoding.scope then
             if root then check_variable(item, parameter, encoding, value) end
-            -- At an address there is no value but where the value is.
+            -- An address is not a value, but the place of one.
             if outputs and encoding.kind == GLOBAL and parameter.is_output and not encoding.address then
                 note_output(parameter, encoding, value)
             end
@@ -6694,7 +6659,7 @@ do
         if said and parameter.key then say_argument(parameter, encoding, value) end
     end
 
-    -- The name of a CMD; where it takes more than a byte, how it is encoded.
+    -- Adds the name of a CMD, with its encoding if that takes more than one byte.
     local function add_cmd(heading, selected, text, at, after)
         local range = new_range(buffer, base + at, 1)
         local item = add(heading, CMD, range, selected.name)
@@ -6704,12 +6669,11 @@ do
         end
     end
 
-    -- Reads the operations from an offset to the end of a frame. `view` has the `root` of the tree, where it is told
-    -- what is wrong with variables, and, if somebody looks at the tree, the `item` to which all are added, with the
-    -- buffer `tvb` and the frame's `base` in it; a list of `outputs`, if a reply is to have their values, to which they
-    -- are added; the last two say what the command asks for, where that is known.
-    -- Returns the line on the operations, empty where there is none; the offset after what could be read; and the
-    -- fault, where there is one.
+    -- Reads the operations from an offset to the end of a frame. `view` has the `root` of the tree, for expert
+    -- information; the `item` of the message, if there is a tree, with the buffer `tvb` and the frame's `base` there;
+    -- and the list of `outputs` to fill, if a reply is to have their values. The last two arguments are the requested
+    -- memory, if known. Returns the line of the operations, which may be empty; the offset after the last one that
+    -- could be read; and the fault, or nil.
     function show_operations(text, at, view, asked_globals, asked_locals)
         local item, first, phrase, count, fault = view.item, nil, "", 0, nil
         root, heading, buffer, base = view.root, nil, view.tvb, view.base
@@ -6723,7 +6687,7 @@ do
             end
             if item and selected.cmd_name then add_cmd(heading, selected, text, at + 1, after) end
             operation, start, lengths = selected, at, selected.tells_lengths and {} or NO_LENGTHS
-            -- A line has the arguments of the first operation only.
+            -- The line has the arguments of the first operation only.
             local is_said = item ~= nil or not first
             said, said_count = is_said and "", 0
             local offset
@@ -6745,7 +6709,7 @@ do
         return line, at, fault
     end
 
-    -- The values in a direct reply to a command, as far as they are there.
+    -- Returns the values in a direct reply to a command, up to the end of its memory.
     function read_outputs(command, reply)
         local outputs = command.outputs
         if not outputs then
@@ -6762,10 +6726,10 @@ end
 
 -- Messages ----------------------------------------------------------------------------------------------------------
 --
--- One frame, read as far as it goes. Each kind of message has one function, which returns the line that the info column
--- shows, and adds to the tree if it is looked at. Its `view` is the same for all: `root`, the tree; `item`, the
--- message's item in that, or nil; `target`, the one of these that exists; `tvb` and `base`, the buffer and where in it
--- the frame is; `place`, where the message is in the capture.
+-- One frame, read up to its first fault. Each kind of message has one function, which returns the line for the info
+-- column, and adds items if there is a tree. They share a `view`: `root`, the tree; `item`, the message's item, or nil;
+-- `target`, for expert information, the item or else the root; `tvb` and `base`, the buffer and the frame's offset in
+-- it; `place`, the message's place in the capture.
 
 local show_message
 do
@@ -6795,7 +6759,7 @@ do
         message.fault = { at = at, reason = reason, kind = kind }
     end
 
-    -- The line on a message that ends before what each of its type begins with.
+    -- Returns the line of a message that ends before its type's fixed fields.
     local function cut_off(message, view, reason)
         add_rest(message, view, HEADER_SIZE)
         set_fault(message, message.stop, reason, "cut_off")
@@ -6844,7 +6808,7 @@ do
         end
     end
 
-    -- The outputs of each operation together.
+    -- Adds the values of a reply, grouped by operation.
     local function add_outputs(view, outputs)
         local first = 1
         while first <= #outputs do
@@ -6888,7 +6852,8 @@ do
         return head .. " " .. (stop == HEADER_SIZE and "ok" or size)
     end
 
-    -- The readings that fit a mailbox's message, of which a frame has the bytes alone: field, value, and a text.
+    -- Returns the possible interpretations of a mailbox's message, whose type is not in the frame: field, value, and
+    -- text.
     local function readings_of(payload)
         local readings = {}
         local function add_reading(kind, value, text)
@@ -6916,7 +6881,7 @@ do
         return texts[1] and concat(texts, " or ")
     end
 
-    -- The values that tell most about a system message: its texts, and how much there is.
+    -- Returns the main values of a system message: its texts, and the amount of data.
     local function fields_text(message)
         local pieces = {}
         for _, found in ipairs(message.fields) do
@@ -6933,7 +6898,7 @@ do
         return concat(pieces)
     end
 
-    -- What a system message is about: the pieces of a file are about the file and how far it is.
+    -- Returns the subject of a system message; for a piece of a file that is the file and its progress.
     local function subject_text(message, place)
         local transfer = transfer_at(place)
         local is_first = message.command.transfer == "begin" and message.type.is_command
@@ -6947,7 +6912,7 @@ do
         return STATUS.names[status] or format("status %d", status)
     end
 
-    -- What a status means as the answer to a command, after a colon; empty where the firmware does not answer so.
+    -- Returns the meaning of a status for its command, after a colon; empty if the firmware does not use it there.
     local function status_meaning(message)
         local meaning = message.command and message.command.statuses[message.status]
         return meaning and ": " .. meaning or ""
@@ -6976,7 +6941,7 @@ do
         add_rest(message, view, message.rest)
     end
 
-    -- Commands and replies. Their fields were read with the frame, as the notes on files need them.
+    -- Commands and replies. Their fields were read with the frame, because file transfers need them.
     local function show_system_message(message, view)
         local command, status = message.command, message.status
         if view.item then add_system_message(message, view) end
@@ -6992,7 +6957,7 @@ do
         return "reply: " .. (status ~= STATUS.success and line .. " " .. status_text(status) or line)
     end
 
-    -- The two layers at an offset, and what follows them. Returns the item of that, if there is one.
+    -- Adds the two layers at an offset, and the payload after them. Returns the payload's item, if any.
     local function add_layers(message, view, at)
         local item, stop = view.item, message.stop
         if not item then return nil end
@@ -7014,7 +6979,7 @@ do
         local line = format("daisy %s layer %d to %d", name or format("0x%02X", number), from, to)
         at = at + DAISY_PAYLOAD
         if at == message.stop or not DAISY.carries_operations[number] then return line end
-        -- The payload's layout is not certain: operations are shown only where all of it reads as such.
+        -- The payload's layout is not certain: operations are shown only if all of it can be read.
         local said, _, fault = show_operations(text, at, {})
         if fault then return line end
         show_operations(text, at, { root = view.root, item = payload, tvb = view.tvb, base = view.base })
@@ -7029,7 +6994,7 @@ do
         at = at + 2
         if not payload or stop - at < DAISY.sensor_report_size then return line end
         for _, declared in ipairs(DAISY.sensor_report) do
-            -- The last part takes what is left.
+            -- The last part takes the rest.
             local after = declared.size and at + declared.size or stop
             if after > at then payload:add(report_field[declared.name], bytes_between(view, at, after)) end
             at = after
@@ -7048,7 +7013,7 @@ do
         { direct = show_direct_command, system = show_system_message, daisy = show_daisy_command }
     local SHOW_REPLY = { direct = show_direct_reply, system = show_system_message, daisy = show_daisy_reply }
 
-    -- A frame that was cut explains what is missing in it.
+    -- A truncated frame has no other fault at its end.
     local function check_size(message)
         local stop, fault = message.stop, message.fault
         if stop < message.size and not (fault and fault.kind ~= "cut_off") then
@@ -7061,7 +7026,7 @@ do
         local type, item, target, place = message.type, view.item, view.target, view.place
         if not type or message.is_overwritten then return end
         if type.wants_reply then
-            -- The first time that a command is seen, its reply is still to come.
+            -- In the first pass, the reply is still to come.
             local reply = not is_new and reply_to(place)
             if reply == nil then
                 complain(target, "unanswered", "no reply to this command was seen")
@@ -7107,12 +7072,12 @@ do
             return
         end
         local declared = type.is_command and message.command.request or message.command.reply
-        -- Replies to commands that failed may end before any field.
+        -- Replies to failed commands may end before any field.
         local is_complete = type.is_command or (message.status == STATUS.success and not type.is_error)
         message.fields, message.rest, message.fault = read_fields(text, start, stop, declared, is_complete)
     end
 
-    -- The message in a frame. `text` is all there is of it, which may be less than its length field says.
+    -- Reads a frame. `text` may be shorter than its length field says.
     function read_message(text)
         local low, high, first, second, code = byte(text, 1, HEADER_SIZE)
         local message = {
@@ -7123,19 +7088,19 @@ do
         return message
     end
 
-    -- The item of a message, with its header. Its text comes later.
+    -- Adds the item of a message, with its header. Its text comes later.
     local function add_frame(tree, tvb, base, message)
         local range = new_range(tvb, base, message.stop)
         local item = add_item(tree, range)
-        -- A range costs more than an item: the length has none of its own.
+        -- A range costs more than an item: the length shares the frame's.
         set_len(add(item, field.length, range, message.size - LENGTH_FIELD), LENGTH_FIELD)
         add_le(item, field.counter, new_range(tvb, base + LENGTH_FIELD, 2))
         add(item, field.type, new_range(tvb, base + HEADER_SIZE - 1, 1))
         return item
     end
 
-    -- The line on a message at a place. If somebody looks at the tree, its item there, too, with the frame at an offset
-    -- in the buffer; `said` is said of the message instead of what it says; `is_new`: it is seen for the first time.
+    -- Shows a message. Returns its line and, with a tree, its item. The frame is at offset `base` of the buffer; `said`
+    -- replaces the message's own line; `is_new` is true in the first pass.
     function show_message(message, place, tvb, base, tree, is_shown, said, is_new)
         local type, item = message.type, is_shown and add_frame(tree, tvb, base, message) or nil
         local view = {
@@ -7164,10 +7129,10 @@ end
 
 -- Frames in packets -------------------------------------------------------------------------------------------------
 --
--- What all carriers have in common: one frame of a buffer, and what the columns say of a packet.
+-- What all carriers have in common: one frame in a buffer, and the columns of a packet.
 
--- Whether anybody looks at the tree. In one-line output, and where filters, columns and colours are about other
--- protocols, everything that is done for it would be done in vain.
+-- Tells whether the tree is needed. It is not for one-line output, if filters, columns and colours use other protocols
+-- only.
 local has_tree
 do
     local this_dissector
@@ -7179,13 +7144,13 @@ do
     end
 end
 
--- The columns of a packet. TCP hands a packet over in pieces when frames are split over several; what is said of each
--- is added to the info column, which Wireshark cuts where it is full.
+-- The columns of a packet. If frames are split over packets, TCP passes a packet on in several buffers; the text of
+-- each is appended to the info column, which Wireshark truncates.
 local start_line, say, show
 do
     local pieces, shown, last_number, last_offset = {}, 0, 0, 0
 
-    -- A buffer of a packet is read: the first one, or a further one of the packet before.
+    -- Begins a buffer: the first one of a packet, or another one of the same packet.
     function start_line(number, offset)
         if number ~= last_number or offset <= last_offset then pieces, shown = {}, 0 end
         last_number, last_offset = number, offset
@@ -7209,49 +7174,54 @@ do
     end
 end
 
--- What is done for conversations that may be others': further below.
+-- Which conversations are ours: see Claims below.
 local claiming = {}
 
--- A message in a buffer: `conversation` is what is known of its conversation, needed the first time only; `said` is the
--- line on it in place of its own. Returns the line for the info column and, if there is a tree, the message's item.
+-- Each carrier below adds a table: `dissectors`, by Wireshark's type of ports; `register`, which registers them;
+-- optionally `forget`, which drops the state of the last capture, and `prefs_changed`.
+local carriers = {}
+
+-- Dissects a message in a buffer. `conversation` is given in the first pass only; `said` replaces the message's own
+-- line. Returns the line for the info column and, if there is a tree, the message's item.
 local function dissect_message(tvb, at, message, conversation, place, pinfo, tree, is_shown, said)
     if conversation then
         take_note(place, conversation, message, pinfo)
         claiming.note(conversation, message)
     end
-    -- Before 4.6 the protocol alone does not count as looked at, yet the protocol hierarchy counts its items.
+    -- The protocol hierarchy counts items, even if the tree is not needed; before 4.6 has_tree does not tell.
     if not is_shown and tree.text then tree:add(ev3, tvb(at, message.stop)) end
     return show_message(message, place, tvb, at, tree, is_shown, said, conversation)
 end
 
--- Bytes of the frame that starts with these two; nil where its length is not here. Where each packet comes by, it is
--- worked out on the spot: a call takes as long as the rest.
-local function frame_size(low, high)
-    return high and LENGTH_FIELD + low + high * 0x100
+-- Returns the offset after the frame that starts at an offset, by its length; nil without a length.
+local function stop_of(text, at)
+    local length = unsigned16(text, at)
+    return length and at + LENGTH_FIELD + length
 end
 
-local function is_usual_length(low, high)
-    local length = low + high * 0x100
+local function is_usual_length(length)
     return length >= MIN_LENGTH and length <= MAX_LENGTH
 end
 
--- Whether the length field at an offset can be a frame's. Downloads may be longer than all others; their header tells.
+-- Tells whether the length field at an offset can be a frame's. Downloads may be longer than all others, by their
+-- header.
 local function is_length(text, at)
-    local low, high, _, _, code, number = byte(text, at + 1, at + HEADER_SIZE + 1)
-    if is_usual_length(low, high) then return true end
+    local length = unsigned16(text, at)
+    if is_usual_length(length) then return true end
+    local code, number = byte(text, at + HEADER_SIZE, at + HEADER_SIZE + 1)
     local type, command = MESSAGE_TYPES[code], SYSTEM_COMMANDS[number]
-    if low + high * 0x100 < MIN_LENGTH or not type or not type.is_command then return false end
+    if length < MIN_LENGTH or not type or not type.is_command then return false end
     return type.carries == "system" and (not number or command ~= nil and command.is_long == true)
 end
 
--- Whether a frame may start at an offset, as far as its header goes.
+-- Tells whether a frame may start at an offset, by as much of its header as there is.
 local function may_start(text, at)
-    local low, high, _, _, type = byte(text, at + 1, at + HEADER_SIZE)
-    if not high then return low ~= nil end
+    if #text - at < LENGTH_FIELD then return #text > at end
+    local type = byte(text, at + HEADER_SIZE)
     return is_length(text, at) and (not type or MESSAGE_TYPES[type] ~= nil)
 end
 
--- The offset after the polls at an offset: lengths of 0 between frames, which the brick passes over.
+-- Returns the offset after the polls at an offset: lengths of 0 between frames, which the brick ignores.
 local function after_polls(text, at)
     while sub(text, at + 1, at + LENGTH_FIELD) == "\0\0" do
         at = at + LENGTH_FIELD
@@ -7261,29 +7231,23 @@ end
 
 -- Claims ------------------------------------------------------------------------------------------------------------
 --
--- Ours and not ours: the ports and channels that bricks use belong to others as well. The rule is in ev3proto's tables;
--- here it is applied, and frames are found in streams. Decisions are made the first time a packet is seen, and kept.
+-- Which conversations are ours: other protocols use the same ports and channels as bricks. The rule is in ev3proto's
+-- tables; here it is applied, and frames are found in streams. Decisions are made in the first pass, and kept.
 
--- What the beginning of some data tells: OURS, PART where more is needed to tell, nil for what is not ours.
+-- What data turn out to be: OURS; PART if more is needed to decide; nil if they are not ours.
 local OURS, PART = "ours", "part"
 
 do
-    -- Places in one piece of a stream where a whole frame is tried, before the piece is given up.
+    -- Maximum number of places in one piece of a stream where a frame is tried.
     local MOST_TRIALS = 64
 
-    -- Frames after one that are looked at to tell whether it is one.
+    -- Maximum number of following headers that are checked.
     local MOST_FOLLOWING = 2
 
-    -- Bytes of a command that the capture must have to tell what it is.
+    -- Bytes of a truncated command that must be captured, so that it can be recognised.
     local LEAST_CUT = COMMAND_HEADER_SIZE + 2
 
-    -- The offset after the frame that starts at another one, as its length says; nil where its length is not here.
-    local function stop_of(text, at)
-        local low, high = byte(text, at + 1, at + 2)
-        return high and at + frame_size(low, high)
-    end
-
-    -- Calls a function with each firmware's instructions, the preferred one's first, until it says anything.
+    -- Calls a function with each firmware's instructions, the preferred one's first, until it returns true.
     local function by_any(says, ...)
         local said, preferred = says(...), instructions
         if said then return said end
@@ -7295,8 +7259,8 @@ do
         return said
     end
 
-    -- Reads operations from an offset on. `judge` gets the opcode of each, `visit` each argument. Returns nothing, or the
-    -- kind of the fault that ends them, and the operation that has it.
+    -- Reads operations from an offset on. `judge` gets the opcode of each, `visit` each argument. Returns nil, or the
+    -- kind of the fault that ends them, and its operation.
     local function scan(text, at, stop, judge, visit)
         while at < stop do
             local code = byte(text, at + 1)
@@ -7308,7 +7272,7 @@ do
         end
     end
 
-    -- Whether a frame has no fault and says something: it is not an empty command, nor for a layer that cannot exist.
+    -- Tells whether a frame has no fault and a meaning: empty commands and impossible layers have none.
     local function is_sensible(message)
         local type, text = message.type, message.text
         if not type or message.stop < message.size or message.fault then return false end
@@ -7326,7 +7290,8 @@ do
     end
     claiming.is_sensible = is_sensible
 
-    -- Whether an argument is of a kind and range that its parameter takes; `sizes` is the memory asked for, by scope.
+    -- Tells whether an argument has a kind and range that its parameter accepts; `sizes` is the requested memory, by
+    -- scope.
     local function is_in_place(parameter, encoding, value, sizes)
         if encoding.scope then return value < sizes[encoding.kind] end
         if parameter.is_output then return false end
@@ -7334,8 +7299,9 @@ do
         if is_text or parameter.kind == TEXT_VALUE then return is_text and parameter.kind == TEXT_VALUE end
         local range = parameter.range
         if range and value >= range[1] and value <= range[2] then return true end
-        if parameter.is_legal then return parameter.is_legal(value) end
-        return not range
+        local names, special = parameter.names, parameter.special
+        if not names and not special then return not range end
+        return names and names[value] ~= nil or special and special[value] ~= nil
     end
 
     -- The same for all operations of a direct command, at least one of which must be evidence.
@@ -7354,8 +7320,8 @@ do
         return is_right and is_telling and (not kind or is_cut and kind == "cut_off")
     end
 
-    -- Whether a message is a command that somebody would send to a brick, by the instructions of some firmware.
-    -- With `is_cut` the capture has only the beginning of it: what is there counts.
+    -- Tells whether a message is a plausible command by the instructions of some firmware. With `is_cut` the capture
+    -- has only its beginning, which then counts.
     local function is_plausible(message, is_cut)
         local type, stop = message.type, message.stop
         if not type or not type.is_command then return false end
@@ -7370,7 +7336,7 @@ do
     end
     claiming.is_plausible = is_plausible
 
-    -- How many complete replies that bring something a text has and nothing else; 0 where it has anything else.
+    -- Counts the complete, non-empty replies in a text; 0 if it contains anything else.
     function claiming.count_replies(text)
         local at, count = 0, 0
         while #text - at >= HEADER_SIZE do
@@ -7385,21 +7351,22 @@ do
         return at == #text and count or 0
     end
 
-    -- Takes a conversation for ours from now on; with `is_sure` whatever is said in it.
+    -- Claims a conversation from now on; with `is_sure` for good, whatever it contains.
     function claiming.begin(conversation, is_sure)
         conversation.is_claimed, conversation.is_sure, conversation.is_answered = true, is_sure, false
         conversation.strange, conversation.unread, conversation.has_frame, conversation.is_good = 0, 0, false, false
         conversation.claims = (conversation.claims or 0) + 1
     end
 
-    -- Looks at a message of a conversation that is claimed, when it is seen for the first time.
+    -- Takes note of a message of a claimed conversation, in the first pass.
     function claiming.note(conversation, message)
         if not conversation.is_claimed or conversation.is_sure then return end
         conversation.has_frame = true
         conversation.is_good = conversation.is_good or not conversation.is_answered and is_sensible(message)
     end
 
-    -- Counts a packet of a claimed conversation, of which so many bytes are in no frame: whether it is claimed still.
+    -- Counts a packet of a claimed conversation; `size` is the number of its bytes outside of frames. Returns whether
+    -- the conversation is still claimed.
     function claiming.count(conversation, size, number)
         local is_good, has_frame = conversation.is_good, conversation.has_frame
         conversation.is_good, conversation.has_frame = false, false
@@ -7408,10 +7375,10 @@ do
             conversation.strange, conversation.unread, conversation.counted = 0, 0, number
             return true
         end
-        -- A packet counts once, though it be handed over in parts.
+        -- A packet counts once, even if it comes in several buffers.
         if conversation.counted ~= number then conversation.strange = conversation.strange + 1 end
         conversation.unread, conversation.counted = conversation.unread + size, number
-        -- Of a dialogue what is left of a frame may come in many packets.
+        -- In a dialogue, the rest of a frame may come in many packets.
         local is_over = conversation.strange >= CLAIMS.strange_packets
             and (not conversation.is_answered or conversation.unread > LENGTH_FIELD + MAX_LENGTH)
         if is_over then
@@ -7420,7 +7387,7 @@ do
         return not is_over
     end
 
-    -- Whether the frame at an offset, of which the text has only the beginning, may become one without a fault.
+    -- Tells whether an incomplete frame at an offset may turn out to have no fault.
     local function may_become(text, at, accepts)
         if not may_start(text, at) then return false end
         local code, number = byte(text, at + HEADER_SIZE, at + HEADER_SIZE + 1)
@@ -7435,14 +7402,14 @@ do
     end
     claiming.may_become = may_become
 
-    -- The bytes 1 to 4 of a header, as a pattern: no type is a letter that means anything in one.
+    -- Bytes 1 to 4 of a header, as a pattern. No message type is a special character of patterns.
     local codes = {}
     for code in pairs(MESSAGE_TYPES) do
         codes[#codes + 1] = string.char(code)
     end
     local STARTS = "[\0-" .. string.char(floor(MAX_LENGTH / 0x100)) .. "]..[" .. concat(codes) .. "]"
 
-    -- The system commands that any bytes may follow.
+    -- The system commands that end with arbitrary data.
     local has_data = {}
     for number, command in pairs(SYSTEM_COMMANDS) do
         for _, declared in ipairs(command.request) do
@@ -7450,7 +7417,8 @@ do
         end
     end
 
-    -- The places from an offset on where a frame of an accepted type may start, by its header, with the frame's end.
+    -- Iterates over the places from an offset on where the header of an accepted type may be: place, end of the frame,
+    -- type.
     local function each_start(text, at, accepts)
         local hit, trials = at + 1, 0
         return function()
@@ -7467,16 +7435,17 @@ do
         end
     end
 
-    -- The first place from an offset on where the last bytes may be the start of a header; nil without one.
+    -- Returns the first place from an offset on where an incomplete header may start at the end of a text, nil if there
+    -- is none.
     function claiming.header_at_end(text, at)
         for place = math.max(#text - HEADER_SIZE + 1, at), #text - 1 do
             if may_start(text, place) then return place end
         end
     end
 
-    -- The first place with a plausible command, and true; else the first that may become one, nil without one.
-    -- Packets begin at 0 and at `joint`: there anything may follow the command, elsewhere another frame. A command that
-    -- ends at `reported`, of which the capture has less, is whole.
+    -- Returns the first place with a plausible command, and true; else the first with what may become one (or nil), and
+    -- false. Packets begin at 0 and at `joint`: anything may follow a command there, elsewhere only another frame. A
+    -- truncated command counts as whole if it ends at `reported`, where the packet did.
     function claiming.find_command(text, joint, accepts, reported)
         local open = claiming.header_at_end(text, 0)
         for place, stop, type in each_start(text, 0, accepts) do
@@ -7485,7 +7454,7 @@ do
             local is_split = not is_whole or place < joint and joint < stop
             local is_chance = is_split and type.carries == "system" and has_data[byte(text, place + HEADER_SIZE + 1)]
             if type.carries == "daisy" or is_chance then
-                -- Not enough to tell.
+                -- This proves nothing.
             elseif not is_whole then
                 if not (open and open < place) and may_become(text, place, accepts) then open = place end
             elseif place == 0 or place == joint or stop >= #text or may_start(text, stop) then
@@ -7495,8 +7464,8 @@ do
         return open, false
     end
 
-    -- How many frames begin here, one after the other, of those whose headers are here; nil where none can. Few are
-    -- enough to tell, as the next gap may come soon.
+    -- Counts the headers that follow each other from an offset on; nil if none can start there. A few are enough: the
+    -- next gap may come soon.
     local function follow(text, at)
         local size, count = #text, 0
         while at < size and count < MOST_FOLLOWING do
@@ -7508,10 +7477,12 @@ do
         return count
     end
 
-    -- Where a stream goes on that is out of step, from an offset on: the place of a frame that is whole there and
-    -- without a fault, and how many frames begin after it, at least `least`; else the place of the first that is not
-    -- whole, and may become one. Where a packet starts, at `first` and at `second`, a frame may have faults, or nothing
-    -- that can follow it. nil: no frame is here.
+    claiming.follow = follow
+
+    -- Finds where a stream that is out of step continues, from an offset on. Returns the place of a complete frame
+    -- without a fault, and the number of headers after it, at least `least`; else the place of an incomplete frame that
+    -- may have no fault; else nil. Packets start at `first` and `second`: a frame there may have faults, or be followed
+    -- by anything.
     function claiming.find_step(text, at, accepts, least, first, second)
         local open, single, begun
         for place, stop in each_start(text, at, accepts) do
@@ -7532,8 +7503,8 @@ do
         return open
     end
 
-    -- What a frame is that seems to come in several packets, if a gap may be between them: OURS, PART where more is
-    -- needed to tell, nil where it is none. `joint` is where the newest packet starts.
+    -- Judges a frame that seems to come in several packets, between which packets may be missing: OURS, PART, or nil.
+    -- The newest packet starts at `joint`.
     function claiming.judge_split(text, at, accepts, joint, is_last)
         local stop = stop_of(text, at)
         if stop > #text then
@@ -7541,52 +7512,28 @@ do
             local _, following = claiming.find_step(text, at + 1, accepts, 0)
             return not following and PART or nil
         end
-        local message = read_message(sub(text, at + 1, stop))
-        local type, following = message.type, follow(text, stop)
+        local message, following = read_message(sub(text, at + 1, stop)), follow(text, stop)
+        local type = message.type
         local stands = type and accepts(type) and is_sensible(message)
-        -- Few bytes are operations by chance.
-        local tells_itself = stands and type.is_command and type.carries == "direct"
-        if tells_itself or stands and following and following > 0 then return OURS end
         if not following then return nil end
-        -- After a gap between two packets, frames begin with the newer one, or later.
+        -- Few random bytes are operations.
+        if stands and (following > 0 or type.is_command and type.carries == "direct") then return OURS end
+        -- After a gap between two packets, frames start in the newer one.
         local inside, following_inside = claiming.find_step(text, stands and joint or at + 1, accepts, 0, joint)
         local is_inside = inside and inside < stop
         if is_inside and following_inside then return nil end
-        local is_unclear = following == 0 or following == 1 and not stands
-        if not is_last and (not stands and following == 0 or is_inside and is_unclear) then return PART end
-        return OURS
-    end
-end
-
--- Carriers ----------------------------------------------------------------------------------------------------------
---
--- Each carrier is a part of its own further below, which adds itself here.
-
-local carriers = { all = {}, dissectors = {} }
-
--- It has `dissectors`, by what Wireshark calls the kind of a packet's ports, and `register`, which says where packets
--- of the carrier are found. Some have `forget`, for what they know of the last capture, and `prefs_changed`.
-function carriers.add(carrier)
-    table.insert(carriers.all, carrier)
-    for kind, dissect in pairs(carrier.dissectors) do
-        carriers.dissectors[kind] = dissect
-    end
-end
-
-function carriers.each(task)
-    for _, carrier in ipairs(carriers.all) do
-        if carrier[task] then carrier[task]() end
+        return not is_last and following == 0 and (is_inside or not stands) and PART or OURS
     end
 end
 
 -- Streams -----------------------------------------------------------------------------------------------------------
 --
--- The byte stream of a TCP connection or of RFCOMM, in which frames may be split over packets and share them, after a
--- text from each side.
+-- The byte stream of a TCP connection or of RFCOMM. Frames may be split over packets and share them; over TCP a text
+-- from each side may precede them.
 
 local dissect_stream, dissect_no_frame, judge_text
 do
-    -- The text by which a host unlocks the brick's port: the offset after it, and the serial number.
+    -- Matches the text that unlocks the brick's port: the offset after it, and the serial number.
     local function match_unlock(text, at)
         local serial, newline, after
         for _, pattern in ipairs(UNLOCK.patterns) do
@@ -7608,8 +7555,8 @@ do
         return item
     end
 
-    -- One of the texts: the line on it, and the offset after it. After the answer the firmware sends the text's zero,
-    -- too: it is one where it cannot be the start of a frame's length.
+    -- Dissects one of the texts: its line, and the offset after it; else nil. The firmware also sends the terminating
+    -- zero of its answer, unless that zero is the start of a frame's length.
     local function dissect_text(tvb, text, at, tree, is_shown)
         local after, serial = match_unlock(text, at)
         if after then
@@ -7629,32 +7576,30 @@ do
         return sub(text, 1, #start) == start
     end
 
-    -- Whether one of the texts may have begun here, and goes on in the next segment.
+    -- Tells whether one of the texts may begin here and continue in the next segment.
     local function is_part_of_text(text, at)
         local part = sub(text, at + 1)
         if starts_with(UNLOCK.answer, part) or starts_with(UNLOCK.request, part) then return true end
         return #part < UNLOCK.most_bytes and starts_with(part, UNLOCK.request)
     end
 
-    -- What data tell that should begin with one of the texts: OURS, PART, or nil.
+    -- Judges data at the start of a connection: OURS if they begin with one of the texts, PART, or nil.
     function judge_text(text)
         if not UNLOCK.starts[byte(text, 1)] then return nil end
         if sub(text, 1, #UNLOCK.answer) == UNLOCK.answer or match_unlock(text, 0) then return OURS end
         return is_part_of_text(text, 0) and PART or nil
     end
 
-    -- What is left of a text that came in an earlier segment: its line ends, or the zero after the answer. A faulty
-    -- frame may start like that, too: so only whole frames may follow.
+    -- Returns the offset after the rest of a text from an earlier segment: its newlines, or the zero after the answer.
+    -- A faulty frame may start like that, too, so frames must follow.
     local function end_of_text(text, at)
         local after = at == 0 and (text:match("^[\r\n]+()") or text:match("^\0()"))
-        at = after and after - 1
-        local next = at
-        while next and next < #text do
-            local low, high, _, _, type = byte(text, next + 1, next + HEADER_SIZE)
-            if not type or not is_length(text, next) or not MESSAGE_TYPES[type] then return nil end
-            next = next + frame_size(low, high)
+        local stop = after and after - 1
+        while stop and stop < #text do
+            if not may_start(text, stop) or #text - stop < HEADER_SIZE then return nil end
+            stop = stop_of(text, stop)
         end
-        return next == #text and at or nil
+        return stop == #text and after - 1 or nil
     end
 
     local function add_faulty(tvb, at, stop, tree, is_shown, said, kind, reason)
@@ -7662,7 +7607,7 @@ do
         return said, stop
     end
 
-    -- Bytes between two offsets that are in no frame.
+    -- Adds the bytes between two offsets, which are outside of frames. `length` is what the length field there says.
     function dissect_no_frame(tvb, at, stop, length, tree, is_shown)
         local said = format("no frame (%s)", plural(stop - at, "byte"))
         local reason = "bytes that are in no frame, as after a gap in the capture"
@@ -7673,8 +7618,9 @@ do
         return add_faulty(tvb, at, stop, tree, is_shown, said, "no_boundary", reason)
     end
 
-    -- Where a stream that is out of step continues: at a frame, a text, or the end; and whether more is needed to tell.
-    -- With `least` the last bytes may begin a header, if there are at least that many; without it nothing more comes.
+    -- Finds where a stream that is out of step continues: at a frame, a text, or the end; returns that, and whether
+    -- more is needed to decide. The last bytes may be the start of a header if there are at least `least`; nil if
+    -- nothing more comes.
     local function next_step(text, at, accepts, least, first, second)
         local place, following = claiming.find_step(text, at, accepts, 0, first, second)
         local is_open = least and place ~= nil and not following
@@ -7690,50 +7636,35 @@ do
         return place, is_open
     end
 
-    -- Whether a frame may start at an offset, though perhaps of an unknown type: then the next one must.
-    local function may_follow(text, at)
-        at = after_polls(text, at)
-        if at == #text or may_start(text, at) then return true end
-        local low, high = byte(text, at + 1, at + 2)
-        if not is_length(text, at) then return false end
-        local stop = at + frame_size(low, high)
-        return stop >= #text or may_start(text, stop)
-    end
-
-    -- Whether the frame of this size that seems to start here is none: the chain of frames breaks after it, or, at
-    -- the start of a packet, it has faults and another frame inside. A gap in the capture may be before it.
-    local function is_misleading(text, at, size, accepts)
-        local stop, captured = at + size, #text
-        local is_whole = stop <= captured
-        local is_chained = stop >= captured or may_follow(text, stop) or UNLOCK.starts[byte(text, stop + 1)]
-        if is_chained and at > 0 then return false end
+    -- Tells whether the header at an offset is other data, because there may be a gap before it: the frame has faults,
+    -- and another frame is inside.
+    local function is_misleading(text, at, stop, accepts)
         local type = MESSAGE_TYPES[byte(text, at + HEADER_SIZE)]
-        local is_known = type and accepts(type)
+        local is_whole, is_known = stop <= #text, type and accepts(type)
+        local is_chained = not is_whole or claiming.follow(text, stop)
+        if is_chained and at > 0 then return false end
         if is_known and is_whole and claiming.is_sensible(read_message(sub(text, at + 1, stop))) then return false end
-        if not is_chained or not is_known and not is_whole then return true end
-        -- Data may look like one frame by chance.
-        local least = (is_whole or claiming.may_become(text, at, accepts)) and 1 or 0
-        local place, following = claiming.find_step(text, at + 1, accepts, least)
+        local is_likely = is_chained and (is_whole or claiming.may_become(text, at, accepts))
+        local place, following = claiming.find_step(text, at + 1, accepts, is_likely and 1 or 0)
         return following ~= nil and place < stop
     end
 
-    -- What begins at an offset: OURS for a frame that is as whole as it will be; PART for one that is to be waited for,
-    -- and how many bytes it still wants, if that is known, and the step of the stream; nil for no frame.
+    -- Judges what begins at an offset: OURS for a frame that can be dissected; PART for one that has to wait, with the
+    -- number of bytes it needs, if known, and the step of the stream; nil if it is not a frame.
     local function judge_frame(text, at, stream, step)
-        local low, high, _, _, code = byte(text, at + 1, at + HEADER_SIZE)
-        local size = frame_size(low, high)
-        if step == "lost" or size and not is_length(text, at) then return nil end
+        local code, stop = byte(text, at + HEADER_SIZE), stop_of(text, at)
+        if step == "lost" or stop and not is_length(text, at) then return nil end
         if code and at < stream.joint and stream.may_gap then
             local verdict = claiming.judge_split(text, at, stream.accepts, stream.joint, stream.is_last)
             if not verdict then return nil end
-            if verdict == PART and at + size <= #text then return PART, nil, step end
-        elseif code and step == "likely" and at + size ~= #text then
-            if is_misleading(text, at, size, stream.accepts) then return nil end
+            if verdict == PART and stop <= #text then return PART, nil, step end
+        elseif code and step == "likely" and stop ~= #text then
+            if is_misleading(text, at, stop, stream.accepts) then return nil end
         end
-        if stream.is_last or code and at + size <= stream.reported then return OURS end
-        -- A gap may be before it: then it is looked at again with each packet.
+        if stream.is_last or code and stop <= stream.reported then return OURS end
+        -- There may be a gap before it: it is judged again with each packet.
         if step == "likely" and at == 0 then return PART, nil, step end
-        return PART, size and at + size - stream.reported, "sure"
+        return PART, stop and stop - stream.reported, "sure"
     end
 
     -- The frames and texts in a piece of a stream: the offset after the last one that is whole; how many bytes the
@@ -7772,7 +7703,7 @@ do
                 local reason = "the frame is cut off in its header"
                 said, after = add_faulty(tvb, at, captured, tree, is_shown, "part of a frame", "cut_off", reason)
             elseif verdict == OURS then
-                after = math.min(at + LENGTH_FIELD + unsigned16(text, at), captured)
+                after = math.min(stop_of(text, at), captured)
                 local frame = at == 0 and after == captured and text or sub(text, at + 1, after)
                 local place = place_of(number, start + at)
                 said = dissect_message(tvb, at, read_message(frame), conversation, place, pinfo, tree, is_shown)
@@ -7782,7 +7713,7 @@ do
                     said = "end of the text before"
                     add_bytes(tvb, at, after, tree, is_shown, said, field.rest)
                 else
-                    -- Where nothing tells of a gap, the sender is at fault, and the packet is all there is.
+                    -- Without gaps between packets this is the sender's fault, and ends with the packet.
                     local least
                     if not stream.is_last and (step == "lost" or stream.may_gap) then
                         least = 1
@@ -7811,13 +7742,13 @@ end
 
 -- USB ---------------------------------------------------------------------------------------------------------------
 --
--- Each report has one frame at its start, the rest is padding.
+-- Each report has one frame at its start; the rest is padding.
 
 do
     -- The "port" of the host; that of a device is the number of its endpoint.
     local HOST = 0xFFFFFFFF
 
-    -- Methods that each packet needs: looking them up takes longer than what they do.
+    -- Looking up these methods for each packet would take longer than they do.
     local bytes_of, captured_len, offset_of = Tvb.raw, Tvb.len, Tvb.offset
 
     local function is_from_host(pinfo)
@@ -7828,22 +7759,22 @@ do
         return pinfo.src_port == 0 or pinfo.dst_port == 0
     end
 
-    -- The device that a report comes from or goes to, whichever of its endpoints.
+    -- Returns the device that a report comes from or goes to, without its endpoint.
     local function device_key(pinfo)
         local address = tostring(is_from_host(pinfo) and pinfo.dst or pinfo.src)
         return address:match("^(.*)%.%d+$") or address
     end
 
-    -- A known fault of the bootloader: its reply comes with the request written over its first bytes.
+    -- Detects a known fault of the bootloader: its reply is partly overwritten by the request.
     local function is_overwritten(message, pinfo)
         local type, command = message.type, message.command
         return type and type.is_command and command and command.is_bootloader and not is_from_host(pinfo)
     end
 
-    -- Reports of devices that nobody knows as bricks, of which a frame was taken.
+    -- The numbers of our packets, of devices whose product is not known.
     local taken
 
-    -- The number of the packet that a known brick sent or received last.
+    -- The number of the last packet from or to a known brick.
     local marked
 
     local function forget_devices()
@@ -7851,10 +7782,10 @@ do
     end
     forget_devices()
 
-    -- The message at the start of a report. Nobody looks at the bytes of the padding: there are more than 1 kB of both.
+    -- Reads the message at the start of a report, without the padding.
     local function read_report(tvb)
-        local low, high = byte(bytes_of(tvb, 0, LENGTH_FIELD), 1, LENGTH_FIELD)
-        return read_message(bytes_of(tvb, 0, math.min(frame_size(low, high), captured_len(tvb))))
+        local stop = stop_of(bytes_of(tvb, 0, LENGTH_FIELD), 0)
+        return read_message(bytes_of(tvb, 0, math.min(stop, captured_len(tvb))))
     end
 
     local function dissect_report(tvb, message, device, pinfo, tree)
@@ -7883,7 +7814,7 @@ do
         return captured
     end
 
-    -- A report that holds no frame, though its device is a brick.
+    -- Dissects a brick's report that does not contain a frame.
     local function dissect_other_report(tvb, length, pinfo, tree)
         local captured = captured_len(tvb)
         brick = device_key(pinfo)
@@ -7893,39 +7824,39 @@ do
         return captured
     end
 
-    -- A report of a brick, whatever is in it. Returns 0 where there is no room for a frame.
+    -- Dissects any report of a brick. Returns 0 if it is too short for a frame.
     local function dissect_known(tvb, pinfo, tree)
         if is_control(pinfo) or captured_len(tvb) < HEADER_SIZE then return 0 end
-        local low, high = byte(bytes_of(tvb, 0, LENGTH_FIELD), 1, LENGTH_FIELD)
-        if not is_usual_length(low, high) then return dissect_other_report(tvb, low + high * 0x100, pinfo, tree) end
+        local length = unsigned16(bytes_of(tvb, 0, LENGTH_FIELD), 0)
+        if not is_usual_length(length) then return dissect_other_report(tvb, length, pinfo, tree) end
         return dissect_report(tvb, read_report(tvb), device_key(pinfo), pinfo, tree)
     end
 
-    -- Wireshark hands over everything that a known product transfers, without saying how. Bulk transfers are not ours:
-    -- other programs for the brick use them under the same product number. So the packet is only marked here; for
-    -- interrupt transfers Wireshark then calls the heuristic below.
+    -- Wireshark calls this for all transfers of a known product, of any type. Bulk transfers are not ours: other
+    -- software on the brick uses them with the same product number. So the packet is only marked here; for interrupt
+    -- transfers Wireshark then calls the heuristic below.
     local function mark_known(_, pinfo)
         marked = pinfo.number
         return 0
     end
 
-    -- The message of ours that a report holds, if it does, although nobody knows its device as a brick. Other devices
-    -- have reports, too: it must have the size of its type's.
+    -- Returns the message in a report of a device whose product is not known, nil if it is not ours. The report must
+    -- have the size for its type, because other devices have reports, too.
     local function claimed_message(tvb, key, pinfo)
         local sort, captured, message = REPORT_SIZES[tvb:reported_len()], captured_len(tvb), nil
-        local low, high, _, _, code = byte(bytes_of(tvb, 0, math.min(captured, HEADER_SIZE)), 1, HEADER_SIZE)
-        local type = MESSAGE_TYPES[code]
-        if sort and type and (sort == "computer" or type.carries == "daisy") and is_usual_length(low, high)
-            and frame_size(low, high) <= captured then
+        local header = bytes_of(tvb, 0, math.min(captured, HEADER_SIZE))
+        local type = MESSAGE_TYPES[byte(header, HEADER_SIZE)]
+        if sort and type and (sort == "computer" or type.carries == "daisy")
+            and is_usual_length(unsigned16(header, 0)) and stop_of(header, 0) <= captured then
             message = read_report(tvb)
-            -- Bricks in a chain send commands both ways. They are no computers, whose reports are larger.
+            -- Bricks in a chain send commands both ways, in smaller reports than computers.
             if sort == "daisy" or is_overwritten(message, pinfo) then
                 return claiming.is_sensible(message) and message or nil
             end
         end
         if not message or (type.is_command == true) ~= is_from_host(pinfo) then
-            local conversation = known_conversation(key)
-            if conversation and conversation.is_claimed then claiming.count(conversation, captured, pinfo.number) end
+            local conversation = conversation_of(key)
+            if conversation.is_claimed then claiming.count(conversation, captured, pinfo.number) end
             return nil
         end
         local conversation = conversation_of(key)
@@ -7933,8 +7864,8 @@ do
         return conversation.is_claimed and message or nil
     end
 
-    -- Reports of a known brick, or of a device whose product is not in the capture, as in most captures that began
-    -- after plugging in.
+    -- Dissects reports of a known brick, or of a device whose product was not captured, as in most captures that were
+    -- started after the brick was plugged in.
     local function guess_usb(tvb, pinfo, tree)
         local number, device, message = pinfo.number, device_key(pinfo), nil
         if number == marked then return dissect_known(tvb, pinfo, tree) > 0 end
@@ -7960,20 +7891,20 @@ do
         ev3:register_heuristic("usb.interrupt", guess_usb)
     end
 
-    carriers.add({ dissectors = { [8] = mark_known }, forget = forget_devices, register = register })
+    carriers[#carriers + 1] = { dissectors = { [8] = mark_known }, forget = forget_devices, register = register }
 end
 
 -- Bluetooth ---------------------------------------------------------------------------------------------------------
 --
--- RFCOMM hands over one piece of the stream after the other, and does not join them: a frame that is not whole waits
--- here for its rest. The first pass keeps of each packet what was waiting before it.
+-- Wireshark passes the stream on piece by piece and does not join them: an incomplete frame waits here for its rest.
+-- The first pass keeps what was waiting before each packet.
 
 do
-    -- By number, of the packets that are ours: which types each `accepts`; the `step` of the stream, "lost" where it
-    -- was out of step before, "sure" where the claim begins, after `start` bytes of others; of a frame that continues
-    -- in it the `list` of packets that it came in, of which this number were `earlier`, and where it becomes whole the
-    -- bytes `before`; and the list of the frame that has `begun` in it and is not whole. A frame's packets share its
-    -- list, which has the one with the last piece as `complete_in`.
+    -- Our packets, by number. `accepts` tells which types go this way. `step` is "lost" if the stream was out of step
+    -- before, "sure" if the claim begins here, after `start` bytes that are not ours. For a frame that continues in the
+    -- packet, `list` has the numbers of its packets, of which the first `earlier` came before this one; if it is
+    -- complete now, `before` has the bytes of those. `begun` is the list of a frame that starts here and is incomplete.
+    -- All packets of a frame share its list; its `complete_in` is the packet with the last piece.
     local packets, streams
 
     local function forget_streams()
@@ -7981,9 +7912,9 @@ do
     end
     forget_streams()
 
-    -- What is known of a packet's channel, and of its direction in that. Devices go by the addresses of their hardware:
-    -- to the others Wireshark adds a device's name as soon as it knows one. A capture begun after the connection has no
-    -- addresses, but mostly tells what was sent and what received.
+    -- Returns the conversation of a packet's channel, and the stream of its direction. Devices are identified by
+    -- hardware addresses: Wireshark adds names to the other addresses as soon as it learns them. A capture that was
+    -- started after the connection has no addresses, but usually the direction.
     local function channel_of(pinfo)
         local from, to, channel = tostring(pinfo.dl_src), tostring(pinfo.dl_dst), floor(pinfo.match_uint / 2)
         local conversation = conversation_of((from < to and from .. " " .. to or to .. " " .. from) .. " " .. channel)
@@ -8002,7 +7933,7 @@ do
         return type.is_command
     end
 
-    -- Bricks write into each other's mailboxes.
+    -- Bricks write into each other's mailboxes, so some commands come from a brick.
     local function is_from_brick(type)
         return not type.is_command or type.carries == "system" and not type.wants_reply
     end
@@ -8011,7 +7942,7 @@ do
         stream.left, stream.list, stream.starts, stream.look_at = "", nil, nil, 0
     end
 
-    -- Nothing is known of what a channel's sides said so far.
+    -- Forgets the waiting bytes of both directions.
     local function clear_sides(conversation)
         for _, stream in ipairs(conversation.sides) do
             clear(stream)
@@ -8019,14 +7950,14 @@ do
         end
     end
 
-    -- Whether the frame that begins with this text is not whole with it.
+    -- Tells whether a text is only the beginning of a frame.
     local function is_part(text)
-        local low, high = byte(text, 1, 2)
-        return not high or is_length(text, 0) and frame_size(low, high) > #text
+        local stop = stop_of(text, 0)
+        return not stop or is_length(text, 0) and stop > #text
     end
 
-    -- Keeps the bytes of a stream from an offset on, of those that wait and the packet that came last; `list` are the
-    -- packets of those that wait, `starts` where in them each begins.
+    -- Keeps the waiting bytes and those of the newest packet, from an offset on. `list` has the numbers of their
+    -- packets, `starts` where each packet begins in them.
     local function keep(stream, text, place, number)
         local list, starts = {}, {}
         local before = stream.list or {}
@@ -8040,8 +7971,8 @@ do
         stream.left, stream.list, stream.starts = sub(text, place + 1), list, starts
     end
 
-    -- A packet of a channel that is not known to be ours, nil unless a command makes it ours. What may still become a
-    -- command is kept: whoever types a text sends it letter by letter.
+    -- Returns the record of a packet whose channel was not ours so far, nil unless a command makes it ours. What may
+    -- still become a command is kept: text that is typed comes letter by letter.
     local function claim(conversation, stream, piece, missing, number)
         local left = stream.left
         local text = left .. piece
@@ -8068,12 +7999,12 @@ do
         return packet
     end
 
-    -- Whether all of a text waits for more; the newest packet starts at `joint`.
+    -- Tells whether all of a text has to wait for more; the newest packet starts at `joint`.
     local function waits(stream, text, accepts, joint)
         if stream.step ~= "lost" then
             local part = is_part(text)
             if #text < HEADER_SIZE or part and #text < stream.look_at then return part end
-            -- A frame that comes byte by byte is not looked at with each of them.
+            -- A frame that comes byte by byte is not examined at each byte.
             stream.look_at = floor(#text * 1.25) + 1
             if not is_length(text, 0) then return false end
             return claiming.judge_split(text, 0, accepts, joint) == PART
@@ -8082,17 +8013,9 @@ do
         return place == 0 and not following
     end
 
-    -- Joins a packet that is seen for the first time with what waits for it.
+    -- Joins a packet with what waits for it, in the first pass.
     local function join(stream, piece, packet, number)
         local left = stream.left
-        if left ~= "" and is_part(left .. piece) then
-            -- Where whole frames begin with the packet, what waits is not a frame.
-            local place, following = claiming.find_step(piece, 0, packet.accepts, 1)
-            if place == 0 and following then
-                clear(stream)
-                left = ""
-            end
-        end
         if left == "" then return end
         packet.list, packet.earlier = stream.list, #stream.list
         if waits(stream, left .. piece, packet.accepts, #left) then
@@ -8113,7 +8036,7 @@ do
         end
     end
 
-    -- The part of a frame at the end of a packet.
+    -- Adds the incomplete frame at the end of a packet.
     local function add_part(tree, tvb, size, packet)
         local range = tvb(math.max(tvb:len() - size, 0))
         local item = tree:add(ev3, range, "EV3: part of a frame")
@@ -8124,7 +8047,7 @@ do
         if list and list.complete_in then item:add(field.fragment_of, list.complete_in):set_generated() end
     end
 
-    -- What is known of a packet that is seen for the first time, nil where it is not ours.
+    -- Returns the record of a packet in the first pass, nil if it is not ours.
     local function first_look(conversation, stream, piece, missing, pinfo)
         local number = pinfo.number
         if conversation.is_claimed then
@@ -8134,7 +8057,7 @@ do
             return packet
         end
         local packet = claim(conversation, stream, piece, missing, number)
-        -- It is claimed by a command, so this packet goes to the brick.
+        -- A command claimed it, so this packet goes to the brick.
         if packet then conversation.name, conversation.to_brick = tostring(pinfo.dl_dst), stream end
         return packet
     end
@@ -8152,7 +8075,7 @@ do
         local is_shown, size, before = has_tree(tree), #piece, packet.before
         brick = is_shown and tostring(packet.accepts == is_command and pinfo.dl_dst or pinfo.dl_src)
         start_line(number, tvb:offset())
-        -- Of a frame that continues in it, some packets only have more to wait for.
+        -- If the packet only continues a frame, there is nothing to dissect yet.
         if before or not packet.list then
             local text, whole = (before or "") .. piece, tvb
             if before then
@@ -8188,57 +8111,59 @@ do
         return #piece
     end
 
-    -- The channel of the serial port profile, whichever side opened it.
+    -- The channel of the serial port profile, opened by either side.
     local function register()
         local channels = DissectorTable.get("btrfcomm.dlci")
         channels:add(2 * CARRIERS.rfcomm_channel, ev3)
         channels:add(2 * CARRIERS.rfcomm_channel + 1, ev3)
     end
 
-    carriers.add({ dissectors = { [11] = dissect_rfcomm }, forget = forget_streams, register = register })
+    carriers[#carriers + 1] = { dissectors = { [11] = dissect_rfcomm }, forget = forget_streams, register = register }
 end
 
 -- WiFi --------------------------------------------------------------------------------------------------------------
 --
--- The beacon in UDP datagrams, then the byte stream of a TCP connection.
+-- The beacon in UDP datagrams, and the byte stream of a TCP connection.
 
 do
     local MAX_PORT = 65535
 
     local tcp_ports = DissectorTable.get("tcp.port")
 
-    -- Methods that each packet needs: looking them up takes longer than what they do.
+    -- Looking up these methods for each packet would take longer than they do.
     local bytes_of, offset_of = Tvb.raw, Tvb.offset
 
-    -- Where answers to beacons go to, with the brick there, and the packets that went there; the places where bricks
-    -- listen by what their beacons say; the buffers that were left to others; whether connections on other ports were
-    -- found to be ours.
-    local bricks, answers, announced, declined, has_found
+    -- `bricks`: the bricks by the places where answers to their beacons may go; `answers`: the packets that went there;
+    -- `announced`: the places where bricks listen by their beacons; `has_found`: whether connections on other ports
+    -- were claimed.
+    local bricks, answers, announced, has_found
 
-    -- The ports that the preference names.
+    -- The ports in the preference.
     local listened = tostring(CARRIERS.tcp_port)
 
-    -- By buffer: the `step` of the stream and how many bytes were `done`, where they are not as usual; from where on
-    -- more was asked for, before it was ours.
-    local steps, asked
+    -- Buffers by place, if unusual: DECLINED if it is not ours; else `asked`, the offset from which on more was
+    -- requested before the connection was claimed; or the `step` of the stream, and the number of bytes that were
+    -- `done`.
+    local buffers
+    local DECLINED = {}
 
-    -- The ports on which connections are looked at.
+    -- The same ports as keys.
     local ports = {}
 
-    -- By ports: the direction in a connection that was seen last between them. It has what is `pending` of the stream
-    -- that way, the bytes that wait for the next segment; the `step` with them; how many bytes of the buffer were
-    -- `done` before them; the packet `number` that came last, and at which `offset` its data began.
+    -- By ports: the last used direction of a connection. `pending` has the bytes that wait for the next segment, `step`
+    -- the step of the stream there, `done` the number of bytes before them in their buffer; `number` is the last
+    -- packet, whose data began at `offset`.
     local connections
 
-    -- Both ends of a connection, whichever sends, have one key.
+    -- Both directions of a connection have one key.
     local function conversation_key(pinfo)
         local from = tostring(pinfo.src) .. " " .. pinfo.src_port
         local to = tostring(pinfo.dst) .. " " .. pinfo.dst_port
         return from < to and from .. " " .. to or to .. " " .. from
     end
 
-    -- What is known of a packet's conversation, and of its direction in that. To compare addresses takes less than to
-    -- write them.
+    -- Returns a packet's conversation, and its direction in that. Addresses are compared because that is faster than
+    -- converting them to text.
     local function connection_of(pinfo)
         local from, to, ends = pinfo.src, pinfo.dst, pinfo.src_port * 0x10000 + pinfo.dst_port
         local known = connections[ends]
@@ -8252,24 +8177,25 @@ do
     end
 
     local function forget_wifi()
-        bricks, answers, announced, declined, has_found = {}, {}, {}, {}, false
-        steps, asked, connections = {}, {}, {}
+        bricks, answers, announced, has_found = {}, {}, {}, false
+        buffers, connections = {}, {}
     end
     forget_wifi()
 
-    -- Whether the preference names the ports of both ends, as a wide range may: the data tell which end is the brick.
+    -- Tells whether the preference includes the ports of both ends, as a wide range may: then the data tell which end
+    -- is the brick.
     local function has_two_named(pinfo)
         return ports[pinfo.src_port] and ports[pinfo.dst_port]
     end
 
-    -- Whether a packet goes to the end that its connection is named after.
+    -- Tells whether a packet goes to the brick that its connection is named after.
     local function is_to_named(conversation, pinfo)
         return conversation.name == tostring(pinfo.dst) .. ":" .. pinfo.dst_port
     end
 
-    -- How many bytes a frame wants that was asked for segment by segment, where Wireshark gave one byte of the next one
-    -- alone. So it does since 4.4, once the one before came twice; the rest it gives when told how much that is. The
-    -- newest segment starts at `joint`, and data in a packet at `offset`.
+    -- Returns how many bytes a frame needs that was requested segment by segment, if Wireshark passed on only one byte
+    -- of the newest one. Since 4.4 it does so after a retransmission, and passes the rest on if asked for that number
+    -- of bytes. The newest segment starts at `joint`, and data in a packet at `offset`.
     local function rest_of(text, joint, offset, pinfo)
         if joint == 0 or #text ~= joint + 1 or #text < HEADER_SIZE then return nil end
         if not offset or pinfo.len <= offset + 1 then return nil end
@@ -8288,20 +8214,20 @@ do
 
     local dissect_claimed
     do
-        -- Which types go the way of a packet.
+        -- Returns which types go in the direction of a packet.
         local function types_of(pinfo, conversation)
             return is_to_named(conversation or connection_of(pinfo), pinfo) and is_command or is_reply
         end
 
-        -- The step of a buffer that is seen for the first time, how many bytes of it were there before, and how many of
-        -- these are done: TCP hands some over again if a frame that begins in them is not whole yet. It joins segments
-        -- if that was asked for; such a buffer has an offset of 0, others come after their headers.
+        -- Returns the step of the stream at a buffer in the first pass, how many bytes of the buffer came before, and
+        -- how many of these are done: TCP passes bytes on again if a frame in them is incomplete. Buffers of joined
+        -- segments have the offset 0, others begin after their headers.
         local function first_step(known, text, offset, number)
             local pending, before, is_further = known.pending, known.step, number == known.number
             known.pending, known.number = nil, number
             if offset > 0 then
                 known.offset = offset
-                -- What was asked for did not come if something is pending.
+                -- Pending bytes are not joined with this packet if there is a gap before it.
                 if before == "lost" or pending and not is_further then return "lost", 0, 0 end
                 return is_further and "sure" or "likely", 0, 0
             end
@@ -8313,14 +8239,12 @@ do
             return "likely", 0, 0
         end
 
-        -- The step of the stream at a buffer, how many bytes of it were there before, and how many are done. `known` is
-        -- what is known of the stream, when the buffer is seen for the first time.
+        -- The same in any pass; `known`, the direction, is given in the first pass only.
         local function step_of(known, text, offset, number, start)
             local place, usual = place_of(number, offset), offset == 0 and "sure" or "likely"
             if not known then
-                local found = steps[place]
-                if found then return found.step, 0, found.done end
-                return usual, 0, 0
+                local buffer = buffers[place]
+                return buffer and buffer.step or usual, 0, buffer and buffer.done or 0
             end
             local step, joint, done = "sure", 0, start
             if start then
@@ -8328,11 +8252,11 @@ do
             else
                 step, joint, done = first_step(known, text, offset, number)
             end
-            if step ~= usual or done > 0 then steps[place] = { step = step, done = done } end
+            if step ~= usual or done > 0 then buffers[place] = { step = step, done = done } end
             return step, joint, done
         end
 
-        -- A buffer of a connection that is ours; `start` is where that begins, if it does in this one.
+        -- Dissects a buffer of a claimed connection; `start` is where the claim begins, if in this buffer.
         function dissect_claimed(tvb, text, pinfo, tree, number, conversation, known, start)
             local captured, offset, is_shown = #text, offset_of(tvb), has_tree(tree)
             if known and known.claims ~= conversation.claims then
@@ -8342,11 +8266,10 @@ do
             local step, joint, done = step_of(known, text, offset, number, start)
             brick = is_shown and (conversation or connection_of(pinfo)).name
             start_line(number, offset)
-            -- Nearly always one frame is all there is.
-            local low, high, _, _, code = byte(text, 1, HEADER_SIZE)
+            -- Nearly every buffer is exactly one frame.
             local lost = 0
-            if step ~= "lost" and done == 0 and code and LENGTH_FIELD + low + high * 0x100 == captured
-                and is_usual_length(low, high) and MESSAGE_TYPES[code] then
+            if step ~= "lost" and done == 0 and MESSAGE_TYPES[byte(text, HEADER_SIZE)]
+                and stop_of(text, 0) == captured and is_usual_length(captured - LENGTH_FIELD) then
                 local place = place_of(number, offset)
                 say((dissect_message(tvb, 0, read_message(text), conversation, place, pinfo, tree, is_shown)))
             else
@@ -8381,24 +8304,28 @@ do
         end
     end
 
-    -- Whether a beacon said that a brick listens there.
+    -- Tells whether a beacon announced this port.
     local function is_announced(address, port)
         return next(announced) ~= nil and announced[tostring(address) .. " " .. port] == true
     end
 
-    -- A connection is named after the end of it that is the brick.
-    local function name_brick(conversation, address, port)
+    -- Names a connection after its brick, to which a packet goes or from which it comes.
+    local function name_brick(conversation, pinfo, to_brick)
+        local address, port = pinfo.src, pinfo.src_port
+        if to_brick then
+            address, port = pinfo.dst, pinfo.dst_port
+        end
         conversation.name = tostring(address) .. ":" .. port
     end
 
     local dissect_first
     do
-        -- Whether a brick listens at an end of a connection, as far as the ports tell.
+        -- Tells whether an end of a connection may be a brick, by its port.
         local function may_be_brick(address, port)
             return ports[port] or is_announced(address, port)
         end
 
-        -- Whether data go to the brick, where the ports of both ends may be one's.
+        -- Tells whether data go to the brick, if both ends may be one by their ports.
         local function tells_brick(text, is_text, pinfo)
             if is_text then return byte(text, 1) == byte(UNLOCK.request, 1) end
             local type = MESSAGE_TYPES[byte(text, HEADER_SIZE)]
@@ -8406,30 +8333,28 @@ do
             return type.is_command
         end
 
-        -- Whether the user, or a beacon, says that what is at a port is ours: else it must show.
-        local function is_sure(address, port)
-            return listened ~= tostring(CARRIERS.tcp_port) or is_announced(address, port)
+        -- Tells whether a port is ours by the user's preference or by a beacon.
+        local function is_sure(pinfo, to_brick)
+            if listened ~= tostring(CARRIERS.tcp_port) then return true end
+            if to_brick then return is_announced(pinfo.dst, pinfo.dst_port) end
+            return is_announced(pinfo.src, pinfo.src_port)
         end
 
-        -- A buffer of a connection that is not ours so far, when it is seen for the first time: whether it is, with the
-        -- offset where that begins, or whether more is needed to tell, from an offset on.
+        -- Judges a buffer of a connection that is not claimed, in the first pass: OURS, with the offset where that
+        -- begins; PART, with the offset from which on more is needed; or nil.
         local function claim(conversation, known, text, reported, pinfo)
             local to_brick = may_be_brick(pinfo.dst, pinfo.dst_port)
             if not to_brick and not may_be_brick(pinfo.src, pinfo.src_port) then return nil end
             local verdict, place = judge_text(text), 0
             if verdict == PART then return PART, 0 end
             if verdict == OURS or has_two_named(pinfo) then to_brick = tells_brick(text, verdict ~= nil, pinfo) end
-            local address, port = pinfo.src, pinfo.src_port
-            if to_brick then
-                address, port = pinfo.dst, pinfo.dst_port
-            end
             local joint = known.waits or 0
-            if verdict == OURS or is_sure(address, port) then
+            if verdict == OURS or is_sure(pinfo, to_brick) then
                 claiming.begin(conversation, true)
             elseif to_brick then
                 local is_whole
                 place, is_whole = claiming.find_command(text, joint, is_command, reported)
-                -- Others have their packets at once, unless a command may begin with one.
+                -- Other dissectors get their packets at once, unless one may begin with a command.
                 local is_waited = place and not is_whole and (conversation.has_ended or place == 0 or place == joint)
                 if not is_whole then return is_waited and PART or nil, place end
                 claiming.begin(conversation)
@@ -8441,11 +8366,11 @@ do
                 conversation.replies = 0
             end
             conversation.claimed_in = pinfo.number
-            name_brick(conversation, address, port)
+            name_brick(conversation, pinfo, to_brick)
             return OURS, place
         end
 
-        -- Asks for more of what may become a frame or a text, from an offset on.
+        -- Requests more of what may become a frame or a text, from an offset on.
         local function ask_for_more(known, text, place, offset, pinfo)
             local joint = offset == 0 and known.waits or 0
             local rest = place == 0 and rest_of(text, joint, known.begins, pinfo)
@@ -8456,12 +8381,12 @@ do
 
         function dissect_first(tvb, text, pinfo, tree, number)
             local conversation, known = connection_of(pinfo)
-            -- What was left to others comes again, where Wireshark knows which end is the server.
+            -- Wireshark may offer a declined buffer again, for the port of the other end.
             local place = place_of(number, offset_of(tvb))
-            if declined[place] then return 0 end
+            if buffers[place] == DECLINED then return 0 end
             local port = pinfo.match_uint
             if not conversation.name and not ports[port] then
-                name_brick(conversation, pinfo.dst_port == port and pinfo.dst or pinfo.src, port)
+                name_brick(conversation, pinfo, pinfo.dst_port == port)
                 claiming.begin(conversation, true)
             end
             if conversation.is_claimed then
@@ -8471,13 +8396,13 @@ do
             local verdict, at = claim(conversation, known, text, tvb:reported_len(), pinfo)
             if verdict == PART and #text == tvb:reported_len() and pinfo.can_desegment > 0 then
                 ask_for_more(known, text, at, offset_of(tvb), pinfo)
-                asked[place] = at
+                buffers[place] = { asked = at }
                 return #text
             end
-            -- The same packet may have been asked for more before.
-            known.waits, asked[place] = 0, nil
+            -- More may have been requested for the same packet before.
+            known.waits, buffers[place] = 0, nil
             if verdict ~= OURS then
-                declined[place] = true
+                buffers[place] = DECLINED
                 return 0
             end
             return dissect_claimed(tvb, text, pinfo, tree, number, conversation, known, at)
@@ -8487,10 +8412,10 @@ do
     local function dissect_tcp(tvb, pinfo, tree)
         local text, number = bytes_of(tvb), pinfo.number
         if not pinfo.visited then return dissect_first(tvb, text, pinfo, tree, number) end
-        if next(declined) and declined[place_of(number, tvb:offset())] then return 0 end
-        local place = next(asked) and asked[place_of(number, offset_of(tvb))]
-        if place then
-            pinfo.desegment_offset, pinfo.desegment_len = place, DESEGMENT_ONE_MORE_SEGMENT
+        local buffer = buffers[place_of(number, offset_of(tvb))]
+        if buffer == DECLINED then return 0 end
+        if buffer and buffer.asked then
+            pinfo.desegment_offset, pinfo.desegment_len = buffer.asked, DESEGMENT_ONE_MORE_SEGMENT
             return #text
         end
         if has_found then
@@ -8500,8 +8425,8 @@ do
         return dissect_claimed(tvb, text, pinfo, tree, number)
     end
 
-    -- A connection on any other port is ours after a beacon that names the port, or from the unlock text on. Wireshark
-    -- then hands us all packets of the conversation, in later passes those before, too.
+    -- Claims a connection on any other port after a beacon that names the port, or from the unlock text on. Wireshark
+    -- then passes all packets of the conversation to us; in later passes also those before.
     local function guess_tcp(tvb, pinfo, tree)
         if pinfo.visited then return false end
         local to_brick, size = is_announced(pinfo.dst, pinfo.dst_port), #UNLOCK.request
@@ -8519,18 +8444,14 @@ do
         pinfo.conversation = ev3
         claiming.begin(conversation, true)
         conversation.is_found, conversation.claimed_in, has_found = true, pinfo.number, true
-        if to_brick then
-            name_brick(conversation, pinfo.dst, pinfo.dst_port)
-        else
-            name_brick(conversation, pinfo.src, pinfo.src_port)
-        end
+        name_brick(conversation, pinfo, to_brick)
         dissect_claimed(tvb, bytes_of(tvb), pinfo, tree, pinfo.number, conversation, known)
         return true
     end
 
     local dissect_udp, guess_udp
     do
-        -- Where the host may send its answer: to the port that the beacon came from, the one that it names, or its own.
+        -- The host may answer to the port that the beacon came from, to the one that it names, or to the beacon's.
         local function remember_brick(pinfo, named)
             local address = tostring(pinfo.src) .. " "
             local name = tostring(pinfo.src) .. ":" .. (named or pinfo.src_port)
@@ -8538,7 +8459,7 @@ do
             if named then bricks[address .. named], announced[address .. named] = name, true end
         end
 
-        -- The port that a beacon names, nil where there can be none of that number.
+        -- Returns the port that a beacon names, nil if it is out of range.
         local function port_of(value)
             local port = value:match("^%d%d?%d?%d?%d?$") and tonumber(value)
             return port and port > 0 and port <= MAX_PORT and port or nil
@@ -8568,31 +8489,29 @@ do
             return said, port
         end
 
-        -- Whether a datagram begins with the labels of a beacon's first two lines, as far as it was captured, and names
-        -- no other protocol. By Decode As the first label is enough.
+        -- Tells whether a datagram is a beacon: it begins with the labels of the first two lines, unless truncated, and
+        -- does not name another protocol. With Decode As the first label is enough.
         local function is_beacon(tvb, text, is_forced)
             local lines = CARRIERS.beacon_lines
             local first, second, last = lines[1].label .. ": ", lines[2].label .. ": ", lines[#lines].label .. ": "
             if sub(text, 1, #first) ~= first then return false end
             if is_forced then return true end
-            local _, stop = find(text, "\r\n", 1, true)
-            local rest = stop and sub(text, stop + 1) or ""
+            local rest = text:match("\r\n(.*)") or ""
             local is_cut = tvb:len() < tvb:reported_len()
             if sub(rest, 1, #second) ~= second and not (is_cut and sub(second, 1, #rest) == rest) then return false end
-            local _, before = find(rest, "\r\n" .. last, 1, true)
-            local protocol = before and rest:match("^[^\r]*", before + 1) or ""
+            local protocol = rest:match("\r\n" .. last .. "([^\r]*)") or ""
             return sub(CARRIERS.protocol, 1, #protocol) == protocol
         end
 
-        -- The brick whose beacon a packet answers, if it does.
+        -- Returns the brick whose beacon a packet answers, or nil.
         local function answered_brick(pinfo)
-            if not pinfo.visited and next(bricks) then
+            if not pinfo.visited then
                 answers[pinfo.number] = bricks[tostring(pinfo.dst) .. " " .. pinfo.dst_port]
             end
             return answers[pinfo.number]
         end
 
-        -- A beacon that a brick broadcasts, or whatever a host answers to it.
+        -- Dissects a brick's beacon, or a host's answer to it.
         function dissect_udp(tvb, pinfo, tree)
             local text, number = tvb:raw(), pinfo.number
             brick = nil
@@ -8613,7 +8532,7 @@ do
             return tvb:len()
         end
 
-        -- An answer goes to the port that the beacon came from, which is known by nothing else.
+        -- Dissects answers to the port that a beacon came from, which is not known in advance.
         function guess_udp(tvb, pinfo, tree)
             if not answered_brick(pinfo) then return false end
             dissect_udp(tvb, pinfo, tree)
@@ -8621,7 +8540,7 @@ do
         end
     end
 
-    -- Takes the ports of the preference, such as 5555,6000-6003.
+    -- Registers the ports of the preference, such as 5555,6000-6003.
     local function take_ports()
         tcp_ports:add(listened, ev3)
         ports = {}
@@ -8647,30 +8566,30 @@ do
         ev3:register_heuristic("udp", guess_udp)
     end
 
-    carriers.add({
+    carriers[#carriers + 1] = {
         dissectors = { [2] = dissect_tcp, [3] = dissect_udp },
         forget = forget_wifi,
         prefs_changed = follow_ports,
         register = register,
-    })
+    }
 end
 
 -- Registration ------------------------------------------------------------------------------------------------------
 
 do
-    ev3.fields = fields
-
-    do
-        local list = {}
-        for _, declared in pairs(experts) do
-            list[#list + 1] = declared
+    local dissectors = {}
+    for _, carrier in ipairs(carriers) do
+        for port_type, dissect in pairs(carrier.dissectors) do
+            dissectors[port_type] = dissect
         end
-        ev3.experts = list
     end
+
+    ev3.fields = fields
+    ev3.experts = experts
 
     -- One protocol serves all carriers, so that "Decode As" offers it everywhere by one name.
     function ev3.dissector(tvb, pinfo, tree)
-        local dissect = carriers.dissectors[pinfo.port_type]
+        local dissect = dissectors[pinfo.port_type]
         local taken = dissect and dissect(tvb, pinfo, tree) or 0
         if has_tree(tree) then free_unused() end
         return taken
@@ -8678,22 +8597,28 @@ do
 
     function ev3.init()
         forget_dialogues()
-        carriers.each("forget")
+        for _, carrier in ipairs(carriers) do
+            if carrier.forget then carrier.forget() end
+        end
     end
 
-    carriers.each("register")
+    -- Wireshark registers only protocols that have a dissector.
+    for _, carrier in ipairs(carriers) do
+        carrier.register()
+    end
 
     local dialect_choices = {}
     for number, name in ipairs(DIALECTS) do
         dialect_choices[number] = { number, name, number }
     end
 
-    ev3.prefs.firmware = Pref.enum("Firmware", 1, "The firmware whose instruction set to read by",
-        dialect_choices, false)
-    ev3.prefs.bytes = Pref.bool("Bytes as a field", false, "Give all bytes of each frame in one field, for programs")
+    ev3.prefs.firmware = Pref.enum("Firmware", 1, "Firmware whose instruction set is used", dialect_choices, false)
+    ev3.prefs.bytes = Pref.bool("Bytes as a field", false, "Add the bytes of each frame as a field, for other programs")
 
     function ev3.prefs_changed()
-        carriers.each("prefs_changed")
+        for _, carrier in ipairs(carriers) do
+            if carrier.prefs_changed then carrier.prefs_changed() end
+        end
         gives_bytes = ev3.prefs.bytes
         dialect = DIALECTS[ev3.prefs.firmware]
         instructions = INSTRUCTION_SETS[dialect]

@@ -219,7 +219,7 @@ FAMILIAR = {
 def test_familiar_names(fields: dict[str, Field]) -> None:
     types = {name: fields[f"ev3.{name}"].type for name in FAMILIAR}
     assert types == FAMILIAR
-    section = README.split("## If you had filters before")[1].split("##")[0]
+    section = README.split("## Filters from earlier dissectors")[1].split("##")[0]
     assert set(re.findall(r"`ev3\.(\w+)`", section)) == set(FAMILIAR)
 
 

@@ -219,12 +219,6 @@ def answered_commands(tshark: Tshark, commands: Iterable[int], replies: Iterable
     return tshark.run(path, *words).splitlines()
 
 
-def test_only_so_many_commands_wait_for_their_replies(tshark: Tshark) -> None:
-    """At least 4,096 on one connection, at most twice as many; the oldest are dropped."""
-    said = answered_commands(tshark, range(9000), (0, 9000 - 8192 - 1, 9000 - 4096, 8999))
-    assert said == ["0\t", "807\t", "4904\t4905", "8999\t9000"]
-
-
 def test_commands_that_wait_long_keep_those_before_them(tshark: Tshark) -> None:
     """Two with one counter, then 300 with others: the first reply belongs to the newer one."""
     said = answered_commands(tshark, (5, 5, *range(1000, 1300)), (5, 1000, 5, 1299))

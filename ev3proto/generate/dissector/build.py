@@ -23,7 +23,6 @@ RUNTIME = (
     "message",
     "frames",
     "claims",
-    "carriers",
     "streams",
     *CARRIERS,
     "registration",

@@ -1,14 +1,14 @@
 -- Bluetooth ---------------------------------------------------------------------------------------------------------
 --
--- RFCOMM hands over one piece of the stream after the other, and does not join them: a frame that is not whole waits
--- here for its rest. The first pass keeps of each packet what was waiting before it.
+-- Wireshark passes the stream on piece by piece and does not join them: an incomplete frame waits here for its rest.
+-- The first pass keeps what was waiting before each packet.
 
 do
-    -- By number, of the packets that are ours: which types each `accepts`; the `step` of the stream, "lost" where it
-    -- was out of step before, "sure" where the claim begins, after `start` bytes of others; of a frame that continues
-    -- in it the `list` of packets that it came in, of which this number were `earlier`, and where it becomes whole the
-    -- bytes `before`; and the list of the frame that has `begun` in it and is not whole. A frame's packets share its
-    -- list, which has the one with the last piece as `complete_in`.
+    -- Our packets, by number. `accepts` tells which types go this way. `step` is "lost" if the stream was out of step
+    -- before, "sure" if the claim begins here, after `start` bytes that are not ours. For a frame that continues in the
+    -- packet, `list` has the numbers of its packets, of which the first `earlier` came before this one; if it is
+    -- complete now, `before` has the bytes of those. `begun` is the list of a frame that starts here and is incomplete.
+    -- All packets of a frame share its list; its `complete_in` is the packet with the last piece.
     local packets, streams
 
     local function forget_streams()
@@ -16,9 +16,9 @@ do
     end
     forget_streams()
 
-    -- What is known of a packet's channel, and of its direction in that. Devices go by the addresses of their hardware:
-    -- to the others Wireshark adds a device's name as soon as it knows one. A capture begun after the connection has no
-    -- addresses, but mostly tells what was sent and what received.
+    -- Returns the conversation of a packet's channel, and the stream of its direction. Devices are identified by
+    -- hardware addresses: Wireshark adds names to the other addresses as soon as it learns them. A capture that was
+    -- started after the connection has no addresses, but usually the direction.
     local function channel_of(pinfo)
         local from, to, channel = tostring(pinfo.dl_src), tostring(pinfo.dl_dst), floor(pinfo.match_uint / 2)
         local conversation = conversation_of((from < to and from .. " " .. to or to .. " " .. from) .. " " .. channel)
@@ -37,7 +37,7 @@ do
         return type.is_command
     end
 
-    -- Bricks write into each other's mailboxes.
+    -- Bricks write into each other's mailboxes, so some commands come from a brick.
     local function is_from_brick(type)
         return not type.is_command or type.carries == "system" and not type.wants_reply
     end
@@ -46,7 +46,7 @@ do
         stream.left, stream.list, stream.starts, stream.look_at = "", nil, nil, 0
     end
 
-    -- Nothing is known of what a channel's sides said so far.
+    -- Forgets the waiting bytes of both directions.
     local function clear_sides(conversation)
         for _, stream in ipairs(conversation.sides) do
             clear(stream)
@@ -54,14 +54,14 @@ do
         end
     end
 
-    -- Whether the frame that begins with this text is not whole with it.
+    -- Tells whether a text is only the beginning of a frame.
     local function is_part(text)
-        local low, high = byte(text, 1, 2)
-        return not high or is_length(text, 0) and frame_size(low, high) > #text
+        local stop = stop_of(text, 0)
+        return not stop or is_length(text, 0) and stop > #text
     end
 
-    -- Keeps the bytes of a stream from an offset on, of those that wait and the packet that came last; `list` are the
-    -- packets of those that wait, `starts` where in them each begins.
+    -- Keeps the waiting bytes and those of the newest packet, from an offset on. `list` has the numbers of their
+    -- packets, `starts` where each packet begins in them.
     local function keep(stream, text, place, number)
         local list, starts = {}, {}
         local before = stream.list or {}
@@ -75,8 +75,8 @@ do
         stream.left, stream.list, stream.starts = sub(text, place + 1), list, starts
     end
 
-    -- A packet of a channel that is not known to be ours, nil unless a command makes it ours. What may still become a
-    -- command is kept: whoever types a text sends it letter by letter.
+    -- Returns the record of a packet whose channel was not ours so far, nil unless a command makes it ours. What may
+    -- still become a command is kept: text that is typed comes letter by letter.
     local function claim(conversation, stream, piece, missing, number)
         local left = stream.left
         local text = left .. piece
@@ -103,12 +103,12 @@ do
         return packet
     end
 
-    -- Whether all of a text waits for more; the newest packet starts at `joint`.
+    -- Tells whether all of a text has to wait for more; the newest packet starts at `joint`.
     local function waits(stream, text, accepts, joint)
         if stream.step ~= "lost" then
             local part = is_part(text)
             if #text < HEADER_SIZE or part and #text < stream.look_at then return part end
-            -- A frame that comes byte by byte is not looked at with each of them.
+            -- A frame that comes byte by byte is not examined at each byte.
             stream.look_at = floor(#text * 1.25) + 1
             if not is_length(text, 0) then return false end
             return claiming.judge_split(text, 0, accepts, joint) == PART
@@ -117,17 +117,9 @@ do
         return place == 0 and not following
     end
 
-    -- Joins a packet that is seen for the first time with what waits for it.
+    -- Joins a packet with what waits for it, in the first pass.
     local function join(stream, piece, packet, number)
         local left = stream.left
-        if left ~= "" and is_part(left .. piece) then
-            -- Where whole frames begin with the packet, what waits is not a frame.
-            local place, following = claiming.find_step(piece, 0, packet.accepts, 1)
-            if place == 0 and following then
-                clear(stream)
-                left = ""
-            end
-        end
         if left == "" then return end
         packet.list, packet.earlier = stream.list, #stream.list
         if waits(stream, left .. piece, packet.accepts, #left) then
@@ -148,7 +140,7 @@ do
         end
     end
 
-    -- The part of a frame at the end of a packet.
+    -- Adds the incomplete frame at the end of a packet.
     local function add_part(tree, tvb, size, packet)
         local range = tvb(math.max(tvb:len() - size, 0))
         local item = tree:add(ev3, range, "EV3: part of a frame")
@@ -159,7 +151,7 @@ do
         if list and list.complete_in then item:add(field.fragment_of, list.complete_in):set_generated() end
     end
 
-    -- What is known of a packet that is seen for the first time, nil where it is not ours.
+    -- Returns the record of a packet in the first pass, nil if it is not ours.
     local function first_look(conversation, stream, piece, missing, pinfo)
         local number = pinfo.number
         if conversation.is_claimed then
@@ -169,7 +161,7 @@ do
             return packet
         end
         local packet = claim(conversation, stream, piece, missing, number)
-        -- It is claimed by a command, so this packet goes to the brick.
+        -- A command claimed it, so this packet goes to the brick.
         if packet then conversation.name, conversation.to_brick = tostring(pinfo.dl_dst), stream end
         return packet
     end
@@ -187,7 +179,7 @@ do
         local is_shown, size, before = has_tree(tree), #piece, packet.before
         brick = is_shown and tostring(packet.accepts == is_command and pinfo.dl_dst or pinfo.dl_src)
         start_line(number, tvb:offset())
-        -- Of a frame that continues in it, some packets only have more to wait for.
+        -- If the packet only continues a frame, there is nothing to dissect yet.
         if before or not packet.list then
             local text, whole = (before or "") .. piece, tvb
             if before then
@@ -223,12 +215,12 @@ do
         return #piece
     end
 
-    -- The channel of the serial port profile, whichever side opened it.
+    -- The channel of the serial port profile, opened by either side.
     local function register()
         local channels = DissectorTable.get("btrfcomm.dlci")
         channels:add(2 * CARRIERS.rfcomm_channel, ev3)
         channels:add(2 * CARRIERS.rfcomm_channel + 1, ev3)
     end
 
-    carriers.add({ dissectors = { [11] = dissect_rfcomm }, forget = forget_streams, register = register })
+    carriers[#carriers + 1] = { dissectors = { [11] = dissect_rfcomm }, forget = forget_streams, register = register }
 end

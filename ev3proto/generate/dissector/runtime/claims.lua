@@ -1,28 +1,22 @@
 -- Claims ------------------------------------------------------------------------------------------------------------
 --
--- Ours and not ours: the ports and channels that bricks use belong to others as well. The rule is in ev3proto's tables;
--- here it is applied, and frames are found in streams. Decisions are made the first time a packet is seen, and kept.
+-- Which conversations are ours: other protocols use the same ports and channels as bricks. The rule is in ev3proto's
+-- tables; here it is applied, and frames are found in streams. Decisions are made in the first pass, and kept.
 
--- What the beginning of some data tells: OURS, PART where more is needed to tell, nil for what is not ours.
+-- What data turn out to be: OURS; PART if more is needed to decide; nil if they are not ours.
 local OURS, PART = "ours", "part"
 
 do
-    -- Places in one piece of a stream where a whole frame is tried, before the piece is given up.
+    -- Maximum number of places in one piece of a stream where a frame is tried.
     local MOST_TRIALS = 64
 
-    -- Frames after one that are looked at to tell whether it is one.
+    -- Maximum number of following headers that are checked.
     local MOST_FOLLOWING = 2
 
-    -- Bytes of a command that the capture must have to tell what it is.
+    -- Bytes of a truncated command that must be captured, so that it can be recognised.
     local LEAST_CUT = COMMAND_HEADER_SIZE + 2
 
-    -- The offset after the frame that starts at another one, as its length says; nil where its length is not here.
-    local function stop_of(text, at)
-        local low, high = byte(text, at + 1, at + 2)
-        return high and at + frame_size(low, high)
-    end
-
-    -- Calls a function with each firmware's instructions, the preferred one's first, until it says anything.
+    -- Calls a function with each firmware's instructions, the preferred one's first, until it returns true.
     local function by_any(says, ...)
         local said, preferred = says(...), instructions
         if said then return said end
@@ -34,8 +28,8 @@ do
         return said
     end
 
-    -- Reads operations from an offset on. `judge` gets the opcode of each, `visit` each argument. Returns nothing, or the
-    -- kind of the fault that ends them, and the operation that has it.
+    -- Reads operations from an offset on. `judge` gets the opcode of each, `visit` each argument. Returns nil, or the
+    -- kind of the fault that ends them, and its operation.
     local function scan(text, at, stop, judge, visit)
         while at < stop do
             local code = byte(text, at + 1)
@@ -47,7 +41,7 @@ do
         end
     end
 
-    -- Whether a frame has no fault and says something: it is not an empty command, nor for a layer that cannot exist.
+    -- Tells whether a frame has no fault and a meaning: empty commands and impossible layers have none.
     local function is_sensible(message)
         local type, text = message.type, message.text
         if not type or message.stop < message.size or message.fault then return false end
@@ -65,7 +59,8 @@ do
     end
     claiming.is_sensible = is_sensible
 
-    -- Whether an argument is of a kind and range that its parameter takes; `sizes` is the memory asked for, by scope.
+    -- Tells whether an argument has a kind and range that its parameter accepts; `sizes` is the requested memory, by
+    -- scope.
     local function is_in_place(parameter, encoding, value, sizes)
         if encoding.scope then return value < sizes[encoding.kind] end
         if parameter.is_output then return false end
@@ -73,8 +68,9 @@ do
         if is_text or parameter.kind == TEXT_VALUE then return is_text and parameter.kind == TEXT_VALUE end
         local range = parameter.range
         if range and value >= range[1] and value <= range[2] then return true end
-        if parameter.is_legal then return parameter.is_legal(value) end
-        return not range
+        local names, special = parameter.names, parameter.special
+        if not names and not special then return not range end
+        return names and names[value] ~= nil or special and special[value] ~= nil
     end
 
     -- The same for all operations of a direct command, at least one of which must be evidence.
@@ -93,8 +89,8 @@ do
         return is_right and is_telling and (not kind or is_cut and kind == "cut_off")
     end
 
-    -- Whether a message is a command that somebody would send to a brick, by the instructions of some firmware.
-    -- With `is_cut` the capture has only the beginning of it: what is there counts.
+    -- Tells whether a message is a plausible command by the instructions of some firmware. With `is_cut` the capture
+    -- has only its beginning, which then counts.
     local function is_plausible(message, is_cut)
         local type, stop = message.type, message.stop
         if not type or not type.is_command then return false end
@@ -109,7 +105,7 @@ do
     end
     claiming.is_plausible = is_plausible
 
-    -- How many complete replies that bring something a text has and nothing else; 0 where it has anything else.
+    -- Counts the complete, non-empty replies in a text; 0 if it contains anything else.
     function claiming.count_replies(text)
         local at, count = 0, 0
         while #text - at >= HEADER_SIZE do
@@ -124,21 +120,22 @@ do
         return at == #text and count or 0
     end
 
-    -- Takes a conversation for ours from now on; with `is_sure` whatever is said in it.
+    -- Claims a conversation from now on; with `is_sure` for good, whatever it contains.
     function claiming.begin(conversation, is_sure)
         conversation.is_claimed, conversation.is_sure, conversation.is_answered = true, is_sure, false
         conversation.strange, conversation.unread, conversation.has_frame, conversation.is_good = 0, 0, false, false
         conversation.claims = (conversation.claims or 0) + 1
     end
 
-    -- Looks at a message of a conversation that is claimed, when it is seen for the first time.
+    -- Takes note of a message of a claimed conversation, in the first pass.
     function claiming.note(conversation, message)
         if not conversation.is_claimed or conversation.is_sure then return end
         conversation.has_frame = true
         conversation.is_good = conversation.is_good or not conversation.is_answered and is_sensible(message)
     end
 
-    -- Counts a packet of a claimed conversation, of which so many bytes are in no frame: whether it is claimed still.
+    -- Counts a packet of a claimed conversation; `size` is the number of its bytes outside of frames. Returns whether
+    -- the conversation is still claimed.
     function claiming.count(conversation, size, number)
         local is_good, has_frame = conversation.is_good, conversation.has_frame
         conversation.is_good, conversation.has_frame = false, false
@@ -147,10 +144,10 @@ do
             conversation.strange, conversation.unread, conversation.counted = 0, 0, number
             return true
         end
-        -- A packet counts once, though it be handed over in parts.
+        -- A packet counts once, even if it comes in several buffers.
         if conversation.counted ~= number then conversation.strange = conversation.strange + 1 end
         conversation.unread, conversation.counted = conversation.unread + size, number
-        -- Of a dialogue what is left of a frame may come in many packets.
+        -- In a dialogue, the rest of a frame may come in many packets.
         local is_over = conversation.strange >= CLAIMS.strange_packets
             and (not conversation.is_answered or conversation.unread > LENGTH_FIELD + MAX_LENGTH)
         if is_over then
@@ -159,7 +156,7 @@ do
         return not is_over
     end
 
-    -- Whether the frame at an offset, of which the text has only the beginning, may become one without a fault.
+    -- Tells whether an incomplete frame at an offset may turn out to have no fault.
     local function may_become(text, at, accepts)
         if not may_start(text, at) then return false end
         local code, number = byte(text, at + HEADER_SIZE, at + HEADER_SIZE + 1)
@@ -174,14 +171,14 @@ do
     end
     claiming.may_become = may_become
 
-    -- The bytes 1 to 4 of a header, as a pattern: no type is a letter that means anything in one.
+    -- Bytes 1 to 4 of a header, as a pattern. No message type is a special character of patterns.
     local codes = {}
     for code in pairs(MESSAGE_TYPES) do
         codes[#codes + 1] = string.char(code)
     end
     local STARTS = "[\0-" .. string.char(floor(MAX_LENGTH / 0x100)) .. "]..[" .. concat(codes) .. "]"
 
-    -- The system commands that any bytes may follow.
+    -- The system commands that end with arbitrary data.
     local has_data = {}
     for number, command in pairs(SYSTEM_COMMANDS) do
         for _, declared in ipairs(command.request) do
@@ -189,7 +186,8 @@ do
         end
     end
 
-    -- The places from an offset on where a frame of an accepted type may start, by its header, with the frame's end.
+    -- Iterates over the places from an offset on where the header of an accepted type may be: place, end of the frame,
+    -- type.
     local function each_start(text, at, accepts)
         local hit, trials = at + 1, 0
         return function()
@@ -206,16 +204,17 @@ do
         end
     end
 
-    -- The first place from an offset on where the last bytes may be the start of a header; nil without one.
+    -- Returns the first place from an offset on where an incomplete header may start at the end of a text, nil if there
+    -- is none.
     function claiming.header_at_end(text, at)
         for place = math.max(#text - HEADER_SIZE + 1, at), #text - 1 do
             if may_start(text, place) then return place end
         end
     end
 
-    -- The first place with a plausible command, and true; else the first that may become one, nil without one.
-    -- Packets begin at 0 and at `joint`: there anything may follow the command, elsewhere another frame. A command that
-    -- ends at `reported`, of which the capture has less, is whole.
+    -- Returns the first place with a plausible command, and true; else the first with what may become one (or nil), and
+    -- false. Packets begin at 0 and at `joint`: anything may follow a command there, elsewhere only another frame. A
+    -- truncated command counts as whole if it ends at `reported`, where the packet did.
     function claiming.find_command(text, joint, accepts, reported)
         local open = claiming.header_at_end(text, 0)
         for place, stop, type in each_start(text, 0, accepts) do
@@ -224,7 +223,7 @@ do
             local is_split = not is_whole or place < joint and joint < stop
             local is_chance = is_split and type.carries == "system" and has_data[byte(text, place + HEADER_SIZE + 1)]
             if type.carries == "daisy" or is_chance then
-                -- Not enough to tell.
+                -- This proves nothing.
             elseif not is_whole then
                 if not (open and open < place) and may_become(text, place, accepts) then open = place end
             elseif place == 0 or place == joint or stop >= #text or may_start(text, stop) then
@@ -234,8 +233,8 @@ do
         return open, false
     end
 
-    -- How many frames begin here, one after the other, of those whose headers are here; nil where none can. Few are
-    -- enough to tell, as the next gap may come soon.
+    -- Counts the headers that follow each other from an offset on; nil if none can start there. A few are enough: the
+    -- next gap may come soon.
     local function follow(text, at)
         local size, count = #text, 0
         while at < size and count < MOST_FOLLOWING do
@@ -247,10 +246,12 @@ do
         return count
     end
 
-    -- Where a stream goes on that is out of step, from an offset on: the place of a frame that is whole there and
-    -- without a fault, and how many frames begin after it, at least `least`; else the place of the first that is not
-    -- whole, and may become one. Where a packet starts, at `first` and at `second`, a frame may have faults, or nothing
-    -- that can follow it. nil: no frame is here.
+    claiming.follow = follow
+
+    -- Finds where a stream that is out of step continues, from an offset on. Returns the place of a complete frame
+    -- without a fault, and the number of headers after it, at least `least`; else the place of an incomplete frame that
+    -- may have no fault; else nil. Packets start at `first` and `second`: a frame there may have faults, or be followed
+    -- by anything.
     function claiming.find_step(text, at, accepts, least, first, second)
         local open, single, begun
         for place, stop in each_start(text, at, accepts) do
@@ -271,8 +272,8 @@ do
         return open
     end
 
-    -- What a frame is that seems to come in several packets, if a gap may be between them: OURS, PART where more is
-    -- needed to tell, nil where it is none. `joint` is where the newest packet starts.
+    -- Judges a frame that seems to come in several packets, between which packets may be missing: OURS, PART, or nil.
+    -- The newest packet starts at `joint`.
     function claiming.judge_split(text, at, accepts, joint, is_last)
         local stop = stop_of(text, at)
         if stop > #text then
@@ -280,19 +281,16 @@ do
             local _, following = claiming.find_step(text, at + 1, accepts, 0)
             return not following and PART or nil
         end
-        local message = read_message(sub(text, at + 1, stop))
-        local type, following = message.type, follow(text, stop)
+        local message, following = read_message(sub(text, at + 1, stop)), follow(text, stop)
+        local type = message.type
         local stands = type and accepts(type) and is_sensible(message)
-        -- Few bytes are operations by chance.
-        local tells_itself = stands and type.is_command and type.carries == "direct"
-        if tells_itself or stands and following and following > 0 then return OURS end
         if not following then return nil end
-        -- After a gap between two packets, frames begin with the newer one, or later.
+        -- Few random bytes are operations.
+        if stands and (following > 0 or type.is_command and type.carries == "direct") then return OURS end
+        -- After a gap between two packets, frames start in the newer one.
         local inside, following_inside = claiming.find_step(text, stands and joint or at + 1, accepts, 0, joint)
         local is_inside = inside and inside < stop
         if is_inside and following_inside then return nil end
-        local is_unclear = following == 0 or following == 1 and not stands
-        if not is_last and (not stands and following == 0 or is_inside and is_unclear) then return PART end
-        return OURS
+        return not is_last and following == 0 and (is_inside or not stands) and PART or OURS
     end
 end

@@ -1,23 +1,20 @@
 -- Dialogues ---------------------------------------------------------------------------------------------------------
 --
--- Which reply answers which command, and which file is on its way. Wireshark dissects all packets once in their order
--- and afterwards whichever one is looked at: what is found out the first time is kept, by the place of each message,
--- and later passes only look it up.
+-- Which reply answers which command, and which file a message belongs to. Wireshark dissects all packets once in order,
+-- and afterwards those that are displayed. What the first pass finds is kept by the place of each message; later passes
+-- look it up.
 
 local read_message
-local forget_dialogues, conversation_of, known_conversation, take_note, request_of, reply_to, transfer_at
+local forget_dialogues, conversation_of, take_note, request_of, reply_to, transfer_at
 do
-    -- Commands with one counter that are remembered, for senders who never change it.
+    -- Commands with the same counter that are remembered, for senders that never change it.
     local MOST_PER_COUNTER = 4
-
-    -- Commands of one conversation that may wait for their replies. Beyond twice as many the oldest are given up: a
-    -- brick has one answer after the other.
-    local MOST_WAITING = 4096
 
     local CARRIES = { direct = 0x000000, system = 0x010000, daisy = 0x020000 }
 
-    -- By place: of a command the number of the packet with its reply; of a reply the place of its command, the seconds
-    -- that it took, and the command's frame, in one text; of a message on a file what is known of that.
+    -- By place. `replies`: for a command, the number of the packet with its reply. `requests`: for a reply, the place
+    -- of its command, the seconds that passed, and the command's frame, in one text. `transfers`: for a message, the
+    -- state of its file.
     local replies, requests, transfers
 
     local conversations
@@ -27,7 +24,7 @@ do
     end
     forget_dialogues()
 
-    -- The command that a reply answers: `place`, `message`, and `delay`, the seconds that the reply took.
+    -- Returns the command that a reply answers: `place`, `message`, and `delay`, the response time in seconds.
     function request_of(place)
         local known = requests.get(place)
         if not known then return nil end
@@ -35,51 +32,37 @@ do
         return { place = command, delay = delay, message = read_message(sub(known, start)) }
     end
 
-    -- The number of the packet with the reply to a command.
+    -- Returns the number of the packet with the reply to a command.
     function reply_to(place)
         local number = replies.get(place)
         return number and tonumber(number)
     end
 
-    -- The file that a message is about: path, size, bytes done.
+    -- Returns the file that a message belongs to: path, size, bytes done.
     function transfer_at(place)
         return transfers[place]
     end
 
-    -- All that is known of the messages between one computer and one brick, who have that key: the commands that wait
-    -- for replies, by counter, each list oldest first, and what waited `before` those; transfers `begun` by counter,
-    -- and `open` by handle.
+    -- Returns the conversation of a computer and a brick. `waiting` has the commands that wait for a reply: lists by
+    -- counter, oldest first. Transfers are `begun` by counter, and `open` by handle.
     function conversation_of(key)
         local conversation = conversations[key]
         if not conversation then
-            conversation = { key = key, waiting = {}, waiting_count = 0, waiting_before = {}, begun = {}, open = {} }
+            conversation = { key = key, waiting = {}, begun = {}, open = {} }
             conversations[key] = conversation
         end
         return conversation
     end
 
-    -- The same, where anything is known of them.
-    function known_conversation(key)
-        return conversations[key]
-    end
-
-    -- What a reply has in common with the command it answers.
+    -- Returns what a reply has in common with its command.
     local function pending_key(message)
         return CARRIES[message.type.carries] + message.counter
     end
 
     local function remember(conversation, place, message, pinfo)
         local key = pending_key(message)
-        local commands = conversation.waiting[key]
-        if not commands then
-            if conversation.waiting_count == MOST_WAITING then
-                conversation.waiting, conversation.waiting_before = {}, conversation.waiting
-                conversation.waiting_count = 0
-            end
-            commands = conversation.waiting_before[key] or {}
-            conversation.waiting[key] = commands
-            conversation.waiting_count = conversation.waiting_count + 1
-        end
+        local commands = conversation.waiting[key] or {}
+        conversation.waiting[key] = commands
         if #commands == MOST_PER_COUNTER then table.remove(commands, 1) end
         commands[#commands + 1] = { place = place, time = pinfo.rel_ts, message = message }
     end
@@ -89,14 +72,14 @@ do
         return byte(command.message.text, HEADER_SIZE + 1) == byte(message.text, HEADER_SIZE + 1)
     end
 
-    -- Whether a reply has just the size that was asked for.
+    -- Tells whether a reply has the size that its command requested.
     local function fits(message, command)
         local type, sizes = message.type, unsigned16(command.message.text, HEADER_SIZE)
         if type.carries ~= "direct" or type.is_error or not sizes then return true end
         return message.size - HEADER_SIZE == sizes % (GLOBAL_MASK + 1)
     end
 
-    -- Whether a reply shows that both are messages of ours: only a brick gives just the size that was asked for.
+    -- Tells whether a reply proves that both are ours: only a brick returns exactly the requested size.
     local function is_proof(message, command)
         local type, size = message.type, message.size
         if message.fault or type.carries == "daisy" then return false end
@@ -105,11 +88,11 @@ do
         return fits(message, command)
     end
 
-    -- The command that a reply answers: of those with its counter the newest of the right size, else the newest. The
-    -- newest, because a sender comes back to a counter only after it gave up on the one before.
+    -- Returns the command that a reply answers: the newest with its counter and the right size, else the newest with
+    -- its counter, because a sender reuses a counter only after it gave up on the earlier command.
     local function answered(conversation, message)
         local key, best = pending_key(message), nil
-        local commands = conversation.waiting[key] or conversation.waiting_before[key] or {}
+        local commands = conversation.waiting[key] or {}
         for index = #commands, 1, -1 do
             if can_answer(message, commands[index]) then
                 best = best or index
@@ -119,11 +102,13 @@ do
                 end
             end
         end
-        return best and table.remove(commands, best)
+        local command = best and table.remove(commands, best)
+        if #commands == 0 then conversation.waiting[key] = nil end
+        return command
     end
 
-    -- Adds a piece to a file and returns that. One that is complete takes no more, as the brick has closed it: then the
-    -- handle stands for another one, of which the beginning is missing in the capture, and nothing is known.
+    -- Adds a piece to a file and returns the file. The brick closes a complete file; more data for its handle belong to
+    -- another file, whose beginning was not captured: then returns nil.
     local function add_piece(conversation, handle, transfer, piece)
         if #piece > 0 and transfer.size and transfer.done >= transfer.size then
             conversation.open[handle] = nil
@@ -133,7 +118,7 @@ do
         return transfer
     end
 
-    -- The file that a system command is about, as far as it is now.
+    -- Returns the file that a system command belongs to, with its progress.
     local function follow_request(conversation, message)
         local command, values = message.command, message.fields
         if command.transfer == "begin" then
@@ -146,12 +131,12 @@ do
         return add_piece(conversation, values.handle, transfer, values.data)
     end
 
-    -- The handle that a command for an open file has as its first field.
+    -- Returns the handle in a command for an open file, which is its first field.
     local function asked_handle(command)
         return command and byte(command.message.text, HEADER_SIZE + 2)
     end
 
-    -- The same for a reply. `request` is the command that it answers, where that was seen.
+    -- The same for a reply. `request` is its command, nil if that was not captured.
     local function follow_reply(conversation, message, request)
         local command, values = message.command, message.fields
         local failed = message.type.is_error or STATUS.fails[message.status] ~= false
@@ -160,11 +145,11 @@ do
             transfer = conversation.begun[message.counter]
             conversation.begun[message.counter] = nil
             if failed or not values.handle then return transfer end
-            -- Where the command was not seen, the handle stands for another file than before all the same.
+            -- Even if the command was not captured, the handle now belongs to another file.
             conversation.open[handle] = transfer
         else
             transfer = handle and conversation.open[handle]
-            -- The brick takes a handle back when a file is closed, complete or in trouble.
+            -- The brick releases a handle when its file is closed, complete, or failed.
             if handle and (command.transfer == "close" or failed or message.status == STATUS.end_of_file) then
                 conversation.open[handle] = nil
             end
@@ -174,7 +159,7 @@ do
         return add_piece(conversation, handle, transfer, values.data or values.list or "")
     end
 
-    -- What becomes known of a message when it is seen for the first time, in the conversation it belongs to.
+    -- Records a message of a conversation, in the first pass.
     function take_note(place, conversation, message, pinfo)
         local type = message.type
         local is_on_file = message.command and message.command.transfer
@@ -191,7 +176,7 @@ do
                 request.delay, message.request = pinfo.rel_ts - request.time, request
                 conversation.is_answered = conversation.is_answered or is_proof(message, request)
                 replies.put(request.place, format("%d", number_of(place)))
-                -- Of a system command its number is enough.
+                -- The number of a system command is enough.
                 if message.command then text = sub(text, 1, HEADER_SIZE + 1) end
                 requests.put(place, Struct.pack("dd", request.place, request.delay) .. text)
             end

@@ -1,9 +1,9 @@
 -- Frames in packets -------------------------------------------------------------------------------------------------
 --
--- What all carriers have in common: one frame of a buffer, and what the columns say of a packet.
+-- What all carriers have in common: one frame in a buffer, and the columns of a packet.
 
--- Whether anybody looks at the tree. In one-line output, and where filters, columns and colours are about other
--- protocols, everything that is done for it would be done in vain.
+-- Tells whether the tree is needed. It is not for one-line output, if filters, columns and colours use other protocols
+-- only.
 local has_tree
 do
     local this_dissector
@@ -15,13 +15,13 @@ do
     end
 end
 
--- The columns of a packet. TCP hands a packet over in pieces when frames are split over several; what is said of each
--- is added to the info column, which Wireshark cuts where it is full.
+-- The columns of a packet. If frames are split over packets, TCP passes a packet on in several buffers; the text of
+-- each is appended to the info column, which Wireshark truncates.
 local start_line, say, show
 do
     local pieces, shown, last_number, last_offset = {}, 0, 0, 0
 
-    -- A buffer of a packet is read: the first one, or a further one of the packet before.
+    -- Begins a buffer: the first one of a packet, or another one of the same packet.
     function start_line(number, offset)
         if number ~= last_number or offset <= last_offset then pieces, shown = {}, 0 end
         last_number, last_offset = number, offset
@@ -45,49 +45,54 @@ do
     end
 end
 
--- What is done for conversations that may be others': further below.
+-- Which conversations are ours: see Claims below.
 local claiming = {}
 
--- A message in a buffer: `conversation` is what is known of its conversation, needed the first time only; `said` is the
--- line on it in place of its own. Returns the line for the info column and, if there is a tree, the message's item.
+-- Each carrier below adds a table: `dissectors`, by Wireshark's type of ports; `register`, which registers them;
+-- optionally `forget`, which drops the state of the last capture, and `prefs_changed`.
+local carriers = {}
+
+-- Dissects a message in a buffer. `conversation` is given in the first pass only; `said` replaces the message's own
+-- line. Returns the line for the info column and, if there is a tree, the message's item.
 local function dissect_message(tvb, at, message, conversation, place, pinfo, tree, is_shown, said)
     if conversation then
         take_note(place, conversation, message, pinfo)
         claiming.note(conversation, message)
     end
-    -- Before 4.6 the protocol alone does not count as looked at, yet the protocol hierarchy counts its items.
+    -- The protocol hierarchy counts items, even if the tree is not needed; before 4.6 has_tree does not tell.
     if not is_shown and tree.text then tree:add(ev3, tvb(at, message.stop)) end
     return show_message(message, place, tvb, at, tree, is_shown, said, conversation)
 end
 
--- Bytes of the frame that starts with these two; nil where its length is not here. Where each packet comes by, it is
--- worked out on the spot: a call takes as long as the rest.
-local function frame_size(low, high)
-    return high and LENGTH_FIELD + low + high * 0x100
+-- Returns the offset after the frame that starts at an offset, by its length; nil without a length.
+local function stop_of(text, at)
+    local length = unsigned16(text, at)
+    return length and at + LENGTH_FIELD + length
 end
 
-local function is_usual_length(low, high)
-    local length = low + high * 0x100
+local function is_usual_length(length)
     return length >= MIN_LENGTH and length <= MAX_LENGTH
 end
 
--- Whether the length field at an offset can be a frame's. Downloads may be longer than all others; their header tells.
+-- Tells whether the length field at an offset can be a frame's. Downloads may be longer than all others, by their
+-- header.
 local function is_length(text, at)
-    local low, high, _, _, code, number = byte(text, at + 1, at + HEADER_SIZE + 1)
-    if is_usual_length(low, high) then return true end
+    local length = unsigned16(text, at)
+    if is_usual_length(length) then return true end
+    local code, number = byte(text, at + HEADER_SIZE, at + HEADER_SIZE + 1)
     local type, command = MESSAGE_TYPES[code], SYSTEM_COMMANDS[number]
-    if low + high * 0x100 < MIN_LENGTH or not type or not type.is_command then return false end
+    if length < MIN_LENGTH or not type or not type.is_command then return false end
     return type.carries == "system" and (not number or command ~= nil and command.is_long == true)
 end
 
--- Whether a frame may start at an offset, as far as its header goes.
+-- Tells whether a frame may start at an offset, by as much of its header as there is.
 local function may_start(text, at)
-    local low, high, _, _, type = byte(text, at + 1, at + HEADER_SIZE)
-    if not high then return low ~= nil end
+    if #text - at < LENGTH_FIELD then return #text > at end
+    local type = byte(text, at + HEADER_SIZE)
     return is_length(text, at) and (not type or MESSAGE_TYPES[type] ~= nil)
 end
 
--- The offset after the polls at an offset: lengths of 0 between frames, which the brick passes over.
+-- Returns the offset after the polls at an offset: lengths of 0 between frames, which the brick ignores.
 local function after_polls(text, at)
     while sub(text, at + 1, at + LENGTH_FIELD) == "\0\0" do
         at = at + LENGTH_FIELD

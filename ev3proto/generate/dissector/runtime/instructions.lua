@@ -1,10 +1,10 @@
 -- The instruction set, made ready -----------------------------------------------------------------------------------
 --
--- The tables above are written to be read. Here each parameter becomes what the reading of an argument needs. Wireshark
--- wants all fields at the start; an operation gets its parameters when it is first seen, as a capture has few of them
--- and the collector goes through all that Lua holds again and again.
+-- The tables above are written for readers. Here each parameter becomes what reading an argument needs. Wireshark needs
+-- all fields at startup; an operation gets its parameters when it is first seen, because a capture has few operations,
+-- and the garbage collector visits everything again and again.
 
--- A table whose entries are made when they are first asked for; where there is none, it is asked for again.
+-- Returns a table whose entries are made on first use.
 local function made_late(make)
     return setmetatable({}, { __index = function(made, key)
         local entry = make(key)
@@ -17,7 +17,7 @@ local INSTRUCTION_SETS, SYSTEM_COMMANDS, prepare_operation
 do
     local PARAMETER_KINDS = { [DATAF] = FLOAT, [STRING] = TEXT_VALUE }
 
-    -- A typed field of one parameter. Its kind tells which values it takes.
+    -- Makes the field of one parameter; `kind` is the kind of its values.
     local function parameter_field(abbreviation, parameter, kind, name, text)
         if kind == TEXT_VALUE then return ProtoField.string(abbreviation, name, text) end
         if kind == FLOAT then return ProtoField.float(abbreviation, name, text) end
@@ -29,7 +29,7 @@ do
         return ProtoField.int32(abbreviation, name, base.DEC, nil, nil, text)
     end
 
-    -- The field of a system message; several messages share one.
+    -- Makes the field of a system message; several messages share one.
     local system_field
     do
         local MAKE_SYSTEM_FIELD = {
@@ -53,7 +53,7 @@ do
         end
     end
 
-    -- What special values of a parameter mean, as it is shown after the value.
+    -- Returns the meanings of special values in brackets, as they are shown after the value.
     local function in_brackets(special)
         local shown = {}
         for value, meaning in pairs(special) do
@@ -62,7 +62,7 @@ do
         return shown
     end
 
-    -- What a parameter is called in filters and in the tree, and which values it takes.
+    -- Returns the names of a parameter in filters and in the tree, and the kind of its values.
     local function described(name, row)
         local own, type = row[1], row[3]
         local label = row.label and row.label .. " " .. own or own
@@ -70,32 +70,16 @@ do
         return ("ev3." .. name .. "." .. own):lower(), label, kind
     end
 
-    -- Says which single numbers a parameter takes besides its range: those that have names, and sums of flags.
-    local function legal_singles(row)
-        local special, names, flags = row.special or {}, row.enum and row.enum.names or {}, {}
-        for number in pairs(row.enum and row.enum.is_flags and names or {}) do
-            if number > 0 then flags[#flags + 1] = number end
-        end
-        table.sort(flags, function(one, other) return one > other end)
-        return function(value)
-            if special[value] or names[value] then return true end
-            for _, flag in ipairs(flags) do
-                if value >= flag then value = value - flag end
-            end
-            return flags[1] ~= nil and value == 0
-        end
-    end
-
-    -- All of a parameter, from its row in the tables; `value_name` is what the line on a reply calls it.
+    -- Makes a parameter from its row in the tables; `value_name` is its name in the line of a reply.
     local function ready_parameter(row, declared, kind, label, value_name)
         local name, direction, type = row[1], row[2], row[3]
         local is_flags = row.enum and row.enum.is_flags
         return {
             name = name, type = type, field = declared, kind = kind, is_float = type == DATAF, label = label,
             size = SIZE_OF[type] or 1,
-            -- The index of a variable must be a multiple of its type's size, else the brick refuses the command.
+            -- The index of a variable must be a multiple of this, else the brick refuses the command.
             alignment = SIZE_OF[row.validated or type] or 1,
-            -- What precedes the value in a line, where the command or the reply has one.
+            -- What precedes the value in the line of a command and of a reply.
             key = direction ~= OUT and " " .. name:lower() .. "=" or nil,
             value_key = direction ~= IN and " " .. value_name:lower() .. "=" or nil,
             is_output = direction ~= IN,
@@ -105,18 +89,18 @@ do
             special = row.special and not is_flags and in_brackets(row.special) or nil,
             length = row.length,
             range = row.range or not row.enum and not row.any and TYPE_RANGES[type] or nil,
-            is_legal = (row.special or row.enum) and legal_singles(row) or nil,
         }
     end
 
-    -- The field of what a count announces. Where another argument tells the type, a double holds whatever it is.
+    -- Makes the field of the values after a count. If another argument determines their type, it is a double, which
+    -- holds any of them.
     local function element_field(abbreviation, row)
         local name, element, text = row[1], row.element, row[4]
         if not TYPE_NAMES[element] then return ProtoField.double(abbreviation, name, text) end
         return parameter_field(abbreviation, {}, PARAMETER_KINDS[element] or NUMBER, name, text)
     end
 
-    -- The elements of a list of one type, by number.
+    -- Makes the elements of a list of one type, by number.
     local function ready_elements(list, row, declared, type)
         local kind = PARAMETER_KINDS[type] or NUMBER
         if row[3] == COUNT and not TYPE_NAMES[row.element] then kind = FLOAT end
@@ -134,7 +118,7 @@ do
         end)
     end
 
-    -- The list at the end of an operation; `declared` is the field of its elements.
+    -- Makes the list at the end of an operation; `declared` is the field of its elements.
     local function ready_list(parameter, row, declared)
         local list = { is_count = row[3] == COUNT, elements_of = {} }
         local types = { row.element }
@@ -152,14 +136,14 @@ do
         return list
     end
 
-    -- Names, directions and types stand for themselves in the text of parameters.
+    -- In the text of parameters, a name is its own value.
     local WORDS = setmetatable({ ENUMERATIONS = ENUMERATIONS }, { __index = function(_, word) return word end })
 
     local function read_rows(source)
         return load("return {" .. source .. "}", "=parameters", "t", WORDS)()
     end
 
-    -- An operation, and the fields of its parameters: of each, then, if it is a count, of what it announces.
+    -- Makes an operation, and the fields of its parameters: one for each, and one for the values after a count.
     local function declare_operation(name, source)
         local operation = { name = name, source = source, first_field = #fields + 1 }
         for _, row in ipairs(read_rows(source)) do
@@ -172,8 +156,8 @@ do
         return operation
     end
 
-    -- Adds the parameters to an operation that is seen for the first time. A list of values is not among them, but is
-    -- the operation's `list`. An operation that is not one of a family has no `cmd_name`.
+    -- Adds the parameters to an operation on first use. Values after a count are in its `list`. Only operations of a
+    -- family have a `cmd_name`.
     function prepare_operation(operation)
         local name, at = operation.name, operation.first_field
         local rows, by_name = read_rows(operation.source), {}
@@ -181,7 +165,7 @@ do
         for _, row in ipairs(rows) do
             local own, type = row[1], row[3]
             local _, label, kind = described(name, row)
-            -- LEGO names what a command reads after the command: VALUE of GET_VBATT is VBATT.
+            -- The line of a reply names a VALUE after its command: VALUE of GET_VBATT is VBATT.
             local value_name = own == "VALUE" and name:match("%.GET_(.+)$") or own
             local parameter = ready_parameter(row, fields[at], kind, label, value_name)
             by_name[own] = parameter
@@ -210,7 +194,7 @@ do
         return false
     end
 
-    -- Opcode to operation, or to a family: its name, and its operations by CMD. One such set for each dialect.
+    -- By dialect and opcode: an operation, or a family, which has a name and `commands`, its operations by CMD.
     INSTRUCTION_SETS = {}
     for _, dialect in ipairs(DIALECTS) do
         INSTRUCTION_SETS[dialect] = {}

@@ -1,13 +1,13 @@
 -- Memory ------------------------------------------------------------------------------------------------------------
 --
--- Where a message is, and how what packets leave behind is freed.
+-- The places of messages, and memory.
 
 local free_unused, place_of, number_of, new_notes
 do
-    -- Items and ranges of a tree are garbage after their packet. Lua frees it when all that it holds has doubled, long
-    -- after it left the processor's cache. Freed as soon as there is some of it, 30,000 packets take tshark -V 2.75
-    -- times as long as without a dissector, not 3.34, and two passes with a filter 4.6 times, not 5.9. Without a tree
-    -- there is little garbage, and where other scripts hold much, collecting would take long.
+    -- Items and ranges of a tree are garbage after their packet. Lua collects garbage when its memory has doubled, long
+    -- after the garbage has left the processor's cache. If it is collected soon, tshark -V takes 2.75 times as long as
+    -- without a dissector for 30,000 packets, not 3.34 times; two passes with a filter take 4.6 times as long, not 5.9.
+    -- Without a tree there is little garbage, and with much memory held by other scripts a collection takes long.
     do
         local GROWTH, MOST_KILOBYTES = 1.15, 32 * 1024
         local limit = 0
@@ -15,13 +15,13 @@ do
         function free_unused()
             local size = collectgarbage("count")
             if size < limit or size > MOST_KILOBYTES then return end
-            -- Objects of other scripts may raise an error when they are freed.
+            -- Finalizers of other scripts may raise errors.
             pcall(collectgarbage)
             limit = GROWTH * collectgarbage("count")
         end
     end
 
-    -- A message's place is the number of its packet and its offset there, in one number.
+    -- The place of a message: the number of its packet and its offset there, in one number.
     local OFFSETS = 0x100000
 
     function place_of(number, offset)
@@ -32,10 +32,10 @@ do
         return floor(place / OFFSETS)
     end
 
-    -- Texts by place, of any number of packets. Those of a page of packets are packed outside of Lua as soon as a later
-    -- packet has one: Lua goes through all that it holds whenever it frees something, and lets it double before that.
-    -- A text that an earlier packet gets afterwards stays in `late`. 300,000 packets take 47 bytes each with this, and
-    -- 374 without.
+    -- A compact map from places to texts, for any number of packets. The texts of a page of packets are packed outside
+    -- of Lua's memory once a later page begins: Lua visits all of its memory in each collection, and lets it double
+    -- before that. Texts that are added to an earlier page stay in `late`. 300,000 packets take 47 bytes each with
+    -- this, and 374 without.
     local PAGE = 256 * OFFSETS
     local pack, unpack = Struct.pack, Struct.unpack
 
@@ -75,7 +75,7 @@ do
             open[place] = text
         end
 
-        -- The text of a place, nil where it has none.
+        -- Returns the text of a place, or nil.
         function notes.get(place)
             local number = floor(place / PAGE)
             if number == open_number then return open[place] end

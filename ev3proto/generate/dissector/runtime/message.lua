@@ -1,9 +1,9 @@
 -- Messages ----------------------------------------------------------------------------------------------------------
 --
--- One frame, read as far as it goes. Each kind of message has one function, which returns the line that the info column
--- shows, and adds to the tree if it is looked at. Its `view` is the same for all: `root`, the tree; `item`, the
--- message's item in that, or nil; `target`, the one of these that exists; `tvb` and `base`, the buffer and where in it
--- the frame is; `place`, where the message is in the capture.
+-- One frame, read up to its first fault. Each kind of message has one function, which returns the line for the info
+-- column, and adds items if there is a tree. They share a `view`: `root`, the tree; `item`, the message's item, or nil;
+-- `target`, for expert information, the item or else the root; `tvb` and `base`, the buffer and the frame's offset in
+-- it; `place`, the message's place in the capture.
 
 local show_message
 do
@@ -33,7 +33,7 @@ do
         message.fault = { at = at, reason = reason, kind = kind }
     end
 
-    -- The line on a message that ends before what each of its type begins with.
+    -- Returns the line of a message that ends before its type's fixed fields.
     local function cut_off(message, view, reason)
         add_rest(message, view, HEADER_SIZE)
         set_fault(message, message.stop, reason, "cut_off")
@@ -82,7 +82,7 @@ do
         end
     end
 
-    -- The outputs of each operation together.
+    -- Adds the values of a reply, grouped by operation.
     local function add_outputs(view, outputs)
         local first = 1
         while first <= #outputs do
@@ -126,7 +126,8 @@ do
         return head .. " " .. (stop == HEADER_SIZE and "ok" or size)
     end
 
-    -- The readings that fit a mailbox's message, of which a frame has the bytes alone: field, value, and a text.
+    -- Returns the possible interpretations of a mailbox's message, whose type is not in the frame: field, value, and
+    -- text.
     local function readings_of(payload)
         local readings = {}
         local function add_reading(kind, value, text)
@@ -154,7 +155,7 @@ do
         return texts[1] and concat(texts, " or ")
     end
 
-    -- The values that tell most about a system message: its texts, and how much there is.
+    -- Returns the main values of a system message: its texts, and the amount of data.
     local function fields_text(message)
         local pieces = {}
         for _, found in ipairs(message.fields) do
@@ -171,7 +172,7 @@ do
         return concat(pieces)
     end
 
-    -- What a system message is about: the pieces of a file are about the file and how far it is.
+    -- Returns the subject of a system message; for a piece of a file that is the file and its progress.
     local function subject_text(message, place)
         local transfer = transfer_at(place)
         local is_first = message.command.transfer == "begin" and message.type.is_command
@@ -185,7 +186,7 @@ do
         return STATUS.names[status] or format("status %d", status)
     end
 
-    -- What a status means as the answer to a command, after a colon; empty where the firmware does not answer so.
+    -- Returns the meaning of a status for its command, after a colon; empty if the firmware does not use it there.
     local function status_meaning(message)
         local meaning = message.command and message.command.statuses[message.status]
         return meaning and ": " .. meaning or ""
@@ -214,7 +215,7 @@ do
         add_rest(message, view, message.rest)
     end
 
-    -- Commands and replies. Their fields were read with the frame, as the notes on files need them.
+    -- Commands and replies. Their fields were read with the frame, because file transfers need them.
     local function show_system_message(message, view)
         local command, status = message.command, message.status
         if view.item then add_system_message(message, view) end
@@ -230,7 +231,7 @@ do
         return "reply: " .. (status ~= STATUS.success and line .. " " .. status_text(status) or line)
     end
 
-    -- The two layers at an offset, and what follows them. Returns the item of that, if there is one.
+    -- Adds the two layers at an offset, and the payload after them. Returns the payload's item, if any.
     local function add_layers(message, view, at)
         local item, stop = view.item, message.stop
         if not item then return nil end
@@ -252,7 +253,7 @@ do
         local line = format("daisy %s layer %d to %d", name or format("0x%02X", number), from, to)
         at = at + DAISY_PAYLOAD
         if at == message.stop or not DAISY.carries_operations[number] then return line end
-        -- The payload's layout is not certain: operations are shown only where all of it reads as such.
+        -- The payload's layout is not certain: operations are shown only if all of it can be read.
         local said, _, fault = show_operations(text, at, {})
         if fault then return line end
         show_operations(text, at, { root = view.root, item = payload, tvb = view.tvb, base = view.base })
@@ -267,7 +268,7 @@ do
         at = at + 2
         if not payload or stop - at < DAISY.sensor_report_size then return line end
         for _, declared in ipairs(DAISY.sensor_report) do
-            -- The last part takes what is left.
+            -- The last part takes the rest.
             local after = declared.size and at + declared.size or stop
             if after > at then payload:add(report_field[declared.name], bytes_between(view, at, after)) end
             at = after
@@ -286,7 +287,7 @@ do
         { direct = show_direct_command, system = show_system_message, daisy = show_daisy_command }
     local SHOW_REPLY = { direct = show_direct_reply, system = show_system_message, daisy = show_daisy_reply }
 
-    -- A frame that was cut explains what is missing in it.
+    -- A truncated frame has no other fault at its end.
     local function check_size(message)
         local stop, fault = message.stop, message.fault
         if stop < message.size and not (fault and fault.kind ~= "cut_off") then
@@ -299,7 +300,7 @@ do
         local type, item, target, place = message.type, view.item, view.target, view.place
         if not type or message.is_overwritten then return end
         if type.wants_reply then
-            -- The first time that a command is seen, its reply is still to come.
+            -- In the first pass, the reply is still to come.
             local reply = not is_new and reply_to(place)
             if reply == nil then
                 complain(target, "unanswered", "no reply to this command was seen")
@@ -345,12 +346,12 @@ do
             return
         end
         local declared = type.is_command and message.command.request or message.command.reply
-        -- Replies to commands that failed may end before any field.
+        -- Replies to failed commands may end before any field.
         local is_complete = type.is_command or (message.status == STATUS.success and not type.is_error)
         message.fields, message.rest, message.fault = read_fields(text, start, stop, declared, is_complete)
     end
 
-    -- The message in a frame. `text` is all there is of it, which may be less than its length field says.
+    -- Reads a frame. `text` may be shorter than its length field says.
     function read_message(text)
         local low, high, first, second, code = byte(text, 1, HEADER_SIZE)
         local message = {
@@ -361,19 +362,19 @@ do
         return message
     end
 
-    -- The item of a message, with its header. Its text comes later.
+    -- Adds the item of a message, with its header. Its text comes later.
     local function add_frame(tree, tvb, base, message)
         local range = new_range(tvb, base, message.stop)
         local item = add_item(tree, range)
-        -- A range costs more than an item: the length has none of its own.
+        -- A range costs more than an item: the length shares the frame's.
         set_len(add(item, field.length, range, message.size - LENGTH_FIELD), LENGTH_FIELD)
         add_le(item, field.counter, new_range(tvb, base + LENGTH_FIELD, 2))
         add(item, field.type, new_range(tvb, base + HEADER_SIZE - 1, 1))
         return item
     end
 
-    -- The line on a message at a place. If somebody looks at the tree, its item there, too, with the frame at an offset
-    -- in the buffer; `said` is said of the message instead of what it says; `is_new`: it is seen for the first time.
+    -- Shows a message. Returns its line and, with a tree, its item. The frame is at offset `base` of the buffer; `said`
+    -- replaces the message's own line; `is_new` is true in the first pass.
     function show_message(message, place, tvb, base, tree, is_shown, said, is_new)
         local type, item = message.type, is_shown and add_frame(tree, tvb, base, message) or nil
         local view = {

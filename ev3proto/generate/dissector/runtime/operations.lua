@@ -1,7 +1,6 @@
 -- Operations --------------------------------------------------------------------------------------------------------
 --
--- What a direct command says, or the payload of a daisy command: the line on it, what is wrong with it, and its items
--- in the tree.
+-- The operations of a direct command, or of a daisy command's payload: their line, their faults, and their items.
 
 local add_value, show_operations, read_outputs
 do
@@ -10,8 +9,8 @@ do
     local NO_LENGTHS = {}
     local VARIABLE, OPCODE, CMD, ENCODING = field.variable, field.opcode, field.cmd, field.encoding
 
-    -- Adds a value by the field of its parameter. A value that has not the type of its parameter is added as text. An
-    -- element of a list has a name with its number.
+    -- Adds a value with the field of its parameter, as text if its type differs from the parameter's. `numbered` is the
+    -- name of an element of a list, with its number.
     function add_value(tree, parameter, range, value, numbered)
         local declared, kind, is_text = parameter.field, parameter.kind, type(value) == "string"
         if is_text ~= (kind == TEXT_VALUE) or kind == NUMBER and value % 1 ~= 0 then
@@ -32,14 +31,13 @@ do
         return add(tree, declared, range, value, label, unit, meaning)
     end
 
-    -- The operations that are read now: the `root` of the tree, where it is told what is wrong with them; the `heading`
-    -- of the operation and its `buffer`, if somebody looks at the tree, and where in that the frame has its `base`; how
-    -- much memory the command asks for; the operation, its offset, and the lengths that its arguments state; what is
-    -- `said` of it, and of how many arguments; whether a variable `is_beyond` the memory; the `outputs`. There are very
-    -- many arguments, and each reads these faster here than in a table.
+    -- The state of reading operations: the `root` of the tree, for expert information; the `heading` of the operation
+    -- (nil without a tree), its `buffer`, and the frame's `base` there; the requested memory; the operation, where it
+    -- starts, and the lengths that its arguments state; the text `said` so far, and its number of arguments; whether a
+    -- variable `is_beyond` the memory; the `outputs`. Local variables are faster than a table for the many arguments.
     local root, heading, buffer, base, globals, locals, operation, start, lengths, said, said_count, is_beyond, outputs
 
-    -- Tells that the brick refuses a variable for its index.
+    -- Adds the expert information that the brick refuses the index of a variable.
     local function complain_of_index(item, parameter, encoding, index, alignment)
         local reason = "%s: the index of a %s must be a multiple of %d, the brick refuses %s"
         local sort = encoding.handle and "handle" or TYPE_NAMES[parameter.type]
@@ -47,8 +45,8 @@ do
         complain(item or root, "misaligned", format(reason, parameter.name, sort, alignment, variable))
     end
 
-    -- Checks the index of a variable, and that it is within the memory that the command asks for. Without a tree one
-    -- variable beyond that memory stands for all.
+    -- Checks the index of a variable: its alignment, and whether it is within the requested memory. Without a tree only
+    -- the first variable beyond that memory is reported.
     local function check_variable(item, parameter, encoding, index)
         local size, alignment = parameter.size, parameter.alignment
         if encoding.handle then
@@ -70,7 +68,7 @@ do
             parameter.name, index + size, is_global and "global" or "local", plural(asked, "byte")))
     end
 
-    -- Adds an argument to the line on its operation: joining few short texts takes less than a table of them.
+    -- Appends an argument to the line of its operation.
     local function say_argument(parameter, encoding, value)
         said_count = said_count + 1
         if said_count <= MOST_VALUES then
@@ -80,8 +78,8 @@ do
         end
     end
 
-    -- Adds an output to those of the command: its parameter, the `index` of its variable, its operation and where that
-    -- is, and the lengths that the operation's arguments state.
+    -- Keeps an output for the reply: its parameter, the `index` of its variable, its operation, and the lengths that
+    -- the operation's arguments state.
     local function note_output(parameter, encoding, index)
         outputs[#outputs + 1] = {
             parameter = parameter, index = index, is_handle = encoding.handle, operation = operation, at = start,
@@ -92,7 +90,7 @@ do
     local function show_argument(parameter, encoding, value, at, after)
         local item, range
         if heading then
-            -- A range costs more than an item: one of a byte serves the argument and its encoding.
+            -- A range costs more than an item: one serves both the argument and its encoding.
             range = new_range(buffer, base + at, 1)
             if encoding.scope then
                 local variable = argument_text(parameter, encoding, value)
@@ -104,7 +102,7 @@ do
         end
         if encoding.scope then
             if root then check_variable(item, parameter, encoding, value) end
-            -- At an address there is no value but where the value is.
+            -- An address is not a value, but the place of one.
             if outputs and encoding.kind == GLOBAL and parameter.is_output and not encoding.address then
                 note_output(parameter, encoding, value)
             end
@@ -115,7 +113,7 @@ do
         if said and parameter.key then say_argument(parameter, encoding, value) end
     end
 
-    -- The name of a CMD; where it takes more than a byte, how it is encoded.
+    -- Adds the name of a CMD, with its encoding if that takes more than one byte.
     local function add_cmd(heading, selected, text, at, after)
         local range = new_range(buffer, base + at, 1)
         local item = add(heading, CMD, range, selected.name)
@@ -125,12 +123,11 @@ do
         end
     end
 
-    -- Reads the operations from an offset to the end of a frame. `view` has the `root` of the tree, where it is told
-    -- what is wrong with variables, and, if somebody looks at the tree, the `item` to which all are added, with the
-    -- buffer `tvb` and the frame's `base` in it; a list of `outputs`, if a reply is to have their values, to which they
-    -- are added; the last two say what the command asks for, where that is known.
-    -- Returns the line on the operations, empty where there is none; the offset after what could be read; and the
-    -- fault, where there is one.
+    -- Reads the operations from an offset to the end of a frame. `view` has the `root` of the tree, for expert
+    -- information; the `item` of the message, if there is a tree, with the buffer `tvb` and the frame's `base` there;
+    -- and the list of `outputs` to fill, if a reply is to have their values. The last two arguments are the requested
+    -- memory, if known. Returns the line of the operations, which may be empty; the offset after the last one that
+    -- could be read; and the fault, or nil.
     function show_operations(text, at, view, asked_globals, asked_locals)
         local item, first, phrase, count, fault = view.item, nil, "", 0, nil
         root, heading, buffer, base = view.root, nil, view.tvb, view.base
@@ -144,7 +141,7 @@ do
             end
             if item and selected.cmd_name then add_cmd(heading, selected, text, at + 1, after) end
             operation, start, lengths = selected, at, selected.tells_lengths and {} or NO_LENGTHS
-            -- A line has the arguments of the first operation only.
+            -- The line has the arguments of the first operation only.
             local is_said = item ~= nil or not first
             said, said_count = is_said and "", 0
             local offset
@@ -166,7 +163,7 @@ do
         return line, at, fault
     end
 
-    -- The values in a direct reply to a command, as far as they are there.
+    -- Returns the values in a direct reply to a command, up to the end of its memory.
     function read_outputs(command, reply)
         local outputs = command.outputs
         if not outputs then

@@ -1,15 +1,14 @@
 -- Reading -----------------------------------------------------------------------------------------------------------
 --
--- Bytes to operations and fields. A frame is a string; offsets count from its start, as in every text about the
--- protocol, so that the byte at offset 0 is byte(text, 1). What cannot be read comes back as the offset and the reason:
--- nothing here raises an error.
+-- Bytes to operations and fields. A frame is a string. Offsets start at 0, as in all documents about the protocol: the
+-- byte at offset 0 is byte(text, 1). Nothing here raises errors: a fault is returned as its offset and reason.
 
 local ENCODINGS, READ_TYPE, unsigned16, utf8_text, select_operation, read_arguments, read_operation, read_fields
 do
     local unpack = Struct.unpack
 
-    -- Functions that read a number at an offset, nil where the text ends before its end. Most are bytes and words, which
-    -- are read faster without Struct.
+    -- Functions that read a number at an offset, nil if the text ends too early. Most numbers are bytes and words,
+    -- which are read faster without Struct.
     local function unsigned8(text, at)
         return byte(text, at + 1)
     end
@@ -40,7 +39,7 @@ do
     local function single(text, at)
         if at + 4 > #text then return nil end
         local value = unpack("<f", text, at + 1)
-        -- All that are not a number are alike.
+        -- All NaNs are shown alike.
         return value == value and value or 0 / 0
     end
 
@@ -48,7 +47,7 @@ do
     local READ_SIGNED = { [1] = signed8, [2] = signed16, [4] = signed32 }
     READ_TYPE = { [DATA8] = signed8, [DATA16] = signed16, [DATA32] = signed32, [DATAF] = single, [HANDLE] = signed16 }
 
-    -- By identification byte: all that it says. Of short forms it is the value, too.
+    -- By identification byte: its encoding and, for short forms, the value.
     local SHORT_VALUES = {}
     ENCODINGS = {}
     local SCOPES = { [LOCAL] = "LV(", [GLOBAL] = "GV(" }
@@ -67,7 +66,7 @@ do
         end
     end
 
-    -- A zero would end the text there; it is shown as its symbol.
+    -- A zero would end the text in Wireshark; its symbol is shown.
     local utf8_of = made_late(function(character)
         local code = byte(character)
         if code == 0 then return "\226\144\128" end
@@ -80,7 +79,7 @@ do
         return (gsub(text, "[\0\128-\255]", utf8_of))
     end
 
-    -- Why there is no argument at an offset: the offset of the fault, reason and kind.
+    -- Returns the fault of the argument at an offset: its offset, reason and kind.
     local function argument_fault(text, at, name)
         local first = byte(text, at + 1)
         if not first then
@@ -95,7 +94,7 @@ do
         return at, "the argument " .. name .. " runs past the end of the frame", "cut_off"
     end
 
-    -- The argument at an offset: encoding, value, and the offset after it; else nil.
+    -- Reads the argument at an offset: its encoding, value, and the offset after it; else nil.
     local function read_argument(text, at, is_float)
         local first = byte(text, at + 1)
         local encoding, value = ENCODINGS[first], SHORT_VALUES[first]
@@ -110,7 +109,7 @@ do
         if value then return encoding, value, at + 1 + encoding.width end
     end
 
-    -- The operation that an opcode and its CMD select, and the offset after the two; else nil, offset, reason and kind.
+    -- Returns the operation of an opcode and its CMD, and the offset after them; else nil, offset, reason and kind.
     function select_operation(text, at)
         local code = byte(text, at + 1)
         local operation, after = instructions[code], at + 1
@@ -135,7 +134,7 @@ do
         return operation, after
     end
 
-    -- Why a list cannot have as many elements as an argument says: the reason, nil where it can.
+    -- Returns the reason why a list cannot have the number of elements in its argument, else nil.
     local function count_fault(list, encoding, value, room)
         if encoding.kind ~= CONSTANT then
             return format("%s must be a constant: it is the number of values that follow", list.counter.name)
@@ -146,10 +145,10 @@ do
         end
     end
 
-    -- The arguments of an operation, from the offset after its opcode and CMD: the offset after them. Each is handed to
-    -- `visit`, with its parameter, encoding, value, and the offsets of its first byte and after its last; with
-    -- `is_brief` only variables, and numbers that say how long something is. At a fault the offset is the one after
-    -- what could be read, and the fault's offset, reason and kind follow.
+    -- Reads the arguments of an operation, from the offset after its opcode and CMD. `visit` gets each one: its
+    -- parameter, encoding, value, and the offsets of its first byte and after its last; with `is_brief` only variables
+    -- and lengths. Returns the offset after the last one that could be read, and after a fault its offset, reason and
+    -- kind.
     function read_arguments(operation, text, at, visit, is_brief)
         local parameters, list = operation.parameters, operation.list
         local element_type = list and list.element_type
@@ -179,14 +178,14 @@ do
 
     local function pass_over() end
 
-    -- One operation, and its arguments as above, if `visit` is given: what it is, and the offset after it.
+    -- Reads one operation with its arguments, as above. Returns the operation, and the same as above.
     function read_operation(text, at, visit)
         local operation, after, reason, kind = select_operation(text, at)
         if not operation then return nil, at, after, reason, kind end
         return operation, read_arguments(operation, text, after, visit or pass_over)
     end
 
-    -- One field of a system message: its value and the offset after it; else nil, offset and reason.
+    -- Reads one field of a system message: its value and the offset after it; else nil, offset and reason.
     local function read_field(text, at, stop, declared, before)
         local kind = declared.kind
         local size = kind == U8 and 1 or kind == U16 and 2 or kind == U32 and 4
@@ -207,7 +206,7 @@ do
             if at + length > stop then
                 return nil, at, format("a text of %d bytes runs past the end of the frame", length)
             end
-            -- Some senders count the zero, some do not; it is always there.
+            -- Some senders count the terminating zero, others do not.
             if length > 0 and byte(text, at + length) == 0 then
                 return sub(text, at + 1, at + length - 1), at + length
             elseif at + length >= stop then
@@ -224,8 +223,8 @@ do
         return sub(text, at + 1, stop), stop
     end
 
-    -- The fields of a system message: { declared, value, at, stop }, the offset after them, and the fault if there is
-    -- one. Replies to failed commands may end before any field: they are not `complete`.
+    -- Reads the fields of a system message. Returns a list of { declared, value, at, stop }, the offset after them, and
+    -- the fault, if any. Replies to failed commands may end before any field: they are not `complete`.
     function read_fields(text, at, stop, declarations, complete)
         local found, counted = {}, {}
         for _, declared in ipairs(declarations) do

@@ -1,19 +1,19 @@
 -- Registration ------------------------------------------------------------------------------------------------------
 
 do
-    ev3.fields = fields
-
-    do
-        local list = {}
-        for _, declared in pairs(experts) do
-            list[#list + 1] = declared
+    local dissectors = {}
+    for _, carrier in ipairs(carriers) do
+        for port_type, dissect in pairs(carrier.dissectors) do
+            dissectors[port_type] = dissect
         end
-        ev3.experts = list
     end
+
+    ev3.fields = fields
+    ev3.experts = experts
 
     -- One protocol serves all carriers, so that "Decode As" offers it everywhere by one name.
     function ev3.dissector(tvb, pinfo, tree)
-        local dissect = carriers.dissectors[pinfo.port_type]
+        local dissect = dissectors[pinfo.port_type]
         local taken = dissect and dissect(tvb, pinfo, tree) or 0
         if has_tree(tree) then free_unused() end
         return taken
@@ -21,22 +21,28 @@ do
 
     function ev3.init()
         forget_dialogues()
-        carriers.each("forget")
+        for _, carrier in ipairs(carriers) do
+            if carrier.forget then carrier.forget() end
+        end
     end
 
-    carriers.each("register")
+    -- Wireshark registers only protocols that have a dissector.
+    for _, carrier in ipairs(carriers) do
+        carrier.register()
+    end
 
     local dialect_choices = {}
     for number, name in ipairs(DIALECTS) do
         dialect_choices[number] = { number, name, number }
     end
 
-    ev3.prefs.firmware = Pref.enum("Firmware", 1, "The firmware whose instruction set to read by",
-        dialect_choices, false)
-    ev3.prefs.bytes = Pref.bool("Bytes as a field", false, "Give all bytes of each frame in one field, for programs")
+    ev3.prefs.firmware = Pref.enum("Firmware", 1, "Firmware whose instruction set is used", dialect_choices, false)
+    ev3.prefs.bytes = Pref.bool("Bytes as a field", false, "Add the bytes of each frame as a field, for other programs")
 
     function ev3.prefs_changed()
-        carriers.each("prefs_changed")
+        for _, carrier in ipairs(carriers) do
+            if carrier.prefs_changed then carrier.prefs_changed() end
+        end
         gives_bytes = ev3.prefs.bytes
         dialect = DIALECTS[ev3.prefs.firmware]
         instructions = INSTRUCTION_SETS[dialect]

@@ -1,15 +1,16 @@
--- What was said in a capture, by operation and by brick, and the files that were transferred. Wireshark shows them in
--- windows, tshark prints them at the end of a run if the preferences say so.
+-- Statistics of a capture by operation and by brick, and the transferred files. Wireshark shows them in windows; tshark
+-- prints them at the end of a run if the preferences ask for it.
 --
--- All is read from the fields of ev3.lua, by a listener that exists only where statistics were asked for. So this file
--- costs nothing until then, and the order in which the two are loaded does not matter.
+-- A listener reads the fields of ev3.lua. It exists only while statistics are needed, so this file costs nothing until
+-- then, and the two files can be loaded in any order.
 
 local format, gsub, sub = string.format, string.gsub, string.sub
 local concat = table.concat
 
--- Bytes of the name of an exported file, and of its extension: file systems take 143, and a number may be added.
+-- Maximum length of an exported file's name and of its extension, in bytes: file systems allow 143 and more, and a
+-- number may be added.
 local MOST_NAME, MOST_EXTENSION = 100, 25
--- Characters to which a column is widened for a long name.
+-- Maximum width of a column, in characters.
 local MOST_WIDTH = 60
 
 local script = Proto("EV3_statistics", "EV3 statistics")
@@ -23,7 +24,7 @@ end
 
 -- Messages ----------------------------------------------------------------------------------------------------------
 
--- By field: what it tells of the message whose fields are read.
+-- Functions that read a field of a message, by the field's name.
 local READERS = {
     ["ev3.msg_num"] = function(message, info) message.counter = info.value end,
     ["ev3.cmd_type"] = function(message, info)
@@ -36,11 +37,11 @@ local READERS = {
     ["ev3.transfer.path"] = function(message, info) message.path = info.value end,
     ["ev3.transfer.done"] = function(message, info) message.done = info.value end,
     ["ev3.transfer.size"] = function(message, info) message.size = info.value end,
-    -- With a CMD, the name of an operation is opcode and CMD.
+    -- The field of a CMD has the name of the opcode, too.
     ["ev3.cmd"] = function(message, info) message.names[#message.names] = info.value end,
 }
 
--- An opcode, a system command or one of the daisy chain: its name stands before its number, if it has one.
+-- Reads an opcode, a system command or a daisy command: its name is before its number, if it has a name.
 local function read_name(message, info)
     message.names[#message.names + 1] = info.display:match("^([%u%d_]+) %(")
 end
@@ -49,7 +50,7 @@ for _, name in ipairs({ "ev3.op", "ev3.sys_cmd", "ev3.daisy.command" }) do
     READERS[name] = read_name
 end
 
--- The messages in a packet. The field of its brick comes before those of the message, the first of which is its length.
+-- Returns the messages in a packet. The field of the brick precedes each message, whose first field is its length.
 local function read_messages(number)
     local messages, message, brick = {}, nil, "(unknown)"
     for _, info in ipairs({ all_field_infos() }) do
@@ -66,7 +67,7 @@ local function read_messages(number)
     return messages
 end
 
--- What a command is counted as, and how often each: its operations, or the system or daisy command that it is.
+-- Returns how often a command uses each operation; a system or daisy command counts as one operation.
 local function count_uses(command)
     local uses = {}
     for _, name in ipairs(command.names) do
@@ -78,8 +79,8 @@ end
 
 -- Counting ----------------------------------------------------------------------------------------------------------
 
--- Nothing counted yet. Rows are by name; `waiting` are commands whose replies are to come, `open` the files that are
--- transferred now, by brick and path.
+-- Returns empty statistics. Rows are by name; `waiting` has the commands without a reply so far, `open` the current
+-- transfers by brick and path.
 local function new_survey()
     return {
         operations = {}, bricks = {}, waiting = {}, wanted = 0, answered = 0, open = {}, files = {},
@@ -128,7 +129,7 @@ local function count_reply(survey, reply)
     survey.waiting[key] = nil
 end
 
--- A file that is transferred; the command by which it begins makes a new one of it.
+-- Returns the file of a message; a command that begins a transfer starts a new file.
 local function file_of(survey, message)
     local key = message.brick .. " " .. message.path
     local is_begin = message.is_command and (message.names[1] or ""):find("^BEGIN_")
@@ -138,7 +139,7 @@ local function file_of(survey, message)
     return survey.open[key]
 end
 
--- Keeps a piece of a file, or an empty file. Listings of folders are no files.
+-- Keeps a piece of a file, or an empty file. Folder listings are ignored.
 local function keep_piece(survey, message)
     if (message.names[1] or ""):find("LIST_FILES", 1, true) then return end
     local file, data = file_of(survey, message), message.data or ""
@@ -160,7 +161,7 @@ local function count_packet(survey, number)
     end
 end
 
--- A listener that counts all packets into a survey, with all of their fields.
+-- Makes a listener that counts all packets, with all of their fields.
 local function listen(survey)
     local listener = Listener.new("frame", "ev3", true)
     function listener.packet(pinfo)
@@ -171,18 +172,18 @@ end
 
 -- Texts -------------------------------------------------------------------------------------------------------------
 
--- A name in a line: control characters, the two-byte ones too, would break it.
+-- Replaces control characters, including those of two bytes, which would break a line.
 local function on_one_line(text)
     return (gsub(gsub(text, "[\0-\31\127]", "?"), "\194[\128-\159]", "?"))
 end
 
--- Characters of a UTF-8 text.
+-- Counts the characters of a UTF-8 text.
 local function width_of(text)
     return select(2, gsub(text, "[^\128-\191]", ""))
 end
 
--- Lines of columns as wide as their contents, as a window of Wireshark breaks lines after some 70 characters. The first
--- column is aligned on the left, all others on the right.
+-- Formats a table with columns as narrow as their contents, because Wireshark's text windows wrap lines after some 70
+-- characters. The first column is left-aligned, the others are right-aligned.
 local function columns_text(lines)
     local widths, out = {}, {}
     for _, line in ipairs(lines) do
@@ -251,7 +252,7 @@ local function without_end(name)
     return (gsub(name, "[%. ]+$", ""))
 end
 
--- A name cut to the bytes that file systems take; a short extension is kept.
+-- Truncates a name to the maximum length, but keeps a short extension.
 local function cut_name(name)
     if #name <= MOST_NAME then return name end
     local extension = name:match("[^%.](%.[^%.]+)$") or ""
@@ -259,12 +260,12 @@ local function cut_name(name)
     return without_end(sub(name, 1, MOST_NAME - #extension)) .. extension
 end
 
--- The name under which a file is written: nothing in its path leads out of the folder.
+-- Returns a safe and unused name for an exported file, without its folder.
 local function safe_name(path, taken)
     local name = gsub(path:match("[^/\\]*$"), "[\194-\244][\128-\191]+", "_")
     name = gsub(gsub(name, "[^%w%._%- ]", "_"), "^[%. ]+", "_")
     name = cut_name(without_end(name))
-    -- Names of devices on Windows, which drops blanks before the first dot, too.
+    -- Names of devices on Windows, which also drops blanks before the first dot.
     local stem = gsub(name:match("^[^%.]*"):upper(), " +$", "")
     if name == "" or stem:match("^CO[MN]%d?$") or stem:match("^LPT%d$") or stem:match("^[PANX][RUL][NXL]$") then
         name = "_" .. name
@@ -278,7 +279,7 @@ local function safe_name(path, taken)
     return free
 end
 
--- Writes a file whole, or leaves none. Returns why it could not be written, else nil.
+-- Writes a complete file, or none. Returns the reason for a failure, else nil.
 local function write_file(path, data)
     local file, reason = io.open(path, "wb")
     -- Lua puts the path before the reason.
@@ -290,8 +291,8 @@ local function write_file(path, data)
     return write_error or close_error
 end
 
--- Whether something of that name exists. Renaming it to itself changes nothing, and succeeds where opening it would
--- fail, as with a dangling link, or wait for ever, as with a pipe. Where a system refuses that, it is opened.
+-- Tells whether a path exists. Renaming it to itself changes nothing, and also works for dangling links and for pipes,
+-- where opening fails or blocks. If a system refuses that, the path is opened.
 local function exists(path)
     if os.rename(path, path) then return true end
     local file = io.open(path, "rb")
@@ -312,7 +313,7 @@ local function export_file(file, path)
     return reason and "not written: " .. reason or size_text(file, #data)
 end
 
--- Writes the files into an existing folder, never over others. Returns a line on each.
+-- Writes the files into an existing folder, without overwriting any. Returns a line for each.
 local function export_files(survey, folder)
     if not folder:find("%S") then return "Nothing was written: choose an existing folder." end
     local taken, lines = {}, {}
@@ -325,7 +326,7 @@ end
 
 -- Windows, and the end of a run -------------------------------------------------------------------------------------
 
--- Counts the capture that is open now.
+-- Returns the statistics of the open capture.
 local function survey_of_capture()
     local survey = new_survey()
     local listener = listen(survey)
@@ -339,7 +340,7 @@ local function show_window(title, text)
 end
 
 if gui_enabled() then
-    -- Wireshark makes submenus of names with a slash under Tools only.
+    -- Wireshark makes submenus of names with a slash only under Tools.
     register_menu("EV3: Operations, Bricks and Files", function()
         show_window("EV3: Statistics", survey_text(survey_of_capture()))
     end, MENU_STAT_UNSORTED)

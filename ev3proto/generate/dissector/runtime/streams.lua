@@ -1,11 +1,11 @@
 -- Streams -----------------------------------------------------------------------------------------------------------
 --
--- The byte stream of a TCP connection or of RFCOMM, in which frames may be split over packets and share them, after a
--- text from each side.
+-- The byte stream of a TCP connection or of RFCOMM. Frames may be split over packets and share them; over TCP a text
+-- from each side may precede them.
 
 local dissect_stream, dissect_no_frame, judge_text
 do
-    -- The text by which a host unlocks the brick's port: the offset after it, and the serial number.
+    -- Matches the text that unlocks the brick's port: the offset after it, and the serial number.
     local function match_unlock(text, at)
         local serial, newline, after
         for _, pattern in ipairs(UNLOCK.patterns) do
@@ -27,8 +27,8 @@ do
         return item
     end
 
-    -- One of the texts: the line on it, and the offset after it. After the answer the firmware sends the text's zero,
-    -- too: it is one where it cannot be the start of a frame's length.
+    -- Dissects one of the texts: its line, and the offset after it; else nil. The firmware also sends the terminating
+    -- zero of its answer, unless that zero is the start of a frame's length.
     local function dissect_text(tvb, text, at, tree, is_shown)
         local after, serial = match_unlock(text, at)
         if after then
@@ -48,32 +48,30 @@ do
         return sub(text, 1, #start) == start
     end
 
-    -- Whether one of the texts may have begun here, and goes on in the next segment.
+    -- Tells whether one of the texts may begin here and continue in the next segment.
     local function is_part_of_text(text, at)
         local part = sub(text, at + 1)
         if starts_with(UNLOCK.answer, part) or starts_with(UNLOCK.request, part) then return true end
         return #part < UNLOCK.most_bytes and starts_with(part, UNLOCK.request)
     end
 
-    -- What data tell that should begin with one of the texts: OURS, PART, or nil.
+    -- Judges data at the start of a connection: OURS if they begin with one of the texts, PART, or nil.
     function judge_text(text)
         if not UNLOCK.starts[byte(text, 1)] then return nil end
         if sub(text, 1, #UNLOCK.answer) == UNLOCK.answer or match_unlock(text, 0) then return OURS end
         return is_part_of_text(text, 0) and PART or nil
     end
 
-    -- What is left of a text that came in an earlier segment: its line ends, or the zero after the answer. A faulty
-    -- frame may start like that, too: so only whole frames may follow.
+    -- Returns the offset after the rest of a text from an earlier segment: its newlines, or the zero after the answer.
+    -- A faulty frame may start like that, too, so frames must follow.
     local function end_of_text(text, at)
         local after = at == 0 and (text:match("^[\r\n]+()") or text:match("^\0()"))
-        at = after and after - 1
-        local next = at
-        while next and next < #text do
-            local low, high, _, _, type = byte(text, next + 1, next + HEADER_SIZE)
-            if not type or not is_length(text, next) or not MESSAGE_TYPES[type] then return nil end
-            next = next + frame_size(low, high)
+        local stop = after and after - 1
+        while stop and stop < #text do
+            if not may_start(text, stop) or #text - stop < HEADER_SIZE then return nil end
+            stop = stop_of(text, stop)
         end
-        return next == #text and at or nil
+        return stop == #text and after - 1 or nil
     end
 
     local function add_faulty(tvb, at, stop, tree, is_shown, said, kind, reason)
@@ -81,7 +79,7 @@ do
         return said, stop
     end
 
-    -- Bytes between two offsets that are in no frame.
+    -- Adds the bytes between two offsets, which are outside of frames. `length` is what the length field there says.
     function dissect_no_frame(tvb, at, stop, length, tree, is_shown)
         local said = format("no frame (%s)", plural(stop - at, "byte"))
         local reason = "bytes that are in no frame, as after a gap in the capture"
@@ -92,8 +90,9 @@ do
         return add_faulty(tvb, at, stop, tree, is_shown, said, "no_boundary", reason)
     end
 
-    -- Where a stream that is out of step continues: at a frame, a text, or the end; and whether more is needed to tell.
-    -- With `least` the last bytes may begin a header, if there are at least that many; without it nothing more comes.
+    -- Finds where a stream that is out of step continues: at a frame, a text, or the end; returns that, and whether
+    -- more is needed to decide. The last bytes may be the start of a header if there are at least `least`; nil if
+    -- nothing more comes.
     local function next_step(text, at, accepts, least, first, second)
         local place, following = claiming.find_step(text, at, accepts, 0, first, second)
         local is_open = least and place ~= nil and not following
@@ -109,50 +108,35 @@ do
         return place, is_open
     end
 
-    -- Whether a frame may start at an offset, though perhaps of an unknown type: then the next one must.
-    local function may_follow(text, at)
-        at = after_polls(text, at)
-        if at == #text or may_start(text, at) then return true end
-        local low, high = byte(text, at + 1, at + 2)
-        if not is_length(text, at) then return false end
-        local stop = at + frame_size(low, high)
-        return stop >= #text or may_start(text, stop)
-    end
-
-    -- Whether the frame of this size that seems to start here is none: the chain of frames breaks after it, or, at
-    -- the start of a packet, it has faults and another frame inside. A gap in the capture may be before it.
-    local function is_misleading(text, at, size, accepts)
-        local stop, captured = at + size, #text
-        local is_whole = stop <= captured
-        local is_chained = stop >= captured or may_follow(text, stop) or UNLOCK.starts[byte(text, stop + 1)]
-        if is_chained and at > 0 then return false end
+    -- Tells whether the header at an offset is other data, because there may be a gap before it: the frame has faults,
+    -- and another frame is inside.
+    local function is_misleading(text, at, stop, accepts)
         local type = MESSAGE_TYPES[byte(text, at + HEADER_SIZE)]
-        local is_known = type and accepts(type)
+        local is_whole, is_known = stop <= #text, type and accepts(type)
+        local is_chained = not is_whole or claiming.follow(text, stop)
+        if is_chained and at > 0 then return false end
         if is_known and is_whole and claiming.is_sensible(read_message(sub(text, at + 1, stop))) then return false end
-        if not is_chained or not is_known and not is_whole then return true end
-        -- Data may look like one frame by chance.
-        local least = (is_whole or claiming.may_become(text, at, accepts)) and 1 or 0
-        local place, following = claiming.find_step(text, at + 1, accepts, least)
+        local is_likely = is_chained and (is_whole or claiming.may_become(text, at, accepts))
+        local place, following = claiming.find_step(text, at + 1, accepts, is_likely and 1 or 0)
         return following ~= nil and place < stop
     end
 
-    -- What begins at an offset: OURS for a frame that is as whole as it will be; PART for one that is to be waited for,
-    -- and how many bytes it still wants, if that is known, and the step of the stream; nil for no frame.
+    -- Judges what begins at an offset: OURS for a frame that can be dissected; PART for one that has to wait, with the
+    -- number of bytes it needs, if known, and the step of the stream; nil if it is not a frame.
     local function judge_frame(text, at, stream, step)
-        local low, high, _, _, code = byte(text, at + 1, at + HEADER_SIZE)
-        local size = frame_size(low, high)
-        if step == "lost" or size and not is_length(text, at) then return nil end
+        local code, stop = byte(text, at + HEADER_SIZE), stop_of(text, at)
+        if step == "lost" or stop and not is_length(text, at) then return nil end
         if code and at < stream.joint and stream.may_gap then
             local verdict = claiming.judge_split(text, at, stream.accepts, stream.joint, stream.is_last)
             if not verdict then return nil end
-            if verdict == PART and at + size <= #text then return PART, nil, step end
-        elseif code and step == "likely" and at + size ~= #text then
-            if is_misleading(text, at, size, stream.accepts) then return nil end
+            if verdict == PART and stop <= #text then return PART, nil, step end
+        elseif code and step == "likely" and stop ~= #text then
+            if is_misleading(text, at, stop, stream.accepts) then return nil end
         end
-        if stream.is_last or code and at + size <= stream.reported then return OURS end
-        -- A gap may be before it: then it is looked at again with each packet.
+        if stream.is_last or code and stop <= stream.reported then return OURS end
+        -- There may be a gap before it: it is judged again with each packet.
         if step == "likely" and at == 0 then return PART, nil, step end
-        return PART, size and at + size - stream.reported, "sure"
+        return PART, stop and stop - stream.reported, "sure"
     end
 
     -- The frames and texts in a piece of a stream: the offset after the last one that is whole; how many bytes the
@@ -191,7 +175,7 @@ do
                 local reason = "the frame is cut off in its header"
                 said, after = add_faulty(tvb, at, captured, tree, is_shown, "part of a frame", "cut_off", reason)
             elseif verdict == OURS then
-                after = math.min(at + LENGTH_FIELD + unsigned16(text, at), captured)
+                after = math.min(stop_of(text, at), captured)
                 local frame = at == 0 and after == captured and text or sub(text, at + 1, after)
                 local place = place_of(number, start + at)
                 said = dissect_message(tvb, at, read_message(frame), conversation, place, pinfo, tree, is_shown)
@@ -201,7 +185,7 @@ do
                     said = "end of the text before"
                     add_bytes(tvb, at, after, tree, is_shown, said, field.rest)
                 else
-                    -- Where nothing tells of a gap, the sender is at fault, and the packet is all there is.
+                    -- Without gaps between packets this is the sender's fault, and ends with the packet.
                     local least
                     if not stream.is_last and (step == "lost" or stream.may_gap) then
                         least = 1

@@ -1,12 +1,12 @@
 -- USB ---------------------------------------------------------------------------------------------------------------
 --
--- Each report has one frame at its start, the rest is padding.
+-- Each report has one frame at its start; the rest is padding.
 
 do
     -- The "port" of the host; that of a device is the number of its endpoint.
     local HOST = 0xFFFFFFFF
 
-    -- Methods that each packet needs: looking them up takes longer than what they do.
+    -- Looking up these methods for each packet would take longer than they do.
     local bytes_of, captured_len, offset_of = Tvb.raw, Tvb.len, Tvb.offset
 
     local function is_from_host(pinfo)
@@ -17,22 +17,22 @@ do
         return pinfo.src_port == 0 or pinfo.dst_port == 0
     end
 
-    -- The device that a report comes from or goes to, whichever of its endpoints.
+    -- Returns the device that a report comes from or goes to, without its endpoint.
     local function device_key(pinfo)
         local address = tostring(is_from_host(pinfo) and pinfo.dst or pinfo.src)
         return address:match("^(.*)%.%d+$") or address
     end
 
-    -- A known fault of the bootloader: its reply comes with the request written over its first bytes.
+    -- Detects a known fault of the bootloader: its reply is partly overwritten by the request.
     local function is_overwritten(message, pinfo)
         local type, command = message.type, message.command
         return type and type.is_command and command and command.is_bootloader and not is_from_host(pinfo)
     end
 
-    -- Reports of devices that nobody knows as bricks, of which a frame was taken.
+    -- The numbers of our packets, of devices whose product is not known.
     local taken
 
-    -- The number of the packet that a known brick sent or received last.
+    -- The number of the last packet from or to a known brick.
     local marked
 
     local function forget_devices()
@@ -40,10 +40,10 @@ do
     end
     forget_devices()
 
-    -- The message at the start of a report. Nobody looks at the bytes of the padding: there are more than 1 kB of both.
+    -- Reads the message at the start of a report, without the padding.
     local function read_report(tvb)
-        local low, high = byte(bytes_of(tvb, 0, LENGTH_FIELD), 1, LENGTH_FIELD)
-        return read_message(bytes_of(tvb, 0, math.min(frame_size(low, high), captured_len(tvb))))
+        local stop = stop_of(bytes_of(tvb, 0, LENGTH_FIELD), 0)
+        return read_message(bytes_of(tvb, 0, math.min(stop, captured_len(tvb))))
     end
 
     local function dissect_report(tvb, message, device, pinfo, tree)
@@ -72,7 +72,7 @@ do
         return captured
     end
 
-    -- A report that holds no frame, though its device is a brick.
+    -- Dissects a brick's report that does not contain a frame.
     local function dissect_other_report(tvb, length, pinfo, tree)
         local captured = captured_len(tvb)
         brick = device_key(pinfo)
@@ -82,39 +82,39 @@ do
         return captured
     end
 
-    -- A report of a brick, whatever is in it. Returns 0 where there is no room for a frame.
+    -- Dissects any report of a brick. Returns 0 if it is too short for a frame.
     local function dissect_known(tvb, pinfo, tree)
         if is_control(pinfo) or captured_len(tvb) < HEADER_SIZE then return 0 end
-        local low, high = byte(bytes_of(tvb, 0, LENGTH_FIELD), 1, LENGTH_FIELD)
-        if not is_usual_length(low, high) then return dissect_other_report(tvb, low + high * 0x100, pinfo, tree) end
+        local length = unsigned16(bytes_of(tvb, 0, LENGTH_FIELD), 0)
+        if not is_usual_length(length) then return dissect_other_report(tvb, length, pinfo, tree) end
         return dissect_report(tvb, read_report(tvb), device_key(pinfo), pinfo, tree)
     end
 
-    -- Wireshark hands over everything that a known product transfers, without saying how. Bulk transfers are not ours:
-    -- other programs for the brick use them under the same product number. So the packet is only marked here; for
-    -- interrupt transfers Wireshark then calls the heuristic below.
+    -- Wireshark calls this for all transfers of a known product, of any type. Bulk transfers are not ours: other
+    -- software on the brick uses them with the same product number. So the packet is only marked here; for interrupt
+    -- transfers Wireshark then calls the heuristic below.
     local function mark_known(_, pinfo)
         marked = pinfo.number
         return 0
     end
 
-    -- The message of ours that a report holds, if it does, although nobody knows its device as a brick. Other devices
-    -- have reports, too: it must have the size of its type's.
+    -- Returns the message in a report of a device whose product is not known, nil if it is not ours. The report must
+    -- have the size for its type, because other devices have reports, too.
     local function claimed_message(tvb, key, pinfo)
         local sort, captured, message = REPORT_SIZES[tvb:reported_len()], captured_len(tvb), nil
-        local low, high, _, _, code = byte(bytes_of(tvb, 0, math.min(captured, HEADER_SIZE)), 1, HEADER_SIZE)
-        local type = MESSAGE_TYPES[code]
-        if sort and type and (sort == "computer" or type.carries == "daisy") and is_usual_length(low, high)
-            and frame_size(low, high) <= captured then
+        local header = bytes_of(tvb, 0, math.min(captured, HEADER_SIZE))
+        local type = MESSAGE_TYPES[byte(header, HEADER_SIZE)]
+        if sort and type and (sort == "computer" or type.carries == "daisy")
+            and is_usual_length(unsigned16(header, 0)) and stop_of(header, 0) <= captured then
             message = read_report(tvb)
-            -- Bricks in a chain send commands both ways. They are no computers, whose reports are larger.
+            -- Bricks in a chain send commands both ways, in smaller reports than computers.
             if sort == "daisy" or is_overwritten(message, pinfo) then
                 return claiming.is_sensible(message) and message or nil
             end
         end
         if not message or (type.is_command == true) ~= is_from_host(pinfo) then
-            local conversation = known_conversation(key)
-            if conversation and conversation.is_claimed then claiming.count(conversation, captured, pinfo.number) end
+            local conversation = conversation_of(key)
+            if conversation.is_claimed then claiming.count(conversation, captured, pinfo.number) end
             return nil
         end
         local conversation = conversation_of(key)
@@ -122,8 +122,8 @@ do
         return conversation.is_claimed and message or nil
     end
 
-    -- Reports of a known brick, or of a device whose product is not in the capture, as in most captures that began
-    -- after plugging in.
+    -- Dissects reports of a known brick, or of a device whose product was not captured, as in most captures that were
+    -- started after the brick was plugged in.
     local function guess_usb(tvb, pinfo, tree)
         local number, device, message = pinfo.number, device_key(pinfo), nil
         if number == marked then return dissect_known(tvb, pinfo, tree) > 0 end
@@ -149,5 +149,5 @@ do
         ev3:register_heuristic("usb.interrupt", guess_usb)
     end
 
-    carriers.add({ dissectors = { [8] = mark_known }, forget = forget_devices, register = register })
+    carriers[#carriers + 1] = { dissectors = { [8] = mark_known }, forget = forget_devices, register = register }
 end

@@ -1,28 +1,28 @@
 -- Reply values ------------------------------------------------------------------------------------------------------
 --
--- A reply to a direct command is nothing but memory. Every output parameter of the command that names a global variable
--- says what is in it and where.
+-- A reply to a direct command is just memory. The output parameters of the command that name global variables tell what
+-- is where in it.
 
 local stated_length, tells_length, read_output
 do
-    -- How many bytes or elements a parameter has: what its length parameter says, or `most` where that does not say it.
-    -- `lengths` are the constants of those parameters that say one.
+    -- Returns the number of bytes or elements of a parameter, by its length parameter, else `most`. `lengths` has the
+    -- constants that were given for length parameters.
     function stated_length(parameter, lengths, most)
         local length = parameter.length
         if type(length) == "string" then length = lengths[length] end
         if not length then return most end
-        -- Some lengths are negative: -1 for no limit, others for bytes in reverse order.
+        -- Negative lengths: -1 for no limit, others for bytes in reverse order.
         if length == -1 and parameter.type == STRING then return most end
         return floor(math.abs(length))
     end
 
-    -- Whether an argument is a number in the frame itself that says how long another parameter is.
+    -- Tells whether an argument is a constant that is the length of another parameter.
     function tells_length(parameter, encoding)
         return parameter.tells_length and encoding.kind == CONSTANT and not encoding.handle and not encoding.address
     end
 
-    -- The type of an output that has that of the array it comes from: what fits before the next output of its
-    -- operation.
+    -- Returns the type of an output that has the type of an array: the largest that fits before the operation's next
+    -- output.
     local function untyped(output, outputs, stop)
         for _, other in ipairs(outputs) do
             if other.at == output.at and output.index < other.index and other.index < stop then stop = other.index end
@@ -31,7 +31,7 @@ do
         return room >= 4 and DATA32 or room >= 2 and DATA16 or room >= 1 and DATA8 or DATA32
     end
 
-    -- Reads the `value` of an output, which may be a list, and the `size` of that. False where the memory ends before.
+    -- Reads the `value` of an output, which may be a list, and its `size`. Returns false if the memory ends before it.
     function read_output(output, outputs, memory)
         local parameter, start, lengths = output.parameter, output.index, output.lengths
         local kind = output.is_handle and HANDLE or parameter.type

@@ -1,44 +1,46 @@
 -- WiFi --------------------------------------------------------------------------------------------------------------
 --
--- The beacon in UDP datagrams, then the byte stream of a TCP connection.
+-- The beacon in UDP datagrams, and the byte stream of a TCP connection.
 
 do
     local MAX_PORT = 65535
 
     local tcp_ports = DissectorTable.get("tcp.port")
 
-    -- Methods that each packet needs: looking them up takes longer than what they do.
+    -- Looking up these methods for each packet would take longer than they do.
     local bytes_of, offset_of = Tvb.raw, Tvb.offset
 
-    -- Where answers to beacons go to, with the brick there, and the packets that went there; the places where bricks
-    -- listen by what their beacons say; the buffers that were left to others; whether connections on other ports were
-    -- found to be ours.
-    local bricks, answers, announced, declined, has_found
+    -- `bricks`: the bricks by the places where answers to their beacons may go; `answers`: the packets that went there;
+    -- `announced`: the places where bricks listen by their beacons; `has_found`: whether connections on other ports
+    -- were claimed.
+    local bricks, answers, announced, has_found
 
-    -- The ports that the preference names.
+    -- The ports in the preference.
     local listened = tostring(CARRIERS.tcp_port)
 
-    -- By buffer: the `step` of the stream and how many bytes were `done`, where they are not as usual; from where on
-    -- more was asked for, before it was ours.
-    local steps, asked
+    -- Buffers by place, if unusual: DECLINED if it is not ours; else `asked`, the offset from which on more was
+    -- requested before the connection was claimed; or the `step` of the stream, and the number of bytes that were
+    -- `done`.
+    local buffers
+    local DECLINED = {}
 
-    -- The ports on which connections are looked at.
+    -- The same ports as keys.
     local ports = {}
 
-    -- By ports: the direction in a connection that was seen last between them. It has what is `pending` of the stream
-    -- that way, the bytes that wait for the next segment; the `step` with them; how many bytes of the buffer were
-    -- `done` before them; the packet `number` that came last, and at which `offset` its data began.
+    -- By ports: the last used direction of a connection. `pending` has the bytes that wait for the next segment, `step`
+    -- the step of the stream there, `done` the number of bytes before them in their buffer; `number` is the last
+    -- packet, whose data began at `offset`.
     local connections
 
-    -- Both ends of a connection, whichever sends, have one key.
+    -- Both directions of a connection have one key.
     local function conversation_key(pinfo)
         local from = tostring(pinfo.src) .. " " .. pinfo.src_port
         local to = tostring(pinfo.dst) .. " " .. pinfo.dst_port
         return from < to and from .. " " .. to or to .. " " .. from
     end
 
-    -- What is known of a packet's conversation, and of its direction in that. To compare addresses takes less than to
-    -- write them.
+    -- Returns a packet's conversation, and its direction in that. Addresses are compared because that is faster than
+    -- converting them to text.
     local function connection_of(pinfo)
         local from, to, ends = pinfo.src, pinfo.dst, pinfo.src_port * 0x10000 + pinfo.dst_port
         local known = connections[ends]
@@ -52,24 +54,25 @@ do
     end
 
     local function forget_wifi()
-        bricks, answers, announced, declined, has_found = {}, {}, {}, {}, false
-        steps, asked, connections = {}, {}, {}
+        bricks, answers, announced, has_found = {}, {}, {}, false
+        buffers, connections = {}, {}
     end
     forget_wifi()
 
-    -- Whether the preference names the ports of both ends, as a wide range may: the data tell which end is the brick.
+    -- Tells whether the preference includes the ports of both ends, as a wide range may: then the data tell which end
+    -- is the brick.
     local function has_two_named(pinfo)
         return ports[pinfo.src_port] and ports[pinfo.dst_port]
     end
 
-    -- Whether a packet goes to the end that its connection is named after.
+    -- Tells whether a packet goes to the brick that its connection is named after.
     local function is_to_named(conversation, pinfo)
         return conversation.name == tostring(pinfo.dst) .. ":" .. pinfo.dst_port
     end
 
-    -- How many bytes a frame wants that was asked for segment by segment, where Wireshark gave one byte of the next one
-    -- alone. So it does since 4.4, once the one before came twice; the rest it gives when told how much that is. The
-    -- newest segment starts at `joint`, and data in a packet at `offset`.
+    -- Returns how many bytes a frame needs that was requested segment by segment, if Wireshark passed on only one byte
+    -- of the newest one. Since 4.4 it does so after a retransmission, and passes the rest on if asked for that number
+    -- of bytes. The newest segment starts at `joint`, and data in a packet at `offset`.
     local function rest_of(text, joint, offset, pinfo)
         if joint == 0 or #text ~= joint + 1 or #text < HEADER_SIZE then return nil end
         if not offset or pinfo.len <= offset + 1 then return nil end
@@ -88,20 +91,20 @@ do
 
     local dissect_claimed
     do
-        -- Which types go the way of a packet.
+        -- Returns which types go in the direction of a packet.
         local function types_of(pinfo, conversation)
             return is_to_named(conversation or connection_of(pinfo), pinfo) and is_command or is_reply
         end
 
-        -- The step of a buffer that is seen for the first time, how many bytes of it were there before, and how many of
-        -- these are done: TCP hands some over again if a frame that begins in them is not whole yet. It joins segments
-        -- if that was asked for; such a buffer has an offset of 0, others come after their headers.
+        -- Returns the step of the stream at a buffer in the first pass, how many bytes of the buffer came before, and
+        -- how many of these are done: TCP passes bytes on again if a frame in them is incomplete. Buffers of joined
+        -- segments have the offset 0, others begin after their headers.
         local function first_step(known, text, offset, number)
             local pending, before, is_further = known.pending, known.step, number == known.number
             known.pending, known.number = nil, number
             if offset > 0 then
                 known.offset = offset
-                -- What was asked for did not come if something is pending.
+                -- Pending bytes are not joined with this packet if there is a gap before it.
                 if before == "lost" or pending and not is_further then return "lost", 0, 0 end
                 return is_further and "sure" or "likely", 0, 0
             end
@@ -113,14 +116,12 @@ do
             return "likely", 0, 0
         end
 
-        -- The step of the stream at a buffer, how many bytes of it were there before, and how many are done. `known` is
-        -- what is known of the stream, when the buffer is seen for the first time.
+        -- The same in any pass; `known`, the direction, is given in the first pass only.
         local function step_of(known, text, offset, number, start)
             local place, usual = place_of(number, offset), offset == 0 and "sure" or "likely"
             if not known then
-                local found = steps[place]
-                if found then return found.step, 0, found.done end
-                return usual, 0, 0
+                local buffer = buffers[place]
+                return buffer and buffer.step or usual, 0, buffer and buffer.done or 0
             end
             local step, joint, done = "sure", 0, start
             if start then
@@ -128,11 +129,11 @@ do
             else
                 step, joint, done = first_step(known, text, offset, number)
             end
-            if step ~= usual or done > 0 then steps[place] = { step = step, done = done } end
+            if step ~= usual or done > 0 then buffers[place] = { step = step, done = done } end
             return step, joint, done
         end
 
-        -- A buffer of a connection that is ours; `start` is where that begins, if it does in this one.
+        -- Dissects a buffer of a claimed connection; `start` is where the claim begins, if in this buffer.
         function dissect_claimed(tvb, text, pinfo, tree, number, conversation, known, start)
             local captured, offset, is_shown = #text, offset_of(tvb), has_tree(tree)
             if known and known.claims ~= conversation.claims then
@@ -142,11 +143,10 @@ do
             local step, joint, done = step_of(known, text, offset, number, start)
             brick = is_shown and (conversation or connection_of(pinfo)).name
             start_line(number, offset)
-            -- Nearly always one frame is all there is.
-            local low, high, _, _, code = byte(text, 1, HEADER_SIZE)
+            -- Nearly every buffer is exactly one frame.
             local lost = 0
-            if step ~= "lost" and done == 0 and code and LENGTH_FIELD + low + high * 0x100 == captured
-                and is_usual_length(low, high) and MESSAGE_TYPES[code] then
+            if step ~= "lost" and done == 0 and MESSAGE_TYPES[byte(text, HEADER_SIZE)]
+                and stop_of(text, 0) == captured and is_usual_length(captured - LENGTH_FIELD) then
                 local place = place_of(number, offset)
                 say((dissect_message(tvb, 0, read_message(text), conversation, place, pinfo, tree, is_shown)))
             else
@@ -181,24 +181,28 @@ do
         end
     end
 
-    -- Whether a beacon said that a brick listens there.
+    -- Tells whether a beacon announced this port.
     local function is_announced(address, port)
         return next(announced) ~= nil and announced[tostring(address) .. " " .. port] == true
     end
 
-    -- A connection is named after the end of it that is the brick.
-    local function name_brick(conversation, address, port)
+    -- Names a connection after its brick, to which a packet goes or from which it comes.
+    local function name_brick(conversation, pinfo, to_brick)
+        local address, port = pinfo.src, pinfo.src_port
+        if to_brick then
+            address, port = pinfo.dst, pinfo.dst_port
+        end
         conversation.name = tostring(address) .. ":" .. port
     end
 
     local dissect_first
     do
-        -- Whether a brick listens at an end of a connection, as far as the ports tell.
+        -- Tells whether an end of a connection may be a brick, by its port.
         local function may_be_brick(address, port)
             return ports[port] or is_announced(address, port)
         end
 
-        -- Whether data go to the brick, where the ports of both ends may be one's.
+        -- Tells whether data go to the brick, if both ends may be one by their ports.
         local function tells_brick(text, is_text, pinfo)
             if is_text then return byte(text, 1) == byte(UNLOCK.request, 1) end
             local type = MESSAGE_TYPES[byte(text, HEADER_SIZE)]
@@ -206,30 +210,28 @@ do
             return type.is_command
         end
 
-        -- Whether the user, or a beacon, says that what is at a port is ours: else it must show.
-        local function is_sure(address, port)
-            return listened ~= tostring(CARRIERS.tcp_port) or is_announced(address, port)
+        -- Tells whether a port is ours by the user's preference or by a beacon.
+        local function is_sure(pinfo, to_brick)
+            if listened ~= tostring(CARRIERS.tcp_port) then return true end
+            if to_brick then return is_announced(pinfo.dst, pinfo.dst_port) end
+            return is_announced(pinfo.src, pinfo.src_port)
         end
 
-        -- A buffer of a connection that is not ours so far, when it is seen for the first time: whether it is, with the
-        -- offset where that begins, or whether more is needed to tell, from an offset on.
+        -- Judges a buffer of a connection that is not claimed, in the first pass: OURS, with the offset where that
+        -- begins; PART, with the offset from which on more is needed; or nil.
         local function claim(conversation, known, text, reported, pinfo)
             local to_brick = may_be_brick(pinfo.dst, pinfo.dst_port)
             if not to_brick and not may_be_brick(pinfo.src, pinfo.src_port) then return nil end
             local verdict, place = judge_text(text), 0
             if verdict == PART then return PART, 0 end
             if verdict == OURS or has_two_named(pinfo) then to_brick = tells_brick(text, verdict ~= nil, pinfo) end
-            local address, port = pinfo.src, pinfo.src_port
-            if to_brick then
-                address, port = pinfo.dst, pinfo.dst_port
-            end
             local joint = known.waits or 0
-            if verdict == OURS or is_sure(address, port) then
+            if verdict == OURS or is_sure(pinfo, to_brick) then
                 claiming.begin(conversation, true)
             elseif to_brick then
                 local is_whole
                 place, is_whole = claiming.find_command(text, joint, is_command, reported)
-                -- Others have their packets at once, unless a command may begin with one.
+                -- Other dissectors get their packets at once, unless one may begin with a command.
                 local is_waited = place and not is_whole and (conversation.has_ended or place == 0 or place == joint)
                 if not is_whole then return is_waited and PART or nil, place end
                 claiming.begin(conversation)
@@ -241,11 +243,11 @@ do
                 conversation.replies = 0
             end
             conversation.claimed_in = pinfo.number
-            name_brick(conversation, address, port)
+            name_brick(conversation, pinfo, to_brick)
             return OURS, place
         end
 
-        -- Asks for more of what may become a frame or a text, from an offset on.
+        -- Requests more of what may become a frame or a text, from an offset on.
         local function ask_for_more(known, text, place, offset, pinfo)
             local joint = offset == 0 and known.waits or 0
             local rest = place == 0 and rest_of(text, joint, known.begins, pinfo)
@@ -256,12 +258,12 @@ do
 
         function dissect_first(tvb, text, pinfo, tree, number)
             local conversation, known = connection_of(pinfo)
-            -- What was left to others comes again, where Wireshark knows which end is the server.
+            -- Wireshark may offer a declined buffer again, for the port of the other end.
             local place = place_of(number, offset_of(tvb))
-            if declined[place] then return 0 end
+            if buffers[place] == DECLINED then return 0 end
             local port = pinfo.match_uint
             if not conversation.name and not ports[port] then
-                name_brick(conversation, pinfo.dst_port == port and pinfo.dst or pinfo.src, port)
+                name_brick(conversation, pinfo, pinfo.dst_port == port)
                 claiming.begin(conversation, true)
             end
             if conversation.is_claimed then
@@ -271,13 +273,13 @@ do
             local verdict, at = claim(conversation, known, text, tvb:reported_len(), pinfo)
             if verdict == PART and #text == tvb:reported_len() and pinfo.can_desegment > 0 then
                 ask_for_more(known, text, at, offset_of(tvb), pinfo)
-                asked[place] = at
+                buffers[place] = { asked = at }
                 return #text
             end
-            -- The same packet may have been asked for more before.
-            known.waits, asked[place] = 0, nil
+            -- More may have been requested for the same packet before.
+            known.waits, buffers[place] = 0, nil
             if verdict ~= OURS then
-                declined[place] = true
+                buffers[place] = DECLINED
                 return 0
             end
             return dissect_claimed(tvb, text, pinfo, tree, number, conversation, known, at)
@@ -287,10 +289,10 @@ do
     local function dissect_tcp(tvb, pinfo, tree)
         local text, number = bytes_of(tvb), pinfo.number
         if not pinfo.visited then return dissect_first(tvb, text, pinfo, tree, number) end
-        if next(declined) and declined[place_of(number, tvb:offset())] then return 0 end
-        local place = next(asked) and asked[place_of(number, offset_of(tvb))]
-        if place then
-            pinfo.desegment_offset, pinfo.desegment_len = place, DESEGMENT_ONE_MORE_SEGMENT
+        local buffer = buffers[place_of(number, offset_of(tvb))]
+        if buffer == DECLINED then return 0 end
+        if buffer and buffer.asked then
+            pinfo.desegment_offset, pinfo.desegment_len = buffer.asked, DESEGMENT_ONE_MORE_SEGMENT
             return #text
         end
         if has_found then
@@ -300,8 +302,8 @@ do
         return dissect_claimed(tvb, text, pinfo, tree, number)
     end
 
-    -- A connection on any other port is ours after a beacon that names the port, or from the unlock text on. Wireshark
-    -- then hands us all packets of the conversation, in later passes those before, too.
+    -- Claims a connection on any other port after a beacon that names the port, or from the unlock text on. Wireshark
+    -- then passes all packets of the conversation to us; in later passes also those before.
     local function guess_tcp(tvb, pinfo, tree)
         if pinfo.visited then return false end
         local to_brick, size = is_announced(pinfo.dst, pinfo.dst_port), #UNLOCK.request
@@ -319,18 +321,14 @@ do
         pinfo.conversation = ev3
         claiming.begin(conversation, true)
         conversation.is_found, conversation.claimed_in, has_found = true, pinfo.number, true
-        if to_brick then
-            name_brick(conversation, pinfo.dst, pinfo.dst_port)
-        else
-            name_brick(conversation, pinfo.src, pinfo.src_port)
-        end
+        name_brick(conversation, pinfo, to_brick)
         dissect_claimed(tvb, bytes_of(tvb), pinfo, tree, pinfo.number, conversation, known)
         return true
     end
 
     local dissect_udp, guess_udp
     do
-        -- Where the host may send its answer: to the port that the beacon came from, the one that it names, or its own.
+        -- The host may answer to the port that the beacon came from, to the one that it names, or to the beacon's.
         local function remember_brick(pinfo, named)
             local address = tostring(pinfo.src) .. " "
             local name = tostring(pinfo.src) .. ":" .. (named or pinfo.src_port)
@@ -338,7 +336,7 @@ do
             if named then bricks[address .. named], announced[address .. named] = name, true end
         end
 
-        -- The port that a beacon names, nil where there can be none of that number.
+        -- Returns the port that a beacon names, nil if it is out of range.
         local function port_of(value)
             local port = value:match("^%d%d?%d?%d?%d?$") and tonumber(value)
             return port and port > 0 and port <= MAX_PORT and port or nil
@@ -368,31 +366,29 @@ do
             return said, port
         end
 
-        -- Whether a datagram begins with the labels of a beacon's first two lines, as far as it was captured, and names
-        -- no other protocol. By Decode As the first label is enough.
+        -- Tells whether a datagram is a beacon: it begins with the labels of the first two lines, unless truncated, and
+        -- does not name another protocol. With Decode As the first label is enough.
         local function is_beacon(tvb, text, is_forced)
             local lines = CARRIERS.beacon_lines
             local first, second, last = lines[1].label .. ": ", lines[2].label .. ": ", lines[#lines].label .. ": "
             if sub(text, 1, #first) ~= first then return false end
             if is_forced then return true end
-            local _, stop = find(text, "\r\n", 1, true)
-            local rest = stop and sub(text, stop + 1) or ""
+            local rest = text:match("\r\n(.*)") or ""
             local is_cut = tvb:len() < tvb:reported_len()
             if sub(rest, 1, #second) ~= second and not (is_cut and sub(second, 1, #rest) == rest) then return false end
-            local _, before = find(rest, "\r\n" .. last, 1, true)
-            local protocol = before and rest:match("^[^\r]*", before + 1) or ""
+            local protocol = rest:match("\r\n" .. last .. "([^\r]*)") or ""
             return sub(CARRIERS.protocol, 1, #protocol) == protocol
         end
 
-        -- The brick whose beacon a packet answers, if it does.
+        -- Returns the brick whose beacon a packet answers, or nil.
         local function answered_brick(pinfo)
-            if not pinfo.visited and next(bricks) then
+            if not pinfo.visited then
                 answers[pinfo.number] = bricks[tostring(pinfo.dst) .. " " .. pinfo.dst_port]
             end
             return answers[pinfo.number]
         end
 
-        -- A beacon that a brick broadcasts, or whatever a host answers to it.
+        -- Dissects a brick's beacon, or a host's answer to it.
         function dissect_udp(tvb, pinfo, tree)
             local text, number = tvb:raw(), pinfo.number
             brick = nil
@@ -413,7 +409,7 @@ do
             return tvb:len()
         end
 
-        -- An answer goes to the port that the beacon came from, which is known by nothing else.
+        -- Dissects answers to the port that a beacon came from, which is not known in advance.
         function guess_udp(tvb, pinfo, tree)
             if not answered_brick(pinfo) then return false end
             dissect_udp(tvb, pinfo, tree)
@@ -421,7 +417,7 @@ do
         end
     end
 
-    -- Takes the ports of the preference, such as 5555,6000-6003.
+    -- Registers the ports of the preference, such as 5555,6000-6003.
     local function take_ports()
         tcp_ports:add(listened, ev3)
         ports = {}
@@ -447,10 +443,10 @@ do
         ev3:register_heuristic("udp", guess_udp)
     end
 
-    carriers.add({
+    carriers[#carriers + 1] = {
         dissectors = { [2] = dissect_tcp, [3] = dissect_udp },
         forget = forget_wifi,
         prefs_changed = follow_ports,
         register = register,
-    })
+    }
 end

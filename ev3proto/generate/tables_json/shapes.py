@@ -1,0 +1,105 @@
+"""Objects of a JSON file: the schema of each property, and where its value comes from."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from operator import attrgetter
+from typing import Any
+
+Schema = dict[str, Any]
+Object = dict[str, Any]
+Property = Schema | tuple[Schema, Any]
+
+NAME = "^[A-Za-z][A-Za-z0-9_]*$"
+
+
+class Shape:
+    """The properties of one kind of object.
+
+    schema  the JSON Schema of such an object; other properties are refused
+    """
+
+    def __init__(self, text: str, properties: Mapping[str, Property], optional: tuple[str, ...] = ()) -> None:
+        """Describes an object.
+
+        Args:
+            text: One line of meaning.
+            properties: The schema of each, alone where the value is the attribute of that name, else with a function
+                of the entry, or with the value itself.
+            optional: Properties that are omitted where they are None, false, or empty texts and objects.
+        """
+        pairs = {name: it if isinstance(it, tuple) else (it, attrgetter(name)) for name, it in properties.items()}
+        self._optional = optional
+        self._reads = {name: read for name, (_, read) in pairs.items()}
+        self.schema: Schema = {
+            "type": "object",
+            "description": text,
+            "properties": {name: schema for name, (schema, _) in pairs.items()},
+            "required": [name for name in pairs if name not in optional],
+            "additionalProperties": False,
+        }
+
+    def data(self, entry: object = None) -> Object:
+        """Returns the object of an entry of the tables."""
+        found = {name: read(entry) if callable(read) else read for name, read in self._reads.items()}
+        return {name: value for name, value in found.items() if name not in self._optional or _is_there(value)}
+
+    @property
+    def nested(self) -> tuple[Schema, Callable[[object], Object]]:
+        """The shape as a property of another, of the same entry."""
+        return self.schema, self.data
+
+
+def _is_there(value: object) -> bool:
+    return value is not None and value is not False and value != "" and value != {}
+
+
+def map_of(values: Schema, text: str) -> Schema:
+    """Returns the schema of an object whose keys are names."""
+    return {"type": "object", "description": text, "propertyNames": {"pattern": NAME}, "additionalProperties": values}
+
+
+def array(items: Schema, text: str, **more: Any) -> Schema:
+    """Returns the schema of a list."""
+    return {"type": "array", "description": text, "items": items, **more}
+
+
+def pair(text: str) -> Schema:
+    """Returns the schema of two whole numbers."""
+    return array({"type": "integer"}, text, minItems=2, maxItems=2)
+
+
+def ref(name: str) -> Schema:
+    """Returns a reference to a definition."""
+    return {"$ref": f"#/$defs/{name}"}
+
+
+def text(meaning: str, pattern: str | None = None) -> Schema:
+    """Returns the schema of a text."""
+    return {"type": "string", "description": meaning} | ({"pattern": pattern} if pattern else {})
+
+
+def name(meaning: str) -> Schema:
+    """Returns the schema of a name."""
+    return text(meaning, NAME)
+
+
+def number(meaning: str, low: int | None = None, high: int | None = None) -> Schema:
+    """Returns the schema of a whole number, with its limits if it has any."""
+    limits = {name: value for name, value in (("minimum", low), ("maximum", high)) if value is not None}
+    return {"type": "integer", "description": meaning, **limits}
+
+
+def byte(meaning: str) -> Schema:
+    """Returns the schema of a byte."""
+    return number(meaning, 0, 0xFF)
+
+
+def flag(meaning: str) -> Schema:
+    """Returns the schema of a truth value."""
+    return {"type": "boolean", "description": meaning}
+
+
+def one_of(names: list[str], meaning: str) -> Schema:
+    """Returns the schema of one of some texts."""
+    return {"enum": names, "description": meaning}

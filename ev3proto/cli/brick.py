@@ -22,43 +22,40 @@ from ev3proto.brick.servers.script import Script, ScriptError, read_script
 from ev3proto.brick.servers.server import Options, running
 from ev3proto.cli.ending import stopped_by_signals
 from ev3proto.cli.faults import fault_options
-from ev3proto.cli.options import dialect_option, given_options, incompatible
+from ev3proto.cli.options import FILE, FOLDER, PATH, PORT, dialect_option, given_options, incompatible
 from ev3proto.cli.output import Failure, Printer, complain, failing_on, failing_to, flush, say
 from ev3proto.tables.discovery import TCP_PORT
 from ev3proto.temporary import temporary_folder
 
-_PORT = click.IntRange(0, 65535)
 _MOST_CLIENTS = 1000
 
 
-class _WithDifferences(click.Command):
-    """A command whose help also lists how the virtual brick differs from a real one on purpose."""
+page_option = click.option(
+    "--http",
+    "page",
+    type=PORT,
+    is_flag=False,
+    flag_value=0,
+    metavar="[PORT]",
+    help="Show the brick on a web page; its link is printed.",
+)
+root_option = click.option(
+    "--root", type=FOLDER, metavar="DIR", help="Folder to use as /home/root/lms2012; by default a temporary one."
+)
+script_option = click.option(
+    "--script", type=PATH, metavar="TOML", help="File that describes what is plugged in and what happens."
+)
+screenshot_option = click.option(
+    "--screenshot", type=FILE, metavar="PNG", help="Save the display as a picture at the end."
+)
 
-    def format_help_text(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        limits = (
-            f"A direct command is ended after {PATIENCE:g} s if another client waits.",
-            f"A client that has not sent the unlock text after {UNLOCK_TIME:g} s is disconnected.",
-        )
-        differences = "\n\n".join(f"- {sentence}" for sentence in (*limits, *DEVIATIONS))
-        about = self.help
-        # The examples come last, as in every help.
-        text, examples_mark, examples = cleandoc(about or "").rpartition("\n\n\b\n")
-        self.help = f"{text}\n\nIt differs from a real brick on purpose:\n\n{differences}{examples_mark}{examples}"
-        super().format_help_text(ctx, formatter)
-        self.help = about
 
-
-@click.command(cls=_WithDifferences)
+@click.command()
 @click.option(
     "--address", default="127.0.0.1", metavar="ADDRESS", help="Address to listen on; by default only this computer's."
 )
 @click.option(
-    "--port",
-    type=_PORT,
-    default=TCP_PORT,
-    show_default=True,
-    metavar="PORT",
-    help="TCP port for WiFi; 0 takes a free one.",
+    "--port", type=PORT, default=TCP_PORT, show_default=True, metavar="PORT", help="TCP port for WiFi; 0 for any."
 )
 @click.option("--beacon/--no-beacon", default=True, help="Announce the brick by UDP beacon.")
 @click.option("--wifi/--no-wifi", default=True, help="Let programs connect by WiFi.")
@@ -70,36 +67,11 @@ class _WithDifferences(click.Command):
     metavar="NUMBER",
     help="Clients served at once; a real brick serves one, and others wait.",
 )
-@click.option(
-    "--serial", type=click.Path(path_type=Path), metavar="PATH", help="Also offer a serial port, linked to this path."
-)
-@click.option(
-    "--http",
-    "page",
-    type=_PORT,
-    is_flag=False,
-    flag_value=0,
-    metavar="[PORT]",
-    help="Also serve a web page that shows the brick; its link is printed.",
-)
-@click.option(
-    "--root",
-    type=click.Path(file_okay=False, path_type=Path),
-    metavar="DIR",
-    help="Folder to use as /home/root/lms2012; by default a temporary one.",
-)
-@click.option(
-    "--script",
-    type=click.Path(path_type=Path),
-    metavar="FILE",
-    help="TOML file that describes what is plugged in and what happens.",
-)
-@click.option(
-    "--record",
-    type=click.Path(dir_okay=False, path_type=Path),
-    metavar="FILE",
-    help="Record to this capture file (pcapng).",
-)
+@click.option("--serial", type=PATH, metavar="PATH", help="Also offer a serial port, linked to this path.")
+@page_option
+@root_option
+@script_option
+@click.option("--record", type=FILE, metavar="FILE", help="Record to this capture file (pcapng).")
 @click.option(
     "--report",
     is_flag=True,
@@ -108,12 +80,7 @@ class _WithDifferences(click.Command):
 @click.option("--errors-only", is_flag=True, help="Report errors only.")
 @click.option("--json", "as_json", is_flag=True, help="Report one JSON object a line.")
 @click.option("--serial-number", metavar="HEX", help="Serial number of the brick, 12 hexadecimal digits.")
-@click.option(
-    "--screenshot",
-    type=click.Path(dir_okay=False, path_type=Path),
-    metavar="FILE",
-    help="Save the display as a picture (PNG) at the end.",
-)
+@screenshot_option
 @fault_options
 @dialect_option
 @click.option("--quiet", is_flag=True, help="Do not list the differences from a real brick at the start.")
@@ -203,6 +170,21 @@ def brick(
     else:
         Printer().lines(reporter.lines(errors_only=errors_only))
     sys.exit(1 if reporter.has_errors else 0)
+
+
+def _with_differences(about: str) -> str:
+    """Returns a help that also lists how the virtual brick differs from a real one on purpose."""
+    differences = (
+        f"A direct command is ended after {PATIENCE:g} s if another client waits.",
+        f"A client that has not sent the unlock text after {UNLOCK_TIME:g} s is disconnected.",
+        *DEVIATIONS,
+    )
+    listed = "\n\n".join(f"- {sentence}" for sentence in differences)
+    text, examples_mark, examples = cleandoc(about).rpartition("\n\n\b\n")
+    return f"{text}\n\nIt differs from a real brick on purpose:\n\n{listed}{examples_mark}{examples}"
+
+
+brick.help = _with_differences(brick.help or "")
 
 
 def _serial_number(text: str | None) -> str | None:

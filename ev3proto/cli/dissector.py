@@ -7,7 +7,7 @@ from pathlib import Path
 import click
 
 from ev3proto.cli.commands import Group
-from ev3proto.cli.options import tshark_option
+from ev3proto.cli.options import FOLDER, tshark_option
 from ev3proto.cli.output import failing_on, output_options, say, write_text
 from ev3proto.generate.dissector.build import FILE_NAME, build
 from ev3proto.generate.dissector.install import (
@@ -50,7 +50,7 @@ def build_command(output: Path | None, check: bool) -> None:
 _folder_option = click.option(
     "--dir",
     "folder",
-    type=click.Path(path_type=Path, file_okay=False),
+    type=FOLDER,
     help="Folder for Lua plugins; by default the one that tshark names, or else Wireshark's usual one.",
 )
 

@@ -292,7 +292,7 @@ def encode(
     """  # noqa: D301 - the mark by which click leaves lines as they are
     is_for_program = source_dialect is not None or version is not None or shortest
     if form == RBF or (form is None and (is_for_program or (path is not None and path.lower().endswith(SUFFIX)))):
-        about_frames = given_options("counter", "reply", "unchecked", "chosen", "no_length", "only_operations")
+        about_frames = given_options("counter", "reply", "unchecked", "filter", "no_length", "only_operations")
         if about_frames:
             raise incompatible(", ".join(about_frames), "--to rbf or -o FILE.rbf")
         found = sources(names)

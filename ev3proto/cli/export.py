@@ -11,7 +11,7 @@ from ev3proto.capture.text_log import Clock
 from ev3proto.cli.captures import CaptureSource
 from ev3proto.cli.commands import Group
 from ev3proto.cli.inputs import Piece, Source, sources
-from ev3proto.cli.options import FiniteRange, dialect_option
+from ev3proto.cli.options import FOLDER, FiniteRange, dialect_option
 from ev3proto.cli.output import (
     binary_output,
     check_option,
@@ -109,7 +109,7 @@ def output_schema(output: Path | None, check: bool) -> None:
 
 
 @export.command("all")
-@click.argument("folder", type=click.Path(path_type=Path, file_okay=False))
+@click.argument("folder", type=FOLDER)
 @check_option
 def everything(folder: Path, check: bool) -> None:
     """Writes every file that describes the protocol into FOLDER, under its usual name.

@@ -9,6 +9,7 @@ from typing import BinaryIO, cast
 import click
 
 from ev3proto.cli.ending import stopped_by_signals
+from ev3proto.cli.options import PATH, PORT
 from ev3proto.cli.output import Failure, complain, failing_on, failing_to, say
 from ev3proto.cli.targets import TargetType
 from ev3proto.generate.captures.recording import Recording
@@ -44,11 +45,9 @@ _CONFIGURATION = (
 @click.option("--extcap-config", "lists_options", is_flag=True, help="List the options of the interface.")
 @click.option("--extcap-interface", "interface", metavar="NAME", help=f"Name of the interface: {INTERFACE}.")
 @click.option("--capture", is_flag=True, help="Capture until interrupted.")
-@click.option("--fifo", type=click.Path(path_type=Path), metavar="PATH", help="Where to write the capture.")
+@click.option("--fifo", type=PATH, metavar="PATH", help="Where to write the capture.")
 @click.option("--target", type=TargetType(), default="usb", show_default=True, help="Brick, as for `ev3proto send`.")
-@click.option(
-    "--port", type=click.IntRange(0, 65535), default=TCP_PORT, show_default=True, help="TCP port to listen on."
-)
+@click.option("--port", type=PORT, default=TCP_PORT, show_default=True, help="TCP port to listen on.")
 @click.option("--read-only", is_flag=True, help="Block commands that change the brick.")
 def extcap(
     lists_interfaces: bool,

@@ -14,7 +14,7 @@ import click
 from ev3proto.capture import CaptureError
 from ev3proto.capture.files import FileState, RecoveredFile, recover, survey
 from ev3proto.cli.captures import CaptureSource
-from ev3proto.cli.options import json_option
+from ev3proto.cli.options import FOLDER, json_option
 from ev3proto.cli.output import complain, say
 from ev3proto.cli.reading import CaptureOptions, reading_options
 from ev3proto.cli.tables import Tables
@@ -28,7 +28,7 @@ from ev3proto.text.spans import visible
     "-o",
     "--output",
     "folder",
-    type=click.Path(path_type=Path, file_okay=False),
+    type=FOLDER,
     help="Write the files into this folder, which is created if it is missing.",
 )
 @click.option("--listings", is_flag=True, help="Include listings of folders, as text.")

@@ -35,7 +35,7 @@ HOW_FRAMES_ARE_WRITTEN = "; frames are written in hex, such as 06:00|2A:00|80|00
 SOURCE_SUFFIX = ".lms"
 """The suffix of the sources of programs."""
 
-_SUFFIX = re.compile(r"\w\.[a-z]\w{0,9}$", re.IGNORECASE)
+_PATH = re.compile(r"[^()'\"|{}]*(/[^()'\"|{}]*|\w\.[a-z]\w{0,9})", re.IGNORECASE)
 
 _GROUP = re.compile(r"(0x)?([0-9a-f]{2}:?){1,4},?", re.IGNORECASE)
 """Whole bytes in hex, which are taken for bytes even if a file has that name."""
@@ -60,7 +60,7 @@ class Source(NamedTuple):
     @property
     def looks_like_a_path(self) -> bool:
         """Whether its name has a folder or a suffix, like that of a file."""
-        return "/" in self.name or _SUFFIX.search(self.name) is not None
+        return _PATH.fullmatch(self.name) is not None
 
     def open(self) -> io.BufferedReader:
         """Opens a file or standard input. Raises OSError."""

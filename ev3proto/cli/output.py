@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any, BinaryIO, TextIO, TypeVar, cast
 
 import click
 
+from ev3proto.cli.options import FILE
 from ev3proto.text.spans import Line, Role, plain_text, visible, visible_lines
 
 if TYPE_CHECKING:
@@ -217,9 +218,7 @@ def put(data: bytes, path: Path | None, *, check: bool = False) -> bool:
     return True
 
 
-output_option = click.option(
-    "-o", "--output", type=click.Path(path_type=Path, dir_okay=False), help="Write to this file, not standard output."
-)
+output_option = click.option("-o", "--output", type=FILE, help="Write to this file, not standard output.")
 
 check_option = click.option("--check", is_flag=True, help="Write nothing; exit status 1 if a file is out of date.")
 

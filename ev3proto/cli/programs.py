@@ -17,7 +17,7 @@ from ev3proto.cli.assembly import show_errors
 from ev3proto.cli.inputs import Source, is_image
 from ev3proto.cli.output import Printer, complain, is_terminal, put
 from ev3proto.errors import DecodeError, counted
-from ev3proto.program import Program, assemble, check_program, parse, source_of
+from ev3proto.program import Assembled, Program, assemble, check_program, parse, source_of
 from ev3proto.program.listing import listing, program_record, program_tree
 from ev3proto.program.report import program_findings
 from ev3proto.program.sources import MAX_SOURCE
@@ -123,6 +123,19 @@ def program_explanation(code: Code, dialect: str) -> Iterator[Line]:
     yield [("without it: ", Role.ASIDE), (spaced_hex(code.counterexample), Role.VALUE)]
 
 
+def assembled(
+    text: str | bytes, label: str, *, dialect: str | None = None, version: int | None = None, shortest: bool = False
+) -> Assembled | None:
+    """Assembles a source, and prints its errors and warnings; None if it has errors."""
+    try:
+        made = assemble(text, dialect=dialect, version=version, shortest=shortest)
+    except AssemblyError as error:
+        show_errors(f"{label}, ", error)
+        return None
+    complain_of_warnings(label, made.warnings)
+    return made
+
+
 def encode_program(
     found: list[Source], path: str | None, *, dialect: str | None, version: int | None, shortest: bool
 ) -> int:
@@ -136,13 +149,8 @@ def encode_program(
     if text is None:
         return 1
     label = "the source" if source.is_frame else source.label
-    try:
-        made = assemble(text, dialect=dialect, version=version, shortest=shortest)
-    except AssemblyError as error:
-        show_errors(f"{label}, ", error)
-        return 1
-    complain_of_warnings(label, made.warnings)
-    if not put(made.image, None if path is None else Path(path)):
+    made = assembled(text, label, dialect=dialect, version=version, shortest=shortest)
+    if made is None or not put(made.image, None if path is None else Path(path)):
         return 1
     written = {"strict": "the strict dialect", "lego": "LEGO's dialect"}.get(made.dialect, "EV3 Basic's dialect")
     size, objects = counted(len(made.image), "byte"), counted(len(made.program.objects), "object")

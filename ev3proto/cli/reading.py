@@ -125,7 +125,6 @@ _OPTIONS = (
     tshark_option,
     click.option(
         "--filter",
-        "chosen",
         callback=_compiled,
         metavar="EXPRESSION",
         help="Only frames that match this, such as 'op==SOUND.TONE && FREQUENCY>400'.",
@@ -164,23 +163,12 @@ def reading_options(command: F) -> F:
     """Adds the options on how to read captures to a command, which gets them as one argument, `reading`."""
 
     @functools.wraps(command)
-    def called(
-        *arguments: Any,
-        dialect: str,
-        ports: tuple[int, ...],
-        engine: str,
-        tshark: str | None,
-        chosen: Filter | None,
-        no_length: bool,
-        only_operations: bool,
-        memory: int,
-        **others: Any,
-    ) -> Any:
+    def called(*arguments: Any, no_length: bool, only_operations: bool, **others: Any) -> Any:
         if no_length and only_operations:
             raise incompatible("--no-length", "--operations")
+        given = {name: others.pop(name) for name in ("dialect", "ports", "engine", "tshark", "filter", "memory")}
         missing: Missing | None = "length" if no_length else "header" if only_operations else None
-        reading = CaptureOptions(dialect, ports, engine, tshark, chosen, missing, memory)
-        return command(*arguments, reading=reading, **others)
+        return command(*arguments, reading=CaptureOptions(missing=missing, **given), **others)
 
     for option in reversed(_OPTIONS):
         option(called)

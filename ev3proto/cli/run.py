@@ -17,17 +17,23 @@ from ev3proto.brick.devices.display.canvas import WIDTH
 from ev3proto.brick.running_programs import FAIL, RUNNING, Program
 from ev3proto.brick.servers.host import ServerError
 from ev3proto.brick.servers.server import Options, Running, running
-from ev3proto.cli.assembly import show_errors
-from ev3proto.cli.brick import folder, interrupted, read_script_file
+from ev3proto.cli.brick import (
+    folder,
+    interrupted,
+    page_option,
+    read_script_file,
+    root_option,
+    screenshot_option,
+    script_option,
+)
 from ev3proto.cli.inputs import is_image
-from ev3proto.cli.options import FiniteRange, incompatible
+from ev3proto.cli.options import PATH, FiniteRange, incompatible
 from ev3proto.cli.output import complain, failing_on, failing_to, flush, is_terminal, say
-from ev3proto.cli.programs import complain_of_warnings
-from ev3proto.program import assemble, check_program
+from ev3proto.cli.programs import assembled
+from ev3proto.program import check_program
 from ev3proto.tables.enumerations import LEDPATTERN
 from ev3proto.tables.errors import ERRORS
 from ev3proto.tables.program import MAX_IMAGE
-from ev3proto.text.assembly.errors import AssemblyError
 from ev3proto.text.spans import visible
 
 _PERIOD = 0.05
@@ -49,34 +55,11 @@ _KEYS = {
 
 
 @click.command()
-@click.argument("file", type=click.Path(path_type=Path))
-@click.option(
-    "--http",
-    "page",
-    type=click.IntRange(0, 65535),
-    is_flag=False,
-    flag_value=0,
-    metavar="[PORT]",
-    help="Show the brick on a web page, and start when the page is opened; Ctrl-C ends it.",
-)
-@click.option(
-    "--root",
-    type=click.Path(file_okay=False, path_type=Path),
-    metavar="DIR",
-    help="Folder to use as /home/root/lms2012, as for `brick`.",
-)
-@click.option(
-    "--script",
-    type=click.Path(path_type=Path),
-    metavar="TOML",
-    help="File that describes what is plugged in and what happens, as for `brick`.",
-)
-@click.option(
-    "--screenshot",
-    type=click.Path(dir_okay=False, path_type=Path),
-    metavar="PNG",
-    help="Save the display as a picture at the end.",
-)
+@click.argument("file", type=PATH)
+@page_option
+@root_option
+@script_option
+@screenshot_option
 @click.option("--limit", type=FiniteRange(0), metavar="SECONDS", help="End the program after this time.")
 def run(
     file: Path,
@@ -89,7 +72,8 @@ def run(
     """Runs a program (.rbf or .lms) on a virtual brick until it ends.
 
     On a terminal, the display is shown while the program runs, and the arrow keys, Enter and Backspace are the brick's
-    buttons; otherwise the display is printed at the end. Exit status 1: the program failed.
+    buttons; otherwise the display is printed at the end. With --http, the program starts when the page is opened, and
+    Ctrl-C ends it. Exit status 1: the program failed.
 
     \b
       ev3proto run hello.lms
@@ -110,12 +94,9 @@ def _image(file: Path) -> bytes:
         found = stream.read(MAX_IMAGE + 1)
     if is_image(found):
         return found
-    try:
-        made = assemble(found)
-    except AssemblyError as error:
-        show_errors(f"{label}, ", error)
+    made = assembled(found, label)
+    if made is None:
         sys.exit(1)
-    complain_of_warnings(label, made.warnings)
     return made.image
 
 

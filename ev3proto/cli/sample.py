@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from itertools import islice
 
 import click
@@ -71,26 +71,7 @@ def sample(
     """  # noqa: D301 - the mark by which click leaves lines as they are
     if accepted and mutate:
         raise incompatible("--accepted", "--mutate")
-    frames = _frames(seed, names, areas, types, accepted, mutate, dialect)
-    write = _writer(style, dialect)
-    written = 0
-    for frame in islice(frames, min(count, sys.maxsize)):
-        write(frame)
-        written += 1
-    if written < count:
-        complain(f"found only {written} different frames of this kind")
-
-
-def _frames(
-    seed: int,
-    names: tuple[str, ...],
-    areas: tuple[str, ...],
-    types: tuple[str, ...],
-    accepted: bool,
-    mutate: bool,
-    dialect: str,
-) -> Iterator[bytes]:
-    # Hypothesis keeps what it has worked out in a folder of its own, which nobody who asks for samples wants.
+    # Hypothesis keeps what it has worked out in a folder of its own, which has no use for samples.
     os.environ.setdefault("HYPOTHESIS_STORAGE_DIRECTORY", os.devnull)
     try:
         from ev3proto.sampling import samples  # hypothesis is an extra
@@ -99,11 +80,18 @@ def _frames(
         raise Failure(
             "samples need hypothesis, which is not installed or too old: " + install_command("sample")
         ) from None
+    strategy = mutated_frames if mutate else accepted_frames if accepted else frames
     try:
-        chosen = choice(names=names, areas=areas, types=types, dialect=dialect)
-        return samples((mutated_frames if mutate else accepted_frames if accepted else frames)(dialect, chosen), seed)
+        found = samples(strategy(dialect, choice(names=names, areas=areas, types=types, dialect=dialect)), seed)
     except ValueError as error:
         raise click.UsageError(str(error)) from None
+    write = _writer(style, dialect)
+    written = 0
+    for frame in islice(found, min(count, sys.maxsize)):
+        write(frame)
+        written += 1
+    if written < count:
+        complain(f"found only {written} different frames of this kind")
 
 
 def _writer(style: str, dialect: str) -> Callable[[bytes], None]:

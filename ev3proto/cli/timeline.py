@@ -12,7 +12,7 @@ import click
 from ev3proto.capture import Event
 from ev3proto.capture.timeline import Form, MissingLibraryError, Window, collect, render, require_library
 from ev3proto.cli.captures import CaptureSource
-from ev3proto.cli.options import FiniteRange
+from ev3proto.cli.options import FILE, FiniteRange
 from ev3proto.cli.output import Failure, complain, put, say
 from ev3proto.cli.reading import CaptureOptions, reading_options
 
@@ -29,7 +29,7 @@ _SECONDS = FiniteRange(0, MOST_SECONDS)
 @click.option(
     "-o",
     "--output",
-    type=click.Path(path_type=Path, dir_okay=False),
+    type=FILE,
     required=True,
     help="Write to this file: .html, .svg, .png or .json.",
 )

@@ -16,7 +16,7 @@ from ev3proto.capture.plot import draw
 from ev3proto.capture.series import MOST_CELLS, Cell, Row, Series, series_of
 from ev3proto.capture.timeline import MissingLibraryError
 from ev3proto.cli.captures import CaptureSource
-from ev3proto.cli.options import incompatible
+from ev3proto.cli.options import FILE, incompatible
 from ev3proto.cli.output import complain, put, say
 from ev3proto.cli.reading import CaptureOptions, reading_options
 from ev3proto.cli.tables import Tables
@@ -43,7 +43,7 @@ MOST_COLUMNS = {None: MOST_SHOWN, "csv": 1_000, "json": None}
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object a line, for each reply.")
 @click.option(
     "--plot",
-    type=click.Path(path_type=Path, dir_okay=False),
+    type=FILE,
     metavar="FILE",
     help="Draw numbers over time into this file: .svg or .png.",
 )

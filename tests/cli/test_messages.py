@@ -89,6 +89,8 @@ OF_THE_INPUT = {
     "decode 06:00:2A:00:80:00:00:G1": "'06:00:2A:00:80:00:00:G1': column 22: 'G1' is not hex",
     "decode 0600a": "'0600a' has an odd number of hex digits (5); two make a byte",
     f"decode {TONE}": f"'{TONE}' is assembly, not a frame; `ev3proto encode` makes frames of it",
+    "encode LIST_FILES@(path='/x')": "\"LIST_FILES@(path='/x')\" is neither a file nor assembly nor a frame:"
+    ' "LIST_FILES@(path=\'/x" is not hex',
     "encode foo": "'foo' is neither a file nor assembly nor a frame: 'foo' is not hex",
     "decode hello.txt": f"hello.txt: no frame found; frames are written in hex, such as {FRAME}",
     "check hello.txt empty.txt": f"empty.txt: no frame found; frames are written in hex, such as {FRAME}",

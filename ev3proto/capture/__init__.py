@@ -1,4 +1,4 @@
-"""Captured traffic: files of packets read into frames with time, carrier and direction. `read` is where to start."""
+"""Captured traffic: frames in capture files, with time, carrier and direction. Start with `read`."""
 
 from ev3proto.capture.byte_account import Account
 from ev3proto.capture.reading import Capture, read

@@ -1,4 +1,4 @@
-"""Where every captured byte went, so that nothing is dropped in silence."""
+"""The account of all captured bytes, so that none is dropped silently."""
 
 from __future__ import annotations
 
@@ -7,22 +7,22 @@ from dataclasses import dataclass, field, fields
 
 @dataclass(slots=True)
 class Account:
-    """What became of the captured bytes of all packets; the parts add up to `captured`.
+    """The captured bytes of all packets by kind; the kinds add up to `captured`.
 
-    packets   packets in the file
-    captured  bytes of them in the file
-    first_ns  when the first packet was captured, in nanoseconds since 1970-01-01 UTC; None where there is none
-    last_ns   when the last one was
-    forgotten  commands and other things that were no longer waited for, because all that waited took too much memory
-    cut       packets of which not all bytes were captured
-    packed    packets that the built-in engine does not take apart, by what they are packed into, such as "VXLAN"
-    frames    bytes of frames
-    texts     bytes of beacons, unlock texts and the answers to them
-    padding   bytes after the frame in USB reports, and polls between the frames of a stream
-    headers   bytes of what carries frames: Ethernet, IP, TCP, USB and Bluetooth headers
-    repeated  bytes that were sent again
-    other     bytes of packets that have nothing to do with a brick
-    skipped   bytes among frames that could not be read
+    packets    packets in the file
+    captured   their bytes in the file
+    first_ns   the first packet's time, in nanoseconds since 1970-01-01 UTC; None without packets
+    last_ns    the last packet's time
+    forgotten  pending commands and bytes that were evicted at the memory limit
+    cut        packets of which some bytes were not captured
+    packed     packets in tunnels, which the built-in engine does not unpack, by the tunnel's name, such as "VXLAN"
+    frames     bytes of frames
+    texts      bytes of beacons, unlock texts and their answers
+    padding    bytes after the frame in USB reports, and polls between the frames of a stream
+    headers    bytes of the headers before frames: Ethernet, IP, TCP, USB, Bluetooth
+    repeated   bytes of retransmissions
+    other      bytes of packets unrelated to bricks
+    skipped    bytes among frames that could not be read
     """
 
     packets: int = 0
@@ -42,15 +42,15 @@ class Account:
 
     @property
     def parts(self) -> dict[str, int]:
-        """The bytes of each part by its name."""
+        """The bytes of each kind by its name."""
         return {each.name: getattr(self, each.name) for each in fields(self)[7:]}
 
     def meet_packed(self, name: str) -> None:
-        """Counts a packet that has others in it, which are not taken apart, by what they are packed into."""
+        """Counts a packet in a tunnel, by the tunnel's name."""
         self.packed[name] = self.packed.get(name, 0) + 1
 
     def add(self, other: Account) -> None:
-        """Adds what became of the bytes of another capture."""
+        """Adds the account of another capture."""
         for each in fields(self):
             if each.name not in ("first_ns", "last_ns", "packed"):
                 setattr(self, each.name, getattr(self, each.name) + getattr(other, each.name))
@@ -61,5 +61,5 @@ class Account:
 
     @property
     def balance(self) -> int:
-        """Captured bytes that stand in no part: 0 once all was read."""
+        """Captured bytes of no kind: 0 once everything was read."""
         return self.captured - sum(self.parts.values())

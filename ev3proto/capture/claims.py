@@ -1,4 +1,4 @@
-"""Whether a conversation is ours, packet by packet: `tables.claims` has the rule."""
+"""Claims of conversations, packet by packet; the rule is in `tables.claims`."""
 
 from __future__ import annotations
 
@@ -39,16 +39,12 @@ _NOT_TELLING, _ONLY_IN_PROGRAMS = (
 
 
 def is_plausible(message: Message, schema: FrameSchema, *, is_cut: bool = False) -> bool:
-    """Says whether a message is a command that somebody would send to a brick.
+    """Returns whether a message is a command that a program would send to a brick, not one by chance.
 
     Args:
         message: The message.
-        schema: Reads frames. A direct command that it cannot read is tried with the instructions of other firmware.
-        is_cut: The capture has only the beginning of it: of a direct command what is there counts.
-
-    Returns:
-        True for commands of which nothing looks like a chance.
-
+        schema: Reads frames. Direct commands are also tried with the instructions of other firmware.
+        is_cut: The capture has only its beginning: of a direct command the remaining part counts.
     """
     if isinstance(message, SystemCommand):
         return message.fault is None and message.counter & NXT_MASK != NXT_WRITE
@@ -64,7 +60,7 @@ def is_plausible(message: Message, schema: FrameSchema, *, is_cut: bool = False)
 
 
 def is_sensible(message: Message) -> bool:
-    """Says whether a message without a fault says something: not a command of nothing, nor to a layer that is not."""
+    """Returns whether a message is valid and has operations; in a daisy chain, whether its layers exist."""
     if isinstance(message, DirectCommand):
         opcodes = [operation.opcode for operation in message.operations]
         return message.fault is None and bool(opcodes) and _NEVER_SENT not in opcodes
@@ -74,14 +70,14 @@ def is_sensible(message: Message) -> bool:
 
 
 def is_complete_reply(message: Message) -> bool:
-    """Says whether a message is a reply of a brick to a computer, read whole, that brings something."""
+    """Returns whether a message is a valid, non-empty reply of a brick to a computer."""
     if isinstance(message, DirectReply):
         return message.fault is None and bool(message.memory) and not message.is_error
     return isinstance(message, SystemReply) and message.fault is None
 
 
 def _fits(command: DirectCommand, *, is_cut: bool) -> bool:
-    """Whether each argument is of a kind and range that its parameter takes."""
+    """Returns whether each argument has a kind and range that its parameter accepts."""
     sizes = command.local_size, command.global_size
     is_read = command.fault is None or (is_cut and command.fault.truncated)
     is_telling = any(operation.opcode not in _NOT_TELLING for operation in command.operations)
@@ -113,7 +109,7 @@ def _is_in_place(argument: Argument, local_size: int, global_size: int) -> bool:
 
 
 def answers(record: Record) -> bool:
-    """Says whether a reply has the counter and the length that a command asked for."""
+    """Returns whether a reply has the counter and the length that a command requested."""
     if record.request is None or record.message.fault is not None:
         return False
     reply, asked = record.message, record.request
@@ -124,12 +120,12 @@ def answers(record: Record) -> bool:
 
 
 class Claim:
-    """What is known of one conversation.
+    """The claim of one conversation.
 
     Attributes:
-        is_claimed: It is taken for ours.
-        is_sure: A text or the user said so: it stays ours.
-        is_answered: A reply came as its command asked for: frames with faults are ours, too.
+        is_claimed: It is claimed.
+        is_sure: It stays claimed, by a text or the user's choice.
+        is_answered: A reply matched its command: faulty frames keep the claim, too.
 
     """
 
@@ -141,12 +137,12 @@ class Claim:
         self.is_claimed = is_sure
 
     def begin(self, *, is_sure: bool = False) -> None:
-        """Takes the conversation for ours from now on."""
+        """Claims the conversation from now on."""
         self.is_claimed, self.is_sure, self.is_answered = True, is_sure, False
         self._strange = self._unread = 0
 
     def is_ours(self, record: Record) -> bool:
-        """Whether a frame keeps the claim: one without a fault; any, once a reply came as its command asked for."""
+        """Returns whether a frame keeps the claim: a sensible one, or any once a reply matched its command."""
         self.is_answered = self.is_answered or answers(record)
         return self.is_answered or is_sensible(record.message)
 
@@ -163,7 +159,7 @@ class Claim:
             return
         self._strange += 1
         self._unread += unread
-        # Of a dialogue what is left of a frame may come in many packets.
+        # In a dialogue, the rest of a frame may come in many packets.
         is_over = self._strange >= STRANGE_PACKETS and (not self.is_answered or self._unread > MAX_FRAME)
         if is_over and not self.is_sure:
             self.is_claimed = self.is_answered = False

@@ -1,4 +1,4 @@
-"""A computer and a brick in a capture: their frames become records, each reply with the command that it answers."""
+"""Conversations of a computer and a brick: records of their frames, replies linked to their commands."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, Header, rea
 from ev3proto.tables.frame import COUNTERS, MessageType
 
 MOST_PENDING = 4096
-"""Commands of one conversation whose reply is awaited; a long capture may have a million that are never answered."""
+"""Maximum number of pending commands of a conversation; a long capture may have a million unanswered ones."""
 
 _DIRECT, _SYSTEM = MessageType.DIRECT_COMMAND_REPLY.carries, MessageType.SYSTEM_COMMAND_REPLY.carries
 
@@ -19,8 +19,8 @@ _CARRIES = tuple(dict.fromkeys(member.carries for member in MessageType))
 _CARRIED = {carries: kind * COUNTERS for kind, carries in enumerate(_CARRIES)}
 _NUMBERS = len(_CARRIES) * COUNTERS
 
-# Looked up by the plain number: what the type is about, whether it is a system message, a command, wants a reply, is an
-# error, and whether the size of a reply tells which command it answers.
+# By the number of a type: its part of the key; whether it is a system message, a command, requests a reply, is an
+# error; and whether the size of a reply tells which command it answers.
 _TYPES = {
     int(member): (
         _CARRIED[member.carries],
@@ -35,12 +35,12 @@ _TYPES = {
 
 
 def _number(frame: bytes) -> int:
-    """Which command a system message is about, as the key in `record` has it."""
+    """Returns the command of a system message, as a part of the key in `record`."""
     return (1 + frame[HEADER_SIZE]) * _NUMBERS
 
 
 _RECORD_SIZE = 700
-"""Bytes of memory that a record takes while it waits, besides its frame, about."""
+"""Approximate memory of a pending record besides its frame, in bytes."""
 
 
 def _size_of(record: Record) -> int:
@@ -48,12 +48,12 @@ def _size_of(record: Record) -> int:
 
 
 def _is_failure(message: Message) -> bool:
-    """Whether a system reply says that its command failed; END_OF_FILE is how an upload ends."""
+    """Returns whether a system reply reports a failure; uploads end with END_OF_FILE."""
     return isinstance(message, SystemReply) and message.is_error
 
 
 class Conversation:
-    """Pairs replies with commands by their headers alone, so that messages are read only when they are asked for."""
+    """A conversation: pairs replies with commands by their headers, so that messages are parsed only on request."""
 
     def __init__(self, schema: FrameSchema, budget: Budget | None = None) -> None:
         self._schema = schema
@@ -63,11 +63,11 @@ class Conversation:
 
     @property
     def unanswered(self) -> list[Record]:
-        """The commands that wait for their reply, oldest first."""
+        """The pending commands, oldest first."""
         return self._pairing.unanswered
 
     def record(self, frame: bytes, numbers: tuple[int, ...], time_ns: int, route: Route) -> Record:
-        """The record of a frame. Give each frame of the conversation once, in order, both directions."""
+        """Returns the record of a frame. Pass every frame of the conversation once, in order, in both directions."""
         record = Record(frame, numbers, time_ns, route, self._schema)
         if len(frame) < HEADER_SIZE:
             return record
@@ -76,7 +76,7 @@ class Conversation:
         if known is None:
             return record
         kind, is_system, is_command, wants_reply, is_error, has_memory = known
-        # What a reply has in common with the command that it answers, as one number: a capture makes one for each.
+        # The key that a reply shares with its command. A plain number, as one is made for each frame.
         key = kind + counter
         if is_system and len(frame) > HEADER_SIZE:
             key += _number(frame)
@@ -94,7 +94,7 @@ class Conversation:
         return record
 
     def overwritten(self, frame: bytes, numbers: tuple[int, ...], time_ns: int, route: Route) -> Record:
-        """The record of a reply whose first bytes are those of the command that it answers, its type included."""
+        """Returns the record of a reply whose first bytes, including the type, are overwritten by its command's."""
         record = Record(frame, numbers, time_ns, route, self._schema)
         key = _CARRIED[_SYSTEM] + Header.read(frame).counter + _number(frame)
         request = record.request = self._pairing.answered(key, None)

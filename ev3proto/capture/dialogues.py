@@ -1,4 +1,4 @@
-"""Records paired as people think of them: a command with its reply, a command without one, a reply by itself."""
+"""Dialogues of a capture: a command with its reply, a command without one, a reply by itself."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from ev3proto.messages import Message, SystemReply
 class RequestReply(NamedTuple):
     """A command and its reply.
 
-    command  None for a reply whose command was not seen
-    reply    None for a command that wants none, or got none
+    command  None for a reply whose command was not captured
+    reply    None for a command that requests or gets none
     """
 
     command: Record | None
@@ -23,31 +23,31 @@ class RequestReply(NamedTuple):
 
     @property
     def last(self) -> Record:
-        """The record with which it was complete."""
+        """The record that completed it."""
         record = self.reply or self.command
         assert record is not None
         return record
 
 
 def is_error(message: Message) -> bool:
-    """Whether a reply says that its command failed. END_OF_FILE is no failure: files end with it."""
+    """Returns whether a reply reports a failure. END_OF_FILE is not a failure: uploads end with it."""
     if isinstance(message, SystemReply):
         return message.is_error
     return message.type is not None and message.type.is_error
 
 
 def dialogues(events: Iterable[Event], patience_ns: int | None = None) -> Iterator[RequestReply]:
-    """Joins commands and their replies.
+    """Pairs commands and their replies.
 
-    At most MOST_PENDING commands wait at the same time; the oldest is then given without a reply.
+    At most MOST_PENDING commands are pending; beyond, the oldest is yielded without a reply.
 
     Args:
         events: The events of a capture.
-        patience_ns: Nanoseconds after which a command is given without a reply. If that comes after all, the command is
-            given again, with it. None waits until there are no more events.
+        patience_ns: Timeout of a reply in nanoseconds; the command is then yielded without it, and again with it if it
+            comes later. None waits to the end of the events.
 
     Yields:
-        Commands with their replies, as they are complete; at the end those that waited in vain.
+        Commands with their replies, when they are complete; at the end unanswered commands.
     """
     waiting: Bounded[int, Record] = Bounded(MOST_PENDING)
     for event in events:

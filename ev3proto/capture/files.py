@@ -1,10 +1,10 @@
-"""The files that a capture moves to or from the brick, put back together from their pieces.
+"""Recovery of the files that are transferred to or from the brick in a capture.
 
     for found in recover(capture.events(), Path("files")):
         print(found.file, found.outcome)
 
-Pieces go to disk as they come, into a folder of their own inside the one named. What a file is called is settled when
-all was read: only then it is known whether it is whole and whether there are several bricks.
+Pieces are written as they come, into a temporary folder inside the output folder. Files get their names at the end,
+when it is known whether they are complete, and whether there are several bricks.
 """
 
 from __future__ import annotations
@@ -27,17 +27,17 @@ from ev3proto.tables.system import SystemCommand as SystemEntry
 from ev3proto.temporary import PREFIX, temporary_folder
 
 MOST_FILES = 10_000
-"""The most files that a capture can give."""
+"""Maximum number of files from a capture."""
 
 PART = ".part"
-"""What is added to the name of a file that is not whole."""
+"""Suffix of the name of an incomplete file."""
 
 LISTING = "listing.txt"
-"""What the listing of a folder is called, inside that folder."""
+"""Name of the listing of a folder, inside that folder."""
 
 
 class FileState(StrEnum):
-    """What became of a file."""
+    """The outcome of a transfer."""
 
     COMPLETE = "complete"
     INCOMPLETE = "incomplete"
@@ -46,18 +46,18 @@ class FileState(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class RecoveredFile:
-    """A file that was moved.
+    """A transferred file.
 
-    path       on the brick, as the capture says it; for pieces whose beginning was not captured, what is known of them
-    command    that began it, None where that was not captured
+    path       its path on the brick; for pieces whose beginning was not captured, what is known of them
+    command    the command that began the transfer, None if it was not captured
     direction  `to brick` or `from brick`
     peer       the brick
-    bytes      that were moved
-    size       bytes of the whole file, None where it was not said
-    outcome    complete, incomplete, or refused by the brick before anything was moved
-    trouble    for what is not complete, or cannot be written: why not, as a sentence
-    packets    the first and the last packet that is about it
-    file       where it was written, None where nothing was
+    bytes      number of transferred bytes
+    size       size of the whole file in bytes, None if unknown
+    outcome    complete, incomplete, or refused by the brick before any byte was transferred
+    trouble    why it is not complete, or cannot be written, as a sentence
+    packets    its first and its last packet
+    file       its path on this computer, None if it was not written
     """
 
     path: str
@@ -73,17 +73,17 @@ class RecoveredFile:
 
 
 def survey(events: Iterable[Event], *, listings: bool = False) -> Iterator[RecoveredFile]:
-    """Looks which files were moved; nothing is written.
+    """Finds the transferred files without writing them.
 
     Args:
         events: The events of a capture.
-        listings: Also give the listings of folders.
+        listings: Include the listings of folders.
 
     Yields:
         The files, in the order in which they began.
 
     Raises:
-        CaptureError: The capture is damaged, or moves more than MOST_FILES files. All others were given before.
+        CaptureError: The capture is damaged, or has more than MOST_FILES files. The others were yielded before.
     """
     found = _Files(lambda _number, _piece: None, listings=listings)
     trouble = found.take(events)
@@ -96,18 +96,18 @@ def survey(events: Iterable[Event], *, listings: bool = False) -> Iterator[Recov
 def recover(
     events: Iterable[Event], folder: Path, *, force: bool = False, listings: bool = False
 ) -> Iterator[RecoveredFile]:
-    """Writes the files into a folder, which is made where it is not there, and says what was written.
+    """Writes the transferred files into a folder, which is created if it is missing.
 
-    Nothing outside the folder is touched, whatever paths the capture says. Where there are several bricks each gets a
-    folder in it. A file that is not whole is written with `.part` after its name, an empty one of these not at all. A
-    name that is taken gets a number, `hello (2).rbf`, unless the file that has it is the same: that one stays as it is.
+    Nothing outside the folder is touched, whatever the paths in the capture are. With several bricks, each gets a
+    folder in it. An incomplete file gets the suffix `.part`, and is not written if it is empty. A name that is taken
+    gets a number, `hello (2).rbf`, unless the existing file is the same, which is then kept.
 
     A file that cannot be written, such as on a full disk, has no `file` and a `trouble`. The others are written.
 
     Args:
         events: The events of a capture.
-        folder: The folder to write into.
-        force: Overwrite files that were there before.
+        folder: The output folder.
+        force: Overwrite existing files.
         listings: Also write the listings of folders, as `listing.txt` in the folder's place.
 
     Yields:
@@ -115,7 +115,7 @@ def recover(
 
     Raises:
         OSError: Nothing can be written into the folder.
-        CaptureError: The capture is damaged, or moves more than MOST_FILES files. All others were given before.
+        CaptureError: The capture is damaged, or has more than MOST_FILES files. The others were yielded before.
     """
     folder.mkdir(parents=True, exist_ok=True)
     with temporary_folder(folder, f".{PREFIX}") as beside:
@@ -148,7 +148,7 @@ def _written(moving: _Moving, pieces: _Pieces, shelf: Shelf, *, several: bool) -
 
 
 def _is_same(path: Path, other: Path) -> bool:
-    """Whether two files have the same bytes; False where there is only one."""
+    """Returns whether both files exist and have the same bytes."""
     return path.is_file() and filecmp.cmp(path, other, shallow=False)
 
 
@@ -157,14 +157,14 @@ def _is_same(path: Path, other: Path) -> bool:
 
 @dataclass(slots=True)
 class _Moving:
-    """A file on its way.
+    """A file during its transfer.
 
-    number    its place among all
-    parts     names of folders and file under which it is to be written
-    transfer  what the dialogue knows of it, None where the dialogue does not follow it
-    stated    bytes of it all, where there is no transfer that knows it
-    failure   what the brick said when something went wrong
-    unwritten why it is not on this computer's disk
+    number     its index
+    parts      names of folders and file under which it is written
+    transfer   its transfer in the dialogue, None if the dialogue does not follow it
+    stated     its size in bytes, if there is no transfer
+    failure    the brick's error
+    unwritten  why it is not on this computer's disk
     """
 
     number: int
@@ -224,11 +224,11 @@ class _Moving:
 TO_BRICK, FROM_BRICK = "to brick", "from brick"
 
 _Loose = tuple[str, str, int]
-"""Which pieces belong together that belong to no known file: by brick, direction and handle."""
+"""The key of pieces without a known file: brick, direction and handle."""
 
 
 class _Files:
-    """Follows the messages of a capture, and hands on each piece with the number of the file that it belongs to."""
+    """Assigns the messages of a capture to files, and passes on each piece with the number of its file."""
 
     def __init__(self, write: Callable[[int, bytes], None], *, listings: bool) -> None:
         self.all: list[_Moving] = []
@@ -240,14 +240,14 @@ class _Files:
         self._is_full = False
 
     def take(self, events: Iterable[Event]) -> CaptureError | None:
-        """All events; what is wrong with the capture, once everything that can be read was taken."""
+        """Takes all events. Returns the fault of the capture after everything readable, if any."""
         try:
             for event in events:
                 if isinstance(event, Record):
                     self._record(event)
         except CaptureError as error:
             return error
-        return CaptureError(f"it moves more than {MOST_FILES} files: the rest is omitted") if self._is_full else None
+        return CaptureError(f"more than {MOST_FILES} files: the rest is omitted") if self._is_full else None
 
     def _record(self, record: Record) -> None:
         message = record.message
@@ -260,11 +260,11 @@ class _Files:
         moving.last = record.number
         if isinstance(message, SystemReply):
             if is_error(message):
-                # A file that was moved is not the worse for being closed twice.
+                # Closing a file twice does no harm.
                 moving.failure = moving.failure if entry.transfer == "close" else _status(message)
                 return
             if moving.direction == FROM_BRICK:
-                # It was asked again.
+                # A retry.
                 moving.failure = None
         piece = piece_of(message)
         if piece:
@@ -272,7 +272,7 @@ class _Files:
             moving.bytes += len(piece)
 
     def _moving(self, record: Record, message: SystemCommand | SystemReply, entry: SystemEntry) -> _Moving | None:
-        """The file that a message is about, None where it is about none."""
+        """Returns the file that a message belongs to, if any."""
         if _is_listing(entry) and not self._listings:
             return None
         if record.transfer is not None:
@@ -291,12 +291,12 @@ class _Files:
             moving = self._new(record, transfer.path, parts_of(path), direction, transfer.command)
             if moving is not None:
                 moving.transfer = transfer
-                # It is held as long as its id is looked up: no other one can get that.
+                # It is kept as long as its id is used, so no other one can get that id.
                 self._known[id(transfer)] = moving
         return moving
 
     def _of_image(self, record: Record, message: SystemCommand | SystemReply, entry: SystemEntry) -> _Moving | None:
-        """A firmware on its way into the flash memory, which has no path and no handle."""
+        """Returns the firmware image in transfer to the flash memory, which has no path and no handle."""
         begins = _begins_image(entry)
         is_command = isinstance(message, SystemCommand)
         if not begins and not any(field.kind is Kind.DATA for field in entry.request):
@@ -314,14 +314,14 @@ class _Files:
         return self._images.get(record.peer)
 
     def _of_handle(self, record: Record, message: SystemCommand | SystemReply, entry: SystemEntry) -> _Moving | None:
-        """Pieces of a file whose beginning was not captured: its path is not known."""
+        """Returns the pieces of a file whose beginning was not captured, so that its path is unknown."""
         handle = message.fields.get("handle")
         if not isinstance(handle, int):
             return None
         direction = FROM_BRICK if entry.name in UPLOADS else TO_BRICK
         key = (record.peer, direction, handle)
         if entry.transfer != "continue":
-            # From now on the handle stands for something else.
+            # From now on the handle belongs to another file.
             self._loose.pop((record.peer, TO_BRICK, handle), None)
             self._loose.pop((record.peer, FROM_BRICK, handle), None)
         moving = self._loose.get(key)
@@ -357,19 +357,19 @@ def _is_listing(entry: SystemEntry) -> bool:
 
 
 def _begins_image(entry: SystemEntry) -> bool:
-    # What asks for a checksum has the same field, but also an answer.
+    # The command that requests a checksum has the same field, but also a reply.
     return not entry.reply and any(field.name == "image_size" for field in entry.request)
 
 
 class _Pieces:
-    """Files that grow, known by their numbers, in a folder of their own."""
+    """The contents of files by their numbers, in a folder of their own."""
 
     def __init__(self, folder: Path) -> None:
         self._folder = folder
         self._failed: dict[int, OSError] = {}
 
     def path(self, number: int) -> Path:
-        """Where a file is; an empty one is made where nothing was written. Raises OSError where it is not whole."""
+        """Returns the path of a file, created if nothing was written. Raises OSError if it could not be written."""
         if number in self._failed:
             raise self._failed[number]
         path = self._folder / str(number)
@@ -377,7 +377,7 @@ class _Pieces:
         return path
 
     def append(self, number: int, piece: bytes) -> None:
-        """Writes a piece after those that were written. A file that cannot be written takes no room any more."""
+        """Appends a piece. A file that cannot be written is removed."""
         if number in self._failed:
             return
         try:

@@ -1,8 +1,8 @@
-"""Where a stream goes on that is out of step: the next frame, found by what a frame must be like.
+"""Finding the next frame in a stream that is out of step.
 
-Five bytes of a header look right once in some thousand places of any data, so a place is believed for more than that:
-all of a frame stands there without a fault, and what follows it may be the next one. Of a frame that is not whole yet
-it is asked whether it can become such a one. The dissector finds frames in the same way.
+Five bytes look like a header once in some thousand offsets of any data. So a whole valid frame must be there, and what
+follows it may be the next one. An incomplete frame must be able to become valid. The dissector finds frames in the same
+way.
 """
 
 from __future__ import annotations
@@ -19,19 +19,19 @@ from ev3proto.tables import system
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_LENGTH, MIN_LENGTH, SYSTEM_COMMAND_TYPES, MessageType
 
 Accepts = Callable[[MessageType], bool]
-"""Says which types go the way of a stream."""
+"""Tells which message types go the way of a stream."""
 
 MOST_TRIALS = 64
-"""Places in one piece of a stream where a whole frame is tried, before the piece is given up."""
+"""Maximum number of offsets in a piece of a stream at which a frame is tried."""
 
 MOST_FOLLOWING = 2
-"""Frames after one that are looked at to tell whether it is one."""
+"""Number of following headers that confirm a frame."""
 
 _LEAST_CUT = COMMAND_HEADER_SIZE + 2
-"""Bytes of a command that the capture must have to tell what it is."""
+"""Minimum number of captured bytes of a cut command."""
 
 _TYPES = {int(member): member for member in MessageType}
-# Where a header may stand: most places that are none are passed over at ten times the speed.
+# Offsets at which a header may be: most others are skipped at ten times the speed.
 _STARTS = re.compile(
     b"(?=(?:[%b-\\xff]\\0|.[\\1-%b])..[%b]|.[%b-\\xff]..[%b][%b])"
     % (
@@ -49,7 +49,7 @@ _WITH_DATA = {
     for command in system.SYSTEM
     if any(each.kind is system.Kind.DATA for each in command.request)
 }
-"""The system commands that any bytes may follow."""
+"""The system commands with data, which may be any bytes."""
 
 
 _POLLS = re.compile(b"(?:%b)*" % re.escape(bytes(LENGTH_FIELD)))
@@ -63,12 +63,12 @@ def polls_end(buffer: bytes, at: int) -> int:
 
 
 class Found(Enum):
-    """What stands at the place where a stream may go on.
+    """What was found at an offset.
 
-    NOTHING  no place was found
-    OPEN     a frame that is not whole yet, and without a fault so far
-    SINGLE   a whole one, after which nothing tells whether it is one
-    CHAIN    one, and the next one begins after it
+    NOTHING  nothing
+    OPEN     an incomplete frame, valid so far
+    SINGLE   a whole frame, not confirmed by what follows it
+    CHAIN    a whole frame, and a header after it
     """
 
     NOTHING = auto()
@@ -78,7 +78,7 @@ class Found(Enum):
 
 
 class Finder:
-    """Finds frames in the bytes of a stream.
+    """A search for frames in the bytes of a stream.
 
     schema  reads frames
     """
@@ -89,25 +89,25 @@ class Finder:
         self._schema = schema
 
     def may_start(self, buffer: bytes, at: int) -> bool:
-        """Whether a frame may start here, as far as its header is there."""
+        """Returns whether a frame may start here, as far as its header is there."""
         left = len(buffer) - at
         if left < LENGTH_FIELD:
             return True
         return may_have_length(buffer, at) and (left < HEADER_SIZE or buffer[at + HEADER_SIZE - 1] in _TYPES)
 
-    def stands(self, buffer: bytes, at: int, end: int) -> bool:
-        """Whether a frame without a fault stands here, which somebody would send."""
+    def is_frame(self, buffer: bytes, at: int, end: int) -> bool:
+        """Returns whether a valid frame is here that a program would send."""
         if end - at < HEADER_SIZE or buffer[at + HEADER_SIZE - 1] not in _TYPES:
             return False
         return is_sensible(self._schema.read_frame(buffer[at:end], strict=False))
 
     def is_self_evident(self, buffer: bytes, at: int) -> bool:
-        """Whether a frame without a fault is one whatever follows it, as few bytes are operations by chance."""
+        """Returns whether a valid frame is one whatever follows it: few bytes are operations by chance."""
         member = _TYPES.get(buffer[at + HEADER_SIZE - 1])
         return member is not None and member.is_command and member.carries == "direct"
 
     def may_become(self, buffer: bytes, at: int) -> bool:
-        """Whether the frame of which only the start is here may be without a fault."""
+        """Returns whether an incomplete frame may become a valid one."""
         if not self.may_start(buffer, at):
             return False
         size = len(buffer)
@@ -122,9 +122,9 @@ class Finder:
         return True
 
     def follow(self, buffer: bytes, at: int) -> int | None:
-        """How many frames begin here, one after the other, of those whose headers are here; None where none can.
+        """Returns the number of headers from here on, one after the other; None if no frame can be here.
 
-        Few are enough to tell. The next gap in the stream may come soon.
+        It counts only a few: the next gap may come soon.
         """
         size, count = len(buffer), 0
         while at < size and count < MOST_FOLLOWING:
@@ -140,16 +140,16 @@ class Finder:
     def first_command(
         self, buffer: bytes, begins: Collection[int], accepts: Accepts, missing: int = 0
     ) -> tuple[int, bool]:
-        """The first place where a plausible command stands, and whether it is whole.
+        """Returns the offset of the first plausible command, and whether it is whole.
 
         Args:
-            buffer: Bytes of a stream that is not known to be ours.
-            begins: Offsets where packets begin: anything may follow the command there, elsewhere another frame.
-            accepts: Says which types go this way.
-            missing: Bytes after these that were not captured: a command that ends with them is whole.
+            buffer: Bytes of a stream that is not claimed.
+            begins: Offsets at which packets begin: anything may follow a command there; elsewhere only a frame.
+            accepts: Tells which types go this way.
+            missing: Number of bytes after these that were not captured: a command that ends with them counts as whole.
 
         Returns:
-            The place of a whole one; else of the first that may become one, where the bytes end if there is none.
+            The offset of a whole command; else of the first incomplete one, or the end of the bytes.
 
         """
         size = len(buffer)
@@ -179,17 +179,17 @@ class Finder:
     def next_step(
         self, buffer: bytes, at: int, begins: Collection[int], accepts: Accepts, least: int = 0
     ) -> tuple[Found, int]:
-        """The place from an offset on where the stream goes on, and what stands there.
+        """Searches for the offset at which the stream continues.
 
         Args:
             buffer: Bytes of the stream.
-            at: The first offset that may be the place.
-            begins: Offsets where packets begin: there a frame may have faults, or nothing that can follow it.
-            accepts: Says which types go this way.
-            least: Frames that must begin after a whole one.
+            at: The first possible offset.
+            begins: Offsets at which packets begin: there a frame may be faulty, or followed by anything.
+            accepts: Tells which types go this way.
+            least: Number of headers that must follow a whole frame.
 
         Returns:
-            What is there, and the offset, which is where the bytes end for `NOTHING`.
+            What was found, and its offset; the end of the bytes for `NOTHING`.
 
         """
         size, trials = len(buffer), MOST_TRIALS
@@ -210,12 +210,12 @@ class Finder:
             is_begin = place in begins
             if (following is None and not is_begin) or (following or 0) < least:
                 continue
-            stands = self.stands(buffer, place, end)
-            if stands and following:
+            is_frame = self.is_frame(buffer, place, end)
+            if is_frame and following:
                 return Found.CHAIN, place
-            if stands and following is not None:
+            if is_frame and following is not None:
                 single = place if single is None else single
-            elif is_begin and (stands or following is not None):
+            elif is_begin and (is_frame or following is not None):
                 begun = place if begun is None else begun
         if single is not None:
             return Found.SINGLE, single

@@ -1,8 +1,8 @@
-"""One direction of a byte stream cut into frames, the texts around them, and what is neither.
+"""Framing: one direction of a byte stream is cut into frames, the texts around them, and bytes between these.
 
-Nothing in a stream marks where a frame starts: each starts where the one before ended. Where that chain is broken (a
-capture begun in the middle, bytes that were not captured, a length that no frame can have) the next frame is looked
-for: a place where all of a frame stands without a fault.
+Nothing in a stream marks the start of a frame: each starts where the last one ended. If that chain breaks (the capture
+begins in the middle, bytes were not captured, a length is impossible) the stream is out of step, and the next offset
+with a whole valid frame is searched for.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from ev3proto.tables.discovery import ACCEPT, MOST_UNLOCK, UNLOCK_REQUEST
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME
 
 MARK_SIZE = 200
-"""Bytes of memory that a packet takes whose bytes wait for more, besides these, about."""
+"""Approximate memory of a packet with pending bytes, besides these, in bytes."""
 
 _REQUEST = UNLOCK_REQUEST.encode()
 _TEXT_STARTS = {ACCEPT[0], _REQUEST[0]}
@@ -29,7 +29,7 @@ _BEGUN_INSIDE, _BETWEEN = "the capture begins inside a frame", "bytes between fr
 
 
 class PartKind(Enum):
-    """What a piece of a stream is."""
+    """The kind of a piece of a stream."""
 
     FRAME = auto()
     UNLOCK = auto()
@@ -45,10 +45,9 @@ _TEXTS = (PartKind.UNLOCK, PartKind.ACCEPT)
 class StreamPart(NamedTuple):
     """A piece of a stream.
 
-    kind     what it is; TEXT_END is the rest of a text that came before, POLL are lengths of 0 between frames, which
-             the brick passes over
+    kind     TEXT_END is the rest of the text before; POLL are length fields of 0 between frames, which the brick skips
     data     the bytes
-    numbers  the packets they came in
+    numbers  the packets that carried them
     reason   for LOST: why it cannot be read
     """
 
@@ -59,12 +58,12 @@ class StreamPart(NamedTuple):
 
 
 class Cutter:
-    """Cuts one direction of a stream. It keeps at most one unfinished frame or text beside what it was last given.
+    """Cuts one direction of a stream. It keeps at most one unfinished frame or text besides its last input.
 
-    schema      reads frames, to see whether one starts somewhere
-    in_step     a frame starts with the first byte; else the first one is looked for
-    may_gap     nothing tells whether there is a gap between two chunks
-    accepts     says which types go this way, where the next frame is looked for
+    schema      reads frames, to judge whether one starts at an offset
+    in_step     a frame starts with the first byte; by default the first one is searched for
+    may_gap     there may be unnoticed gaps between packets
+    accepts     tells which message types go this way, for searching
     """
 
     __slots__ = (
@@ -85,19 +84,19 @@ class Cutter:
     def __init__(self, schema: FrameSchema, *, in_step: bool, may_gap: bool = False) -> None:
         self._finder = Finder(schema)
         self._buffer = b""
-        self._marks: list[tuple[int, int]] = []  # where in the buffer each packet's bytes start
+        self._marks: list[tuple[int, int]] = []  # the offset in the buffer and the number of each packet
         self._in_step = in_step
-        self._trials = 0  # frames to come that must show that the stream is in step again
-        self._next_try = 0  # bytes that must wait before the next frame is looked for again
-        self._passed = 0  # bytes that wait only to be told together with others that are in no frame
+        self._trials = 0  # number of frames to judge before the stream counts as in step again
+        self._next_try = 0  # size of the buffer at which the next frame is searched for again
+        self._passed = 0  # pending bytes that are in no frame, to be reported together with others
         self._may_gap = may_gap
         self.accepts: Accepts = lambda _: True
-        self._rest = 0  # bytes to come of a frame in which some are missing; after them the stream is in step
+        self._rest = 0  # remaining bytes of a frame with a gap; after them the stream is in step
         self._after_text: PartKind | None = None
         self._reason = "" if in_step else _BEGUN_INSIDE
 
     def feed(self, data: bytes, number: int) -> list[StreamPart]:
-        """The pieces that are complete with the next bytes of the stream, which came in that packet."""
+        """Takes the next bytes of the stream, from one packet. Returns the pieces that they complete."""
         if self.takes_whole(data):
             return [StreamPart(PartKind.FRAME, data, (number,))]
         self._marks.append((len(self._buffer), number))
@@ -105,7 +104,7 @@ class Cutter:
         return self._cut()
 
     def takes_whole(self, data: bytes) -> bool:
-        """Whether the next bytes of the stream are one frame and nothing else. If so, they are taken with this."""
+        """Takes the next bytes of the stream if they are exactly one frame. Returns whether they are."""
         size = len(data)
         if self._buffer or not self._in_step or size < HEADER_SIZE or size > MAX_FRAME:
             return False
@@ -116,43 +115,43 @@ class Cutter:
 
     @property
     def is_in_step(self) -> bool:
-        """Whether the next frame begins where the one before ended."""
+        """Whether the next frame begins where the last one ended."""
         return self._in_step
 
     @property
     def passed(self) -> int:
-        """How many of the bytes that wait are in no frame: they are told together with others."""
+        """The number of pending bytes that are in no frame."""
         return self._passed
 
     @property
     def left(self) -> bytes:
-        """The bytes that wait for more."""
+        """The pending bytes."""
         return self._buffer
 
     @property
     def waiting(self) -> list[int]:
-        """The packets whose bytes wait for more."""
+        """The numbers of the packets with pending bytes."""
         return [number for _, number in self._marks] if self._marks else []
 
     @property
     def size(self) -> int:
-        """Bytes of memory that what waits takes, about."""
+        """The approximate memory of the pending bytes."""
         return len(self._buffer) + MARK_SIZE * len(self._marks)
 
     def begin(self, *, in_step: bool) -> None:
-        """Starts anew with the next bytes, where nothing waits: a frame starts with them, or it is looked for."""
+        """Starts again with the next bytes, if none are pending: in step, or searching for a frame."""
         self._in_step, self._trials, self._next_try, self._rest = in_step, 0, 0, 0
         self._reason = "" if in_step else _BEGUN_INSIDE
 
     def begins_with_text(self, data: bytes) -> bool | None:
-        """Whether one of the texts stands at the start of data; None where it may, and needs more."""
+        """Returns whether data begin with a text; None if more bytes are needed to tell."""
         text = None if data[0] not in _TEXT_STARTS or self._finder.may_start(data, 0) else self._text_at(data, 0)
         if text is None:
             return False
         return True if text[1] <= len(data) else None
 
     def give_up(self, reason: str) -> list[StreamPart]:
-        """Waits no longer for the rest of what is there: the next frame is looked for."""
+        """Gives up the pending bytes, and searches for the next frame."""
         waiting = self._give_up()
         rest = None if self._is_in_text() else self._rest_after(0)
         waiting += self._take_all(reason)
@@ -161,7 +160,7 @@ class Cutter:
         return waiting
 
     def cut_off(self, missing: int) -> list[StreamPart]:
-        """Says that of the newest packet so many bytes were not captured: what waits is given as far as it is there."""
+        """Ends the newest packet, of which bytes were not captured. Returns the pending bytes as a cut frame."""
         if not self._is_sure_of_frame():
             return self.leave_hole(missing)
         rest = self._rest_after(missing)
@@ -172,12 +171,12 @@ class Cutter:
         return [frame]
 
     def _is_sure_of_frame(self) -> bool:
-        """Whether what waits is a frame, of which the header is there."""
+        """Returns whether the pending bytes are certainly a frame, with its header."""
         is_in_step = self._in_step and not self._rest and not self._trials and not self._may_gap
         return is_in_step and len(self._buffer) >= HEADER_SIZE and not self._is_in_text()
 
     def leave_hole(self, missing: int) -> list[StreamPart]:
-        """Says that bytes are missing in the stream here, 0 where it is not known how many: what waits is given up."""
+        """Leaves a gap of missing bytes, 0 if their number is unknown. Gives up the pending bytes."""
         what = "text" if self._is_in_text() else "frame"
         waiting = self._give_up()
         rest = self._rest_after(missing) if missing and what == "frame" else None
@@ -190,7 +189,7 @@ class Cutter:
         return waiting
 
     def _rest_after(self, missing: int) -> int | None:
-        """How many bytes of the frame that waits come after a hole; None where that cannot be known."""
+        """Returns the number of bytes of the pending frame after a gap; None if unknown."""
         if self._rest:
             rest = self._rest - len(self._buffer) - missing
         elif self._in_step and not self._trials and len(self._buffer) >= LENGTH_FIELD:
@@ -200,7 +199,7 @@ class Cutter:
         return rest if rest >= 0 else None
 
     def end(self) -> list[StreamPart]:
-        """Says that nothing more will come."""
+        """Ends the stream. Returns the pending bytes."""
         found = self._give_up()
         buffer = self._buffer
         is_text = self._is_in_text()
@@ -212,12 +211,12 @@ class Cutter:
         return found + self._take_all(reason)
 
     def _give_up(self) -> list[StreamPart]:
-        """What there is after a place where a frame might have started, of which no more will come."""
+        """Returns the pieces of the pending bytes, if no more will come."""
         is_sure = self._in_step and not self._trials and not self._may_gap
         return [] if is_sure else self._cut(is_last=True)
 
     def _is_in_text(self) -> bool:
-        """Whether what waits is the beginning of a text."""
+        """Returns whether the pending bytes are the beginning of a text."""
         return len(self._buffer) >= LENGTH_FIELD and self._is_part_of_text(self._buffer)
 
     def _take_all(self, reason: str) -> list[StreamPart]:
@@ -229,7 +228,7 @@ class Cutter:
         piece = self._piece(kind, 0, len(self._buffer), self._reason or reason)
         self._buffer, self._marks, self._passed = b"", [], 0
         if kind is PartKind.LOST:
-            # Should more come all the same, it does not start with a frame.
+            # If more bytes come, they do not start with a frame.
             self._in_step, self._reason = False, _BETWEEN
         return [piece]
 
@@ -249,7 +248,7 @@ class Cutter:
             if kind is PartKind.LOST:
                 first, least = at, 1
                 if self._in_step:
-                    # Where nothing tells of a gap, the sender is at fault, and the packet is all there is.
+                    # Without a possible gap, this is the sender's fault: the packet has everything.
                     first, least = at + 1, 1 if self._may_gap else LENGTH_FIELD if at else HEADER_SIZE
                 reason = self._lost(buffer, at)
                 end, waits = self._look_on(buffer, first, -1 if is_last else len(buffer) - least)
@@ -276,7 +275,7 @@ class Cutter:
         return found
 
     def _spans(self) -> Iterator[tuple[int, int, int]]:
-        """Each packet's bytes in the buffer: start, number, end."""
+        """Yields the bytes of each packet in the buffer: start, number, end."""
         for index, (start, number) in enumerate(self._marks):
             last = index + 1 == len(self._marks)
             yield start, number, len(self._buffer) if last else self._marks[index + 1][0]
@@ -285,12 +284,12 @@ class Cutter:
         return at == self._marks[-1][0] and end == len(self._buffer)
 
     def _ends_with_frame(self) -> bool:
-        """Whether the newest packet is one frame without a fault: there the stream goes on, whatever waits."""
+        """Returns whether the newest packet is exactly one valid frame: the stream continues there."""
         buffer, start = self._buffer, self._marks[-1][0]
         if len(buffer) - start < HEADER_SIZE:
             return False
         end = start + frame_size(buffer, start)
-        return self._is_newest_packet(start, end) and self._finder.stands(buffer, start, end)
+        return self._is_newest_packet(start, end) and self._finder.is_frame(buffer, start, end)
 
     def _piece(self, kind: PartKind, at: int, end: int, reason: str = "") -> StreamPart:
         numbers = tuple(dict.fromkeys(number for start, number, stop in self._spans() if start < end and stop > at))
@@ -305,7 +304,7 @@ class Cutter:
         return _BETWEEN if may_have_length(buffer, at) else impossible_length(size - LENGTH_FIELD)
 
     def _next(self, buffer: bytes, at: int, is_last: bool) -> tuple[PartKind, int]:
-        """What stands at an offset and where it ends, which is after the buffer's end where more is needed."""
+        """Returns the piece at an offset, and its end, which is after the buffer's end if more bytes are needed."""
         more = len(buffer) + 1
         text = self._text(buffer, at)
         if text is not None:
@@ -325,36 +324,38 @@ class Cutter:
         return PartKind.FRAME, end
 
     def _judge(self, buffer: bytes, at: int, end: int, is_last: bool) -> tuple[PartKind, int]:
-        """What stands at an offset where there seems to be a frame, if a gap was before it or may be in it."""
+        """Returns the piece at the offset of an apparent frame, if there may be a gap before or in it."""
         finder = self._finder
         if end > len(buffer):
             return (PartKind.LOST if self._misleads(buffer, at, is_last) else PartKind.FRAME), end
-        follows, stands = finder.follow(buffer, end), finder.stands(buffer, at, end)
-        if stands and (follows or finder.is_self_evident(buffer, at) or self._is_newest_packet(at, end)):
+        follows, is_frame = finder.follow(buffer, end), finder.is_frame(buffer, at, end)
+        if is_frame and (follows or finder.is_self_evident(buffer, at) or self._is_newest_packet(at, end)):
             return PartKind.FRAME, end
         if follows is None:
             return PartKind.LOST, end
-        # A gap is between two packets; the frames after it begin there, or later.
-        inside = at + 1 if self._trials or not stands else next((start for start, _ in self._marks if start > at), end)
+        # A gap is between two packets; the next frame begins there or later.
+        inside = (
+            at + 1 if self._trials or not is_frame else next((start for start, _ in self._marks if start > at), end)
+        )
         found, place = finder.next_step(buffer, inside, self._begins(), self.accepts)
         if place < end and found in (Found.SINGLE, Found.CHAIN):
             return PartKind.LOST, end
         is_split = any(at < start < end for start, _ in self._marks)
-        waits = follows == 0 and is_split and not stands
-        waits |= (not follows or (follows == 1 and not stands)) and place < end and found is Found.OPEN
+        waits = follows == 0 and is_split and not is_frame
+        waits |= (not follows or (follows == 1 and not is_frame)) and place < end and found is Found.OPEN
         return PartKind.FRAME, len(buffer) + 1 if waits and not is_last else end
 
     def _misleads(self, buffer: bytes, at: int, is_last: bool) -> bool:
-        """Whether what seems to be the start of a frame is none."""
+        """Returns whether the apparent start of a frame is misleading."""
         if not is_last and self._finder.may_become(buffer, at):
             return self._finder.next_step(buffer, at + 1, (), self.accepts, 2)[0] is Found.CHAIN
         found, _ = self._finder.next_step(buffer, at + 1, self._begins(), self.accepts)
         return found in (Found.SINGLE, Found.CHAIN) or (self._trials > 0 and not is_last)
 
     def _look_on(self, buffer: bytes, at: int, latest: int) -> tuple[int, bool]:
-        """Where a stream that is out of step goes on, and whether more is needed to tell.
+        """Returns where a stream that is out of step continues, and whether more bytes are needed to tell.
 
-        A header may begin at the `latest` offset, but not after it; it is negative where nothing more comes.
+        `latest` is the last offset at which a header may begin; negative if the stream has ended.
         """
         found, place = self._finder.next_step(buffer, max(at, self._passed), self._begins(), self.accepts)
         if found is Found.OPEN and latest < 0:
@@ -371,7 +372,7 @@ class Cutter:
                 return place, True
         self._passed = 0
         if found in (Found.NOTHING, Found.OPEN):
-            # A frame that comes byte by byte is not looked at with each of them.
+            # A frame that comes byte by byte is not judged with each of them.
             self._next_try = (len(buffer) - place) * 5 // 4 + 1
             return place, True
         self._in_step = True
@@ -379,13 +380,13 @@ class Cutter:
         return place, False
 
     def _begins(self) -> set[int]:
-        """Where packets begin."""
+        """Returns the offsets at which packets begin."""
         return {start for start, _ in self._marks}
 
     # Texts
 
     def _text(self, buffer: bytes, at: int) -> tuple[PartKind, int] | None:
-        """The text that stands at an offset, or the rest of one that came before; None where a frame may stand."""
+        """Returns the text at an offset, or the rest of the last one; None if a frame may be there."""
         if self._after_text is not None:
             rest = self._rest_of_text(buffer, at)
             if rest is not None:
@@ -401,20 +402,20 @@ class Cutter:
         return (PartKind.UNLOCK, len(buffer) + 1) if self._is_part_of_text(buffer[at:]) else None
 
     def _is_part_of_text(self, part: bytes) -> bool:
-        """Whether these bytes are the start of a text, of which more is to come."""
+        """Returns whether these bytes are the beginning of a text."""
         if ACCEPT.startswith(part) or _REQUEST.startswith(part):
             return True
         return part.startswith(_REQUEST) and len(part) < MOST_UNLOCK
 
     def _rest_of_text(self, buffer: bytes, at: int) -> tuple[PartKind, int] | None:
-        """What comes late of the text before: line ends after an unlock text, the zero after the answer to it."""
+        """Returns the late end of the last text: line ends after an unlock text, the zero after its answer."""
         if self._after_text is PartKind.ACCEPT:
             return (PartKind.TEXT_END, at + 1) if self._is_zero(buffer, at) else None
         end = at + len(buffer[at:]) - len(buffer[at:].lstrip(_LINE_END))
         while end > at and self._is_frame_rather(buffer, end - 1):
             end -= 1
         if end > at and end == len(buffer):
-            # The last one may be the length of a frame of which nothing more is there.
+            # The last byte may be the start of a frame's length.
             end = end - 1 if end - 1 > at else end + 1
         return (PartKind.TEXT_END, end) if end > at else None
 
@@ -434,18 +435,18 @@ class Cutter:
         return PartKind.UNLOCK, end
 
     def _is_zero(self, buffer: bytes, at: int) -> bool:
-        """Whether the zero stands here that the firmware sends after its answer: it is no start of a length."""
+        """Returns whether this is the zero that the firmware sends after its answer, not the start of a frame."""
         return buffer[at : at + 1] == b"\0" and not self._is_frame_rather(buffer, at)
 
     def _is_frame_rather(self, buffer: bytes, at: int) -> bool:
-        """Whether a byte that may end a text is more likely the start of a frame, as far as that can be seen."""
+        """Returns whether a byte that may end a text is more likely the start of a frame."""
         if len(buffer) - at < LENGTH_FIELD or not self._finder.may_start(buffer, at):
             return False
-        return not self._stands(buffer, at + 1)
+        return not self._is_whole_frame(buffer, at + 1)
 
-    def _stands(self, buffer: bytes, at: int) -> bool:
-        """Whether a whole frame without a fault stands at an offset."""
+    def _is_whole_frame(self, buffer: bytes, at: int) -> bool:
+        """Returns whether a whole valid frame is at an offset."""
         if len(buffer) - at < HEADER_SIZE or not self._finder.may_start(buffer, at):
             return False
         end = at + frame_size(buffer, at)
-        return end <= len(buffer) and self._finder.stands(buffer, at, end)
+        return end <= len(buffer) and self._finder.is_frame(buffer, at, end)

@@ -1,4 +1,4 @@
-"""How long replies took: percentiles of any number of latencies in little memory."""
+"""Latencies of replies: percentiles of any number of them in little memory."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What moves files and listings: which commands do, which way, and the bytes that a message carries of one."""
+"""Commands that move files and listings: their directions, and the bytes that a message carries."""
 
 from __future__ import annotations
 
@@ -20,16 +20,16 @@ LISTINGS = _answers_with(Kind.LISTING)
 """The commands that move listings of folders."""
 
 UPLOADS = _answers_with(Kind.DATA) | LISTINGS
-"""The commands that move something from the brick; the others move files to it."""
+"""The commands that move data from the brick; the others move files to it."""
 
 
 def entry_of(message: Message) -> SystemEntry | None:
-    """What the tables say of a system message's command; None for other messages and unknown commands."""
+    """Returns the tables' entry of a system message's command; None for other messages and unknown commands."""
     return SYSTEM_BY_NUMBER.get(message.number) if isinstance(message, SystemCommand | SystemReply) else None
 
 
 def piece_of(message: Message) -> bytes:
-    """The bytes of a file or listing that a message carries, often none."""
+    """Returns the bytes of a file or listing in a message, often none."""
     entry = entry_of(message)
     if entry is None or not isinstance(message, SystemCommand | SystemReply):
         return b""
@@ -38,13 +38,13 @@ def piece_of(message: Message) -> bytes:
         value = message.fields.get(field.name)
         if field.kind is Kind.LISTING and isinstance(value, str):
             return value.encode(STRING_CODING)
-        # What closes a file has data, too: its hash.
+        # The command that closes a file has data, too: its hash.
         if field.kind is Kind.DATA and isinstance(value, bytes) and entry.transfer != "close":
             return value
     return b""
 
 
 def begins(message: Message) -> bool:
-    """True for the command that begins to move something."""
+    """Returns whether a message is a command that begins a transfer."""
     entry = entry_of(message)
     return isinstance(message, SystemCommand) and entry is not None and entry.transfer == "begin"

@@ -1,4 +1,4 @@
-"""A packet as a capture file has it, whatever it carries: number, time, interface, bytes."""
+"""Packets of capture files, whatever they carry: number, time, interface, bytes."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from typing import NamedTuple
 
 @dataclass(frozen=True, slots=True)
 class Interface:
-    """Where packets were captured.
+    """An interface on which packets were captured.
 
-    link    what they start with, by its number
-    name    as the file has it; None where it has none
-    order   "<" or ">": byte order of the machine, in which some headers are
+    link    the number of its link type
+    name    its name in the file, if any
+    order   "<" or ">": the byte order of the machine, which some headers have
     """
 
     link: int
@@ -23,12 +23,12 @@ class Interface:
 class Packet(NamedTuple):
     """A packet.
 
-    number     in the file, the first is 1
+    number     in the file, from 1
     time_ns    nanoseconds since 1970-01-01 UTC
-    data       what was captured
-    size       bytes that it had on the wire; more than `data` has where it was cut
-    interface  where it was captured
-    flags      the word of flags that btsnoop files keep beside a packet; None in other files
+    data       the captured bytes
+    size       its size on the wire in bytes, which is larger than `data` if it was cut
+    interface  its interface
+    flags      the flags beside a packet in btsnoop files; None in other files
     """
 
     number: int
@@ -40,4 +40,4 @@ class Packet(NamedTuple):
 
 
 MOST_PACKET = 1 << 24
-"""Bytes of the largest packet that is believed; a length above it is a lie or another format."""
+"""Maximum size of a packet in bytes; a larger length field is damaged."""

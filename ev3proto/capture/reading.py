@@ -1,4 +1,4 @@
-"""Captures opened and read: `read` gives the records of a file, and everything else that it has."""
+"""Reading of captures: `read` returns the records of a file, and all other events."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ from ev3proto.tables.discovery import TCP_PORT
 
 
 class Capture:
-    """A capture that is being read: iterate it once, for its records or with `events` for everything in it.
+    """A capture to iterate once, for its records, or with `events` for everything in it.
 
     It is closed at its end, when it is no longer referred to, or by `close` or a `with`.
 
-    account  where the captured bytes went, so far
+    account  the account of the captured bytes so far
     """
 
     def __init__(self, events: Iterator[Event], account: Account, file: CaptureFile | None = None) -> None:
@@ -35,7 +35,7 @@ class Capture:
 
     @property
     def progress(self) -> float | None:
-        """How much of the file was read, 0 to 1; None where its size is not known."""
+        """The part of the file that was read, 0 to 1; None if its size is unknown."""
         return None if self._file is None else self._file.progress
 
     def __iter__(self) -> Iterator[Record]:
@@ -62,7 +62,7 @@ class Capture:
             self.close()
 
     def close(self) -> None:
-        """Closes what was opened; iterating comes to its end."""
+        """Closes the file, and ends iterating."""
         if isinstance(self._events, Generator):
             self._events.close()
         if self._file is not None:
@@ -87,24 +87,24 @@ def read(
     ports: Collection[int] = (TCP_PORT,),
     memory: int = DEFAULT_MEMORY,
 ) -> Capture:
-    """A capture file's records: pcap, pcapng or btsnoop, packed with gzip or not, recognised by its first bytes.
+    """Reads a capture file: pcap, pcapng or btsnoop, compressed with gzip or not, recognised by its first bytes.
 
-    `ev3proto.pyshark.read` reads all that Wireshark knows.
+    `ev3proto.pyshark.read` reads all formats and link types of Wireshark.
 
     Args:
-        source: A path, a binary stream at its start (which stays open), or a CaptureFile that was looked at before.
-        dialect: The firmware whose instruction set to read by.
+        source: A path, a binary stream at its start (which stays open), or a CaptureFile.
+        dialect: The firmware whose instruction set is used.
         ports: TCP ports on which bricks listen.
-        memory: Bytes that all that waits for more of the capture may take together: commands without a reply,
-            segments ahead of their turn, and so on. The oldest goes first; `account.forgotten` counts them.
+        memory: Memory limit in bytes for everything pending: unanswered commands, segments ahead of their turn, and so
+            on. The oldest are evicted first; `account.forgotten` counts them.
 
     Returns:
-        The capture. While it is read it raises CaptureError for a damaged file, after everything readable.
+        The capture. Iterating it raises CaptureError for a damaged file, after everything readable.
 
     Raises:
         OSError: The file cannot be opened.
-        CaptureError: The file is no capture.
-        ValueError: The dialect is not known.
+        CaptureError: The file is not a capture.
+        ValueError: The dialect is unknown.
 
     """
     check_dialect(dialect)
@@ -130,21 +130,10 @@ _CARRIERS = {int(link): carrier for carrier in Carrier for link in carrier.facts
 def _events_in(
     packets: Iterator[Packet], account: Account, *, dialect: str, ports: Collection[int], memory: int = DEFAULT_MEMORY
 ) -> Iterator[Event]:
-    """Everything in the packets, in their order.
-
-    Args:
-        packets: The packets of a capture.
-        account: Counts all captured bytes.
-        dialect: The firmware whose instruction set to read by.
-        ports: TCP ports on which bricks listen.
-        memory: Bytes that all that waits may take together.
-
-    Yields:
-        Records, announcements and skipped bytes.
+    """Yields the events in packets, in their order; the other arguments are those of `read`.
 
     Raises:
-        CaptureError: After everything readable, where the packets raised it or have links that nothing here knows.
-
+        CaptureError: After everything readable, if the packets raised it, or have unknown link types.
     """
     budget = Budget(memory)
     context = Context(frame_schema(dialect), account, frozenset(ports), budget)

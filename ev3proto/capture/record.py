@@ -1,4 +1,4 @@
-"""What is found in a capture: frames with their place and time, the texts around them, bytes that cannot be read."""
+"""The events of a capture: frames with place and time, the texts around them, bytes that cannot be read."""
 
 from __future__ import annotations
 
@@ -14,19 +14,19 @@ from ev3proto.schema.discovery import Beacon, Unlock
 from ev3proto.tables.carriers import Carrier
 
 NANOSECONDS = 1_000_000_000
-"""In a second."""
+"""Nanoseconds in a second."""
 
 
 HOST = "host"
-"""The computer's end of a route, where nothing gives its address."""
+"""The computer's end of a route, if its address is unknown."""
 
 
 class CaptureError(ValueError):
-    """What is wrong with a capture as a whole, as a sentence. Everything readable was given before it is raised."""
+    """A fault of a capture as a whole. It is raised after everything readable was given."""
 
 
 class Direction(StrEnum):
-    """Which way a frame goes, as the computer sees it."""
+    """The direction of a frame, as seen by the computer."""
 
     SENT = "sent"
     RECEIVED = "received"
@@ -34,17 +34,16 @@ class Direction(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Route:
-    """From where to where: what all frames of one direction of one connection have in common.
+    """The common facts of all frames in one direction of a connection.
 
     carrier    USB, Bluetooth or WiFi
     source     address of the sender: `192.0.2.1:49152`, `host`, `1.7` (USB bus and device), `00:16:53:00:00:0a`
     target     address of the receiver
-    direction  sent or received, None where the capture does not say
-    interface  name of the interface it was captured on, None where the file has none
+    direction  sent or received, None if unknown
+    interface  name of the interface they were captured on, None if unknown
     peer       address of the brick (with the TCP port on WiFi): the source or the target
-    is_text    the frames stood in a text, which does not say what carried them
-    is_timed   somebody wrote down when they were captured; a text may have no times, and those of its records only
-               keep them in order
+    is_text    the frames are from a text, which does not tell their carrier
+    is_timed   their times are known; a text may have none, and then the times of its records only give their order
     """
 
     carrier: Carrier
@@ -58,10 +57,10 @@ class Route:
 
 
 class Answered(NamedTuple):
-    """What a command's record knows of its reply. It does not keep the reply itself, which keeps the command.
+    """A command's facts about its reply, without the reply itself, which refers to the command.
 
-    time_ns  when the reply was captured, in nanoseconds since 1970-01-01 UTC
-    failed   the reply says that the command failed
+    time_ns  the reply's time, in nanoseconds since 1970-01-01 UTC
+    failed   whether the command failed
     """
 
     time_ns: int
@@ -69,26 +68,26 @@ class Answered(NamedTuple):
 
 
 class FrameReader(Protocol):
-    """What a record needs of the schema of frames."""
+    """The part of the schema of frames that a record needs."""
 
     def read_frame(self, frame: bytes, *, strict: bool = True) -> Message:
-        """The message in a frame. With `strict=False` a faulty one is a message, too."""
+        """Returns the message in a frame, with `strict=False` also of a faulty one."""
 
 
 class Record:
-    """A frame in a capture. Its message and values are read when somebody looks at them.
+    """A frame in a capture. Its message and values are parsed on access.
 
     frame     the bytes
-    numbers   the packets that carried it, by their numbers in the file (the first is 1), in the order of its bytes
-    time_ns   when its last packet was captured, in nanoseconds since 1970-01-01 UTC
-    route     from where to where, and by what
-    request   for a reply: the record of the command that it answers; None when no such command was seen
-    answered  for a command: what is known of its reply; None as long as none was seen
-    transfer  the file that a system message is about, None where it is about none; it counts on while reading
-    note      a sentence on what is odd about it beside its contents, None where nothing is
+    numbers   the numbers of the packets that carried it (from 1), in the order of its bytes
+    time_ns   the time of its last packet, in nanoseconds since 1970-01-01 UTC
+    route     carrier, sender and receiver
+    request   for a reply: the record of the command that it answers; None if that was not captured
+    answered  for a command: the facts about its reply; None without one so far
+    transfer  the file transfer that a system message belongs to, if any; its counts increase while reading
+    note      a sentence about a peculiarity besides its contents, if any
     """
 
-    # A long capture makes a great many of these: the slots without a dataclass around them cost half as much.
+    # A long capture makes many of these: slots without a dataclass cost half as much.
     __slots__ = (
         "_message",
         "_reader",
@@ -128,7 +127,7 @@ class Record:
 
     @property
     def message(self) -> Message:
-        """What the frame says. A faulty frame's message has a `fault`."""
+        """The parsed message. A faulty frame's message has a `fault`."""
         message = self._message
         if message is None:
             message = self._message = self._reader.read_frame(self.frame, strict=False)
@@ -137,25 +136,25 @@ class Record:
 
     @property
     def values(self) -> list[Value]:
-        """For a reply: what it says, by name; else an empty list."""
+        """For a reply: its values by name; else an empty list."""
         if self._values is None:
             self._values = values_of(self.message, None if self.request is None else self.request.message)
         return self._values
 
     @property
     def exchange(self) -> Exchange:
-        """The message with all that a dialogue knows of it."""
+        """The message with its facts from the dialogue."""
         request = None if self.request is None else self.request.message
         return Exchange(self.message, request, self.values, self.transfer)
 
     @property
     def time(self) -> float:
-        """When its last packet was captured, in seconds since 1970-01-01 UTC. `time_ns` is exact."""
+        """The time of its last packet, in seconds since 1970-01-01 UTC. `time_ns` is exact."""
         return self.time_ns / NANOSECONDS
 
     @property
     def latency(self) -> float | None:
-        """For a reply: seconds since its command, None where that was not seen, or where nobody wrote times down."""
+        """For a reply: seconds since its command; None if that was not captured, or times are unknown."""
         request = self.request
         if request is None or not (self.route.is_timed and request.route.is_timed):
             return None
@@ -163,7 +162,7 @@ class Record:
 
     @property
     def number(self) -> int:
-        """The packet that made it whole, by its number in the file."""
+        """The number of the packet that completed it."""
         return max(self.numbers)
 
     @property
@@ -188,12 +187,12 @@ class Record:
 
     @property
     def direction(self) -> Direction | None:
-        """Sent or received, as the computer sees it; None where the capture does not say."""
+        """Sent or received, as seen by the computer; None if unknown."""
         return self.route.direction
 
     @property
     def interface(self) -> str | None:
-        """The interface it was captured on."""
+        """The name of the interface on which it was captured."""
         return self.route.interface
 
     def __repr__(self) -> str:
@@ -203,14 +202,13 @@ class Record:
 
 
 MOST_READ = 32
-"""Messages that are kept at the same time. Others are read again when somebody looks at them: a message takes up to 200
-times the memory of its frame."""
+"""Maximum number of cached messages; others are parsed again. A message takes up to 200 times its frame's memory."""
 
 _read: deque[Record] = deque()
 
 
 def _keep(record: Record) -> None:
-    """Keeps the message of a record, and lets go of the one that was read longest ago."""
+    """Caches the message of a record, and evicts the oldest one."""
     _read.append(record)
     if len(_read) > MOST_READ:
         oldest = _read.popleft()
@@ -218,7 +216,7 @@ def _keep(record: Record) -> None:
 
 
 class TextKind(StrEnum):
-    """What stands around frames on WiFi."""
+    """The texts around frames on WiFi."""
 
     BEACON = "beacon"
     ANSWER = "answer to a beacon"
@@ -228,14 +226,14 @@ class TextKind(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Announcement:
-    """A text on WiFi that is no frame: a beacon, the host's answer, the text that unlocks the brick, its answer.
+    """A text on WiFi: a beacon, the host's answer, the text that unlocks the brick, its answer.
 
-    said     which of them
+    said     its kind
     data     the bytes
-    text     the text read; None for answers, and for a beacon at fault
-    numbers  the packets that carried it
-    time_ns  when the last of them was captured, in nanoseconds since 1970-01-01 UTC
-    route    from where to where; an answer's peer is the brick
+    text     the parsed text; None for answers, and for a faulty beacon
+    numbers  the numbers of the packets that carried it
+    time_ns  the time of the last of them, in nanoseconds since 1970-01-01 UTC
+    route    carrier, sender and receiver; an answer's peer is the brick
     """
 
     said: TextKind
@@ -247,26 +245,26 @@ class Announcement:
 
     @property
     def time(self) -> float:
-        """When it was captured, in seconds since 1970-01-01 UTC."""
+        """Its time in seconds since 1970-01-01 UTC."""
         return self.time_ns / NANOSECONDS
 
     @property
     def facts(self) -> dict[str, str]:
-        """What the text says, by name: a brick's serial number, TCP port, name and protocol; nothing for answers."""
+        """Its facts by name: the brick's serial number, TCP port, name and protocol; empty for answers."""
         names = ("serial", "port", "name", "protocol")
         return {name: getattr(self.text, name) for name in names if hasattr(self.text, name)}
 
 
 @dataclass(frozen=True, slots=True)
 class Skipped:
-    """Bytes among frames that are none, or bytes that should be there and are not.
+    """Bytes among frames that cannot be read, or that are missing.
 
-    data     the bytes that were captured and could not be read
-    missing  how many bytes were not captured at all, 0 where that is not known
+    data     the captured bytes that cannot be read
+    missing  number of bytes that were not captured, 0 if unknown
     reason   one sentence
-    number   the packet where it was noticed
-    time_ns  when that was captured, in nanoseconds since 1970-01-01 UTC
-    route    from where to where
+    number   the number of the packet in which it was noticed
+    time_ns  that packet's time, in nanoseconds since 1970-01-01 UTC
+    route    carrier, sender and receiver
     """
 
     data: bytes
@@ -281,21 +279,21 @@ class Skipped:
 
 
 Event = Record | Announcement | Skipped
-"""Everything that is found in a capture."""
+"""Everything in a capture."""
 
 
 def elapsed(time_ns: int, start_ns: int) -> str:
-    """`0.011558`: seconds since a capture began."""
+    """Returns the seconds since a capture began: `0.011558`."""
     return f"{(time_ns - start_ns) / NANOSECONDS:.6f}"
 
 
 def utc(time_ns: int) -> str:
-    """`2024-01-31T09:12:31.011558Z`, with nanoseconds where the time has them."""
+    """Returns a time as `2024-01-31T09:12:31.011558Z`, with nanoseconds if it has any."""
     seconds, rest = divmod(time_ns, NANOSECONDS)
     digits = f"{rest:09}"
     try:
         moment = datetime.fromtimestamp(seconds, UTC)
     except (OverflowError, ValueError, OSError):
-        return f"{seconds}.{digits}"  # a damaged file can have times that no calendar has
+        return f"{seconds}.{digits}"  # a damaged file can have impossible times
     day_and_time = moment.isoformat()[: len("2024-01-31T09:12:31")]
     return f"{day_and_time}.{digits[:6] if digits.endswith('000') else digits}Z"

@@ -1,4 +1,4 @@
-"""Where files from a capture are put on this computer: always inside one folder, whatever the capture calls them."""
+"""Safe places for files from a capture: always inside one folder, whatever their paths are."""
 
 from __future__ import annotations
 
@@ -9,25 +9,25 @@ from collections.abc import Callable
 from pathlib import Path
 
 MOST_BYTES = 120
-"""Bytes of the name of one file or folder; file systems take 143 at least, and something may be added."""
+"""Maximum length of a name in bytes; file systems allow at least 143, and a suffix may be added."""
 
 MOST_FOLDERS = 16
-"""Folders in each other; of a deeper path, the innermost are kept."""
+"""Maximum depth of a path; of a deeper one, the innermost folders are kept."""
 
 _HOME = ("home", "root", "lms2012")
-"""The brick's folder for all that is LEGO's. Its programs name files relative to one in it: ../prjs, ../apps."""
+"""The folder of LEGO's files on the brick. Its programs use paths relative to one in it: ../prjs, ../apps."""
 
 _FORBIDDEN = re.compile(r'[\x00-\x1f\x7f-\x9f<>:"|?*\ud800-\udfff]')
 _SEPARATOR = re.compile(r"[/\\]")
 _RESERVED = re.compile(r"(con|prn|aux|nul|conin\$|conout\$|com[0-9¹²³]|lpt[0-9¹²³])[ ]*(\.|$)", re.IGNORECASE)
-"""Names that Windows keeps for devices, whatever extension they have."""
+"""Names that Windows reserves for devices, with any extension."""
 
 UNNAMED = "unnamed"
-"""What a file is called whose path has no name in it."""
+"""The name of a file whose path has no name."""
 
 
 def parts_of(path: str) -> tuple[str, ...]:
-    """A path of the brick as names of folders and a file, each of which any computer takes: at least one.
+    """Returns a path of the brick as names of folders and a file, at least one, each valid on any computer.
 
     `../prjs/hello/hello.rbf` and `/home/root/lms2012/prjs/hello/hello.rbf` both are prjs, hello, hello.rbf.
     """
@@ -43,16 +43,16 @@ def parts_of(path: str) -> tuple[str, ...]:
 
 
 def safe_name(name: str) -> str:
-    """A name for a file or folder that is one everywhere, and nothing else."""
+    """Returns a name for a file or folder that is valid on any computer."""
     name = _shortened(_FORBIDDEN.sub("_", _SEPARATOR.sub("_", name)).lstrip(" "))
-    # Windows forgets dots and spaces at the end: another name would become the same.
+    # Windows drops trailing dots and spaces: different names would become the same.
     kept = name.rstrip(". ")
     name = kept + "_" * (len(name) - len(kept))
     return f"_{name}" if not name or _RESERVED.match(name) else name
 
 
 def _shortened(name: str) -> str:
-    """No longer than MOST_BYTES, its extension kept where it is a short one."""
+    """Returns a name of at most MOST_BYTES, with its extension if that is short."""
     if len(name.encode()) <= MOST_BYTES:
         return name
     stem, dot, extension = name.rpartition(".")
@@ -63,7 +63,7 @@ def _shortened(name: str) -> str:
 
 
 def numbered(name: str, number: int) -> str:
-    """`hello (2).rbf`: the same name for the second, the third, ..."""
+    """Returns a name with a number, `hello (2).rbf`, from the second on."""
     if number == 1:
         return name
     stem, dot, extension = name.rpartition(".")
@@ -71,10 +71,10 @@ def numbered(name: str, number: int) -> str:
 
 
 class Shelf:
-    """A folder in which files get their places.
+    """A folder that gives each file a place.
 
-    No place is given twice, none that was there before (unless `force`, and then only that of a file), none through a
-    symbolic link, and none that some file system takes for another one's: `A` is `a`.
+    No place is given twice, no existing one (unless `force`, and then only a file's), none through a symbolic link, and
+    none that some file systems take for another one: `A` is `a`.
     """
 
     def __init__(self, folder: Path, *, force: bool = False) -> None:
@@ -87,18 +87,18 @@ class Shelf:
     def place(
         self, parts: tuple[str, ...], suffix: str = "", is_same: Callable[[Path], bool] = lambda _path: False
     ) -> Path:
-        """Finds a place for a file, and makes its folder.
+        """Finds a place for a file, and creates its folder.
 
         Args:
             parts: Names of folders, and of the file.
-            suffix: What to add to the file's name, for one that is not whole.
-            is_same: Tells of a file that was there before whether it is the one to be written: that is its place.
+            suffix: Added to the file's name, for an incomplete one.
+            is_same: Tells whether an existing file is the one to write, whose place is used then.
 
         Returns:
-            The path, which no other file has.
+            A path that no other file has.
 
         Raises:
-            OSError: The folder cannot be made.
+            OSError: The folder cannot be created.
         """
         folder = self._folder
         for part in parts[:-1]:
@@ -115,7 +115,7 @@ class Shelf:
         return folder / name
 
     def _subfolder(self, folder: Path, name: str) -> Path:
-        """A folder in another one, made if it is not there; by another name where a file has this one."""
+        """Returns a folder in another one, created if it is missing; under another name if a file has this one."""
         known = self._folders.get((folder, _key(name)))
         if known is not None:
             return known
@@ -123,7 +123,7 @@ class Shelf:
         while (found := self._folder_at(folder / numbered(name, number))) is None:
             number += 1
         self._folders[folder, _key(name)] = found
-        # It may be there under a name that is the same to some file systems; no file can have it either.
+        # It may exist under a name that is the same to some file systems; no file can have that either.
         self._taken.add((folder, _key(found.name)))
         return found
 
@@ -133,7 +133,7 @@ class Shelf:
         try:
             path.mkdir()
         except FileExistsError:
-            # Not through a symbolic link: who knows where it goes.
+            # Not through a symbolic link, which may lead anywhere.
             return path if stat.S_ISDIR(path.lstat().st_mode) else None
         return path
 
@@ -146,10 +146,10 @@ class Shelf:
 
 
 def _is_file(path: Path) -> bool:
-    """Whether it is a file, and no link to one."""
+    """Returns whether it is a file, not a link to one."""
     return stat.S_ISREG(path.lstat().st_mode)
 
 
 def _key(name: str) -> str:
-    """The same for names that some file system takes for one."""
+    """Returns a key that is the same for names that some file systems take for one."""
     return os.path.normcase(name).casefold()

@@ -1,4 +1,4 @@
-"""Values over time: what the replies of a capture and its messages to mailboxes say, a column for each value."""
+"""Values over time, from the replies of a capture and its messages to mailboxes, a column for each value."""
 
 from __future__ import annotations
 
@@ -14,27 +14,27 @@ from ev3proto.dialogue import Value
 from ev3proto.messages import DirectCommand, SystemCommand
 
 LATENCY = "latency"
-"""The column that every reply has a value for: seconds from its command."""
+"""The column of each reply's latency, in seconds."""
 
 MOST_CELLS = 1_000_000
-"""Rows and their values together that are kept: about 160 MiB."""
+"""Maximum number of rows and their values together: about 160 MiB."""
 
 _CELL = 160
-"""Characters of texts and names that take as much memory as a cell."""
+"""Number of characters of texts and names that take the memory of a cell."""
 
 Cell: TypeAlias = float | str
 
 
 @dataclass(frozen=True, slots=True)
 class Row:
-    """What one reply says, or one message to a mailbox.
+    """The values of one reply, or of one message to a mailbox.
 
-    time_ns   when it was captured, in nanoseconds since 1970-01-01 UTC
+    time_ns   its time, in nanoseconds since 1970-01-01 UTC
     packet    its packet
     peer      address of the brick
     cells     its values by the names of their columns
-    is_timed  somebody wrote down when it was captured
-    file      the name of its file, where that was given
+    is_timed  its time is known
+    file      the name of its file, if given
     """
 
     time_ns: int
@@ -46,18 +46,18 @@ class Row:
 
     @property
     def time(self) -> str | None:
-        """When it was captured, as `2024-01-31T09:12:31.011558Z`; None where nobody wrote that down."""
+        """Its time as `2024-01-31T09:12:31.011558Z`; None if unknown."""
         return utc(self.time_ns) if self.is_timed else None
 
 
 @dataclass(slots=True)
 class Series:
-    """All of it.
+    """The values of a capture.
 
-    units  the columns in the order in which they came, each with its unit; None where it has none
-    rows   in the order of the capture
-    size   rows and their values together; long texts count as several
-    omitted  rows beyond MOST_CELLS, of which nothing is kept
+    units    the columns in order of appearance, each with its unit, if any
+    rows     in the order of the capture
+    size     number of rows and their values together; long texts count as several
+    omitted  number of rows beyond MOST_CELLS, which are not kept
     """
 
     units: dict[str, str | None] = field(default_factory=dict)
@@ -66,17 +66,16 @@ class Series:
     omitted: int = 0
 
     def extend(self, other: Series) -> None:
-        """Adds the rows of another capture after these, and the columns that are only there."""
+        """Appends the rows of another capture, and its additional columns."""
         self.units = {**self.units, **other.units}
         self.rows += other.rows
         self.size += other.size
         self.omitted += other.omitted
 
     def narrowed(self, most: int) -> Series:
-        """At most so many columns: those with the most values, in their order, and the rows that have some of them.
+        """Returns the columns with the most values, in their order, and the rows that have some of them.
 
-        A brick that is asked for something else each time has a column for each reply, and a table of all of them has
-        the square of the replies.
+        With a different request each time, each reply has a column of its own, and a table of all is too large.
         """
         if len(self.units) <= most:
             return self
@@ -93,12 +92,12 @@ def series_of(events: Iterable[Event], file: str | None = None, most: int = MOST
     """Gathers the values of all replies and of messages to mailboxes.
 
     Args:
-        events: Of a capture; what has no value is passed over.
-        file: The name of the capture, which all rows get.
-        most: Rows and values that are kept; further rows are counted.
+        events: The events of a capture; those without values are skipped.
+        file: The name of the capture, for all rows.
+        most: Maximum number of rows and values; further rows are only counted.
 
     Returns:
-        The values. A text and a number that stand for no value ("not a number") have no cell.
+        The values. Numbers that are not a number (NaN) have no cell.
     """
     found = Series({LATENCY: "s"})
     for event in events:
@@ -127,7 +126,7 @@ def series_of(events: Iterable[Event], file: str | None = None, most: int = MOST
 
 
 def _columns(event: Record) -> Iterator[tuple[str, str | None, Cell]]:
-    """The values of a message: the name of the column, the unit, the value."""
+    """Yields the values of a message: the name of the column, the unit, the value."""
     if event.request is not None:
         for value, name in _named(event):
             for suffix, cell in _cells(value):
@@ -142,7 +141,7 @@ def _columns(event: Record) -> Iterator[tuple[str, str | None, Cell]]:
 
 
 def _named(reply: Record) -> list[tuple[Value, str]]:
-    """The values of a reply with their columns: the operation, what it was asked with, such as a port, the name."""
+    """Returns the values of a reply with their columns: operation, inputs of the command such as a port, name."""
     request = None if reply.request is None else reply.request.message
     asked: dict[tuple[str, str | None], list[str]] = {}
     if isinstance(request, DirectCommand):

@@ -1,12 +1,12 @@
-"""What a capture amounts to: messages, operations, latencies, errors, transfers, and what could not be read.
+"""Statistics of a capture: messages, operations, latencies, errors, transfers, and what could not be read.
 
     statistics = Statistics()
     for event in capture.events():
         statistics.add(event)
     print(statistics.summary(capture.account).as_dict())
 
-Memory does not grow with the capture: there are as many operations as the tables have, and everything that is listed
-one by one is listed up to a limit, with the number of all beside it.
+Memory does not grow with the capture: the tables limit the number of operations, and lists have a limit, with the total
+beside them.
 """
 
 from __future__ import annotations
@@ -27,29 +27,29 @@ from ev3proto.messages import DaisyCommand, DirectCommand, Message, SystemComman
 from ev3proto.tables.system import SYSTEM_BY_NUMBER
 
 MOST_LISTED = 20
-"""So many unanswered commands, faults and skipped pieces are listed."""
+"""Maximum number of listed unanswered commands, of faults, and of skipped pieces."""
 
 MOST_PEERS = 64
-"""So many bricks have statistics of their own; what further ones say is only counted in all."""
+"""Maximum number of bricks with their own statistics; further ones are counted only in the total."""
 
 MOST_TRANSFERS = 1000
-"""So many files and listings are listed; further ones are counted."""
+"""Maximum number of listed files and listings; further ones are only counted."""
 
 MOST_PENDING = 4096
-"""So many commands can wait for their replies; beyond, the oldest is taken for one that gets none."""
+"""Maximum number of pending commands; beyond, the oldest counts as unanswered."""
 
 # The results
 
 
 @dataclass(slots=True)
 class Amount:
-    """Messages, and the bytes of their frames."""
+    """A number of messages, and the bytes of their frames."""
 
     messages: int = 0
     bytes: int = 0
 
     def add(self, size: int) -> None:
-        """Another message of this size."""
+        """Adds a message of this size."""
         self.messages += 1
         self.bytes += size
 
@@ -58,15 +58,15 @@ class Amount:
 class OperationSummary:
     """One operation or system command.
 
-    name        `SOUND.TONE`; a system or daisy command's name, its number where it is not known
-    kind        `direct`, `system` or `daisy`: whose messages carry it
-    uses        how often it stands in commands
+    name        `SOUND.TONE`; a system or daisy command's name, or its number if unknown
+    kind        `direct`, `system` or `daisy`: the kind of messages that carry it
+    uses        its occurrences in commands
     commands    commands that have it
     replies     replies to these
-    errors      replies among them that say that the command failed
-    unanswered  commands that wanted a reply and got none
-    bytes       of the frames of those commands and replies; a frame with several operations is counted for each
-    latency     of those replies, None where there is none
+    errors      replies among them that report a failure
+    unanswered  commands that requested a reply and got none
+    bytes       bytes of the frames of those commands and replies; a frame with several operations counts for each
+    latency     latency of those replies, None without any
     """
 
     name: str
@@ -82,18 +82,18 @@ class OperationSummary:
 
 @dataclass(frozen=True, slots=True)
 class TransferSummary:
-    """A file or listing that was moved.
+    """A transferred file or listing.
 
-    path       as the command says it
-    command    the command by which it began
+    path       its path in the command
+    command    the command that began it
     direction  `to brick` or `from brick`
-    bytes      moved
-    size       of it all, None where it was not said
-    seconds    from its first message to its last
-    rate       bytes a second, None where that took no time
-    complete   all of it was moved
-    failed     the brick said that something went wrong
-    packet     in which it began
+    bytes      number of transferred bytes
+    size       total number of bytes, None if unknown
+    seconds    seconds from its first message to its last
+    rate       bytes per second, None if it took no time
+    complete   all of it was transferred
+    failed     the brick reported a failure
+    packet     the packet in which it began
     peer       the brick
     """
 
@@ -112,7 +112,7 @@ class TransferSummary:
 
 @dataclass(frozen=True, slots=True)
 class Noted:
-    """A place in the capture, and what is to be said about it."""
+    """A place in the capture with a remark."""
 
     packet: int
     peer: str
@@ -121,19 +121,19 @@ class Noted:
 
 @dataclass(slots=True)
 class PeerSummary:
-    """What went between the computer and one brick, or all of them.
+    """The traffic between the computer and one brick, or all of them.
 
-    name         the brick's address; `all` for all of them
+    name         the brick's address, or `all`
     messages     frames and their bytes
     kinds        the same by kind: direct-command, direct-reply, ...
-    operations   one by one, those with the most commands first
-    latency      of all replies, None where there is none
-    errors       replies that say that the command failed
-    faults       frames that have a fault
-    unanswered   commands that wanted a reply and got none
-    orphans      replies whose command was not seen
-    first, last  when the first and the last message were captured, UTC; None where nobody wrote times down
-    seconds      between these
+    operations   each operation, those with the most commands first
+    latency      latency of all replies, None without any
+    errors       replies that report a failure
+    faults       faulty frames
+    unanswered   commands that requested a reply and got none
+    orphans      replies whose command was not captured
+    first, last  times of the first and the last message, UTC; None if unknown
+    seconds      seconds between these
     """
 
     name: str
@@ -152,21 +152,21 @@ class PeerSummary:
 
 @dataclass(frozen=True, slots=True)
 class Summary:
-    """What a capture amounts to.
+    """The statistics of a capture.
 
     whole               all bricks together
-    peers               each brick, where there are several
+    peers               each brick, if there are several
     peers_left_out      messages of further bricks, beyond `MOST_PEERS`
-    texts               what was said around frames, by what it was
+    texts               texts around frames, by kind
     transfers           files and listings, in the order in which they began
-    transfers_left_out  further ones, beyond `MOST_TRANSFERS`
-    unanswered          the first commands that wanted a reply and got none
-    faults              the first frames with a fault
+    transfers_left_out  number of further ones, beyond `MOST_TRANSFERS`
+    unanswered          the first commands that requested a reply and got none
+    faults              the first faulty frames
     skipped             the first pieces that could not be read
-    skipped_pieces      how many there are
+    skipped_pieces      number of all such pieces
     skipped_bytes       captured bytes in them
-    missing_bytes       bytes that were not captured, as far as is known
-    account             where the captured bytes went, None where it was not given
+    missing_bytes       number of bytes that were not captured, as far as known
+    account             the account of the captured bytes, if given
     """
 
     whole: PeerSummary
@@ -184,7 +184,7 @@ class Summary:
     account: Account | None
 
     def as_dict(self) -> dict[str, Any]:
-        """The same of nothing but what JSON has."""
+        """Returns the statistics as values for JSON."""
         return asdict(self)
 
 
@@ -192,14 +192,14 @@ class Summary:
 
 
 class OperationName(NamedTuple):
-    """What a message carries: whose operation it is, and its name."""
+    """The kind and the name of an operation in a message."""
 
     kind: str
     name: str
 
 
 class _Peer:
-    """What is counted of one brick, or of all.
+    """The counts of one brick, or of all.
 
     counts  the result, which `summary` completes
     """
@@ -214,7 +214,7 @@ class _Peer:
     def message(self, record: Record) -> None:
         size, message = len(record.frame), record.message
         self.counts.messages.add(size)
-        # A record that answers another one is a reply, though a command's type may have been written over its start.
+        # A record that answers another one is a reply, even if a command's type is written over its start.
         kind = message.kind if record.request is None else message.kind.replace("-command", "-reply")
         self.counts.kinds.setdefault(kind, Amount()).add(size)
         self.counts.faults += message.fault is not None
@@ -298,7 +298,7 @@ class _Moving:
 
 
 class Statistics:
-    """Takes the events of a capture one by one, in their order. What it says is about those that it was given."""
+    """Statistics of events, which are added one by one in their order."""
 
     def __init__(self) -> None:
         self._whole = _Peer("all")
@@ -325,10 +325,10 @@ class Statistics:
             self._skip(event)
 
     def summary(self, account: Account | None = None) -> Summary:
-        """What there was so far. Commands whose reply did not come are unanswered.
+        """Returns the statistics so far. Pending commands count as unanswered.
 
         Args:
-            account: That of the capture, after it was read.
+            account: The account of the capture, after reading.
         """
         while self._waiting:
             self._settle_oldest()
@@ -375,7 +375,7 @@ class Statistics:
             self._move(record, record.transfer)
 
     def _counted(self, peer: str) -> tuple[_Peer, ...]:
-        """What counts what a brick says: the whole, and as long as there are not too many, what it has of its own."""
+        """Returns the counts to which a brick's messages are added: the total, and its own up to the limit."""
         if peer not in self._peers:
             if len(self._peers) >= MOST_PEERS:
                 return (self._whole,)
@@ -383,7 +383,7 @@ class Statistics:
         return self._whole, self._peers[peer]
 
     def _settle_oldest(self) -> None:
-        """Stops waiting for the oldest command, which is unanswered unless its reply came meanwhile."""
+        """Removes the oldest pending command, which counts as unanswered unless it has a reply."""
         command = self._waiting.popleft()
         if command.answered is not None:
             return
@@ -418,7 +418,7 @@ class Statistics:
 
 
 def _carried(message: Message) -> dict[OperationName, int]:
-    """What a command carries, each with how often; of a reply whose command was not seen, what it says of it."""
+    """Returns the operations of a command with their numbers; of a reply without its command, those it names."""
     if isinstance(message, SystemCommand | SystemReply):
         return {OperationName("system", _system_name(message.number)): 1}
     found: dict[OperationName, int] = {}
@@ -433,12 +433,12 @@ def _carried(message: Message) -> dict[OperationName, int]:
 
 @cache
 def _direct(name: str) -> OperationName:
-    """The name of an operation. There are as many as the tables have, and commands that wait share them."""
+    """Returns the name of an operation, one object for each."""
     return OperationName("direct", name)
 
 
 def _system_name(number: int) -> str:
-    """The command's name; the bootloader has one that the firmware has, too."""
+    """Returns a system command's name; one is both the bootloader's and the firmware's."""
     entry = SYSTEM_BY_NUMBER.get(number)
     if entry is None:
         return f"0x{number:02X}"
@@ -446,11 +446,11 @@ def _system_name(number: int) -> str:
 
 
 def _listed(carried: tuple[OperationName, ...]) -> str:
-    """`SOUND.TONE, UI_WRITE.LED`, not all of a long program."""
+    """Returns the first operations: `SOUND.TONE, UI_WRITE.LED and 3 more`."""
     names = [key.name for key in carried[:MOST_NAMED]]
     more = len(carried) - len(names)
     return ", ".join(names) + (f" and {more} more" if more else "")
 
 
 MOST_NAMED = 4
-"""So many operations of an unanswered command are named."""
+"""Maximum number of named operations of an unanswered command."""

@@ -1,4 +1,4 @@
-"""Frames out of a text as a capture: with the times that the text has, else in their order, one a millisecond."""
+"""Frames from a text as a capture, with the times in the text, or else one each millisecond."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ from ev3proto.tables.frame import MessageType
 from ev3proto.text.paste.pieces import Pasted
 
 BEGIN_NS = 1_767_225_600 * NANOSECONDS
-"""The day of a text that has times without dates: 2026-01-01. The same text makes the same capture."""
+"""The day of times without dates: 2026-01-01, so that the same text makes the same capture."""
 
 STEP_NS = NANOSECONDS // 1000
-"""From a frame to the next where the text has no times."""
+"""Time between frames without times, in nanoseconds."""
 
 BRICK = "brick"
-"""The brick's end of a route: a text seldom says which one it is."""
+"""The brick's end of a route: a text seldom has its address."""
 
 _DAY_NS = 86_400 * NANOSECONDS
 _TIME = re.compile(
@@ -35,14 +35,14 @@ _COMMANDS = frozenset(int(member) for member in MessageType if member.is_command
 
 
 class Clock:
-    """Tells when the frames of a text were logged, which never goes back."""
+    """A clock for the frames of a text, which never goes back."""
 
     def __init__(self, begin_ns: int = BEGIN_NS, step_ns: int = STEP_NS) -> None:
         """Starts a text.
 
         Args:
-            begin_ns: When a text without dates begins, in nanoseconds since 1970-01-01 UTC.
-            step_ns: Nanoseconds from a frame to the next where the text has no time.
+            begin_ns: The beginning of a text without dates, in nanoseconds since 1970-01-01 UTC.
+            step_ns: Time between frames without times, in nanoseconds.
         """
         self._begin_ns = begin_ns
         self._step_ns = step_ns
@@ -50,14 +50,11 @@ class Clock:
         self._last_ns: int | None = None
 
     def at(self, time: str | None) -> int:
-        """When a frame was logged.
+        """Returns the time of a frame, in nanoseconds since 1970-01-01 UTC.
 
         Args:
-            time: As the text has it, such as `09:12:31.011558` or `2024-01-31T09:12:31Z`; None where it has none.
-
-        Returns:
-            Nanoseconds since 1970-01-01 UTC. A clock that goes back by more than half a day has passed midnight; by
-            less, the time of the frame before is kept.
+            time: The time in the text, such as `09:12:31.011558` or `2024-01-31T09:12:31Z`, if any. A time that goes
+                back by more than half a day has passed midnight; by less, it counts as that of the last frame.
         """
         last_ns = self._last_ns
         found = None if time is None else _nanoseconds(time, self._begin_ns)
@@ -74,7 +71,7 @@ class Clock:
 
 
 def _nanoseconds(text: str, begin_ns: int) -> tuple[int, bool] | None:
-    """A printed time in nanoseconds since 1970-01-01 UTC, and whether it has a date; None for what is no time."""
+    """Returns a printed time in nanoseconds since 1970-01-01 UTC, and whether it has a date; None for other text."""
     found = _TIME.fullmatch(text.strip())
     if found is None:
         return None
@@ -93,12 +90,12 @@ def _nanoseconds(text: str, begin_ns: int) -> tuple[int, bool] | None:
 
 
 def read_log(pieces: Iterable[Pasted], *, dialect: str = "official", memory: int = DEFAULT_MEMORY) -> Capture:
-    """The frames of a text as a capture, each reply with its command.
+    """Returns the frames of a text as a capture, each reply with its command.
 
     Args:
-        pieces: What was found in the text; those without bytes are passed over.
-        dialect: The firmware whose instruction set to read by.
-        memory: Bytes that commands without a reply may take; the oldest waits no longer.
+        pieces: The pieces of the text; those without bytes are skipped.
+        dialect: The firmware whose instruction set is used.
+        memory: Memory limit for unanswered commands, in bytes.
 
     Returns:
         The capture. The numbers of its records are those of lines.
@@ -132,7 +129,7 @@ def _events(pieces: Iterable[Pasted], account: Account, dialect: str, budget: Bu
 
 
 def _frames(data: bytes) -> Iterator[bytes]:
-    """The frames in a piece: what follows the last whole one is padding, unless there is none at all."""
+    """Yields the frames in a piece, or the piece itself without one. What follows the last frame is padding."""
     at = 0
     while at + HEADER_SIZE <= len(data):
         end = at + frame_size(data, at)
@@ -145,7 +142,7 @@ def _frames(data: bytes) -> Iterator[bytes]:
 
 
 def _direction(piece: Pasted, frame: bytes) -> Direction:
-    """Which way a frame went, as the text says, or else its type."""
+    """Returns a frame's direction, from the text or else its type."""
     if piece.direction is not None:
         return Direction(piece.direction)
     is_command = len(frame) < HEADER_SIZE or unpack_header(frame)[2] in _COMMANDS

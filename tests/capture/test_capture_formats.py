@@ -206,7 +206,7 @@ def test_a_packet_of_no_interface_is_left_out_and_told() -> None:
     blocks.packet(0, segments()[0])
     blocks.packet(0, segments()[1], interface=7)
     blocks.packet(0, segments()[1])
-    assert read_bytes(blocks.data()) == (COMMANDS[:2], "packet 2 is of interface 7, of which the file says nothing")
+    assert read_bytes(blocks.data()) == (COMMANDS[:2], "packet 2 is of interface 7, which the file does not describe")
 
 
 def test_a_packet_that_is_larger_than_its_block_is_left_out_and_told() -> None:
@@ -280,10 +280,10 @@ def test_a_file_may_be_cut_off_anywhere(way: str) -> None:
 def test_what_is_said_of_a_file_that_is_cut_off() -> None:
     whole = WAYS["pcap <"]
     told = {size: read_bytes(whole[:size])[1] for size in (0, 3, 20, 24 + 7, 24 + 16 + 49)}
-    formats = "pcap, pcapng and btsnoop files can be read, packed with gzip or not"
+    formats = "expected pcap, pcapng or btsnoop, compressed with gzip or not"
     assert told == {
-        0: f"no capture file: it is empty; {formats}",
-        3: f"no capture file: it starts with D4 C3 B2; {formats}",
+        0: f"not a capture file: it is empty; {formats}",
+        3: f"not a capture file: it begins with D4 C3 B2; {formats}",
         20: "the file is cut off in its header",
         31: "the file is cut off in the header of packet 1, at offset 24",
         89: "the file is cut off in packet 1: 49 of its 50 bytes are there",
@@ -328,12 +328,12 @@ def test_a_gzip_stream_may_have_a_wrong_check_sum_or_something_behind_it() -> No
 
 
 def test_a_gzip_stream_may_have_nothing_of_use_in_it() -> None:
-    formats = "pcap, pcapng and btsnoop files can be read, packed with gzip or not"
+    formats = "expected pcap, pcapng or btsnoop, compressed with gzip or not"
     assert read_bytes(gzip.compress(b"hello, world")) == (
         [],
-        f"no capture file: it starts with 68 65 6C 6C 6F 2C 20 77; {formats}",
+        f"not a capture file: it begins with 68 65 6C 6C 6F 2C 20 77; {formats}",
     )
-    assert read_bytes(gzip.compress(b"")) == ([], f"no capture file: it is empty; {formats}")
+    assert read_bytes(gzip.compress(b"")) == ([], f"not a capture file: it is empty; {formats}")
     assert read_bytes(b"\x1f\x8b\x08") == (
         [],
         "the gzip stream is cut off or damaged: Compressed file ended before the end-of-stream marker was reached",
@@ -357,7 +357,7 @@ def test_a_packet_that_claims_to_be_huge_takes_no_memory(order: str, length: int
 def test_a_btsnoop_file_of_another_kind_is_told() -> None:
     assert read_bytes(btsnoop(1001, [], [])) == (
         [],
-        "a btsnoop file of version 1 with packets of kind 1001; 1002 and 2001 can be read",
+        "unknown packet kind 1001 of a btsnoop file of version 1; expected 1002 or 2001",
     )
 
 
@@ -380,7 +380,7 @@ def test_packets_of_an_unknown_link_are_passed_over_and_told() -> None:
 def test_another_format_is_told_at_once(start: bytes, tmp_path: Path) -> None:
     path = tmp_path / "capture.pcap"
     path.write_bytes(start + b"\xff" * 100)
-    with pytest.raises(CaptureError, match="no capture file: it starts with "):
+    with pytest.raises(CaptureError, match="not a capture file: it begins with "):
         read(path)
     assert path.stat().st_size > 100
 

@@ -105,7 +105,7 @@ def test_what_a_brick_sends_that_is_no_frame_is_told() -> None:
     (event,) = events
     assert isinstance(event, Skipped)
     assert (event.number, event.data, event.missing) == (sent, b"\xff\xff" + bytes(62), 0)
-    assert event.reason == ("the report holds no frame: the length field says 65535, but it can be 3 to 1022")
+    assert event.reason == ("the report has no frame: its length field is 65535, but the range is 3 to 1022")
     assert capture.account.skipped == 64
 
 

@@ -466,7 +466,7 @@ def test_a_port_is_used_again() -> None:
 def test_a_port_is_used_again_and_nobody_captured_how(at: int) -> None:
     events, _ = of([*connected(voltage(1)), segment(True, at, voltage(2)), segment(True, at + 10, voltage(3))])
     assert frames(events) == [(voltage(1), (2,)), (voltage(2), (3,)), (voltage(3), (4,))]
-    sentence = "the stream goes on at quite another place: what is in between is not in the capture"
+    sentence = "the stream continues elsewhere: what is in between is not in the capture"
     assert complaints(events) == [(b"", 0, 3, sentence)]
 
 
@@ -893,7 +893,7 @@ def test_half_frames_share_the_memory() -> None:
     events = list(capture.events())
     assert len(frames(events)) == 100
     assert 0 < capture.account.forgotten < 300
-    assert "the rest of the frame was no longer waited for: too much waits" in {text for *_, text in complaints(events)}
+    assert "the rest of the frame was given up: too much is pending" in {text for *_, text in complaints(events)}
     assert (capture.account.skipped + capture.account.other, capture.account.balance) == (900, 0)
 
 

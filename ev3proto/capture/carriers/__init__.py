@@ -1,6 +1,6 @@
-"""What carries frames: a folder for each carrier, named as in the tables, with all that reads it.
+"""The carriers of frames: a folder for each, named as in the tables.
 
-Each folder has a `Reader`, which the built-in engine gives the packets of the carrier's links.
+Each folder has a `Reader` for the packets of its carrier's link types.
 """
 
 from __future__ import annotations
@@ -16,16 +16,16 @@ from ev3proto.tables.carriers import Carrier
 
 
 class CarrierReader(Protocol):
-    """Reads the packets of one carrier."""
+    """A reader of the packets of one carrier."""
 
     def feed(self, packet: Packet) -> Iterable[Event]:
-        """The events that are complete with a packet."""
+        """Returns the events that a packet completes."""
 
     def end(self) -> Iterable[Event]:
-        """The events that are left once there are no more packets."""
+        """Returns the remaining events after the last packet."""
 
 
 def reader(carrier: Carrier, context: Context) -> CarrierReader:
-    """A new reader of a carrier, whose modules are imported only when a capture has it."""
+    """Returns a new reader of a carrier; its modules are imported only for captures that have it."""
     made: CarrierReader = import_module(f"{__name__}.{carrier}").Reader(context)
     return made

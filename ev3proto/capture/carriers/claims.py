@@ -1,4 +1,4 @@
-"""Whether the byte streams of a conversation are ours, packet by packet: `tables.claims` has the rule."""
+"""Claims of conversations with byte streams, packet by packet; the rule is in `tables.claims`."""
 
 from __future__ import annotations
 
@@ -13,18 +13,18 @@ from ev3proto.tables.discovery import UNLOCK_REQUEST
 from ev3proto.tables.frame import MessageType
 
 _REQUEST = UNLOCK_REQUEST.encode()
-_ENDED = "what came after these bytes is none of ours"
+_ENDED = "what follows these bytes is not this protocol"
 
 
 class StreamClaim(Claim):
-    """What is known of a conversation that has a stream each way.
+    """The claim of a conversation with a stream in each direction.
 
     context      reads frames and counts bytes
-    goes_out     which types go to the brick
-    comes_back   which types come from it
-    is_sure      the conversation is ours whatever is said
-    joins        what may become a command is waited for wherever it begins; else where a packet begins
-    has_texts    the unlock text and replies alone make it ours, too
+    goes_out     tells which message types go to the brick
+    comes_back   tells which come from it
+    is_sure      the conversation is claimed whatever its bytes are
+    joins        a command may begin anywhere in a packet, and is waited for; by default only at a packet's start
+    has_texts    the unlock text claims it, too, and so do replies alone
     """
 
     __slots__ = (
@@ -63,24 +63,15 @@ class StreamClaim(Claim):
         self.to_brick: Direction | None = Direction.SENT if has_texts else None
         self._replies = 0
         self._streams: dict[Direction, Stream] = {}
-        self._fresh: set[Direction] = set()  # of which nothing was read since the claim began
+        self._fresh: set[Direction] = set()  # not read since the claim began
         self._waiting: dict[Direction, list[Piece]] = {}
 
     def waiting(self, direction: Direction) -> int:
-        """Bytes of memory that what waits in a direction takes, about."""
+        """Returns the approximate memory of the pending bytes of a direction."""
         return sum(MARK_SIZE + len(piece.data) for piece in self._waiting.get(direction, ()))
 
     def feed(self, stream: Stream, piece: Piece) -> list[Event]:
-        """Takes the next bytes of a direction.
-
-        Args:
-            stream: The direction.
-            piece: The bytes.
-
-        Returns:
-            What is ours.
-
-        """
+        """Takes the next bytes of a direction. Returns the events of those that are claimed."""
         side = _side(stream)
         self._streams[side] = stream
         if not self.is_claimed:
@@ -95,7 +86,7 @@ class StreamClaim(Claim):
         return self._counted(stream, stream.feed(piece))
 
     def _counted(self, stream: Stream, events: list[Event]) -> list[Event]:
-        """Counts what is complete with a packet. Where the claim ends, what waited for more is told, too."""
+        """Counts the events of a packet. If that ends the claim, adds those of the pending bytes."""
         unread, is_good = stream.cutter.passed, False
         if self.is_sure or not (events or unread):
             return events
@@ -114,14 +105,14 @@ class StreamClaim(Claim):
         return events + [event for each in self._streams.values() for event in each.give_up(_ENDED)]
 
     def leave_hole(self, stream: Stream, missing: int) -> list[Event]:
-        """Says that bytes are missing in a direction, 0 where their number is not known."""
+        """Reports missing bytes in a direction; 0 if their number is unknown."""
         if self.is_claimed:
             return stream.leave_hole(missing)
         self._forget(_side(stream))
         return []
 
     def take(self, event: Skipped) -> list[Event]:
-        """Takes what cannot be read, where the conversation is ours."""
+        """Returns the event of unreadable bytes if the conversation is claimed; else leaves the bytes to others."""
         if self.is_claimed:
             return [event]
         self._account.skipped -= len(event.data)
@@ -129,15 +120,15 @@ class StreamClaim(Claim):
         return []
 
     def give_up(self, stream: Stream) -> list[Event]:
-        """Says that too much waits: what waits in a direction does no longer."""
+        """Gives up the pending bytes of a direction, at the memory limit."""
         self._forget(_side(stream))
         return stream.give_up() if self.is_claimed else []
 
     def end_side(self, stream: Stream) -> list[Event]:
-        """Says that nothing more will come in a direction."""
+        """Ends a direction."""
         pieces = self._waiting.get(_side(stream), [])
         if not self.is_claimed and b"".join(piece.data for piece in pieces).startswith(_REQUEST):
-            # A text that breaks off: nothing but the brick's port is unlocked like this.
+            # A cut unlock text: only bricks are unlocked in this way.
             return self._begun(stream, _side(stream), pieces, 0, is_sure=True) + stream.end()
         self._forget(_side(stream))
         return stream.end() if self.is_claimed else []
@@ -148,7 +139,7 @@ class StreamClaim(Claim):
     # Not claimed
 
     def _search(self, stream: Stream, side: Direction, piece: Piece) -> list[Event]:
-        """Looks for what makes the conversation ours."""
+        """Searches for a reason to claim the conversation."""
         pieces = [*self._waiting.pop(side, ()), piece]
         text = b"".join(each.data for each in pieces)
         if self._has_texts:
@@ -165,7 +156,7 @@ class StreamClaim(Claim):
             self.to_brick = side
             return self._begun(stream, side, pieces, place)
         if piece.missing or not (self._joins or place in _starts(pieces)):
-            # Others have their packets at once, unless a command may begin with one.
+            # A packet is left to others at once, unless a command may begin with it.
             place = len(text)
         self._account.other += place
         if place < len(text):
@@ -190,7 +181,7 @@ class StreamClaim(Claim):
     def _begun(
         self, stream: Stream, side: Direction, pieces: list[Piece], place: int, *, is_sure: bool = False
     ) -> list[Event]:
-        """What is ours of the pieces with which a claim begins."""
+        """Begins a claim at an offset in some pieces. Returns the events from there on."""
         self.begin(is_sure=is_sure)
         self._replies = 0
         self._waiting.pop(side, None)
@@ -209,7 +200,7 @@ def _side(stream: Stream) -> Direction:
 
 
 def _starts(pieces: list[Piece]) -> set[int]:
-    """Where in their bytes pieces begin."""
+    """Returns the offsets at which pieces begin."""
     at, starts = 0, set()
     for piece in pieces:
         starts.add(at)
@@ -218,7 +209,7 @@ def _starts(pieces: list[Piece]) -> set[int]:
 
 
 def _after(pieces: list[Piece], place: int) -> list[Piece]:
-    """The pieces from an offset in their bytes on."""
+    """Returns the pieces from an offset in their bytes on."""
     left: list[Piece] = []
     for piece in pieces:
         if place < len(piece.data):

@@ -1,4 +1,4 @@
-"""What all readers of carriers share, and the byte streams that two of the carriers have."""
+"""The shared state of a capture's readers, and the byte streams of Bluetooth and WiFi."""
 
 from __future__ import annotations
 
@@ -17,17 +17,17 @@ from ev3proto.schema.discovery import Unlock
 from ev3proto.schema.frame import FrameSchema
 from ev3proto.schema.header import HEADER_SIZE, frame_size
 
-TOO_MUCH = "the rest of the frame was no longer waited for: too much waits"
-"""Why bytes are given up where too much waits in the capture."""
+TOO_MUCH = "the rest of the frame was given up: too much is pending"
+"""The reason for bytes that are given up at the memory limit."""
 
 
 class Piece(NamedTuple):
-    """Bytes of a stream.
+    """Consecutive bytes of a stream, from one packet.
 
     data     the bytes
-    number   the packet they came in
-    time_ns  when that was captured
-    missing  bytes that came after them in this packet and were not captured
+    number   the packet's number
+    time_ns  its time
+    missing  number of bytes after these in the same packet that were not captured
     """
 
     data: bytes
@@ -37,13 +37,13 @@ class Piece(NamedTuple):
 
 
 class Context:
-    """What the readers of one capture share.
+    """The shared state of the readers of one capture.
 
     schema   reads frames
     account  counts all bytes
     ports    TCP ports on which bricks listen
-    budget   limits the memory of all that waits
-    late     events of what had to go because too much waits; they come after those of the packet that is read
+    budget   limits the memory of all pending bytes and commands
+    late     events of what was evicted at that limit; they follow those of the current packet
     finder   finds frames in streams that are out of step
     """
 
@@ -58,15 +58,15 @@ class Context:
         self.finder = Finder(schema)
 
     def conversation(self) -> Conversation:
-        """A new conversation."""
+        """Returns a new conversation."""
         return Conversation(self.schema, self.budget)
 
 
 class Stream:
-    """One direction of a connection: its pieces become events, its bytes stand in the account.
+    """One direction of a connection: turns its bytes into events, and counts them in the account.
 
-    packet  how far the capture was read: what is noticed from now on is noticed with this packet
-    times   when the packets were captured whose bytes wait for more
+    packet  the current packet, in which faults are noticed
+    times   the times of the packets whose bytes are pending
     """
 
     __slots__ = ("_account", "_conversation", "cutter", "packet", "route", "times")
@@ -82,10 +82,10 @@ class Stream:
         self.packet = packet
 
     def feed(self, piece: Piece) -> list[Event]:
-        """The events that are complete with the next bytes."""
+        """Returns the events that the next bytes complete."""
         data, number, time_ns, missing = piece
         if not missing and self.cutter.takes_whole(data):
-            # Nearly every packet has one frame and nothing else: no pieces, no waiting.
+            # Nearly every packet is exactly one frame.
             self._account.frames += len(data)
             return [self._conversation.record(data, (number,), time_ns, self.route)]
         self.times[number] = time_ns
@@ -95,17 +95,17 @@ class Stream:
 
     @property
     def size(self) -> int:
-        """Bytes of memory that what waits takes, about."""
+        """Approximate memory of the pending bytes."""
         return self.cutter.size
 
     def give_up(self, reason: str = TOO_MUCH) -> list[Event]:
-        """Waits no longer for the rest of what is there."""
+        """Gives up the pending bytes."""
         events = self._events(self.cutter.give_up(reason))
         self.times.clear()
         return events
 
     def _cut_off(self, missing: int) -> list[Event]:
-        """Says that of the newest packet so many bytes were not captured. A frame that is cut says so by itself."""
+        """Ends the newest packet, of which bytes are missing. Reports them, unless they are the rest of a cut frame."""
         left = self.cutter.left
         lacking = frame_size(left) - len(left) if len(left) >= HEADER_SIZE else 0
         pieces = self.cutter.cut_off(missing)
@@ -116,7 +116,7 @@ class Stream:
         return self._with_missing(events, missing)
 
     def leave_hole(self, missing: int) -> list[Event]:
-        """Says that bytes are missing here; 0 where their number is not known."""
+        """Reports missing bytes at this place; 0 if their number is unknown."""
         events = self._events(self.cutter.leave_hole(missing))
         self.times.clear()
         return self._with_missing(events, missing)
@@ -126,16 +126,16 @@ class Stream:
             f"{counted(missing, 'byte')} {'is' if missing == 1 else 'are'} missing in the stream: not in the capture"
         )
         if not missing:
-            reason = "the stream goes on at quite another place: what is in between is not in the capture"
+            reason = "the stream continues elsewhere: what is in between is not in the capture"
         return [*events, Skipped(b"", missing, reason, self.packet.number, self.packet.time_ns, self.route)]
 
     def skip(self, data: bytes, reason: str) -> Skipped:
-        """Bytes that belong to no place in the stream any more."""
+        """Returns the event for bytes that no longer fit into the stream."""
         self._account.skipped += len(data)
         return Skipped(data, 0, reason, self.packet.number, self.packet.time_ns, self.route)
 
     def end(self) -> list[Event]:
-        """Says that nothing more will come."""
+        """Ends the stream. Returns the events of the pending bytes."""
         events = self._events(self.cutter.end())
         self.times.clear()
         return events

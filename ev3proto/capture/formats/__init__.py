@@ -1,4 +1,4 @@
-"""Capture files: which format a file has, recognised by its first bytes and not by its name, and the packets in it."""
+"""Capture files: their formats, recognised by the first bytes and not by names, and their packets."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ MAGICS = {
     bytes.fromhex("0a0d0d0a"): "pcapng",
     b"btsnoop\0": "btsnoop",
 }
-"""What files of each format start with; each is read by the module of that name, imported when there is such a file."""
+"""The first bytes of each format, and the module that reads it, imported for the first such file."""
 
 Reader = Callable[["io.BufferedReader[Any]"], Iterator[Packet]]
 
@@ -35,10 +35,10 @@ _MOST_MAGIC = max(map(len, MAGICS))
 
 
 class _Source(io.RawIOBase):
-    """What a function reads; the first bytes can be looked at before. Streams of others are not closed with it.
+    """A raw stream around a read function, which can show its first bytes. It does not close the stream behind it.
 
-    A pipe may give less than what was asked for, and a gzip stream gives what comes before the place where it is
-    damaged only to who does not ask for more at once.
+    A pipe may return less than requested, and a damaged gzip stream returns the bytes before the damage only if no more
+    are requested at once.
     """
 
     def __init__(self, read: Callable[[int], bytes]) -> None:
@@ -47,7 +47,7 @@ class _Source(io.RawIOBase):
         self._first: bytes | None = None
 
     def start(self) -> bytes:
-        """As many of the first bytes as show what it is. First asked before anything was read."""
+        """Returns the first bytes that tell the format. Call it first before anything is read."""
         if self._first is not None:
             return self._first
         while len(self._head) < _MOST_MAGIC and any(magic.startswith(self._head) for magic in _STARTS):
@@ -69,13 +69,13 @@ class _Source(io.RawIOBase):
 
 
 class CaptureFile:
-    """A stream that may be a capture, or have one in it that gzip packed. It can be looked at before it is read.
+    """A stream that may be a capture, compressed with gzip or not. Its format can be examined before it is read.
 
-    contents  what is in it, unpacked
+    contents  its uncompressed contents
     """
 
     def __init__(self, stream: BinaryIO, *, is_ours: bool = False) -> None:
-        """`is_ours`: close it with this."""
+        """Takes a stream at its start; with `is_ours`, `close` closes it."""
         self._is_ours = is_ours
         self._file = stream
         self._trouble: str | None = None
@@ -105,7 +105,7 @@ class CaptureFile:
 
     @property
     def is_capture(self) -> bool:
-        """Whether it starts like a capture file.
+        """Whether it begins like a capture file.
 
         Raises:
             CaptureError: The gzip stream is damaged.
@@ -115,30 +115,30 @@ class CaptureFile:
 
     @property
     def progress(self) -> float | None:
-        """How much of it was read, 0 to 1; None where its size is not known."""
+        """The part that was read, 0 to 1; None if its size is unknown."""
         return None if not self._size or self._file.closed else min(self._file.tell() / self._size, 1.0)
 
     def packets(self) -> Iterator[Packet]:
         """Reads the capture.
 
         Returns:
-            Its packets. They raise CaptureError where the file is damaged, after everything before that.
+            Its packets. Iterating raises CaptureError if the file is damaged, after everything readable.
 
         Raises:
-            CaptureError: It is no capture.
+            CaptureError: It is not a capture.
         """
         name = self._format()
         if name is None:
             start = self._start().hex(" ").upper()
-            what = f"it starts with {start}" if start else "it is empty"
+            what = f"it begins with {start}" if start else "it is empty"
             raise CaptureError(
-                f"no capture file: {what}; pcap, pcapng and btsnoop files can be read, packed with gzip or not"
+                f"not a capture file: {what}; expected pcap, pcapng or btsnoop, compressed with gzip or not"
             )
         packets: Reader = import_module(f"{__name__}.{name}").packets
         return self._unpacked(packets) if self._is_packed else packets(self.contents)
 
     def close(self) -> None:
-        """Closes the stream if it is ours."""
+        """Closes the stream if it was opened here."""
         if self._is_ours:
             self._file.close()
 
@@ -161,7 +161,7 @@ class CaptureFile:
         try:
             start = self._source.start()
         except self._gzip_trouble as error:
-            # Asked again, the stream would say that it is empty.
+            # On the next call, the stream would seem empty.
             self._trouble = self._trouble or f"the gzip stream is cut off or damaged: {error}"
         if self._trouble is not None:
             raise CaptureError(self._trouble)
@@ -173,7 +173,7 @@ class CaptureFile:
 
 
 def _size(stream: BinaryIO) -> int | None:
-    """Bytes of a file; None for a pipe or what is no file at all."""
+    """Returns the size of a file in bytes; None for a pipe or another stream."""
     try:
         found = os.fstat(stream.fileno())
     except (OSError, AttributeError):

@@ -1,4 +1,4 @@
-"""btsnoop files: Bluetooth traffic as Android and BlueZ write it. The format is that of RFC 1761 with other numbers."""
+"""btsnoop files: Bluetooth traffic as Android and BlueZ write it. The format is RFC 1761 with other numbers."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _record = packed(RECORD, ">")
 _EPOCH = 0x00DCDDB30F2F8000
 
 LINKS = {1002: Link.HCI, 2001: Link.BLUETOOTH_MONITOR}
-"""What packets start with, by the format's own numbers: HCI with its packet type, and BlueZ's monitor."""
+"""Link types by the format's own numbers: HCI with its packet type, and BlueZ's monitor."""
 
 
 def packets(stream: BinaryIO) -> Iterator[Packet]:
@@ -32,15 +32,15 @@ def packets(stream: BinaryIO) -> Iterator[Packet]:
         Its packets.
 
     Raises:
-        CaptureError: The file is damaged. Everything before that was given.
+        CaptureError: The file is damaged. Everything readable was yielded before.
     """
     head = stream.read(_header.size)
     if len(head) < _header.size:
         raise CaptureError("the file is cut off in its header")
     _, version, link = _header.unpack(head)
     if link not in LINKS:
-        kinds = " and ".join(map(str, LINKS))
-        raise CaptureError(f"a btsnoop file of version {version} with packets of kind {link}; {kinds} can be read")
+        kinds = " or ".join(map(str, LINKS))
+        raise CaptureError(f"unknown packet kind {link} of a btsnoop file of version {version}; expected {kinds}")
     interface = Interface(LINKS[link])
     number, position = 0, len(head)
     while head := stream.read(_record.size):

@@ -15,7 +15,7 @@ from ev3proto.capture.record import CaptureError
 from ev3proto.schema.bytewise import packed
 
 MICROSECONDS, NANOSECONDS = 0xA1B2C3D4, 0xA1B23C4D
-"""What the first four bytes say, read in the byte order of the file: the unit of times."""
+"""The first four bytes in the byte order of the file, which tell the unit of times."""
 
 HEADER = Struct(
     "magic" / Int32ul,
@@ -28,7 +28,7 @@ HEADER = Struct(
 )
 PACKET_HEAD = Struct("seconds" / Int32ul, "fraction" / Int32ul, "length" / Int32ul, "size" / Int32ul)
 
-# The upper bits of the field say whether Ethernet packets have their check sum.
+# The upper bits of the field tell whether Ethernet packets have their checksum.
 _LINK_MASK = 0xFFFF
 
 _PIECE = 1 << 16
@@ -41,7 +41,7 @@ def packets(stream: io.BufferedIOBase) -> Iterator[Packet]:
         Its packets.
 
     Raises:
-        CaptureError: The file is damaged. Everything before that was given.
+        CaptureError: The file is damaged. Everything readable was yielded before.
     """
     size = packed(HEADER).size
     head = stream.read(size)
@@ -53,7 +53,7 @@ def packets(stream: io.BufferedIOBase) -> Iterator[Packet]:
     interface = Interface(link & _LINK_MASK, None, order)
     head_layout = packed(PACKET_HEAD, order)
     size, unpack_from = head_layout.size, head_layout.unpack_from
-    # Packets are cut out of large pieces: to ask the stream for each and for its head takes twice as long.
+    # Packets are cut out of large chunks: a read for each packet and each header takes twice as long.
     number, offset, piece, at = 0, len(head), b"", 0
     while True:
         start = at + size
@@ -86,6 +86,6 @@ def packets(stream: io.BufferedIOBase) -> Iterator[Packet]:
 
 
 def _continued(stream: io.BufferedIOBase, rest: bytes, needed: int) -> bytes:
-    """What is left of a piece with what comes next: as much as is needed, unless the file ends before that, or more."""
+    """Returns the rest of a chunk with the next bytes: at least the needed number, unless the file ends."""
     piece = rest + stream.read1(_PIECE)
     return piece if len(piece) >= needed else piece + stream.read(needed - len(piece))

@@ -1,6 +1,6 @@
-"""pcapng files: blocks in either byte order, several sections, several interfaces with names and times of their own.
+"""pcapng files: blocks in either byte order, several sections, several interfaces with their own names and clocks.
 
-dpkt's reader takes one interface for all; so the blocks are described here, as far as packets need them.
+dpkt's reader assumes one interface for all, so the blocks are described here, as far as packets need them.
 https://www.ietf.org/archive/id/draft-ietf-opsawg-pcapng-02.html
 """
 
@@ -19,7 +19,7 @@ from ev3proto.capture.record import CaptureError
 from ev3proto.schema.bytewise import packed
 
 SECTION, INTERFACE, SIMPLE_PACKET, PACKET = 0x0A0D0D0A, 1, 3, 6
-"""The blocks that are read; all others are passed over."""
+"""The blocks that are read; all others are skipped."""
 
 _MAGIC = SECTION.to_bytes(4, "big")
 _ORDER_MARK = 0x1A2B3C4D
@@ -37,15 +37,15 @@ _PACKETS = (PACKET, SIMPLE_PACKET)
 _LEAST_BLOCK = 12
 
 MOST_INTERFACES = 4096
-"""Interfaces of a section; a computer has a few dozen."""
+"""Maximum number of interfaces of a section; a computer has a few dozen."""
 
 MOST_NAME = 1024
-"""Bytes of an interface's name that are kept."""
+"""Maximum length of an interface's name in bytes."""
 
 
 @dataclass(slots=True)
 class _InterfaceTime:
-    """How the times of an interface are meant."""
+    """The clock of an interface."""
 
     interface: Interface
     most: int
@@ -57,7 +57,7 @@ class _InterfaceTime:
 
 
 class _Section:
-    """One section: what its interfaces are, in its byte order."""
+    """A section: its byte order and its interfaces."""
 
     def __init__(self, order: str) -> None:
         self.order = order
@@ -84,7 +84,7 @@ class _Section:
                 seconds = int(self.number.unpack(value)[0])
                 clock.offset_ns = (seconds - (seconds >> 63 << 64)) * 1_000_000_000
         if len(self.clocks) >= MOST_INTERFACES:
-            raise CaptureError(f"a section with more than {MOST_INTERFACES} interfaces is not believed")
+            raise CaptureError(f"a section has more than {MOST_INTERFACES} interfaces: the file is damaged")
         self.clocks.append(clock)
 
     def _options(self, body: bytes, at: int) -> Iterator[tuple[int, bytes]]:
@@ -97,10 +97,7 @@ class _Section:
             at += length + -length % 4
 
     def read(self, kind: int, body: bytes, number: int, *, is_cut: bool = False) -> Packet:
-        """The packet in a block of one of the kinds that have one; with `is_cut` what there is of it.
-
-        Raises CaptureError.
-        """
+        """Returns the packet in a block, with `is_cut` as far as it is there. Raises CaptureError."""
         if kind == SIMPLE_PACKET:
             (size,) = self.size.unpack_from(body)
             clock = self._clock(0, number)
@@ -113,7 +110,7 @@ class _Section:
 
     def _clock(self, interface: int, number: int) -> _InterfaceTime:
         if interface >= len(self.clocks):
-            raise CaptureError(f"packet {number} is of interface {interface}, of which the file says nothing")
+            raise CaptureError(f"packet {number} is of interface {interface}, which the file does not describe")
         return self.clocks[interface]
 
     def _data(self, body: bytes, start: int, captured: int, number: int, is_cut: bool) -> bytes:
@@ -131,7 +128,7 @@ def packets(stream: BinaryIO) -> Iterator[Packet]:
         Its packets.
 
     Raises:
-        CaptureError: The file is damaged. Everything before that was given.
+        CaptureError: The file is damaged. Everything readable was yielded before.
     """
     section: _Section | None = None
     trouble: CaptureError | None = None
@@ -183,5 +180,5 @@ def packets(stream: BinaryIO) -> Iterator[Packet]:
                 yield packet
         position += length
     if trouble is not None:
-        # The blocks after it could be read.
+        # The blocks after it were read.
         raise trouble

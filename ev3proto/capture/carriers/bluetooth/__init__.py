@@ -1,4 +1,4 @@
-"""Bluetooth: what adapters exchange with their controllers, and the serial ports in it that carry frames."""
+"""Bluetooth: the traffic between host and controller, and the serial ports in it."""
 
 from ev3proto.capture.carriers.bluetooth.serial_ports import SerialPorts as Reader
 

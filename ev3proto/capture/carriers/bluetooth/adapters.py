@@ -1,4 +1,4 @@
-"""Bluetooth as host and controller exchange it: connections, L2CAP channels, and what RFCOMM carries in them.
+"""Bluetooth between host and controller: connections, L2CAP channels, and RFCOMM in them.
 
 A capture may begin before or after any of them was set up, so RFCOMM is recognised by its checksum, on any L2CAP
 channel. A packet that the capture has cut counts on channels that had whole ones.
@@ -19,12 +19,12 @@ from ev3proto.schema.bytewise import packed
 from ev3proto.tables.carriers import Link
 
 ACL = Struct("handle" / Int16ul, "length" / Int16ul)
-"""Head of a packet of data; the upper bits of the handle say whether it starts a packet or continues one."""
+"""The header of a data packet; the upper bits of the handle tell whether it starts or continues a packet."""
 
 L2CAP = Struct("length" / Int16ul, "channel" / Int16ul)
 DIRECTION = Struct("received" / Int32ub)
 MONITOR = Struct("adapter" / Int16ub, "kind" / Int16ub)
-"""What Linux's monitor writes before each packet."""
+"""The header that Linux's monitor writes before each packet."""
 
 _acl, _l2cap = packed(ACL), packed(L2CAP)
 _direction, _monitor = packed(DIRECTION, ">"), packed(MONITOR, ">")
@@ -39,7 +39,7 @@ CONNECTED, DISCONNECTED, COMMAND_COMPLETE = 0x03, 0x05, 0x0E
 """Events."""
 
 READ_ADDRESS = 0x1009
-"""The command that asks a controller for its own address."""
+"""The command that requests a controller's own address."""
 
 HANDLE_BITS = 12
 _HANDLE_MASK = (1 << HANDLE_BITS) - 1
@@ -49,18 +49,18 @@ _LEAST_DYNAMIC = 0x40
 """The first L2CAP channel that is given to services."""
 
 UIH, OPEN, DONE, REFUSED, CLOSED = 0xEF, 0x2F, 0x63, 0x0F, 0x43
-"""RFCOMM's frame types: data, and those that open and close ports."""
+"""RFCOMM's frame types: data, and opening and closing ports."""
 
 _POLL = 0x10
 _FRAME_TYPES = {UIH, OPEN, DONE, REFUSED, CLOSED}
 MOST_CONNECTIONS = 64
-"""Connections of all adapters together that are followed at the same time. An adapter has 7 at most."""
+"""Maximum number of connections of all adapters together. An adapter has 7 at most."""
 
 MOST_CHANNELS = 128
 """Maximum number of remembered RFCOMM channels of a connection."""
 
 MOST_ADAPTERS = 1024
-"""Adapters whose own addresses are remembered."""
+"""Maximum number of adapters whose own addresses are remembered."""
 
 
 def _check_table() -> bytes:
@@ -76,7 +76,7 @@ _CHECK = _check_table()
 
 
 def frame_check(data: bytes) -> int:
-    """RFCOMM's check sum (TS 07.10, 5.2.1.6)."""
+    """Returns RFCOMM's checksum (TS 07.10, 5.2.1.6)."""
     rest = 0xFF
     for byte in data:
         rest = _CHECK[rest ^ byte]
@@ -84,13 +84,13 @@ def frame_check(data: bytes) -> int:
 
 
 class Serial(NamedTuple):
-    """What an RFCOMM frame carries.
+    """The contents of an RFCOMM frame.
 
     channel       the serial port's number
-    is_from_host  which way it goes
-    data          the bytes, none in frames that only set things up
-    missing       further bytes of it that were not captured
-    is_turn       the port is opened or closed with it
+    is_from_host  its direction
+    data          the bytes; empty in frames that open or close ports
+    missing       number of further bytes that were not captured
+    is_turn       it opens or closes the port
     """
 
     channel: int
@@ -101,14 +101,14 @@ class Serial(NamedTuple):
 
 
 class Ports(NamedTuple):
-    """Both ends of a connection, as texts."""
+    """The addresses of both ends of a connection."""
 
     host: str
     device: str
 
 
 class Closed(NamedTuple):
-    """A connection that was closed.
+    """A closed connection.
 
     key  as in `Carried`
     """
@@ -117,12 +117,12 @@ class Closed(NamedTuple):
 
 
 class Carried(NamedTuple):
-    """What a packet adds to.
+    """A whole L2CAP packet.
 
     ends     both ends of the connection
-    key      the connection: adapter and handle, and how often the handle was given
-    serial   what RFCOMM carries, None for other traffic
-    weight   captured bytes of all packets that it came in
+    key      the connection: adapter, handle, and a number, as handles are reused
+    serial   the RFCOMM frame in it; None for other traffic
+    weight   captured bytes of all packets that carried it
     """
 
     ends: Ports
@@ -133,7 +133,7 @@ class Carried(NamedTuple):
 
 @dataclass(slots=True)
 class _Part:
-    """An L2CAP packet of which some is there."""
+    """The beginning of an L2CAP packet."""
 
     data: bytes
     size: int
@@ -154,7 +154,7 @@ class _Connection:
 
 
 class Bluetooth:
-    """Follows what the adapters of one computer exchange with their controllers."""
+    """A reader of the traffic between one computer's adapters and their controllers."""
 
     def __init__(self) -> None:
         self._connections: dict[tuple[object, int], _Connection] = {}
@@ -162,7 +162,7 @@ class Bluetooth:
         self._generation = 0
 
     def feed(self, packet: Packet) -> Iterator[Carried | Closed | int]:
-        """What is complete with a packet; a number for so many captured bytes of other traffic."""
+        """Yields what a packet completes; a number is the captured bytes of other traffic."""
         kind, is_from_host, body = _unwrap(packet)
         adapter: object = packet.interface if packet.interface.link != Link.BLUETOOTH_MONITOR else _adapter(packet)
         if kind == ACL_PACKET and len(body) >= _acl.size:
@@ -173,7 +173,7 @@ class Bluetooth:
         yield len(packet.data)
 
     def pending(self) -> int:
-        """Captured bytes of L2CAP packets whose rest never came."""
+        """Returns the captured bytes of incomplete L2CAP packets."""
         parts = (part for connection in self._connections.values() for part in connection.parts.values())
         return sum(part.weight for part in parts)
 
@@ -210,7 +210,7 @@ class Bluetooth:
             yield from self._connect(adapter, handle, None)
         connection = self._connections[adapter, handle]
         data = body[_acl.size : _acl.size + length]
-        # Without direction, the kind of start says which of two unfinished packets is continued.
+        # Without a direction, the kind of start tells which of two unfinished packets continues.
         side: object = start if is_from_host is None else is_from_host
         if start == _GOES_ON:
             if is_from_host is None:
@@ -228,7 +228,7 @@ class Bluetooth:
                 yield weight
                 return
             part = _Part(data, _l2cap.size + _l2cap.unpack_from(data)[0], weight)
-        # A packet that was cut by the capture can only be read as far as it is there.
+        # Of a packet that the capture has cut, the remaining part is read.
         is_cut = len(data) < length
         if len(part.data) < part.size and not is_cut:
             connection.parts[side] = part
@@ -239,7 +239,7 @@ class Bluetooth:
 
 
 def _unwrap(packet: Packet) -> tuple[int | None, bool | None, bytes]:
-    """Packet type, whether it is from the host (None where nothing says so), and what follows the type."""
+    """Returns the packet type, whether it is from the host (None if unknown), and what follows the type."""
     data, link = packet.data, packet.interface.link
     if link == Link.BLUETOOTH_MONITOR:
         if packet.flags is None:
@@ -297,7 +297,7 @@ def _serial(connection: _Connection, is_from_host: bool | None, part: _Part) -> 
     if len(connection.channels) < MOST_CHANNELS:
         connection.channels.add(way)
     if is_from_host is None:
-        # In data frames this bit is set by the side that opened the connection, which a brick does not do.
+        # In data frames this bit is set by the side that opened the connection, which is never a brick.
         is_from_host = bool(address & 2)
     carried = data[start : start + length] if kind == UIH and number else b""
     missing = length - len(carried) if carried else 0

@@ -16,7 +16,7 @@ from ev3proto.tables.frame import MessageType
 
 
 class SerialPorts:
-    """Follows the serial ports of all connections on the channel that bricks use."""
+    """A reader of the serial ports of all connections, on the channel that bricks use."""
 
     def __init__(self, context: Context) -> None:
         self._context = context
@@ -27,7 +27,7 @@ class SerialPorts:
         self._claims: dict[object, StreamClaim] = {}
 
     def feed(self, packet: Packet) -> Iterable[Event]:
-        """The events that are complete with a packet."""
+        """Returns the events that a packet completes."""
         for found in self._bluetooth.feed(packet):
             if isinstance(found, int):
                 self._account.other += found
@@ -41,13 +41,13 @@ class SerialPorts:
                 yield from self._serial(packet, found)
 
     def end(self) -> Iterable[Event]:
-        """What was waiting for more."""
+        """Returns the events of the pending bytes."""
         self._account.other += self._bluetooth.pending()
         for connection in tuple(self._claims):
             yield from self._end(connection)
 
     def _end(self, connection: object) -> list[Event]:
-        """Both streams of a connection come to their end."""
+        """Ends both streams of a connection."""
         events: list[Event] = []
         for way in (True, False):
             stream = self._streams.pop((connection, way), None)
@@ -106,5 +106,5 @@ def _route(packet: Packet, found: Carried) -> Route:
 
 
 def _is_from_brick(member: MessageType) -> bool:
-    """Bricks write into each other's mailboxes."""
+    """Returns whether a type comes from a brick: bricks also write into each other's mailboxes."""
     return not member.is_command or (member.carries == "system" and not member.wants_reply)

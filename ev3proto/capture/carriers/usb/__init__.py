@@ -1,4 +1,4 @@
-"""USB: how operating systems record requests, and the reports in them that hold frames."""
+"""USB: requests as operating systems record them, and the reports in them."""
 
 from ev3proto.capture.carriers.usb.reports import Reports as Reader
 

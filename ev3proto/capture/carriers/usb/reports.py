@@ -1,4 +1,4 @@
-"""USB: reports that each have one frame at their start, to and from devices that are bricks or behave like one."""
+"""USB: reports to and from bricks, each with one frame at its start."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from ev3proto.tables.carriers import USB_PRODUCTS, Carrier
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME, MAX_LENGTH, MIN_LENGTH, REPORT_SIZES, MessageType
 
 MOST_DEVICES = 4096
-"""Devices of which something is remembered: more than any computer has."""
+"""Maximum number of remembered devices; no computer has more."""
 
 _BIG_REPORT = MAX_FRAME
 _TYPES = {int(member): member for member in MessageType}
@@ -27,7 +27,7 @@ OVERWRITTEN = "a known fault of the EV3's bootloader on USB 3 ports: the reply w
 
 
 class Reports:
-    """Follows the interrupt transfers of all devices."""
+    """A reader of the interrupt transfers of all devices."""
 
     def __init__(self, context: Context) -> None:
         self._context = context
@@ -38,7 +38,7 @@ class Reports:
         self._claims: Bounded[str, Claim] = Bounded(MOST_DEVICES)
 
     def feed(self, packet: Packet) -> Iterable[Event]:
-        """The events in a packet: at most one."""
+        """Returns the event in a packet, if any."""
         found = urb(packet)
         if found is None:
             self._account.other += len(packet.data)
@@ -65,8 +65,8 @@ class Reports:
         if not is_length:
             self._account.skipped += len(found.data)
             reason = (
-                f"the report holds no frame: the length field says {size - LENGTH_FIELD}, but it can be {MIN_LENGTH}"
-                f" to {MAX_LENGTH}"
+                f"the report has no frame: its length field is {size - LENGTH_FIELD}, but the range is {MIN_LENGTH} to"
+                f" {MAX_LENGTH}"
             )
             return (Skipped(found.data, 0, reason, packet.number, packet.time_ns, route),)
         self._account.frames += len(frame)
@@ -82,7 +82,7 @@ class Reports:
         return (record,)
 
     def end(self) -> Iterable[Event]:
-        """Nothing waits for more: a report is whole in its packet."""
+        """Returns nothing: reports are never pending."""
         return ()
 
     def _conversation(self, device: str) -> Conversation:
@@ -99,9 +99,9 @@ class Reports:
         return self._routes[key]
 
     def _is_claimed(self, claim: Claim, found: Urb, frame: bytes, is_from_host: bool, packet: Packet) -> bool:
-        """Whether a report of a device that is not known to be a brick is one of ours.
+        """Returns whether a report of a device that may not be a brick is claimed.
 
-        Other devices have reports, too, and some of them begin like a frame: it must have the size of its type's.
+        Reports of other devices may begin like a frame, so its size must be that of its type.
         """
         reported = len(found.data) + packet.size - len(packet.data)
         is_whole = reported in REPORT_SIZES and is_frame_size(len(frame)) and len(frame) == frame_size(frame)
@@ -111,7 +111,7 @@ class Reports:
             claim.count(is_good=False, unread=len(found.data))
             return False
         message = self._context.schema.read_frame(frame, strict=False)
-        # Bricks in a chain send commands both ways. They are no computers, whose reports are larger.
+        # Bricks in a chain send commands both ways, in smaller reports than computers.
         if not is_big or _is_overwritten(frame, is_from_host):
             return is_sensible(message)
         if member.is_command != is_from_host:
@@ -123,7 +123,7 @@ class Reports:
 
 
 def _is_overwritten(frame: bytes, is_from_host: bool) -> bool:
-    """Whether a reply came with the request written over its first bytes: from the device, yet of a command's type."""
+    """Returns whether a reply has the request written over its start: it is from the device, with a command's type."""
     member = _TYPES.get(frame[HEADER_SIZE - 1]) if len(frame) > HEADER_SIZE else None
     if member is None or is_from_host:
         return False

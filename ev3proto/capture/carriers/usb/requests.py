@@ -1,4 +1,4 @@
-"""USB requests as Linux and Windows record them: which device and endpoint, and the bytes that went over."""
+"""USB requests as Linux and Windows record them: device, endpoint and data."""
 
 from __future__ import annotations
 
@@ -26,10 +26,10 @@ USBMON = Struct(
     "captured" / Int32ul,
     "setup" / Bytes(8),
 )
-"""What Linux writes before each packet (Documentation/usb/usbmon), in the byte order of the machine."""
+"""Linux's header of each packet (Documentation/usb/usbmon), in the byte order of the machine."""
 
 USBMON_MORE = 16
-"""Bytes that newer kernels add to it."""
+"""Size of the part that newer kernels add, in bytes."""
 
 USBPCAP = Struct(
     "header" / Int16ul,
@@ -43,27 +43,27 @@ USBPCAP = Struct(
     "transfer" / Int8ul,
     "captured" / Int32ul,
 )
-"""What USBPcap writes before each packet (https://desowin.org/usbpcap/captureformat.html)."""
+"""USBPcap's header of each packet (https://desowin.org/usbpcap/captureformat.html)."""
 
 _usbmon = {order: packed(USBMON, order) for order in "<>"}
 _usbpcap = packed(USBPCAP)
 
 CONTROL, INTERRUPT = 2, 1
-"""Kinds of transfers."""
+"""Transfer types."""
 
 IN = 0x80
-"""The bit of an endpoint whose data goes to the host."""
+"""The bit of endpoints that send to the host."""
 
 _DEVICE_DESCRIPTOR = bytes((18, 1))
 
 
 class Urb(NamedTuple):
-    """A USB request, when it is handed in or when it is done.
+    """A USB request, on its submission or its completion.
 
     device    bus and number: `1.7`
-    endpoint  with the bit for the direction
-    transfer  kind of transfer
-    data      what went over with this packet; nothing for the half of a request that has no data
+    endpoint  with the direction bit
+    transfer  transfer type
+    data      the data in this packet; empty in the other half of a request
     """
 
     device: str
@@ -73,14 +73,14 @@ class Urb(NamedTuple):
 
     @property
     def product(self) -> tuple[int, int] | None:
-        """Vendor and product, where it is a device descriptor."""
+        """Vendor and product, if it is a device descriptor."""
         if self.transfer != CONTROL or len(self.data) < 12 or not self.data.startswith(_DEVICE_DESCRIPTOR):
             return None
         return int.from_bytes(self.data[8:10], "little"), int.from_bytes(self.data[10:12], "little")
 
 
 def urb(packet: Packet) -> Urb | None:
-    """The request in a packet of one of the three links; None for a packet that is too short for its header."""
+    """Returns the request in a packet of one of the three link types; None if it is too short for its header."""
     data = packet.data
     link = packet.interface.link
     if link == Link.USBPCAP:

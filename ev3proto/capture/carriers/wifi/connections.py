@@ -1,4 +1,4 @@
-"""WiFi: TCP connections to a brick's port, and the datagrams by which bricks are found."""
+"""WiFi: TCP connections to bricks, and the datagrams that announce bricks."""
 
 from __future__ import annotations
 
@@ -44,26 +44,26 @@ from ev3proto.tables.carriers import Carrier, Link
 from ev3proto.tables.discovery import BEACON_PORT, TCP_PORT, UNLOCK_REQUEST
 
 MOST_CONNECTIONS = 1024
-"""Connections that are followed at the same time; those unused for longest are given up."""
+"""Maximum number of connections; the least recently used are evicted."""
 
 MOST_BRICKS = 1024
-"""Bricks whose beacons are remembered."""
+"""Maximum number of bricks whose beacons are remembered."""
 
 _UNLOCK_START = UNLOCK_REQUEST.encode()
 _BEACON_PORT = port_bytes(BEACON_PORT)
 
 _MOST_IP = 1 << 16
-"""More bytes than a packet of IP can have."""
+"""An upper bound of the size of an IP packet, in bytes."""
 
 
 def _transport(link: int, data: bytes) -> Transport | None:
-    """What a packet of one of the links carries; None where there is none that can be read."""
+    """Returns the segment or datagram in a packet, if there is one."""
     found = usual_transport(link, data)
     return layers.dissected(link, data) if found is None else found
 
 
 class _Connection:
-    """A TCP connection: what is said in it, whether it is ours, and the directions of which something was seen."""
+    """A TCP connection: its conversation, its claim, and the directions seen so far."""
 
     __slots__ = ("claim", "conversation", "ends", "halves")
 
@@ -75,7 +75,7 @@ class _Connection:
 
 
 class _Half:
-    """One direction of a TCP connection; `back` is the other one, None where nothing of it was seen."""
+    """One direction of a TCP connection; `back` is the other one, None if it was not seen yet."""
 
     __slots__ = (
         "back",
@@ -100,7 +100,7 @@ class _Half:
         self.is_from_host = is_from_host
         self.reassembly = Reassembly(start)
         self.repeated = 0
-        self.size = 0  # bytes of memory that what waits takes, as the budget knows it
+        self.size = 0  # memory of the pending bytes, as in the budget
         self.start = start
         self.back: _Half | None = None
 
@@ -111,25 +111,25 @@ class _Half:
 
 
 class Connections:
-    """Follows the connections to the ports on which bricks listen."""
+    """A reader of the connections to ports on which bricks listen, and of beacons."""
 
     def __init__(self, context: Context) -> None:
         self._context = context
         self._account = context.account
         self._ports = {port_bytes(port) for port in context.ports if 0 <= port < PORTS}
-        self._is_said = self._ports != {port_bytes(TCP_PORT)}  # the user says where bricks are, and does not guess
+        self._is_said = self._ports != {port_bytes(TCP_PORT)}  # the user named ports
         self._budget = context.budget
         self._fragments = Fragments(context.budget)
         self._connections: Bounded[Ends, _Connection] = Bounded(MOST_CONNECTIONS)
         self._halves: dict[Ends, _Half] = {}
-        # Where answers to beacons go, where bricks listen as their beacons say, and which end of a connection on
-        # another port is the brick.
+        # The places to which beacons are answered, those at which bricks listen by their beacons, and the bricks' ends
+        # of connections on other ports.
         self._answered: Bounded[Place, None] = Bounded(MOST_BRICKS)
         self._named: Bounded[Place, None] = Bounded(MOST_BRICKS)
         self._elsewhere: Bounded[Ends, Place] = Bounded(MOST_CONNECTIONS)
 
     def feed(self, packet: Packet) -> Iterable[Event]:
-        """The events that are complete with a packet."""
+        """Returns the events that a packet completes."""
         found = _transport(packet.interface.link, packet.data)
         if found is None:
             return self._put_together(packet)
@@ -139,7 +139,7 @@ class Connections:
         return self._segment(packet, found, self._halves.get(ends))
 
     def _put_together(self, packet: Packet) -> Iterable[Event]:
-        """Takes a packet without a segment or a datagram: part of one, where it has one, or of others."""
+        """Takes a packet without a segment or datagram, which may be a fragment, or a tunnel."""
         link: int = packet.interface.link
         self._account.other += len(packet.data)
         for _ in range(layers.MOST_LAYERS):
@@ -152,7 +152,7 @@ class Connections:
             packet, link = packet._replace(data=whole, size=len(whole)), Link.RAW_IP
             found = _transport(link, whole)
             if found is not None:
-                # It counts as what it is. What stood around its parts stays with others.
+                # The headers of the fragments remain counted as `other`.
                 self._account.other -= len(whole)
                 ends, carried, *_, flags = found
                 if flags is None:
@@ -161,7 +161,7 @@ class Connections:
         return ()
 
     def end(self) -> Iterable[Event]:
-        """What was waiting for more."""
+        """Returns the events of the pending bytes."""
         for half in self._halves.values():
             yield from self._end_half(half)
         self._connections.clear()
@@ -170,11 +170,11 @@ class Connections:
     # TCP
 
     def _is_ours(self, ends: Ends, data: bytes) -> bool:
-        """Whether a connection of which nothing is known may be a brick's."""
+        """Returns whether a new connection may be a brick's."""
         return target_port(ends) in self._ports or source_port(ends) in self._ports or self._is_elsewhere(ends, data)
 
     def _is_elsewhere(self, ends: Ends, data: bytes) -> bool:
-        """Whether a connection on another port is a brick's: by the unlock text, or because a beacon named the port."""
+        """Returns whether a connection on another port is a brick's, by the unlock text or a beacon."""
         both, target = _both_ways(ends), target_of(ends)
         if both in self._elsewhere:
             return True
@@ -184,7 +184,7 @@ class Connections:
         return True
 
     def _is_to_brick(self, ends: Ends, data: bytes, flags: int) -> bool:
-        """Whether the first segment that was seen of a connection goes to the brick: whoever opens one is none."""
+        """Returns whether the first captured segment of a connection goes to the brick, which never opens one."""
         is_target, is_source = target_port(ends) in self._ports, source_port(ends) in self._ports
         if flags & SYN and (is_target or is_source):
             return not flags & ACK
@@ -195,7 +195,7 @@ class Connections:
         return not is_source and self._elsewhere.get(_both_ways(ends)) == target_of(ends)
 
     def _segment(self, packet: Packet, segment: Transport, half: _Half | None) -> Iterable[Event]:
-        """The events that are complete with any segment."""
+        """Returns the events that a segment completes."""
         ends, data, sequence, acknowledged, flags = segment
         assert flags is not None
         if half is None and not self._is_ours(ends, data):
@@ -210,7 +210,7 @@ class Connections:
                 if half is not None:
                     ended += self._end_half(half)
                     if not flags & ACK:
-                        # What was asked in the last connection is not answered in the new one.
+                        # The new connection has no replies to commands of the old one.
                         half.connection.conversation = self._context.conversation()
                 half = self._open(packet, segment, start, ended)
         elif half is None:
@@ -243,7 +243,7 @@ class Connections:
         return ended + events if ended else events
 
     def _weigh(self, half: _Half) -> None:
-        """Says how much waits in a direction. Where it is too much in all, those unused for longest wait no longer."""
+        """Updates the budget with the pending bytes of a direction."""
         size = half.reassembly.waiting + half.stream.size + half.claim.waiting(half.side)
         if size != half.size:
             half.size = size
@@ -254,7 +254,7 @@ class Connections:
         half.size = 0
 
     def _acknowledge(self, back: _Half | None, acknowledged: int) -> list[Event]:
-        """The receiver of what goes that way has what was sent before this number."""
+        """Returns the events after the receiver of a direction acknowledged everything before a number."""
         pieces = [] if back is None else back.reassembly.acknowledge(acknowledged)
         if back is None or not pieces:
             return []
@@ -263,7 +263,7 @@ class Connections:
         return events
 
     def _given(self, half: _Half, pieces: list[Piece | Hole | Late]) -> list[Event]:
-        """The events in what the reassembly gave; what it found to be repeated meanwhile stands in the account."""
+        """Returns the events of reassembled pieces, and counts repeated bytes."""
         repeated = half.reassembly.repeated
         self._account.repeated += repeated - half.repeated
         half.repeated = repeated
@@ -296,7 +296,7 @@ class Connections:
         return half
 
     def _connection(self, ends: Ends, is_from_host: bool, events: list[Event]) -> _Connection:
-        """The connection between two ends. Where there are too many, the one unused for longest is ended for it."""
+        """Returns the connection between two ends. Ends the least recently used one if there are too many."""
         both, brick = _both_ways(ends), target_of(ends) if is_from_host else source_of(ends)
         is_sure = brick in self._named or (self._is_said and brick[-PORT_SIZE:] in self._ports)
         connection, oldest = self._connections.use(both, lambda: _Connection(both, self._context, is_sure=is_sure))
@@ -305,7 +305,7 @@ class Connections:
                 del self._halves[way]
                 events += self._end_half(half)
                 half.back = None
-            oldest.halves.clear()  # no circle is left: Python looks for those only now and then
+            oldest.halves.clear()  # breaks reference cycles, which Python collects only now and then
         return connection
 
     def _end_half(self, half: _Half) -> list[Event]:
@@ -342,7 +342,7 @@ class Connections:
         yield Announcement(TextKind.BEACON, data, beacon, (packet.number,), packet.time_ns, route)
 
     def _remember_brick(self, place: Place, beacon: Beacon | None) -> None:
-        """Remembers where answers to a beacon may go: to its source port, the one for beacons, or the one it names."""
+        """Remembers where a beacon may be answered: its source port, the port for beacons, the port that it names."""
         address = place[:-PORT_SIZE]
         self._answered.add(place, None)
         self._answered.add(address + _BEACON_PORT, None)
@@ -354,14 +354,14 @@ class Connections:
 
 
 def _missing(packet: Packet) -> int:
-    """How many bytes of what a packet carries were not captured."""
+    """Returns how many bytes of a packet's contents were not captured."""
     link, data = packet.interface.link, packet.data
     captured = _transport(link, data)
-    # With anything in the place of what is missing it has the size that its headers say.
+    # Padded to its size on the wire, it is as long as its headers tell.
     filled = _transport(link, data.ljust(min(packet.size, len(data) + _MOST_IP), b"\0"))
     return 0 if captured is None or filled is None else len(filled[1]) - len(captured[1])
 
 
 def _both_ways(ends: Ends) -> Ends:
-    """Both ends of a connection, whichever is the sender."""
+    """Returns both ends of a connection, the same in both directions."""
     return min(ends, reversed_ends(ends))

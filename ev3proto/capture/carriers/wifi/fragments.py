@@ -1,4 +1,4 @@
-"""Packets of IP that came in parts, put together. No I/O, and no length is believed that does not fit the others."""
+"""Reassembly of fragmented IP packets. Without I/O; contradictory lengths are ignored."""
 
 from __future__ import annotations
 
@@ -8,32 +8,32 @@ from typing import NamedTuple
 from ev3proto.bounded import Bounded, Budget
 
 MOST_PACKETS = 1024
-"""Packets of which parts wait at the same time; of more, the oldest waits no longer."""
+"""Maximum number of incomplete packets; the oldest are evicted."""
 
 MOST_SECONDS = 60
-"""Seconds from the first part of a packet to the last one, at most: the numbers of packets are used again."""
+"""Maximum time from the first fragment to the last, in seconds: identifications are reused."""
 
 _NANOSECONDS = 1_000_000_000
 _WAITING_SIZE = 2_000
-"""Bytes of memory that a packet takes while it waits, besides its data, about."""
+"""Approximate memory of an incomplete packet besides its data, in bytes."""
 
 _UNIT = 8
-"""Parts begin at multiples of so many bytes."""
+"""Fragments begin at multiples of this number of bytes."""
 
 _HEAD_V4, _HEAD_V6 = struct.Struct(">BBHHHBBH"), struct.Struct(">IHBB")
 _ADDRESSES_V4 = 8
 _MOST_SIZE = 0xFFFF - _HEAD_V4.size - _ADDRESSES_V4
-"""Bytes that a packet can carry after the shortest header."""
+"""Maximum payload of a packet, in bytes."""
 
 
 class Fragment(NamedTuple):
-    """A part of a packet.
+    """A fragment of a packet.
 
-    addresses  of the sender and the receiver
-    identity   what all parts of a packet have in common besides that
-    protocol   of what the packet carries, as this part has it
-    at         offset of the data in what it carries
-    is_last    no part is after it
+    addresses  the sender's and the receiver's
+    identity   what all fragments of a packet have in common besides
+    protocol   the number of the carried protocol
+    at         offset of the data in the payload
+    is_last    it is the last one
     data       the bytes
     """
 
@@ -46,17 +46,17 @@ class Fragment(NamedTuple):
 
     @property
     def end(self) -> int:
-        """The offset after the last byte."""
+        """The offset after its last byte."""
         return self.at + len(self.data)
 
     @property
     def is_possible(self) -> bool:
-        """Whether a packet can have such a part."""
+        """Whether a packet can have such a fragment."""
         return bool(self.data) and self.end <= _MOST_SIZE and (self.is_last or self.end % _UNIT == 0)
 
 
 class _Waiting:
-    """What came of a packet."""
+    """The fragments of a packet so far."""
 
     __slots__ = ("_data", "_seen", "_size", "begin_ns", "protocol")
 
@@ -69,11 +69,11 @@ class _Waiting:
 
     @property
     def memory(self) -> int:
-        """Bytes of memory that it takes, about."""
+        """Its approximate memory in bytes."""
         return _WAITING_SIZE + len(self._data)
 
     def add(self, part: Fragment) -> None:
-        """Takes a part, unless it is at odds with what the others say of the end."""
+        """Takes a fragment, unless it contradicts the known end of the packet."""
         if self._size is not None and (part.end > self._size or (part.is_last and part.end < self._size)):
             return
         if part.is_last:
@@ -92,13 +92,13 @@ class _Waiting:
         self._seen |= units
 
     def whole(self) -> bytes | None:
-        """What the packet carries, once all of it is there."""
+        """Returns the payload, once it is complete."""
         if self._size is None or self._seen != (1 << -(-self._size // _UNIT)) - 1:
             return None
         return bytes(self._data)
 
     def _fill(self, part: Fragment, first: int, count: int) -> None:
-        """Takes what is new of a part. Of bytes that differ those that were captured first are believed."""
+        """Takes the new bytes of a fragment that overlaps others. Those captured first count."""
         for unit in range(first, first + count):
             if not self._seen >> unit & 1:
                 at = unit * _UNIT
@@ -107,29 +107,15 @@ class _Waiting:
 
 
 class Fragments:
-    """The packets of which parts wait for others."""
+    """The incomplete packets of a capture."""
 
     def __init__(self, budget: Budget) -> None:
-        """Nothing waits yet.
-
-        Args:
-            budget: Limits the memory of all that waits.
-
-        """
+        """Starts without fragments. The budget limits their memory."""
         self._budget = budget
         self._waiting: Bounded[tuple[bytes, bytes], _Waiting] = Bounded(MOST_PACKETS)
 
     def add(self, part: Fragment, time_ns: int) -> bytes | None:
-        """Takes a part.
-
-        Args:
-            part: The part.
-            time_ns: When it was captured.
-
-        Returns:
-            The whole packet where this completes it: a header without options, and what the packet carries.
-
-        """
+        """Takes a fragment and its capture time. Returns the packet that it completes, without IP options."""
         if not part.is_possible:
             return None
         key = part.addresses, part.identity
@@ -156,7 +142,7 @@ class Fragments:
 
 
 def _headed(addresses: bytes, protocol: int, data: bytes) -> bytes:
-    """A packet of IP that is whole."""
+    """Returns a whole IP packet."""
     if len(addresses) == _ADDRESSES_V4:
         size = _HEAD_V4.size + _ADDRESSES_V4 + len(data)
         return _HEAD_V4.pack(0x45, 0, size, 0, 0, 64, protocol, 0) + addresses + data

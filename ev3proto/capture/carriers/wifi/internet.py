@@ -1,4 +1,4 @@
-"""TCP segments and UDP datagrams in packets of every link that carries IP."""
+"""TCP segments and UDP datagrams in packets, and the addresses of their ends."""
 
 from __future__ import annotations
 
@@ -13,22 +13,21 @@ SYN, RST, ACK = 0x002, 0x004, 0x010
 """Flags of TCP."""
 
 FLAGS = 0x1FF
-"""All of them, in the two bytes that also have the length of the header."""
+"""All flags, in the two bytes that also have the header's length."""
 
 _IS_IP = b"\x08\0"
 """Ethernet's type."""
 
 _NO_OPTIONS = b"\x45"
-"""Version 4, and the least length that its header can have."""
+"""Version 4, and the minimum header length."""
 
 _IP_SIZE, _LEAST = 20, 40
 _REST = "xH2xHxB2x12sIIH"
-"""Of IPv4: length, fragment, protocol, addresses. Of TCP: ports, which stand right after them, numbers, length with
-flags."""
+"""IPv4: length, fragment, protocol, addresses. TCP: ports, right after these, sequence numbers, length with flags."""
 
 
 def _layout(before: int, start: bytes) -> tuple[int, bytes, Callable[[bytes], tuple[Any, ...]]]:
-    """How many bytes stand before IP, what the last of them are with IP's first one, what takes the packet apart."""
+    """Returns the bytes before IP, what the last of them and IP's first one must be, and the function that unpacks."""
     skipped = before + len(_NO_OPTIONS) - len(start)
     return before, start, struct.Struct(f">{skipped}x{len(start)}s{_REST}").unpack_from
 
@@ -38,33 +37,32 @@ _LAYOUTS = {
     int(Link.RAW_IP): _layout(0, _NO_OPTIONS),
     int(Link.IPV4): _layout(0, _NO_OPTIONS),
 }
-"""How nearly every packet of some links is made up: no options in IP, nothing between Ethernet and IP."""
+"""The usual layouts: no IP options, nothing between Ethernet and IP."""
 
 _IS_TCP = 6
 _IS_FRAGMENT = 0x3FFF
 
 Ends = bytes
-"""Sender and receiver: both addresses and both ports, as IPv4 and TCP have them one after the other."""
+"""Sender and receiver: both addresses, then both ports, as in the headers of IPv4 and TCP."""
 
 Place = bytes
-"""One of them: address and port."""
+"""One end: address and port."""
 
 PORT_SIZE = 2
 PORTS = 1 << 8 * PORT_SIZE
 
 Transport = tuple[Ends, bytes, int, int, int | None]
-"""A TCP segment or a UDP datagram: from where to where, what it carries, TCP's number of its first byte and of what is
-acknowledged, TCP's flags; 0, 0 and None for UDP.
+"""A TCP segment or a UDP datagram: ends, data, sequence number, acknowledgement number, flags; 0, 0 and None for UDP.
 
-It is no class of its own, because one is made for each packet: `pytest benchmarks -k capture`.
+A plain tuple, as one is made for each packet: `pytest benchmarks -k capture`.
 """
 
 
 def usual_transport(link: int, data: bytes) -> Transport | None:
-    """What a packet carries that is made up as nearly all are; None where it is not."""
+    """Returns the segment in a packet of a usual layout, else None."""
     layout = _LAYOUTS.get(link)
     if layout is not None and len(data) >= layout[0] + _LEAST:
-        # Without dpkt's objects it takes a tenth of the time: `pytest benchmarks -k capture`.
+        # Takes a tenth of dpkt's time, and thus halves that of reading: `pytest benchmarks -k capture`.
         before, expected, unpack = layout
         start, length, fragment, protocol, ends, sequence, acknowledged, flags = unpack(data)
         if start == expected and protocol == _IS_TCP and not fragment & _IS_FRAGMENT:
@@ -75,46 +73,46 @@ def usual_transport(link: int, data: bytes) -> Transport | None:
 
 
 def source_of(ends: Ends) -> Place:
-    """The sender."""
+    """Returns the sender."""
     size = len(ends) // 2 - PORT_SIZE
     return ends[:size] + ends[-2 * PORT_SIZE : -PORT_SIZE]
 
 
 def target_of(ends: Ends) -> Place:
-    """The receiver."""
+    """Returns the receiver."""
     size = len(ends) // 2 - PORT_SIZE
     return ends[size : -2 * PORT_SIZE] + ends[-PORT_SIZE:]
 
 
 def source_port(ends: Ends) -> bytes:
-    """The sender's port."""
+    """Returns the sender's port."""
     return ends[-2 * PORT_SIZE : -PORT_SIZE]
 
 
 def target_port(ends: Ends) -> bytes:
-    """The receiver's port."""
+    """Returns the receiver's port."""
     return ends[-PORT_SIZE:]
 
 
 def port_bytes(port: int) -> bytes:
-    """A port's number as it stands there."""
+    """Returns a port's number as its two bytes."""
     return port.to_bytes(PORT_SIZE, "big")
 
 
 PACKED_PORTS = {
     port_bytes(port): name for port, name in {2152: "GTP", 3544: "Teredo", 4789: "VXLAN", 6081: "Geneve"}.items()
 }
-"""Ports of UDP whose datagrams have other packets in them, which are not taken apart here."""
+"""UDP ports of tunnels, which are not unpacked."""
 
 
 def reversed_ends(ends: Ends) -> Ends:
-    """The other way."""
+    """Returns the ends with sender and receiver swapped."""
     size = len(ends) // 2 - PORT_SIZE
     return ends[size : -2 * PORT_SIZE] + ends[:size] + ends[-PORT_SIZE:] + ends[-2 * PORT_SIZE : -PORT_SIZE]
 
 
 def shown(place: Place) -> str:
-    """`192.0.2.1:49152`, `[2001:db8::1]:49152`."""
+    """Returns an end as text: `192.0.2.1:49152`, `[2001:db8::1]:49152`."""
     address, port = place[:-PORT_SIZE], int.from_bytes(place[-PORT_SIZE:], "big")
     if len(address) == 4:
         return f"{'.'.join(map(str, address))}:{port}"

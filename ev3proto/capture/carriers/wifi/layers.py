@@ -1,4 +1,4 @@
-"""Packets of every link that carries IP, taken apart by dpkt: it knows all that can stand before TCP and UDP."""
+"""Packets of all link types that carry IP, dissected by dpkt, which knows the headers before TCP and UDP."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ _CARRIED: dict[int, type] = {ip.IP_PROTO_TCP: tcp.TCP, ip.IP_PROTO_UDP: udp.UDP}
 
 
 class _IPv4(ip.IP):  # type: ignore[misc]
-    """IP of which dpkt reads only what leads to TCP and UDP: it knows much more, and some of that without an end."""
+    """IPv4, in which dpkt reads only TCP, UDP and IP: it recurses without limit in some of the others."""
 
     _protosw = _CARRIED
 
@@ -37,7 +37,7 @@ class _IPv4(ip.IP):  # type: ignore[misc]
 
     @property
     def part(self) -> Fragment | None:
-        """Which part of a packet it is; None where it is all of it, or was not captured as a whole."""
+        """The fragment, if it is one; its data is empty if it was cut."""
         if not self.mf and not self.offset:
             return None
         identity = self.id.to_bytes(2, "big") + bytes((self.p,))
@@ -54,7 +54,7 @@ class _IPv6(ip6.IP6):  # type: ignore[misc]
 
     @property
     def part(self) -> Fragment | None:
-        """The same, which one of the headers after the first says."""
+        """The same, from one of the extension headers."""
         at, end = self.__hdr_len__, self.__hdr_len__ + self.plen
         for header in self.all_extension_headers:
             at += header.length
@@ -75,18 +75,18 @@ _VERSIONS = {4: _IPv4, 6: _IPv6}
 _SESSIONS = {b"\0\x21": _IPv4, b"\0\x57": _IPv6}
 
 _PACKED_KINDS = {b"\x88\xe7": "802.1ah"}
-"""Ethernet's types of packets that have others in them, which are not taken apart here."""
+"""Ethernet types of tunnels, which are not unpacked."""
 
 _PACKED_PROTOCOLS = {ip.IP_PROTO_GRE: "GRE", ip.IP_PROTO_AH: "AH"}
-"""The same of IP's protocols."""
+"""IP protocols of tunnels, which are not unpacked."""
 
 
 class _PackedError(KeyError):
-    """A packet has others in it, which are not taken apart here; it is named."""
+    """A packet is a tunnel that is not unpacked; it has the tunnel's name."""
 
 
 def _of_kind(kind: bytes, data: bytes) -> Any:
-    """What Ethernet's type says, after any tags of virtual networks."""
+    """Dissects a packet by its Ethernet type, after any VLAN tags."""
     at = 0
     while kind in _TAGS:
         kind = data[at + 2 : at + _TAG_SIZE]
@@ -101,7 +101,7 @@ def _raw(data: bytes) -> Any:
 
 
 def _after_labels(data: bytes) -> Any:
-    """What comes after the labels of MPLS, the last of which says so. What it is, only its first bits tell."""
+    """Dissects what follows the MPLS labels. Only its first bits tell its type."""
     end = next(end for end in range(_LABEL_SIZE, len(data), _LABEL_SIZE) if data[end - 2] & _LAST_LABEL)
     if data[end] >> 4 not in _VERSIONS:
         raise _PackedError("MPLS")
@@ -109,7 +109,7 @@ def _after_labels(data: bytes) -> Any:
 
 
 def _in_session(data: bytes) -> Any:
-    """What PPPoE carries: before it come the number of the session, a length, and PPP's protocol."""
+    """Dissects what follows PPPoE's session number, length and PPP protocol."""
     return _SESSIONS[data[_PPPOE_SIZE - 2 : _PPPOE_SIZE]](data[_PPPOE_SIZE:])
 
 
@@ -123,13 +123,13 @@ _NETWORKS: dict[bytes, Callable[[bytes], Any]] = {
 
 
 def _after_type(end: int) -> Callable[[bytes], Any]:
-    """For links whose header ends with Ethernet's type."""
+    """Returns the dissector of a link type whose header ends with the Ethernet type."""
     return lambda data: _of_kind(data[end - 2 : end], data[end:])
 
 
 LINKS: dict[int, Callable[[bytes], Any]] = {
     Link.ETHERNET: _after_type(Ethernet.__hdr_len__),
-    # Systems have different numbers for IPv6 there, in either byte order: the packet itself says which it is.
+    # Systems have different numbers for IPv6, in either byte order; the packet itself tells its version.
     Link.LOOPBACK: lambda data: _raw(data[loopback.Loopback.__hdr_len__ :]),
     Link.LOOPBACK_OPENBSD: lambda data: _raw(data[loopback.Loopback.__hdr_len__ :]),
     Link.LINUX_COOKED: _after_type(sll.SLL.__hdr_len__),
@@ -140,9 +140,9 @@ LINKS: dict[int, Callable[[bytes], Any]] = {
     Link.IPV4: _IPv4,
     Link.IPV6: _IPv6,
 }
-"""What reads the packets of each link."""
+"""The dissectors of packets by link type."""
 
-# For packets cut short or made to confuse, which a capture may well have: dpkt's own, and what its code comes to.
+# dpkt's own errors, and those that its code runs into with cut or malformed packets.
 _TROUBLE = (
     UnpackError,
     struct.error,
@@ -155,20 +155,11 @@ _TROUBLE = (
     RuntimeError,
 )
 MOST_LAYERS = 16
-"""Packets of IP that are one in the other, at most."""
+"""Maximum nesting depth of IP packets."""
 
 
 def dissected(link: int, data: bytes) -> Transport | None:
-    """Takes a packet apart.
-
-    Args:
-        link: One of `LINKS`: what the packet starts with.
-        data: The packet.
-
-    Returns:
-        The segment or datagram. None where there is none that can be read.
-
-    """
+    """Returns the segment or datagram in a packet of one of `LINKS`, if it has one that can be read."""
     try:
         layer = _innermost(LINKS[link](data))
     except _TROUBLE:
@@ -182,17 +173,7 @@ def dissected(link: int, data: bytes) -> Transport | None:
 
 
 def left_in(link: int, data: bytes) -> Fragment | str | None:
-    """Says what there is in a packet in which no segment and no datagram was read.
-
-    Args:
-        link: One of `LINKS`: what the packet starts with.
-        data: The packet.
-
-    Returns:
-        The part of a packet that it carries, or the name of what other packets are packed into, which is not taken
-        apart here. None where there is nothing like it.
-
-    """
+    """Returns what a packet without a segment or datagram has: a fragment, or the name of a tunnel."""
     try:
         layer = _innermost(LINKS[link](data))
     except _PackedError as error:
@@ -205,7 +186,7 @@ def left_in(link: int, data: bytes) -> Fragment | str | None:
 
 
 def _innermost(layer: Any) -> Any:
-    """The last of packets of IP that are one in the other, or a part of one; None where there are too many."""
+    """Returns the innermost IP packet, or the first fragment; None beyond the maximum depth."""
     for _ in range(MOST_LAYERS):
         if not isinstance(layer.data, _IPv4 | _IPv6) or layer.part is not None:
             return layer

@@ -1,7 +1,4 @@
-"""A byte stream out of TCP segments: lost, repeated, overlapping and reordered ones put in order.
-
-No I/O and no packets: somebody else knows where segments come from.
-"""
+"""Reassembly of a byte stream from TCP segments: lost, repeated, overlapping and reordered ones. Without I/O."""
 
 from __future__ import annotations
 
@@ -12,17 +9,17 @@ from typing import NamedTuple
 from ev3proto.capture.carriers.streams import Piece
 
 MOST_AHEAD = 1 << 20
-"""Bytes that wait at most for what belongs before them: more than any brick's window."""
+"""Maximum number of bytes that wait for earlier ones: more than any brick's window."""
 
 MOST_SEGMENTS_AHEAD = 4096
-"""Segments that wait at most."""
+"""Maximum number of waiting segments."""
 
 MOST_AWAY = 1 << 24
-"""Bytes that a segment is at most away from where the stream continues. Further away is another connection between the
-same ports, whose beginning is not in the capture."""
+"""Maximum distance of a segment from the stream's position, in bytes. Farther segments belong to another connection
+between the same ports, whose beginning was not captured."""
 
 SEGMENT_SIZE = 250
-"""Bytes of memory that a segment takes while it waits, besides its data, about."""
+"""Approximate memory of a waiting segment besides its data, in bytes."""
 
 _HALF, _MASK = 1 << 31, (1 << 32) - 1
 _MOST_HOLES = 64
@@ -30,13 +27,13 @@ _offset_of = itemgetter(0)
 
 
 class Hole(NamedTuple):
-    """Bytes that are not in the capture: so many, before whatever comes next. 0 where their number is not known."""
+    """A number of bytes that are not in the capture; 0 if it is unknown."""
 
     missing: int
 
 
 class Late(NamedTuple):
-    """Bytes that came when the stream had already continued without them."""
+    """Bytes that came after the stream had continued without them."""
 
     data: bytes
 
@@ -44,11 +41,11 @@ class Late(NamedTuple):
 class Reassembly:
     """One direction of a connection.
 
-    `start` is the sequence number of its first byte, None for a capture that began in the middle of the connection:
-    then the first bytes seen are the start.
+    `start` is the sequence number of its first byte; None if the capture begins later, and the first bytes seen are the
+    start.
 
-    acknowledged  the number before which the other side has everything, None where it did not say so
-    repeated      bytes that came again, so far
+    acknowledged  the number before which the receiver has everything; None if unknown
+    repeated      number of repeated bytes so far
     """
 
     __slots__ = ("_ahead", "_holes", "_position", "_start", "_waiting", "acknowledged", "repeated")
@@ -63,18 +60,18 @@ class Reassembly:
         self.repeated = 0
 
     def _offset(self, sequence: int) -> int:
-        """Where in the stream a sequence number is: of all places that have it, the nearest to where it continues."""
+        """Returns the offset of a sequence number, the nearest one to the position."""
         assert self._start is not None
         difference = (sequence - self._start - self._position) & _MASK
         return self._position + (difference - (1 << 32) if difference >= _HALF else difference)
 
     @property
     def waiting(self) -> int:
-        """Bytes of memory that what waits takes, about."""
+        """Approximate memory of the waiting segments."""
         return self._waiting + SEGMENT_SIZE * len(self._ahead)
 
     def takes_next(self, sequence: int, piece: Piece) -> bool:
-        """Whether a segment is what comes next while nothing waits. If so, it is taken with this."""
+        """Takes a segment if it comes next and none waits. Returns whether it was taken."""
         start = self._start
         if start is None or self._ahead or sequence != start + self._position & _MASK:
             return False
@@ -82,7 +79,7 @@ class Reassembly:
         return True
 
     def add(self, sequence: int, piece: Piece) -> list[Piece | Hole | Late]:
-        """What can be said of the stream with this segment, in order: its next bytes, holes in it, bytes too late."""
+        """Takes a segment. Returns what follows in the stream: bytes, holes, and bytes that came too late."""
         if self._start is None:
             self._start = sequence
         at, data = self._offset(sequence), piece.data
@@ -96,14 +93,14 @@ class Reassembly:
             data = data[self._position - at :]
             at = self._position
         if data:
-            # By the offset alone: of two that differ the one that was captured first is believed.
+            # By the offset alone: where two differ, the first captured one counts.
             insort(self._ahead, (at, piece._replace(data=data)), key=_offset_of)
             self._waiting += len(data)
             self._go_on(found)
         return found
 
     def acknowledge(self, sequence: int) -> list[Piece | Hole | Late]:
-        """The other side has everything before this sequence number: what is missing of it will not come any more."""
+        """Takes an acknowledgement: missing bytes before it will not come any more."""
         self.acknowledged = sequence
         found: list[Piece | Hole | Late] = []
         if self._ahead:
@@ -111,7 +108,7 @@ class Reassembly:
         return found
 
     def end(self) -> list[Piece | Hole | Late]:
-        """Nothing more will come: all that waited, with the holes in it."""
+        """Ends the stream. Returns the waiting bytes, with holes."""
         found: list[Piece | Hole | Late] = []
         while self._ahead:
             self._leave_hole(found)
@@ -124,7 +121,7 @@ class Reassembly:
         return [Hole(0)]
 
     def _look_back(self, at: int, data: bytes, found: list[Piece | Hole | Late]) -> None:
-        """Bytes that the stream is already past: they came again, or are from a hole or before the start."""
+        """Takes bytes before the position: repeated ones, or late ones from a hole or before the start."""
         end = at + len(data)
         for start, stop in ((min(at, 0), 0), *self._holes):
             first, last = max(start, at), min(stop, end)
@@ -134,7 +131,7 @@ class Reassembly:
         self.repeated += len(data)
 
     def _go_on(self, found: list[Piece | Hole | Late]) -> None:
-        """Gives what is in order now; a hole is left where what is missing cannot come any more."""
+        """Appends what is in order now, and holes where missing bytes cannot come any more."""
         ahead = self._ahead
         while ahead:
             at, piece = ahead[0]
@@ -151,7 +148,7 @@ class Reassembly:
                 self._position += len(data) + piece.missing
 
     def _is_lost(self, at: int) -> bool:
-        """Whether what is missing before an offset will not come any more."""
+        """Returns whether the missing bytes before an offset cannot come any more."""
         if self._waiting > MOST_AHEAD or len(self._ahead) > MOST_SEGMENTS_AHEAD:
             return True
         return self.acknowledged is not None and self._offset(self.acknowledged) >= at

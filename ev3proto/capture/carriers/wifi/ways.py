@@ -1,4 +1,4 @@
-"""Which way the data of a connection go, where the ports of its ends do not tell, or tell otherwise."""
+"""The direction of a connection's data, if the ports of its ends do not tell it."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ _REQUEST = UNLOCK_REQUEST.encode()
 
 
 def may_go_to_brick(member: MessageType) -> bool:
-    """Whether messages of a type go to the brick. Bricks in a chain send commands both ways."""
+    """Returns whether messages of a type go to the brick. Bricks in a chain send commands both ways."""
     return member.is_command or member.carries == "daisy"
 
 
 def may_come_from_brick(member: MessageType) -> bool:
-    """Whether messages of a type come from the brick."""
+    """Returns whether messages of a type come from the brick."""
     return not member.is_command or member.carries == "daisy"
 
 
@@ -23,26 +23,12 @@ _REPLIES = frozenset(member.value for member in MessageType if not may_go_to_bri
 
 
 def text_goes_to_brick(data: bytes) -> bool | None:
-    """Whether a text goes to the brick, as the one that unlocks it does, or comes from it.
-
-    Args:
-        data: The first that were seen of a direction.
-
-    Returns:
-        None where they do not begin with a text.
-    """
+    """Returns whether the first data of a direction, if they are a text, go to the brick; None without a text."""
     if data.startswith(_REQUEST):
         return True
     return False if data.startswith(ACCEPT) else None
 
 
 def frame_goes_to_brick(data: bytes) -> bool:
-    """Whether data that begin with no text go to the brick: all but replies.
-
-    Args:
-        data: The first that were seen of a direction.
-
-    Returns:
-        What the type of the first frame tells; where none is there, it is a command's.
-    """
+    """Returns whether the first data of a direction, without a text, go to the brick: all but replies do."""
     return len(data) < HEADER_SIZE or unpack_header(data, 0)[2] not in _REPLIES

@@ -6,7 +6,6 @@ first array of a direct command is 1.
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
 from typing import TypeVar
 
 from ev3proto.tables.declaration import Type
@@ -19,14 +18,6 @@ NO_HANDLE = -1
 
 ROOM = 6_000_000
 """Bytes that the arrays of all slots together may take. The firmware fits 5,000,000 and not 7,000,000."""
-
-
-class Closable(ABC):
-    """What has to be closed when its handle is freed, such as a file."""
-
-    @abstractmethod
-    def close(self) -> None:
-        """Closes it."""
 
 
 class Array:

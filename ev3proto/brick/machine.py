@@ -13,8 +13,9 @@ from contextlib import suppress
 from ev3proto.brick.conversions import wrap8, wrap16
 from ev3proto.brick.equipment import Equipment
 from ev3proto.brick.handlers import Dispatch, Family
-from ev3proto.brick.handles import ROOM, Array, Closable
+from ev3proto.brick.handles import ROOM, Array
 from ev3proto.brick.images import Image, Images, load
+from ev3proto.brick.open_files import OpenFile
 from ev3proto.brick.operation_exits import Busy, Failure, Leave, NoOperation, Sleep, WildAccess
 from ev3proto.brick.places import Place
 from ev3proto.brick.running_programs import CMD_SLOT, CURRENT_SLOT, FAIL, OK, SLOTS, STOPPED, Program, ProgramObject
@@ -311,9 +312,9 @@ class Machine:
     def release(self, program: Program, handle: int) -> bool:
         """Frees a handle of a program and closes what it named. Returns whether it named anything."""
         entry = program.handles.remove(handle)
-        if isinstance(entry, Closable):
+        if isinstance(entry, OpenFile):
             with suppress(OSError):
-                entry.close()
+                entry.stream.close()
         return entry is not None
 
     # Results

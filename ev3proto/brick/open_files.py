@@ -2,41 +2,35 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from pathlib import Path
 
-from ev3proto.brick.handles import Closable
 from ev3proto.brick.storage import StoredFile
 
 MOST_RECENT = 10
 """Files in the list of those run last."""
 
 
-class OpenFile(Closable):
+@dataclass(eq=False)
+class OpenFile:
     """A file that a program has opened.
 
     place        of the file, for comparing
+    stream       the open file itself
     for_writing  whether it was opened to write or to append
     name         by which it was opened
     is_log       whether it is a data log
     """
 
-    def __init__(
-        self,
-        place: Path,
-        file: StoredFile,
-        for_writing: bool,
-        name: bytes = b"",
-        is_log: bool = False,
-    ) -> None:
-        self.place = place
-        self.for_writing = for_writing
-        self.name = name
-        self.is_log = is_log
-        self._file = file
+    place: Path
+    stream: StoredFile
+    for_writing: bool
+    name: bytes
+    is_log: bool = False
 
     def read(self, most: int) -> bytes:
         """Reads a number of bytes, fewer at the end of the file."""
-        return self._file.read(max(0, most)) or b""
+        return self.stream.read(max(0, most)) or b""
 
     def read_until(self, delimiter: bytes, most: int) -> bytes:
         """Reads up to a delimiter, which is consumed, or at most this number of bytes; an empty delimiter never occurs.
@@ -44,21 +38,13 @@ class OpenFile(Closable):
         Only the last byte of a delimiter is omitted: the firmware keeps the CR of a CR LF. A delimiter that ends
         beyond the limit is not seen.
         """
-        begin = self._file.tell()
+        begin = self.stream.tell()
         data = self.read(most + 1)
         at = data.find(delimiter) if delimiter else -1
         last = at + len(delimiter) - 1
         text = data[:last] if at >= 0 and last < most else data[:most]
-        self._file.seek(begin + len(text) + (at >= 0 and last < most))
+        self.stream.seek(begin + len(text) + (at >= 0 and last < most))
         return text
-
-    def write(self, data: bytes) -> bool:
-        """Writes at the end. Returns False where there is no room."""
-        return self._file.put(data)
-
-    def close(self) -> None:
-        """Closes it."""
-        self._file.close()
 
 
 class RecentFiles:

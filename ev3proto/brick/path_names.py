@@ -28,11 +28,6 @@ class FileName(NamedTuple):
     name: bytes
     extension: bytes
 
-    @property
-    def whole(self) -> bytes:
-        """All of it."""
-        return self.folder + self.name + self.extension
-
 
 def split(path: bytes) -> FileName:
     """Takes a path apart: the extension begins at the first point, so `a.b.c` is `a` and `.b.c`."""

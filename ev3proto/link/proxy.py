@@ -270,7 +270,7 @@ class Proxy:
     def _to_client(self, frame: bytes) -> None:
         faults, client = self._options.faults, self._client
         request = None if client is None else client.pairing.answered(pairing_key(frame), None)
-        sent = faults.befall(frame)
+        sent = faults.apply_to(frame)
         if sent is None:
             self.say_once("a reply was dropped (--drop)")
             if request is not None:
@@ -314,9 +314,9 @@ class _Client:
         """Takes bytes from the client."""
         self._proxy.act(lambda: self._proxy.forward(self, data))
 
-    def choke(self, is_choked: bool) -> None:
+    def throttle(self, is_throttled: bool) -> None:
         """Reads from the client only while it reads its replies."""
-        (self.line.pause if is_choked else self.line.resume)()
+        (self.line.pause if is_throttled else self.line.resume)()
 
     def close(self) -> None:
         """Ends, as the client has disconnected."""

@@ -22,9 +22,6 @@ FIRST_COUNTER = 42
 MOST_ABANDONED = 1024
 """Commands that were given up on whose counters are kept from use, in case their replies come after all."""
 
-MOST_REMEMBERED = 1024
-"""Answered commands that are remembered, so that a second answer is known for what it is."""
-
 _ASKING = frozenset(int(member) for member in MessageType if member.wants_reply)
 
 
@@ -46,8 +43,7 @@ class Oddity(Enum):
     """What a frame is that answers nothing which is waited for. The value completes "a frame that ..."."""
 
     LATE = "answers a command that was given up on"
-    DOUBLE = "answers a command that was answered already"
-    FOREIGN = "answers an unknown command"
+    FOREIGN = "answers no waiting command"
     UNASKED = "is not a reply: the brick sent it unasked"
 
 
@@ -84,7 +80,6 @@ class Session:
         self._pairing: Pairing[Request] = Pairing(COUNTERS + MOST_ABANDONED)
         self._waiting: dict[int, Request] = {}
         self._abandoned: Bounded[int, Request] = Bounded(MOST_ABANDONED)
-        self._answered: Bounded[int, None] = Bounded(MOST_REMEMBERED)
         self._stream = ReplyStream(self._waiting.__contains__)
 
     @property
@@ -145,7 +140,6 @@ class Session:
         return request
 
     def _wait_for(self, request: Request) -> None:
-        self._answered.pop(request.counter, None)
         self._abandoned.pop(request.counter, None)
         self._waiting[request.counter] = request
         self._pairing.remember(pairing_key(request.frame), 0, request)
@@ -174,13 +168,12 @@ class Session:
         request = self._pairing.answered(pairing_key(frame), None)
         if request is not None and self._waiting.get(counter) is request:
             del self._waiting[counter]
-            self._answered.add(counter, None)
             return Answered(request, frame)
         if request is not None:
             if self._abandoned.get(counter) is request:
                 del self._abandoned[counter]
             return Stray(Oddity.LATE, frame)
-        return Stray(Oddity.DOUBLE if counter in self._answered else Oddity.FOREIGN, frame)
+        return Stray(Oddity.FOREIGN, frame)
 
     def _free_counter(self) -> int:
         for step in range(COUNTERS):

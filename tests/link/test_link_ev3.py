@@ -373,7 +373,7 @@ def test_what_came_instead_of_an_answer_is_told() -> None:
     with stub_brick(answer) as port, stubbed(port) as my_ev3:
         my_ev3.send_direct_cmd(NOP)
         assert there.wait(30)
-        with pytest.raises(ev3proto.NoAnswerError, match="a frame that answers an unknown command, 03:00:99:99"):
+        with pytest.raises(ev3proto.NoAnswerError, match="a frame that answers no waiting command, 03:00:99:99"):
             my_ev3.send_direct_cmd(NOP, global_mem=1, timeout=0.2)
 
 

@@ -56,7 +56,7 @@ def add(vm: Machine, file: OpenFile, handle: Place) -> None:
     number = vm.program.handles.add(file)
     handle.write16(NO_HANDLE if number is None else number)
     if number is None:
-        file.close()
+        file.stream.close()
         vm.brick.settings.log_error("FILE_OPEN_ERROR")
         raise Failure
 
@@ -139,7 +139,7 @@ def _file(vm: Machine, handle: int, for_writing: bool) -> OpenFile:
 def _write(vm: Machine, handle: int, data: bytes, delimiter: int = 0) -> None:
     """Writes data and a delimiter; fails for an unknown delimiter, after the data is written."""
     end = b"" if delimiter < 0 else DELIMITERS.get(delimiter)
-    if not _file(vm, handle, True).write(data + (end or b"")) or end is None:
+    if not _file(vm, handle, True).stream.put(data + (end or b"")) or end is None:
         vm.brick.settings.log_error("FILE_WRITE_ERROR")
         raise Failure
 

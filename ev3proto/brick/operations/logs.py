@@ -85,7 +85,7 @@ def open_log(
 
 def _write_or_log(vm: Machine, file: OpenFile | None, data: bytes) -> bool:
     """Writes to a file; False and an error in the log of errors where that is impossible."""
-    if file is not None and file.for_writing and file.write(data):
+    if file is not None and file.for_writing and file.stream.put(data):
         return True
     vm.brick.settings.log_error("FILE_WRITE_ERROR")
     return False

@@ -23,7 +23,7 @@ class Faults:
     corrupt: float = 0.0
     random: Random = field(default_factory=Random)
 
-    def befall(self, reply: bytes) -> bytes | None:
+    def apply_to(self, reply: bytes) -> bytes | None:
         """Returns what is sent in place of a reply; None where it is lost."""
         if self.drop and self.random.random() < self.drop:
             return None

@@ -120,7 +120,7 @@ class Connection:
         self._line = line
         self._incoming = bytearray()
         self._is_paused = False
-        self._is_choked = False
+        self._is_throttled = False
         self._is_out_of_step = False
         self._delayed = 0
 
@@ -133,19 +133,19 @@ class Connection:
             self._line.pause()
         self._host.wake()
 
-    def choke(self, is_choked: bool) -> None:
+    def throttle(self, is_throttled: bool) -> None:
         """Learns whether the client leaves too much unread; its frames wait meanwhile."""
-        self._is_choked = is_choked
-        if not is_choked:
+        self._is_throttled = is_throttled
+        if not is_throttled:
             self._host.wake()
 
     def close(self) -> None:
         """Learns that the client has disconnected; what it sent before is still done, as on the real brick."""
         self.is_gone = True
-        self._is_choked = False
+        self._is_throttled = False
         self._host.serve_disconnected()
 
-    def drop_if_gone(self) -> None:
+    def forget_frames(self) -> None:
         """Forgets the frames of a client that has disconnected."""
         if self.is_gone:
             self._incoming.clear()
@@ -169,7 +169,7 @@ class Connection:
     def is_ready(self) -> bool:
         """Whether a whole frame has arrived and can be served."""
         incoming = self._incoming
-        if self._is_choked or self._delayed >= MOST_DELAYED or len(incoming) < LENGTH_FIELD:
+        if self._is_throttled or self._delayed >= MOST_DELAYED or len(incoming) < LENGTH_FIELD:
             return False
         return len(incoming) >= frame_size(incoming)
 
@@ -248,22 +248,22 @@ class Host:
         """Serves the remaining frames of a limited number of disconnected clients."""
         gone = [each for each in self.connections if each.is_gone]
         for other in gone[:-MOST_QUEUED]:
-            other.drop_if_gone()
+            other.forget_frames()
         self.wake()
 
     def queued(self) -> None:
         """Says that a client waits until another one disconnects."""
         self.say_once("a client waits until another one disconnects; a real brick serves one, too (see --clients)")
 
-    def _part(self) -> None:
+    def _end_disconnected(self) -> None:
         """Ends the connections of disconnected clients without remaining frames."""
         for connection in [each for each in self.connections if each.is_gone and not each.is_ready]:
             if self._current is None or self._current[0] is not connection:
                 self.connections.remove(connection)
-                self._let(partial(self.brick.disconnect, connection), "as a client went")
-                self._say_goodbye(connection)
+                self._guarded(partial(self.brick.disconnect, connection), "as a client went")
+                self._report_end(connection)
 
-    def _say_goodbye(self, connection: Connection) -> None:
+    def _report_end(self, connection: Connection) -> None:
         """Tells observers that a connection is over, and what is left of an unfinished frame."""
         if left := connection.left:
             reason = (len(left) >= LENGTH_FIELD and out_of_step(left)) or _unfinished(left)
@@ -278,10 +278,10 @@ class Host:
         self._timer = None
         self._is_stopped = True
 
-    def part_all(self) -> None:
+    def end_all(self) -> None:
         """Ends all connections for the observers: the brick is about to be switched off."""
         for connection in self.connections:
-            self._say_goodbye(connection)
+            self._report_end(connection)
         self.observers.clear()
 
     # Serving
@@ -304,7 +304,7 @@ class Host:
             self._advance()
             while not self.brick.is_busy:
                 self._settle()
-                self._part()
+                self._end_disconnected()
                 connection = self._next()
                 if connection is None:
                     break
@@ -345,10 +345,10 @@ class Host:
         if self.observers:
             self._tell(lambda observer: observer.frame(connection, frame, True))
         shown = frame[:_MOST_SHOWN].hex(" ") + (" ..." if len(frame) > _MOST_SHOWN else "")
-        if not self._let(lambda: self.brick.receive_from(connection, frame), f"at the frame {shown}"):
+        if not self._guarded(lambda: self.brick.receive_from(connection, frame), f"at the frame {shown}"):
             self._current = None
 
-    def _let(self, act: Callable[[], list[Addressed]], place: str) -> bool:
+    def _guarded(self, act: Callable[[], list[Addressed]], place: str) -> bool:
         """Calls the brick, and delivers the replies. Reports a defect, and returns False then.
 
         A defect must not take the brick away from all clients.
@@ -383,7 +383,7 @@ class Host:
         while now - self._now >= _LEAST_STEP or brick.is_computing:
             step = min(now - self._now, _MOST_STEP)
             self._now += step
-            if not self._let(partial(brick.advance_all, step / _MICROSECONDS), "as time passed"):
+            if not self._guarded(partial(brick.advance_all, step / _MICROSECONDS), "as time passed"):
                 break
             if brick.is_computing or self._loop.time() > until:
                 break
@@ -393,12 +393,12 @@ class Host:
                 self.say_once(
                     f"{connection.name}: its command was ended after {PATIENCE:g} s, because another client waits"
                 )
-                connection.drop_if_gone()
-                self._let(brick.end_command, "as a command was ended")
+                connection.forget_frames()
+                self._guarded(brick.end_command, "as a command was ended")
         if brick.has_ended_command:
             brick.has_ended_command = False
             if self._current is not None:
-                self._current[0].drop_if_gone()
+                self._current[0].forget_frames()
                 self.say_once(f"{self._current[0].name}: an endless command was ended; a real brick stops answering")
         if brick.is_dead:
             brick.is_dead = False
@@ -412,7 +412,7 @@ class Host:
 
     def _deliver(self, replies: list[Addressed]) -> None:
         for channel, reply in replies:
-            sent = self.faults.befall(reply)
+            sent = self.faults.apply_to(reply)
             if isinstance(channel, Connection) and not channel.is_gone and sent is not None:
                 if self.observers:
                     self._show(channel, sent)

@@ -123,7 +123,7 @@ class SerialPort:
         else:
             self._loop.remove_writer(self._master)
         if self._connection is not None:
-            self._connection.choke(len(self._outgoing) > MOST_UNREAD)
+            self._connection.throttle(len(self._outgoing) > MOST_UNREAD)
 
     def send(self, data: bytes) -> None:
         """Sends bytes to the program that has the port open; unread ones wait."""

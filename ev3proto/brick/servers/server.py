@@ -128,7 +128,7 @@ async def running(options: Options, root: Path, say: Say) -> AsyncIterator[Runni
         if options.report:
             reporter = Reporter(options.dialect, None if recorder is None else lambda: recorder.packets)
             host.observers.append(reporter)
-        stack.callback(host.part_all)
+        stack.callback(host.end_all)
         link, looked = "", asyncio.Event()
         if options.page is not None:
             link, looked = await stack.enter_async_context(_page(host, options.address, options.page))

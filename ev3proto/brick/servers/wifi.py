@@ -22,7 +22,7 @@ class Session(Protocol):
     def feed(self, data: bytes) -> None:
         """Takes bytes from the client."""
 
-    def choke(self, is_choked: bool) -> None:
+    def throttle(self, is_throttled: bool) -> None:
         """Learns whether the client leaves too many bytes unread."""
 
     def close(self) -> None:
@@ -62,7 +62,7 @@ class Wifi:
         self._host = host
         self._clients = clients
         self._only_from = only_from
-        self._strangers: dict[_Client, None] = {}
+        self._locked: dict[_Client, None] = {}
         self._queued: deque[_Client] = deque()
         self._served: set[_Client] = set()
         self._server: asyncio.Server | None = None
@@ -95,27 +95,27 @@ class Wifi:
             self._beacon.cancel()
         if self._server is not None:
             self._server.close()
-        clients = [*self._served, *self._queued, *self._strangers]
-        self._strangers.clear()
+        clients = [*self._served, *self._queued, *self._locked]
+        self._locked.clear()
         self._queued.clear()
         for client in clients:
             client.drop()
 
     # Clients
 
-    def came(self, client: _Client) -> None:
+    def connected(self, client: _Client) -> None:
         """Takes a client that has connected. Until it sends the unlock text, it does not keep others waiting."""
         if self._only_from not in (None, client.address):
             self._host.say_once(f"{client.address} was disconnected: only {self._only_from} is served (--from)")
             client.drop()
             return
-        self._strangers[client] = None
-        if len(self._strangers) > MOST_QUEUED:
-            next(iter(self._strangers)).drop()
+        self._locked[client] = None
+        if len(self._locked) > MOST_QUEUED:
+            next(iter(self._locked)).drop()
 
     def unlocked(self, client: _Client) -> None:
         """Serves a client that has sent the unlock text, queues it, or disconnects it."""
-        self._strangers.pop(client, None)
+        self._locked.pop(client, None)
         if len(self._queued) >= MOST_QUEUED:
             client.drop()
             return
@@ -124,9 +124,9 @@ class Wifi:
         if client in self._queued:
             self._host.queued()
 
-    def went(self, client: _Client) -> None:
+    def disconnected(self, client: _Client) -> None:
         """Forgets a client that has disconnected, and serves the next one."""
-        if self._strangers.pop(client, client) is None:
+        if self._locked.pop(client, client) is None:
             self._host.say_once(f"{client.address} did not send the unlock text of a WiFi brick; disconnected")
         if client in self._queued:
             self._queued.remove(client)
@@ -176,7 +176,7 @@ class _Client(asyncio.Protocol):
         self._transport = transport
         transport.set_write_buffer_limits(MOST_UNREAD)
         self._timer = asyncio.get_running_loop().call_later(UNLOCK_TIME, self.drop)
-        self._wifi.came(self)
+        self._wifi.connected(self)
 
     def data_received(self, data: bytes) -> None:
         if self._connection is not None:
@@ -188,11 +188,11 @@ class _Client(asyncio.Protocol):
 
     def pause_writing(self) -> None:
         if self._connection is not None:
-            self._connection.choke(True)
+            self._connection.throttle(True)
 
     def resume_writing(self) -> None:
         if self._connection is not None:
-            self._connection.choke(False)
+            self._connection.throttle(False)
 
     def connection_lost(self, exc: Exception | None) -> None:  # noqa: ARG002 - the reason does not matter
         if self._timer is not None:
@@ -202,7 +202,7 @@ class _Client(asyncio.Protocol):
             if connection is not None:
                 connection.close()
         finally:
-            self._wifi.went(self)
+            self._wifi.disconnected(self)
 
     # What the port calls
 

@@ -1,5 +1,7 @@
 """All names that users can use, as text: a line for each function, class, attribute and option of the command line.
 
+Functions, enumerations and constants that are generated from the tables are left out: their files are checked in, too.
+
 `tests/public_face.txt` is this text after the last intended change. test_public_face.py compares the two, so that
 a change of the public face shows as a diff in a review. To renew the file:
 
@@ -13,14 +15,11 @@ from __future__ import annotations
 
 import enum
 import inspect
-import keyword
 import re
 import sys
-import textwrap
 from collections.abc import Callable, Iterator
 from functools import cached_property
 from importlib import import_module
-from itertools import groupby
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -29,8 +28,6 @@ import click
 from scapy.packet import Packet
 
 import ev3proto.cli.commands
-from ev3proto.tables import operations
-from ev3proto.tables.declaration import DIALECTS
 
 FILE = Path(__file__).parents[1] / "public_face.txt"
 RENEW = ".venv/bin/python tests/support/public_face.py"
@@ -48,7 +45,7 @@ MODULES = (
     "ev3proto.testing",
     "ev3proto.sampling",
 )
-"""Modules whose public names are all listed. `ops`, `enums`, `system` and `scapy` have their own sections."""
+"""Modules whose public names are all listed. What is generated from the tables is in its own files."""
 
 MOST_CHARACTERS = 40
 """Maximum length of a default value; a longer one is `...`."""
@@ -62,10 +59,6 @@ def text() -> str:
     """Returns the whole public face."""
     sections = [
         *_Listing().sections(),
-        ("ev3proto: the constants of the instruction set", _constants()),
-        *((_ops_title(dialect), _operations(dialect)) for dialect in DIALECTS),
-        ("ev3proto.system", _system()),
-        ("ev3proto.enums", _enums()),
         ("ev3proto.scapy", _scapy()),
         ("The command line", _commands(ev3proto.cli.commands.cli, "ev3proto")),
     ]
@@ -186,84 +179,7 @@ def _value(value: Any) -> str:
     return "..." if _OBJECT.search(words) or len(words) > MOST_CHARACTERS else words
 
 
-# Generated from the tables
-
-
-def _wrapped(words: list[str]) -> Iterator[str]:
-    """Many short words, in a paragraph for each first letter: a new word changes few lines."""
-    for _, group in groupby(words, key=lambda word: word[0]):
-        yield from textwrap.wrap(" ".join(group), 118, break_long_words=False, break_on_hyphens=False)
-
-
-def _constants() -> Iterator[str]:
-    names = [name for name in import_module("ev3proto.schema.names").constant_names() if not name.startswith("_")]
-    return _wrapped([f"{name}={_constant(getattr(ev3proto, name))}" for name in sorted(names)])
-
-
-def _constant(value: Any) -> str:
-    return f"0x{value.hex()}" if isinstance(value, bytes) else str(value) if isinstance(value, int) else repr(value)
-
-
-def _ops_title(dialect: str) -> str:
-    return "ev3proto.ops" if dialect == "official" else f"ev3proto.ops.{dialect}: what is not as in ev3proto.ops"
-
-
-def _operations(dialect: str) -> list[str]:
-    found = _operation_lines(dialect)
-    if dialect == "official":
-        return found
-    official = _operation_lines("official")
-    lacking = [f"without {line.partition('(')[0]}" for line in official]
-    present = {f"without {line.partition('(')[0]}" for line in found}
-    return [*sorted(set(found) - set(official)), *(line for line in lacking if line not in present)]
-
-
-def _operation_lines(dialect: str) -> list[str]:
-    """A line per function: its parameters, and which are optional. Types are in the stubs or in the code."""
-    module: Any = import_module("ev3proto.ops" if dialect == "official" else f"ev3proto.ops.{dialect}")
-    paths = [name.split(".") for name in operations(dialect)]
-    return sorted(_untyped(module, [_python_name(part) for part in path]) for path in paths)
-
-
-def _python_name(name: str) -> str:
-    lower = name.lower()
-    return f"{lower}_" if keyword.iskeyword(lower) or lower in keyword.softkwlist else lower
-
-
-def _untyped(module: Any, path: list[str]) -> str:
-    """A function with the names and defaults of its parameters; optional parameters have `=...`."""
-    function = module
-    for part in path:
-        function = getattr(function, part)
-    signature = inspect.signature(function)
-    parameters = [
-        parameter.replace(
-            annotation=inspect.Parameter.empty,
-            default=parameter.default if parameter.default is inspect.Parameter.empty else ...,
-        )
-        for parameter in signature.parameters.values()
-        if parameter.name != "self"
-    ]
-    return f"{'.'.join(path)}{inspect.Signature(parameters)}".replace("Ellipsis", "...")
-
-
-def _system() -> Iterator[str]:
-    module = import_module("ev3proto.system")
-    for name in sorted(module.__all__):
-        value = getattr(module, name)
-        if inspect.isfunction(value):
-            yield _untyped(module, [name])
-        else:
-            yield from (_untyped(module, [name, each]) for each in sorted(value.__all__))
-
-
-def _enums() -> Iterator[str]:
-    module = import_module("ev3proto.enums")
-    for name in sorted(module.__all__):
-        value = getattr(module, name)
-        if isinstance(value, type) and issubclass(value, enum.Enum) and value.__members__:
-            bases = ", ".join(base.__name__ for base in value.__bases__)
-            yield f"{name}({bases}): {_members(value)}" if value.__name__ == name else f"{name} = {value.__name__}"
+# Scapy
 
 
 def _scapy() -> Iterator[str]:
@@ -276,9 +192,6 @@ def _scapy() -> Iterator[str]:
             yield f"{name}{_signature(value)}"
         else:
             yield name
-    # The layers of operations; their fields are the parameters.
-    layers = [name for name in dir(module) if name.isupper() and isinstance(getattr(module, name), type)]
-    yield from _wrapped(sorted(set(layers) - set(module.__all__)))
 
 
 # The command line

@@ -17,12 +17,11 @@ from pathlib import Path
 
 import pytest
 from support.packets import ACK, RAW_IP, Capture, Connection, SerialPort, cut, datagram, in_tunnels, segment
-from support.wireshark import Tshark
+from support.wireshark import DISSECTOR, Tshark
 
 from ev3proto.capture import Account, Announcement, CaptureError, Direction, Event, Record, Skipped, read
 from ev3proto.capture import Capture as Captured
 from ev3proto.capture.formats import CaptureFile
-from ev3proto.generate.dissector.build import build
 from ev3proto.pyshark import read as read_by_tshark
 
 CAPTURES = Path(__file__).parents[2] / "captures"
@@ -253,7 +252,7 @@ def test_a_dissector_that_is_installed_is_used(tshark: Tshark) -> None:
     for folder in (home, *plugins.parents):
         if folder.is_relative_to(home):
             folder.chmod(0o755)
-    (plugins / "ev3.lua").write_text(build())
+    (plugins / "ev3.lua").write_text(DISSECTOR.read_text())
     text = tshark.path.read_text().replace("HOME=/nonexistent", f"HOME={home}")
     text = text.replace('$(dirname "$(readlink -f "$0")")', str(tshark.program.parent))
     program = home / "tshark"
@@ -262,7 +261,7 @@ def test_a_dissector_that_is_installed_is_used(tshark: Tshark) -> None:
     path = tshark.place(CAPTURES / "daisy.pcap")
     assert len(list(read_by_tshark(path, tshark=str(program)))) == 8
 
-    (plugins / "ev3.lua").write_text(build().replace("ev3.prefs.bytes", "ev3.prefs.older"))
+    (plugins / "ev3.lua").write_text(DISSECTOR.read_text().replace("ev3.prefs.bytes", "ev3.prefs.older"))
     with pytest.raises(CaptureError, match="the one that is installed is older than this ev3proto"):
         list(read_by_tshark(path, tshark=str(program)))
 

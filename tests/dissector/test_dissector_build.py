@@ -14,7 +14,6 @@ import pytest
 from support.cli import run_ev3proto
 from support.wireshark import DISSECTOR, Tshark
 
-from ev3proto.generate.dissector.build import build
 from ev3proto.generate.dissector.names import HEXADECIMAL, filter_name
 from ev3proto.tables import OPCODES
 from ev3proto.tables.declaration import Enumeration, Parameter, Type
@@ -82,7 +81,7 @@ def test_the_command_writes_the_same_every_time(tmp_path: Path) -> None:
     assert run("-o", str(file)).returncode == 0
     done = run()
     assert (done.returncode, done.stderr) == (0, b"")
-    assert done.stdout == file.read_bytes() == build().encode()
+    assert done.stdout == file.read_bytes() == DISSECTOR.read_bytes()
 
 
 def test_the_command_checks_a_file(tmp_path: Path) -> None:
@@ -90,7 +89,7 @@ def test_the_command_checks_a_file(tmp_path: Path) -> None:
     done = run("--check", "-o", str(file))
     assert (done.returncode, done.stdout) == (1, b"")
     assert done.stderr.decode() == f"{file}: cannot be read: No such file or directory\n"
-    file.write_text(build(), newline="\n")
+    file.write_bytes(DISSECTOR.read_bytes())
     done = run("--check", "-o", str(file))
     assert (done.returncode, done.stdout, done.stderr) == (0, b"", b"")
     file.write_text("-- old\n")

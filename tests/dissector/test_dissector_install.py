@@ -21,11 +21,10 @@ import pytest
 from click.testing import CliRunner
 from support.cli import run_ev3proto_text
 from support.packets import RAW_IP, Capture, Connection
-from support.wireshark import Tshark
+from support.wireshark import DISSECTOR, Tshark
 
 from ev3proto.cli.dissector import dissector
 from ev3proto.generate.dissector import install, profile
-from ev3proto.generate.dissector.build import build, build_statistics
 
 ROOT = Path(__file__).parents[2]
 CAPTURES = ROOT / "captures"
@@ -138,8 +137,8 @@ def test_installed_it_is_loaded_and_decodes(home: Home) -> None:
         f"{home.program} loads it.",
         RELOAD,
     ]
-    assert home.plugin.read_bytes() == build().encode()
-    assert home.statistics.read_bytes() == build_statistics().encode()
+    assert home.plugin.read_bytes() == DISSECTOR.read_bytes()
+    assert home.statistics.read_bytes() == DISSECTOR.with_name("ev3_statistics.lua").read_bytes()
     assert home.files() == [f".local/lib/wireshark/plugins/{name}.lua" for name in ("ev3", "ev3_statistics")]
     assert home.plugin.stat().st_mode & 0o444 == 0o444
     assert home.read("wifi.pcapng") == home.tshark.run(CAPTURES / "wifi.pcapng")
@@ -159,9 +158,9 @@ def test_an_older_one_is_replaced(tmp_path: Path) -> None:
     plugin = tmp_path / "ev3.lua"
     run("--dir", str(tmp_path))
     assert run("--dir", str(tmp_path)).stdout.startswith(f"{plugin}: there already, the same\n")
-    plugin.write_text(build().replace("SOUND", "NOISE"))
+    plugin.write_text(DISSECTOR.read_text().replace("SOUND", "NOISE"))
     assert run("--dir", str(tmp_path)).stdout.startswith(f"{plugin}: written in place of an older one\n")
-    assert plugin.read_bytes() == build().encode()
+    assert plugin.read_bytes() == DISSECTOR.read_bytes()
 
 
 def test_another_program_keeps_its_file(tmp_path: Path) -> None:
@@ -179,11 +178,11 @@ def test_another_program_keeps_its_file(tmp_path: Path) -> None:
 
 def test_what_a_link_points_to_stays(tmp_path: Path) -> None:
     elsewhere, plugin = tmp_path / "mine.lua", tmp_path / "plugins" / "ev3.lua"
-    elsewhere.write_text(build() + "-- mine\n")
+    elsewhere.write_text(DISSECTOR.read_text() + "-- mine\n")
     plugin.parent.mkdir()
     plugin.symlink_to(elsewhere)
     assert run("--dir", str(plugin.parent)).returncode == 0
-    assert elsewhere.read_text() == build() + "-- mine\n"
+    assert elsewhere.read_text() == DISSECTOR.read_text() + "-- mine\n"
     assert not plugin.is_symlink()
 
 

@@ -8,9 +8,8 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from support.frames import Segment, tcp_capture
-from support.wireshark import Tshark
+from support.wireshark import DISSECTOR, Tshark
 
-from ev3proto.generate.dissector.build import build
 from ev3proto.tables import OPCODES
 
 
@@ -21,7 +20,7 @@ def tone(number: int, frequency: int = 440) -> bytes:
 
 def test_how_lua_frees_for_other_plugins_is_left_alone() -> None:
     """All scripts share one Lua: its settings are shared by all. Asking for the memory, or freeing it, changes none."""
-    uses = set(re.findall(r"collectgarbage\b(?:\((.*?)\))?", build()))
+    uses = set(re.findall(r"collectgarbage\b(?:\((.*?)\))?", DISSECTOR.read_text()))
     assert uses == {'"count"', ""}
 
 
@@ -44,7 +43,7 @@ def test_what_packets_leave_behind_is_freed_soon(tmp_path: Path) -> None:
     script = tmp_path / "ev3.lua"
     freed = []
     for held in (0, 40):
-        script.write_text(build() + WATCH % held)
+        script.write_text(DISSECTOR.read_text() + WATCH % held)
         with Tshark.from_setting(script) as tshark:
             capture = tshark.place(tcp_capture(Segment(True, tone(number)) for number in range(3000)), "tones.pcap")
             freed.append(int(tshark.run(capture, "-T", "fields", "-e", "ev3.op").split()[-2]))
@@ -82,7 +81,7 @@ def every_operation() -> Iterable[bytes]:
 def test_what_is_known_of_an_operation_is_read_when_it_comes(tmp_path: Path) -> None:
     """Lua goes through its whole memory whenever it frees something, and most captures have few operations."""
     script = tmp_path / "ev3.lua"
-    script.write_text(build() + HELD)
+    script.write_text(DISSECTOR.read_text() + HELD)
     tones = [tone(number) for number in range(10)]
     with Tshark.from_setting(script) as tshark:
         few, all_of_them = (number_said(tshark, frames, *WITH_TREE) for frames in (tones, [*tones, *every_operation()]))

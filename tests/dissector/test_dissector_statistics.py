@@ -9,10 +9,9 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from support.packets import HCI_WITH_DIRECTION, RAW_IP, Capture, Connection, SerialPort
-from support.wireshark import Tshark
+from support.wireshark import DISSECTOR, Tshark
 
 import ev3proto
-from ev3proto.generate.dissector.build import build
 
 CAPTURES = Path(__file__).parents[2] / "captures"
 
@@ -243,6 +242,8 @@ def test_the_main_chunk_has_room_for_locals(tmp_path: Path) -> None:
     """Lua allows 200 at once in a function, including the main chunk; at the end of a block, those around it count."""
     room = "local " + ", ".join(f"room_{number}" for number in range(20))
     script = tmp_path / "ev3.lua"
-    script.write_text(re.sub(r"^(do\n.*?)^end$", rf"\1{room}\nend", build(), flags=re.MULTILINE | re.DOTALL) + room)
+    script.write_text(
+        re.sub(r"^(do\n.*?)^end$", rf"\1{room}\nend", DISSECTOR.read_text(), flags=re.MULTILINE | re.DOTALL) + room
+    )
     with Tshark.from_setting(script) as tshark:
         assert tshark.lua_errors(tshark.place(CAPTURES / "daisy.pcap")) == []

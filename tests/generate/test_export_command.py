@@ -11,22 +11,19 @@ from support.cli import run_ev3proto
 
 from ev3proto import capture
 from ev3proto.capture import Record
-from ev3proto.generate.cheader.build import build as header
-from ev3proto.generate.kaitai.build import build as description
-from ev3proto.generate.output_schemas import build as output_schemas
-from ev3proto.generate.tables_json.build import build_schema, build_tables
 from ev3proto.tables.carriers import CARRIERS
 
 ROOT = Path(__file__).parents[2]
 TONE = "0e002a0080000094010182b80182e803"
 
-FILES = {
-    "ev3proto.h": ("c-header", header()),
-    "ev3.ksy": ("kaitai", description()),
-    "ev3-tables.json": ("json", build_tables()),
-    "ev3-tables.schema.json": ("json-schema", build_schema()),
-    "ev3-output.schema.json": ("output-schema", output_schemas()),
+COMMANDS = {
+    "ev3proto.h": "c-header",
+    "ev3.ksy": "kaitai",
+    "ev3-tables.json": "json",
+    "ev3-tables.schema.json": "json-schema",
+    "ev3-output.schema.json": "output-schema",
 }
+FILES = {name: (command, (ROOT / "exports" / name).read_text()) for name, command in COMMANDS.items()}
 
 # The group by itself, not as part of another word.
 

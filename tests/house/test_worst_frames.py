@@ -17,7 +17,7 @@ from ev3proto.checking.checking import check
 from ev3proto.checking.fixing import fix
 from ev3proto.dialogue import Exchange
 from ev3proto.schema.frame import read_last
-from ev3proto.text.assembly.disassembly import assembly
+from ev3proto.text.assembly import assembly
 from ev3proto.text.diagnostics import diagnostics, fixed
 from ev3proto.text.json_format.from_messages import record
 from ev3proto.text.phrases import NOTATIONS, Seen

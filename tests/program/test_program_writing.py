@@ -14,8 +14,7 @@ from ev3proto import program as programs
 from ev3proto.checking.program_codes import PROGRAM_CODES
 from ev3proto.program import assemble, source_of
 from ev3proto.program.sources import SourceDialect
-from ev3proto.text.assembly.errors import AssemblyError
-from ev3proto.text.assembly.names import firmware_names
+from ev3proto.text.assembly import AssemblyError
 
 
 def test_the_source_of_the_example_is_what_people_write() -> None:
@@ -64,11 +63,6 @@ def test_in_every_dialect_it_comes_back_or_is_refused(dialect: str | None) -> No
         source = source_of(programs.parse(image, strict=False))
         with suppress(*refusals):
             assert assemble(source, dialect=dialect).image == image, source
-
-
-def test_its_own_names_hide_none_of_the_firmwares() -> None:
-    names = firmware_names()
-    assert not [name for name in names if name[:1].islower()]
 
 
 @pytest.mark.parametrize(

@@ -9,8 +9,7 @@ from support.cli import run_ev3proto_text
 
 from ev3proto import parse
 from ev3proto.dialogue import Dialogue
-from ev3proto.text.assembly import assemble
-from ev3proto.text.assembly.disassembly import assembly
+from ev3proto.text.assembly import assemble, assembly
 
 
 def written(frame: bytes) -> str:

@@ -168,7 +168,7 @@ def test_another_program_keeps_its_file(tmp_path: Path) -> None:
     plugin.write_text("-- mine\n")
     done = run("--dir", str(tmp_path), "--profile")
     assert (done.returncode, done.stdout) == (1, "")
-    assert done.stderr == f"{plugin} is another program's: move it away, or overwrite it with --force\n"
+    assert done.stderr == f"{plugin} belongs to another program; move it away, or overwrite it with --force\n"
     assert plugin.read_text() == "-- mine\n"
     assert tree(tmp_path) == ["ev3.lua"]
     done = run("--dir", str(tmp_path), "--force")
@@ -497,7 +497,7 @@ def test_without_a_tshark_the_usual_folders_are_taken(
     ]
     done = CliRunner().invoke(dissector, ["install", "--profile"])
     assert done.exit_code == 0
-    assert "There is no tshark to ask" in done.output
+    assert "tshark was not found" in done.output
     assert sorted(tree(tmp_path)) == sorted(files)
     text = (tmp_path / launcher).read_text()
     assert sys.executable in text

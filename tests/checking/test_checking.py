@@ -631,9 +631,3 @@ def test_downloads_may_be_longer_than_other_frames_but_not_on_usb() -> None:
     cut = only(long[:900])
     assert (cut.code, cut.offset) == ("E102", 0)
     assert "1105 bytes follow it, but there are 898" in cut.message
-
-
-def test_a_download_may_begin_with_data() -> None:
-    report = check(bytes.fromhex("1d0001000192050000002e2e2f70726a732f712f612e7478740068656c6c6f"))
-    assert report.accepted
-    assert report.findings == ()

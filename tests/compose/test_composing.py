@@ -23,7 +23,6 @@ from ev3proto import (
     Draft,
     Global,
     Local,
-    MessageType,
     command,
     direct_reply,
     ops,
@@ -237,14 +236,6 @@ def test_counters() -> None:
     assert command(ops.nop(), counter=65535).build().hex() == "0600ffff80000001"
     with pytest.raises(BuildError, match="counter cannot be 65536"):
         command(ops.nop(), counter=65536)
-
-
-def test_the_lights_of_the_lesson() -> None:
-    message = command(
-        ops.ui_write.led(LED.RED), ops.timer_wait(500, Local()), ops.ui_write.led("LED_GREEN_FLASH"), counter=42
-    )
-    assert message.type is MessageType.DIRECT_COMMAND_NO_REPLY
-    assert message.build().hex() == "10002a00800010821b02858 2f40140821b04".replace(" ", "")
 
 
 # Every operation

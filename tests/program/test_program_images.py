@@ -130,15 +130,6 @@ def test_headers_that_all_say_offset_0() -> None:
     assert programs.check_program(image).accepted
 
 
-def test_one_header_that_says_offset_0() -> None:
-    image = IMAGE[:28] + bytes(4) + IMAGE[32:]
-    program = programs.parse(image)
-    assert program.objects == programs.parse(IMAGE).objects
-    assert program.defects.headers == (0x28, 0)
-    assert program.build() == image
-    assert programs.assemble(programs.source_of(program)).image == image
-
-
 @pytest.mark.parametrize(
     ("damage", "offset", "words"),
     [

@@ -226,12 +226,6 @@ def test_frames_build_back(drawn: tuple[str, bytes]) -> None:
 
 
 @many
-@given(messages())
-def test_messages_come_back(message: Message) -> None:
-    assert ev3proto.parse(message.build()) == message
-
-
-@many
 @given(frames())
 def test_operations_and_arguments_tile_the_frame(frame: bytes) -> None:
     message = ev3proto.parse(frame)
@@ -239,14 +233,6 @@ def test_operations_and_arguments_tile_the_frame(frame: bytes) -> None:
         assert_tiled(message.operations, frame, 7)
     elif isinstance(message, DaisyCommand) and message.operations:
         assert_tiled(message.operations, frame, 8)
-
-
-@many
-@given(direct_commands())
-def test_builder_places_operations_one_after_the_other(command: DirectCommand) -> None:
-    assert_tiled(command.operations, command.build(), 7)
-    for before, behind in pairwise(command.operations):
-        assert behind.offset == before.offset + before.length
 
 
 # Every sequence of bytes

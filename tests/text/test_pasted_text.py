@@ -330,9 +330,9 @@ def test_no_text_raises(text: str) -> None:
 
 def test_what_is_collected_is_bounded() -> None:
     row = "0x01, " * 16 + "\n"
-    pasted = only("uint8_t x[] = {\n" + row * 2000 + "};")
+    pasted = only("uint8_t x[] = {\n" + row * 700 + "};")
     assert "64 KiB" in (pasted.problem or "")
-    rows = (f"{offset:08x}  {'01 ' * 16}\n" for offset in range(0, 1 << 18, 16))
+    rows = (f"{offset:08x}  {'01 ' * 16}\n" for offset in range(0, 1 << 15, 16))
     (dump,) = read_text(rows)
     assert "64 KiB" in (dump.problem or "")
 

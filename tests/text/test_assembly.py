@@ -263,6 +263,7 @@ ERRORS = [
     ("SOUND(TOEN,1,440,1000)", 1, 7, "SOUND has no CMD TOEN: did you mean TONE?"),
     ("NOP\n  SUOND(TONE)", 2, 3, "unknown operation SUOND: did you mean SOUND?"),
     ("sound(TONE,1,440,1000)", 1, 1, "unknown operation sound: did you mean SOUND?"),
+    ("sound.tone(1,440,1000)", 1, 1, "unknown operation sound.tone: did you mean SOUND.TONE?"),
     ("SOUND(9)", 1, 7, "SOUND has no CMD 9: it has BREAK, TONE, PLAY, REPEAT, SERVICE"),
     ("SOUND()", 1, 7, "the CMD of SOUND is missing: it has BREAK, TONE, PLAY, REPEAT, SERVICE"),
     (

@@ -149,7 +149,9 @@ class Assembler:
             if name in opcodes(dialect):
                 return f"the {self._dialect} firmware has no operation {name}; {dialect} has"
         systems = [] if is_operation_word(written) else [entry.name for entry in SYSTEM]
-        hint = near_misses(name, [*opcodes(self._dialect), *systems])
+        known = opcodes(self._dialect)
+        commands = (f"{family}.{command.name}" for family, opcode in known.items() for command in opcode.commands)
+        hint = near_misses(_bare(written), [*known, *systems, *(commands if "." in written else ())])
         return f"unknown operation {written}{hint}"
 
     # Values

@@ -1,10 +1,10 @@
 -- LEGO MINDSTORMS EV3 dissector for Wireshark 4.0 and later (Lua 5.2 and 5.4). Licence: MIT.
 --
--- To install it, put this one file into the personal Lua plugins folder, which Wireshark names under Help, About,
+-- To install it, put this file into the personal Lua plugins folder, which Wireshark names under Help, About,
 -- Folders; or run: ev3proto dissector install
 --
--- This file is made by ev3proto 0.2.0, of its tables of the EV3's protocol and its runtime for Wireshark.
--- Change those, not this.
+-- This file is made by ev3proto 0.2.0, from its tables of the EV3's protocol and its runtime for Wireshark.
+-- Change those, not this file.
 
 set_plugin_info({
     version = "0.2.0",
@@ -14,7 +14,7 @@ set_plugin_info({
 
 -- Words --------------------------------------------------------------------------------------------------------------
 --
--- What the tables below are written with.
+-- The vocabulary of the tables below.
 
 local IN, OUT, INOUT =
     "IN", "OUT", "INOUT"
@@ -28,13 +28,13 @@ local TYPE_NAMES = {
     DATA8 = "DATA8", DATA16 = "DATA16", DATA32 = "DATA32", DATAF = "DATAF", STRING = "string", HANDLE = "handle",
     ARRAY_TYPED = "array-typed", LABEL = "label", COUNT = "count", VALUES = "values",
 }
--- Bytes of a value in memory, of the types that have a value there.
+-- Bytes of a value in memory, for the types that have one.
 local SIZE_OF = { DATA8 = 1, DATA16 = 2, DATA32 = 4, DATAF = 4, HANDLE = 2 }
 local DIALECTS = { "official", "xtended", "compat" }
 
 -- Frames -------------------------------------------------------------------------------------------------------------
 --
--- The header, the types of message, and how big things may be.
+-- The header, the types of messages, and limits.
 
 local LENGTH_FIELD = 2
 local HEADER_SIZE = 5
@@ -67,7 +67,7 @@ end
 
 -- Arguments ----------------------------------------------------------------------------------------------------------
 --
--- What an identification byte says: first and last byte, encoding, kind, bytes that follow.
+-- Identification bytes: first and last byte, encoding, kind, number of bytes that follow.
 
 local ENCODING_ROWS = {
     { 0x00, 0x1F, "LC0", CONSTANT, 0, value = 0 },
@@ -227,7 +227,7 @@ local ENUMERATIONS = {
     },
 }
 
--- The type of the values that a number of DATA_FORMAT announces.
+-- The types of values by DATA_FORMAT.
 local FORMAT_TYPES = {
     [0] = DATA8, [1] = DATA16, [2] = DATA32, [3] = DATAF, [4] = STRING, [5] = ARRAY_TYPED, [7] = ARRAY_TYPED,
     [16] = DATA8, [18] = DATA32, [19] = DATAF,
@@ -235,9 +235,9 @@ local FORMAT_TYPES = {
 
 -- Operations ---------------------------------------------------------------------------------------------------------
 --
--- Opcode, name, what it does; then either parameters or, for a family, its commands, which have those. A
--- parameter is its name, direction, type and meaning. Parameters are text, which is read when an operation
--- is first seen.
+-- Opcode, name, description; then parameters or, for a family, its commands, which have the same. A parameter
+-- is a name, direction, type and description. Parameters are texts, which are parsed when an operation is
+-- first seen.
 
 local OPERATIONS = {
     { 0x00, "ERROR", "Ends the program with a failure; never valid on the wire", [[]] },
@@ -5174,8 +5174,8 @@ end
 
 -- System commands ----------------------------------------------------------------------------------------------------
 --
--- Number, name, what it does; request and reply are fields: name, kind, name in filters, label; statuses are
--- what those other than SUCCESS mean.
+-- Number, name, description; request and reply have fields: name, kind, filter name, label; statuses are the
+-- meanings of those other than SUCCESS.
 
 local SYSTEM = {
     {
@@ -5388,7 +5388,7 @@ local STATUS = {
 
 -- Daisy chain --------------------------------------------------------------------------------------------------------
 --
--- What bricks say to each other when they are joined by USB.
+-- Messages between bricks that are connected by USB.
 
 local DAISY = {
     names = {
@@ -5412,7 +5412,7 @@ local DAISY = {
 
 -- Claims -------------------------------------------------------------------------------------------------------------
 --
--- When traffic is taken for this protocol, and when it is left to others.
+-- When traffic is claimed as this protocol.
 
 local CLAIMS = {
     strange_packets = 3, replies = 2, never_sent = 0,
@@ -5423,7 +5423,7 @@ local CLAIMS = {
     },
     first_of_devices = 128, nxt_write = 33537, nxt_flag = 128,
 }
--- The numbers of each type.
+-- The range of each type.
 local TYPE_RANGES = {
     DATA8 = { -127, 127 },
     DATA16 = { -32767, 32767 },
@@ -5436,9 +5436,9 @@ local TYPE_RANGES = {
 
 -- USB and Bluetooth --------------------------------------------------------------------------------------------------
 --
--- How a brick shows itself.
+-- How a brick is recognised.
 
--- Of USB, vendor and product in one number: the brick, and its bootloader.
+-- USB products are vendor and product in one number: the brick, and its bootloader.
 local CARRIERS = {
     usb_products = { 0x06940005, 0x06940006 },
     rfcomm_channel = 1, tcp_port = 5555, beacon_port = 3015,
@@ -5453,9 +5453,9 @@ local CARRIERS = {
 
 -- WiFi ---------------------------------------------------------------------------------------------------------------
 --
--- What goes back and forth before any frame does.
+-- The texts before the first frame.
 
--- What unlocks the brick over WiFi, and its answer. No frame has a length that starts like one of them.
+-- The text that unlocks the brick over WiFi, and its answer. No frame starts like one of them, by its length.
 local UNLOCK = {
     patterns = {
         "^GET /target%?sn=([%w_:]*) ?VMTP1%.0(\r?\n)Protocol: ?EV3()",
@@ -5478,13 +5478,13 @@ local ev3 = Proto("EV3", "LEGO MINDSTORMS EV3")
 local fields = {}
 
 local field = {
-    bytes = ProtoField.bytes("ev3.bytes", "Bytes", base.NONE, "all of a frame, or of a text between frames"),
-    brick = ProtoField.string("ev3.brick", "Brick", "the brick that it goes to or comes from, whatever carries it"),
+    bytes = ProtoField.bytes("ev3.bytes", "Bytes", base.NONE, "all bytes of a frame, or of a text between frames"),
+    brick = ProtoField.string("ev3.brick", "Brick", "the brick that it goes to or comes from"),
     length = ProtoField.uint16("ev3.msg_len", "Length", base.DEC, nil, nil, "bytes that follow this field"),
     counter = ProtoField.uint16("ev3.msg_num", "Message counter", base.DEC, nil, nil,
         "chosen by the sender, echoed in the reply"),
     type = ProtoField.uint8("ev3.cmd_type", "Type", base.HEX, NAMES.message_types),
-    memory_sizes = ProtoField.uint16("ev3.vars", "Memory asked for", base.HEX),
+    memory_sizes = ProtoField.uint16("ev3.vars", "Requested memory", base.HEX),
     globals = ProtoField.uint16("ev3.globals", "Global memory", base.UNIT_STRING, { " byte", " bytes" }, GLOBAL_MASK,
         "bytes of the reply's payload"),
     locals = ProtoField.uint16("ev3.locals", "Local memory", base.UNIT_STRING, { " byte", " bytes" }, LOCAL_MASK),
@@ -5493,22 +5493,22 @@ local field = {
     cmd = ProtoField.string("ev3.cmd", "CMD", "opcode and CMD by name, such as SOUND.TONE"),
     encoding = ProtoField.string("ev3.argument.encoding", "Encoding", "how the argument is encoded"),
     variable = ProtoField.string("ev3.argument.variable", "Variable",
-        "the variable that stands for a value, such as GV(0)"),
+        "the variable that is used as an argument, such as GV(0)"),
     other = ProtoField.string("ev3.argument.value", "Value",
-        "a constant that has not the type of its parameter"),
+        "a constant whose type differs from its parameter's"),
 
     memory = ProtoField.bytes("ev3.memory", "Global memory"),
     answers = ProtoField.string("ev3.answers", "Answers",
-        "in a reply: the operation whose outputs these are, such as UI_READ.GET_VBATT"),
+        "the operation that these values of a reply belong to, such as UI_READ.GET_VBATT"),
     list = ProtoField.none("ev3.values", "Values"),
 
     system_command = ProtoField.uint8("ev3.sys_cmd", "System command", base.HEX, NAMES.system_commands),
     status = ProtoField.uint8("ev3.reply_status", "Status", base.HEX, STATUS.names),
 
-    message_text = ProtoField.string("ev3.payload.text", "Text", "a mailbox's message, read as a text"),
-    message_number = ProtoField.float("ev3.payload.number", "Number", "a mailbox's message, read as a number"),
+    message_text = ProtoField.string("ev3.payload.text", "Text", "a mailbox's message as text"),
+    message_number = ProtoField.float("ev3.payload.number", "Number", "a mailbox's message as a number"),
     message_logic = ProtoField.bool("ev3.payload.logic", "Logic", base.NONE, nil, 0,
-        "a mailbox's message, read as yes or no"),
+        "a mailbox's message as true or false"),
 
     daisy_command = ProtoField.uint8("ev3.daisy.command", "Sub-command", base.HEX, DAISY.names),
     layer_from = ProtoField.uint8("ev3.daisy.layer_from", "From layer"),
@@ -5516,7 +5516,7 @@ local field = {
     daisy_payload = ProtoField.bytes("ev3.daisy.payload", "Payload"),
 
     rest = ProtoField.bytes("ev3.rest", "Not read", base.SPACE, "bytes that could not be read"),
-    padding = ProtoField.bytes("ev3.padding", "Padding", base.SPACE, "the rest of a USB report, which means nothing"),
+    padding = ProtoField.bytes("ev3.padding", "Padding", base.SPACE, "the unused rest of a USB report"),
     fragment = ProtoField.bytes("ev3.fragment", "Part of a frame", base.SPACE),
     fragment_of = ProtoField.framenum("ev3.fragment_of", "Frame complete in"),
     fragments = ProtoField.framenum("ev3.fragments", "Began in"),
@@ -5525,7 +5525,7 @@ local field = {
     request_in = ProtoField.framenum("ev3.request_in", "Request in", base.NONE, frametype.REQUEST),
     response_time = ProtoField.relative_time("ev3.response_time", "Response time"),
     transfer_path = ProtoField.string("ev3.transfer.path", "File"),
-    transfer_done = ProtoField.uint32("ev3.transfer.done", "Moved so far", base.UNIT_STRING, { " byte", " bytes" }),
+    transfer_done = ProtoField.uint32("ev3.transfer.done", "Transferred", base.UNIT_STRING, { " byte", " bytes" }),
     transfer_size = ProtoField.uint32("ev3.transfer.size", "Size", base.UNIT_STRING, { " byte", " bytes" }),
 
     beacon_answer = ProtoField.bytes("ev3.beacon.answer", "Answer to a beacon", base.SPACE),
@@ -5577,11 +5577,11 @@ local experts = {
     cut_off = ProtoExpert.new("ev3.expert.cut_off", "Cut off", expert.group.MALFORMED, expert.severity.ERROR),
     misaligned = ProtoExpert.new("ev3.expert.misaligned", "Misaligned variable",
         expert.group.PROTOCOL, expert.severity.ERROR),
-    beyond_memory = ProtoExpert.new("ev3.expert.beyond_memory", "Variable beyond the memory asked for",
+    beyond_memory = ProtoExpert.new("ev3.expert.beyond_memory", "Variable beyond the requested memory",
         expert.group.PROTOCOL, expert.severity.WARN),
     no_boundary = ProtoExpert.new("ev3.expert.no_boundary", "No frame starts here",
         expert.group.MALFORMED, expert.severity.ERROR),
-    error_reply = ProtoExpert.new("ev3.expert.error_reply", "The brick refused or failed the command",
+    error_reply = ProtoExpert.new("ev3.expert.error_reply", "The brick refused the command, or it failed",
         expert.group.RESPONSE_CODE, expert.severity.WARN),
     failed = ProtoExpert.new("ev3.expert.failed", "The command failed",
         expert.group.RESPONSE_CODE, expert.severity.WARN),
@@ -5939,7 +5939,7 @@ end
 -- Bytes to operations and fields. A frame is a string. Offsets start at 0, as in all documents about the protocol: the
 -- byte at offset 0 is byte(text, 1). Nothing here raises errors: a fault is returned as its offset and reason.
 
-local ENCODINGS, READ_TYPE, unsigned16, utf8_text, select_operation, read_arguments, read_operation, read_fields
+local reading = {}
 do
     local unpack = Struct.unpack
 
@@ -5949,7 +5949,7 @@ do
         return byte(text, at + 1)
     end
 
-    function unsigned16(text, at)
+    function reading.unsigned16(text, at)
         local low, high = byte(text, at + 1, at + 2)
         return high and low + high * 0x100
     end
@@ -5979,13 +5979,15 @@ do
         return value == value and value or 0 / 0
     end
 
-    local READ_UNSIGNED = { [1] = unsigned8, [2] = unsigned16, [4] = unsigned32 }
+    local READ_UNSIGNED = { [1] = unsigned8, [2] = reading.unsigned16, [4] = unsigned32 }
     local READ_SIGNED = { [1] = signed8, [2] = signed16, [4] = signed32 }
-    READ_TYPE = { [DATA8] = signed8, [DATA16] = signed16, [DATA32] = signed32, [DATAF] = single, [HANDLE] = signed16 }
+    reading.READ_TYPE = {
+        [DATA8] = signed8, [DATA16] = signed16, [DATA32] = signed32, [DATAF] = single, [HANDLE] = signed16,
+    }
 
     -- By identification byte: its encoding and, for short forms, the value.
     local SHORT_VALUES = {}
-    ENCODINGS = {}
+    reading.ENCODINGS = {}
     local SCOPES = { [LOCAL] = "LV(", [GLOBAL] = "GV(" }
     for _, row in ipairs(ENCODING_ROWS) do
         local kind, width = row[4], row[5]
@@ -5997,7 +5999,7 @@ do
             read = (scope and READ_UNSIGNED or READ_SIGNED)[width], is_long = kind == CONSTANT and width == 4,
         }
         for first = row[1], row[2] do
-            ENCODINGS[first] = encoding
+            reading.ENCODINGS[first] = encoding
             if row.value then SHORT_VALUES[first] = row.value + first - row[1] end
         end
     end
@@ -6010,7 +6012,7 @@ do
     end)
 
     -- The brick's strings are ISO-8859-1, Wireshark's are UTF-8.
-    function utf8_text(text)
+    function reading.utf8_text(text)
         if not find(text, "[\0\128-\255]") then return text end
         return (gsub(text, "[\0\128-\255]", utf8_of))
     end
@@ -6020,10 +6022,10 @@ do
         local first = byte(text, at + 1)
         if not first then
             return at, "the frame ends before the argument " .. name, "cut_off"
-        elseif not ENCODINGS[first] then
+        elseif not reading.ENCODINGS[first] then
             local reason = "undefined identification byte 0x%02X (argument %s)"
             return at, format(reason, first, name), "fault"
-        elseif ENCODINGS[first].kind == CONSTANT_TEXT then
+        elseif reading.ENCODINGS[first].kind == CONSTANT_TEXT then
             local reason = "the string %s runs past the end of the frame: its terminating zero is missing"
             return at, format(reason, name), "cut_off"
         end
@@ -6033,7 +6035,7 @@ do
     -- Reads the argument at an offset: its encoding, value, and the offset after it; else nil.
     local function read_argument(text, at, is_float)
         local first = byte(text, at + 1)
-        local encoding, value = ENCODINGS[first], SHORT_VALUES[first]
+        local encoding, value = reading.ENCODINGS[first], SHORT_VALUES[first]
         if value then return encoding, value, at + 1 end
         if not encoding then return nil end
         if encoding.kind == CONSTANT_TEXT then
@@ -6046,7 +6048,7 @@ do
     end
 
     -- Returns the operation of an opcode and its CMD, and the offset after them; else nil, offset, reason and kind.
-    function select_operation(text, at)
+    function reading.select_operation(text, at)
         local code = byte(text, at + 1)
         local operation, after = instructions[code], at + 1
         if not operation then
@@ -6085,7 +6087,7 @@ do
     -- parameter, encoding, value, and the offsets of its first byte and after its last; with `is_brief` only variables
     -- and lengths. Returns the offset after the last one that could be read, and after a fault its offset, reason and
     -- kind.
-    function read_arguments(operation, text, at, visit, is_brief)
+    function reading.read_arguments(operation, text, at, visit, is_brief)
         local parameters, list = operation.parameters, operation.list
         local element_type = list and list.element_type
         local index, last, elements = 0, #parameters, nil
@@ -6115,10 +6117,10 @@ do
     local function pass_over() end
 
     -- Reads one operation with its arguments, as above. Returns the operation, and the same as above.
-    function read_operation(text, at, visit)
-        local operation, after, reason, kind = select_operation(text, at)
+    function reading.read_operation(text, at, visit)
+        local operation, after, reason, kind = reading.select_operation(text, at)
         if not operation then return nil, at, after, reason, kind end
-        return operation, read_arguments(operation, text, after, visit or pass_over)
+        return operation, reading.read_arguments(operation, text, after, visit or pass_over)
     end
 
     -- Reads one field of a system message: its value and the offset after it; else nil, offset and reason.
@@ -6161,7 +6163,7 @@ do
 
     -- Reads the fields of a system message. Returns a list of { declared, value, at, stop }, the offset after them, and
     -- the fault, if any. Replies to failed commands may end before any field: they are not `complete`.
-    function read_fields(text, at, stop, declarations, complete)
+    function reading.read_fields(text, at, stop, declarations, complete)
         local found, counted = {}, {}
         for _, declared in ipairs(declarations) do
             if at == stop and (declared.optional or not complete) then break end
@@ -6184,14 +6186,13 @@ end
 --
 -- The texts of the info column and of headings in the tree.
 
-local MOST_VALUES, plural, on_one_line, shortened, number_text, meaning_of, argument_text, output_text,
-    values_text, transfer_text
+local phrases = {}
 do
     -- Maximum number of values in a line.
-    MOST_VALUES = 12
+    phrases.MOST_VALUES = 12
     local MOST_TEXT = 60
 
-    function plural(count, word)
+    function phrases.plural(count, word)
         return format("%d %s%s", count, word, count == 1 and "" or "s")
     end
 
@@ -6205,20 +6206,20 @@ do
         elseif code < 0xA0 then
             return REPLACEMENT
         end
-        return utf8_text(character)
+        return reading.utf8_text(character)
     end)
 
-    function on_one_line(text)
+    function phrases.on_one_line(text)
         if not find(text, "[\0-\31\127-\255]") then return text end
         return (gsub(text, "[\0-\31\127-\255]", in_line))
     end
 
-    function shortened(text)
+    function phrases.shortened(text)
         if #text > MOST_TEXT then text = sub(text, 1, MOST_TEXT) .. "..." end
-        return '"' .. on_one_line(text) .. '"'
+        return '"' .. phrases.on_one_line(text) .. '"'
     end
 
-    function number_text(value)
+    function phrases.number_text(value)
         -- NaN is the only value that differs from itself.
         if value ~= value then return "NaN" end
         if value % 1 ~= 0 or value <= -1e15 or value >= 1e15 then return format("%.7g", value) end
@@ -6236,56 +6237,56 @@ do
     end
 
     -- Returns the special meaning of a value, or the names of its flags. Wireshark itself shows other names.
-    function meaning_of(parameter, value)
+    function phrases.meaning_of(parameter, value)
         if parameter.flags then return flags_text(parameter.flags, value) end
         return parameter.special and parameter.special[value]
     end
 
     -- Returns a value for a line: a text, a name, or a number with its unit.
     local function value_text(parameter, value)
-        if type(value) == "string" then return shortened(value) end
+        if type(value) == "string" then return phrases.shortened(value) end
         local name = parameter.names and parameter.names[value]
         if name then return name end
-        local text = number_text(value)
+        local text = phrases.number_text(value)
         return parameter.unit and text .. " " .. parameter.unit or text
     end
 
-    function argument_text(parameter, encoding, value)
+    function phrases.argument_text(parameter, encoding, value)
         if encoding.scope then return encoding.scope .. value .. ")" end
         return value_text(parameter, value)
     end
 
     local function one_value_text(output, value)
-        return output.is_handle and number_text(value) or value_text(output.parameter, value)
+        return output.is_handle and phrases.number_text(value) or value_text(output.parameter, value)
     end
 
-    function output_text(output)
+    function phrases.output_text(output)
         local list = output.value
         if type(list) ~= "table" then return one_value_text(output, list) end
         local pieces = {}
-        for index = 1, math.min(#list, MOST_VALUES) do
+        for index = 1, math.min(#list, phrases.MOST_VALUES) do
             pieces[index] = one_value_text(output, list[index])
         end
-        if #list > MOST_VALUES then pieces[#pieces + 1] = "..." end
+        if #list > phrases.MOST_VALUES then pieces[#pieces + 1] = "..." end
         return "[" .. concat(pieces, ", ") .. "]"
     end
 
     -- Appends values to a head: 7.92 V; several as vbatt=7.92 V ibatt=0.21 A
-    function values_text(head, outputs)
-        if #outputs == 1 then return head .. " " .. output_text(outputs[1]) end
+    function phrases.values_text(head, outputs)
+        if #outputs == 1 then return head .. " " .. phrases.output_text(outputs[1]) end
         local pieces = { head }
-        for index = 1, math.min(#outputs, MOST_VALUES) do
+        for index = 1, math.min(#outputs, phrases.MOST_VALUES) do
             local output = outputs[index]
-            pieces[#pieces + 1] = output.parameter.value_key .. output_text(output)
+            pieces[#pieces + 1] = output.parameter.value_key .. phrases.output_text(output)
         end
-        if #outputs > MOST_VALUES then pieces[#pieces + 1] = " ..." end
+        if #outputs > phrases.MOST_VALUES then pieces[#pieces + 1] = " ..." end
         return concat(pieces)
     end
 
-    function transfer_text(transfer)
-        local text = shortened(transfer.path)
+    function phrases.transfer_text(transfer)
+        local text = phrases.shortened(transfer.path)
         if transfer.size then
-            text = format("%s %d of %s", text, transfer.done, plural(transfer.size, "byte"))
+            text = format("%s %d of %s", text, transfer.done, phrases.plural(transfer.size, "byte"))
         end
         return text
     end
@@ -6297,8 +6298,10 @@ end
 -- and afterwards those that are displayed. What the first pass finds is kept by the place of each message; later passes
 -- look it up.
 
-local read_message
-local forget_dialogues, conversation_of, take_note, request_of, reply_to, transfer_at
+-- Reading and showing one message: further below.
+local messages = {}
+
+local dialogues = {}
 do
     -- Commands with the same counter that are remembered, for senders that never change it.
     local MOST_PER_COUNTER = 4
@@ -6312,33 +6315,33 @@ do
 
     local conversations
 
-    function forget_dialogues()
+    function dialogues.forget()
         replies, requests, transfers, conversations = new_notes(), new_notes(), {}, {}
     end
-    forget_dialogues()
+    dialogues.forget()
 
     -- Returns the command that a reply answers: `place`, `message`, and `delay`, the response time in seconds.
-    function request_of(place)
+    function dialogues.request_of(place)
         local known = requests.get(place)
         if not known then return nil end
         local command, delay, start = Struct.unpack("dd", known)
-        return { place = command, delay = delay, message = read_message(sub(known, start)) }
+        return { place = command, delay = delay, message = messages.read(sub(known, start)) }
     end
 
     -- Returns the number of the packet with the reply to a command.
-    function reply_to(place)
+    function dialogues.reply_to(place)
         local number = replies.get(place)
         return number and tonumber(number)
     end
 
     -- Returns the file that a message belongs to: path, size, bytes done.
-    function transfer_at(place)
+    function dialogues.transfer_at(place)
         return transfers[place]
     end
 
     -- Returns the conversation of a computer and a brick. `waiting` has the commands that wait for a reply: lists by
     -- counter, oldest first. Transfers are `begun` by counter, and `open` by handle.
-    function conversation_of(key)
+    function dialogues.conversation_of(key)
         local conversation = conversations[key]
         if not conversation then
             conversation = { key = key, waiting = {}, begun = {}, open = {} }
@@ -6367,7 +6370,7 @@ do
 
     -- Tells whether a reply has the size that its command requested.
     local function fits(message, command)
-        local type, sizes = message.type, unsigned16(command.message.text, HEADER_SIZE)
+        local type, sizes = message.type, reading.unsigned16(command.message.text, HEADER_SIZE)
         if type.carries ~= "direct" or type.is_error or not sizes then return true end
         return message.size - HEADER_SIZE == sizes % (GLOBAL_MASK + 1)
     end
@@ -6453,7 +6456,7 @@ do
     end
 
     -- Records a message of a conversation, in the first pass.
-    function take_note(place, conversation, message, pinfo)
+    function dialogues.take_note(place, conversation, message, pinfo)
         local type = message.type
         local is_on_file = message.command and message.command.transfer
         if not type or message.is_overwritten then return end
@@ -6526,7 +6529,7 @@ do
         end
         local is_list = parameter.length and kind ~= ARRAY_TYPED and not output.is_handle
         if kind == ARRAY_TYPED then kind = untyped(output, outputs, #memory) end
-        local read, size = READ_TYPE[kind], SIZE_OF[kind]
+        local read, size = reading.READ_TYPE[kind], SIZE_OF[kind]
         if not read then return false end
         if not is_list then
             output.value, output.size = read(memory, start), size
@@ -6548,7 +6551,7 @@ end
 --
 -- The operations of a direct command, or of a daisy command's payload: their line, their faults, and their items.
 
-local add_value, show_operations, read_outputs
+local operations = {}
 do
     local add, set_len, append_text = TreeItem.add, TreeItem.set_len, TreeItem.append_text
     local new_range = Tvb.range
@@ -6557,19 +6560,19 @@ do
 
     -- Adds a value with the field of its parameter, as text if its type differs from the parameter's. `numbered` is the
     -- name of an element of a list, with its number.
-    function add_value(tree, parameter, range, value, numbered)
+    function operations.add_value(tree, parameter, range, value, numbered)
         local declared, kind, is_text = parameter.field, parameter.kind, type(value) == "string"
         if is_text ~= (kind == TEXT_VALUE) or kind == NUMBER and value % 1 ~= 0 then
-            local text = is_text and utf8_text(value) or number_text(value)
+            local text = is_text and reading.utf8_text(value) or phrases.number_text(value)
             return add(tree, field.other, range, text, (numbered or parameter.name) .. ": " .. text)
         elseif is_text then
-            local label = numbered and numbered .. ": " .. shortened(value)
-            return add(tree, declared, range, utf8_text(value), label)
+            local label = numbered and numbered .. ": " .. phrases.shortened(value)
+            return add(tree, declared, range, reading.utf8_text(value), label)
         end
         local unit, meaning, label = kind == FLOAT and parameter.unit, nil, nil
-        if parameter.special or parameter.flags then meaning = meaning_of(parameter, value) end
+        if parameter.special or parameter.flags then meaning = phrases.meaning_of(parameter, value) end
         if numbered then
-            local name, text = parameter.names and parameter.names[value], number_text(value)
+            local name, text = parameter.names and parameter.names[value], phrases.number_text(value)
             label = numbered .. ": " .. (name and format("%s (%s)", name, text) or text)
         elseif not (unit or meaning) then
             return add(tree, declared, range, value)
@@ -6587,7 +6590,7 @@ do
     local function complain_of_index(item, parameter, encoding, index, alignment)
         local reason = "%s: the index of a %s must be a multiple of %d, the brick refuses %s"
         local sort = encoding.handle and "handle" or TYPE_NAMES[parameter.type]
-        local variable = argument_text(parameter, encoding, index)
+        local variable = phrases.argument_text(parameter, encoding, index)
         complain(item or root, "misaligned", format(reason, parameter.name, sort, alignment, variable))
     end
 
@@ -6610,16 +6613,16 @@ do
         if index + size <= asked then return end
         is_beyond = true
         complain(item or root, "beyond_memory", format(
-            "%s reaches up to byte %d of the %s memory, of which the command asks for %s",
-            parameter.name, index + size, is_global and "global" or "local", plural(asked, "byte")))
+            "%s reaches up to byte %d of the %s memory, but the command requests %s",
+            parameter.name, index + size, is_global and "global" or "local", phrases.plural(asked, "byte")))
     end
 
     -- Appends an argument to the line of its operation.
     local function say_argument(parameter, encoding, value)
         said_count = said_count + 1
-        if said_count <= MOST_VALUES then
-            said = said .. parameter.key .. argument_text(parameter, encoding, value)
-        elseif said_count == MOST_VALUES + 1 then
+        if said_count <= phrases.MOST_VALUES then
+            said = said .. parameter.key .. phrases.argument_text(parameter, encoding, value)
+        elseif said_count == phrases.MOST_VALUES + 1 then
             said = said .. " ..."
         end
     end
@@ -6639,10 +6642,10 @@ do
             -- A range costs more than an item: one serves both the argument and its encoding.
             range = new_range(buffer, base + at, 1)
             if encoding.scope then
-                local variable = argument_text(parameter, encoding, value)
+                local variable = phrases.argument_text(parameter, encoding, value)
                 item = add(heading, VARIABLE, range, variable, parameter.label .. ": " .. variable)
             else
-                item = add_value(heading, parameter, range, value, parameter.numbered)
+                item = operations.add_value(heading, parameter, range, value, parameter.numbered)
             end
             if after > at + 1 then set_len(item, after - at) end
         end
@@ -6665,7 +6668,7 @@ do
         local item = add(heading, CMD, range, selected.name)
         if after > at + 1 then
             set_len(item, after - at)
-            add(item, ENCODING, range, ENCODINGS[byte(text, at + 1)].label)
+            add(item, ENCODING, range, reading.ENCODINGS[byte(text, at + 1)].label)
         end
     end
 
@@ -6674,13 +6677,13 @@ do
     -- and the list of `outputs` to fill, if a reply is to have their values. The last two arguments are the requested
     -- memory, if known. Returns the line of the operations, which may be empty; the offset after the last one that
     -- could be read; and the fault, or nil.
-    function show_operations(text, at, view, asked_globals, asked_locals)
+    function operations.show(text, at, view, asked_globals, asked_locals)
         local item, first, phrase, count, fault = view.item, nil, "", 0, nil
         root, heading, buffer, base = view.root, nil, view.tvb, view.base
         globals, locals, is_beyond, outputs = asked_globals, asked_locals, false, view.outputs
         while at < #text and not fault do
             if item then heading = add(item, OPCODE, new_range(buffer, base + at, 1)) end
-            local selected, after, reason, kind = select_operation(text, at)
+            local selected, after, reason, kind = reading.select_operation(text, at)
             if not selected then
                 fault = { at = after, reason = reason, kind = kind }
                 break
@@ -6691,7 +6694,7 @@ do
             local is_said = item ~= nil or not first
             said, said_count = is_said and "", 0
             local offset
-            after, offset, reason, kind = read_arguments(selected, text, after, show_argument, not is_said)
+            after, offset, reason, kind = reading.read_arguments(selected, text, after, show_argument, not is_said)
             if not first then
                 first, phrase = selected, said
             end
@@ -6705,16 +6708,16 @@ do
         end
         if not first then return "", at, fault end
         local line = first.name .. phrase
-        if count > 1 then line = format("%s (+%s)", line, plural(count - 1, "operation")) end
+        if count > 1 then line = format("%s (+%s)", line, phrases.plural(count - 1, "operation")) end
         return line, at, fault
     end
 
     -- Returns the values in a direct reply to a command, up to the end of its memory.
-    function read_outputs(command, reply)
+    function operations.read_outputs(command, reply)
         local outputs = command.outputs
         if not outputs then
             outputs = {}
-            show_operations(command.text, COMMAND_HEADER_SIZE, { outputs = outputs })
+            operations.show(command.text, COMMAND_HEADER_SIZE, { outputs = outputs })
         end
         local memory, found = sub(reply.text, HEADER_SIZE + 1), {}
         for _, output in ipairs(outputs) do
@@ -6731,7 +6734,6 @@ end
 -- `target`, for expert information, the item or else the root; `tvb` and `base`, the buffer and the frame's offset in
 -- it; `place`, the message's place in the capture.
 
-local show_message
 do
     local add, add_le, set_generated = TreeItem.add, TreeItem.add_le, TreeItem.set_generated
     local set_len, set_text = TreeItem.set_len, TreeItem.set_text
@@ -6776,14 +6778,14 @@ do
             add_le(asked, field.globals, range)
             add_le(asked, field.locals, range)
         end
-        local sizes = unsigned16(message.text, HEADER_SIZE)
+        local sizes = reading.unsigned16(message.text, HEADER_SIZE)
         local globals = sizes % (GLOBAL_MASK + 1)
         local locals = (sizes - globals) / (GLOBAL_MASK + 1)
         if message.type.wants_reply then
             message.outputs = {}
             view.outputs = message.outputs
         end
-        local line, after, fault = show_operations(message.text, COMMAND_HEADER_SIZE, view, globals, locals)
+        local line, after, fault = operations.show(message.text, COMMAND_HEADER_SIZE, view, globals, locals)
         message.fault = fault
         if fault then add_rest(message, view, after) end
         if line ~= "" then return line end
@@ -6795,16 +6797,16 @@ do
         local range = bytes_between(view, at, at + output.size)
         local list = output.value
         if type(list) ~= "table" then
-            local item = add_value(tree, parameter, range, list, parameter.numbered)
+            local item = operations.add_value(tree, parameter, range, list, parameter.numbered)
             if output.is_handle then set_text(item, name .. ": handle " .. list) end
             return
         end
-        local item = add(tree, field.list, range):set_text(name .. ": " .. output_text(output))
+        local item = add(tree, field.list, range):set_text(name .. ": " .. phrases.output_text(output))
         local size = output.size / #list
         for index, element in ipairs(list) do
             local start = at + (index - 1) * size
             local one = bytes_between(view, start, start + size)
-            add_value(item, parameter, one, element, format("%s[%d]", name, index - 1))
+            operations.add_value(item, parameter, one, element, format("%s[%d]", name, index - 1))
         end
     end
 
@@ -6830,7 +6832,7 @@ do
 
     local function first_operation(message)
         if message.stop <= COMMAND_HEADER_SIZE then return nil end
-        return (select_operation(message.text, COMMAND_HEADER_SIZE))
+        return (reading.select_operation(message.text, COMMAND_HEADER_SIZE))
     end
 
     local function show_direct_reply(message, view)
@@ -6839,44 +6841,45 @@ do
             add(view.item, field.memory, bytes_between(view, HEADER_SIZE, stop))
         end
         if message.type.is_error then
-            complain(view.target, "error_reply", "the brick refused or failed the command; it tells no more")
+            local reason = "the brick refused the command or failed to execute it; it does not say why"
+            complain(view.target, "error_reply", reason)
             local operation = request and first_operation(request.message)
             return operation and "error reply to " .. operation.name or "error reply"
         end
-        local size = plural(stop - HEADER_SIZE, "byte")
+        local size = phrases.plural(stop - HEADER_SIZE, "byte")
         if not request then return "reply: " .. size .. ", command not seen" end
-        local outputs, first = read_outputs(request.message, message), first_operation(request.message)
+        local outputs, first = operations.read_outputs(request.message, message), first_operation(request.message)
         if view.item then add_outputs(view, outputs) end
         local head = first and "reply to " .. first.name .. ":" or "reply:"
-        if outputs[1] then return values_text(head, outputs) end
+        if outputs[1] then return phrases.values_text(head, outputs) end
         return head .. " " .. (stop == HEADER_SIZE and "ok" or size)
     end
 
     -- Returns the possible interpretations of a mailbox's message, whose type is not in the frame: field, value, and
     -- text.
-    local function readings_of(payload)
-        local readings = {}
+    local function meanings_of(payload)
+        local meanings = {}
         local function add_reading(kind, value, text)
-            readings[#readings + 1] = { field = field["message_" .. kind], value = value, text = kind .. " " .. text }
+            meanings[#meanings + 1] = { field = field["message_" .. kind], value = value, text = kind .. " " .. text }
         end
         if payload == "\0" or payload == "\1" then
             add_reading("logic", payload == "\1", payload == "\1" and "true" or "false")
         end
         if #payload == SIZE_OF[DATAF] then
-            local number = READ_TYPE[DATAF](payload, 0)
-            add_reading("number", number, number_text(number))
+            local number = reading.READ_TYPE[DATAF](payload, 0)
+            add_reading("number", number, phrases.number_text(number))
         end
         local text = payload:match("^([^\0]*)\0$")
         if text and (#payload ~= SIZE_OF[DATAF] or not find(text, "[^\32-\126\160-\255]")) then
-            add_reading("text", utf8_text(text), shortened(text))
+            add_reading("text", reading.utf8_text(text), phrases.shortened(text))
         end
-        return readings
+        return meanings
     end
 
     local function message_text(payload)
         local texts = {}
-        for _, reading in ipairs(readings_of(payload)) do
-            texts[#texts + 1] = reading.text
+        for _, meaning in ipairs(meanings_of(payload)) do
+            texts[#texts + 1] = meaning.text
         end
         return texts[1] and concat(texts, " or ")
     end
@@ -6888,9 +6891,10 @@ do
             local declared, value = found.declared, found.value
             local kind = declared.kind
             if kind == TEXT or kind == COUNTED_TEXT then
-                pieces[#pieces + 1] = " " .. shortened(value)
+                pieces[#pieces + 1] = " " .. phrases.shortened(value)
             elseif kind == BYTES or kind == LISTING then
-                pieces[#pieces + 1] = " " .. (declared.is_message and message_text(value) or plural(#value, "byte"))
+                local meaning = declared.is_message and message_text(value)
+                pieces[#pieces + 1] = " " .. (meaning or phrases.plural(#value, "byte"))
             elseif not declared.counts and declared.name ~= "handle" then
                 pieces[#pieces + 1] = format(declared.hexadecimal and " %s=0x%X" or " %s=%d", declared.filter, value)
             end
@@ -6900,10 +6904,10 @@ do
 
     -- Returns the subject of a system message; for a piece of a file that is the file and its progress.
     local function subject_text(message, place)
-        local transfer = transfer_at(place)
+        local transfer = dialogues.transfer_at(place)
         local is_first = message.command.transfer == "begin" and message.type.is_command
         if transfer and transfer.path ~= "" and not is_first then
-            return " " .. transfer_text(transfer)
+            return " " .. phrases.transfer_text(transfer)
         end
         return fields_text(message)
     end
@@ -6931,11 +6935,11 @@ do
         for _, found in ipairs(message.fields) do
             local declared, range = found.declared, bytes_between(view, found.at, found.stop)
             local value = found.value
-            if type(value) == "string" then value = utf8_text(value) end
+            if type(value) == "string" then value = reading.utf8_text(value) end
             local added = declared.kind == BYTES and item:add(declared.field, range)
                 or item:add(declared.field, range, value)
-            for _, reading in ipairs(declared.is_message and readings_of(found.value) or {}) do
-                added:add(reading.field, range, reading.value)
+            for _, meaning in ipairs(declared.is_message and meanings_of(found.value) or {}) do
+                added:add(meaning.field, range, meaning.value)
             end
         end
         add_rest(message, view, message.rest)
@@ -6980,9 +6984,9 @@ do
         at = at + DAISY_PAYLOAD
         if at == message.stop or not DAISY.carries_operations[number] then return line end
         -- The payload's layout is not certain: operations are shown only if all of it can be read.
-        local said, _, fault = show_operations(text, at, {})
+        local said, _, fault = operations.show(text, at, {})
         if fault then return line end
-        show_operations(text, at, { root = view.root, item = payload, tvb = view.tvb, base = view.base })
+        operations.show(text, at, { root = view.root, item = payload, tvb = view.tvb, base = view.base })
         return line .. ": " .. said
     end
 
@@ -7027,7 +7031,7 @@ do
         if not type or message.is_overwritten then return end
         if type.wants_reply then
             -- In the first pass, the reply is still to come.
-            local reply = not is_new and reply_to(place)
+            local reply = not is_new and dialogues.reply_to(place)
             if reply == nil then
                 complain(target, "unanswered", "no reply to this command was seen")
             elseif reply and item then
@@ -7044,9 +7048,9 @@ do
                 set_generated(add(item, field.response_time, time))
             end
         end
-        local transfer = item and transfer_at(place)
+        local transfer = item and dialogues.transfer_at(place)
         if transfer then
-            set_generated(add(item, field.transfer_path, utf8_text(transfer.path)))
+            set_generated(add(item, field.transfer_path, reading.utf8_text(transfer.path)))
             set_generated(add(item, field.transfer_done, transfer.done))
             if transfer.size then set_generated(add(item, field.transfer_size, transfer.size)) end
         end
@@ -7074,11 +7078,11 @@ do
         local declared = type.is_command and message.command.request or message.command.reply
         -- Replies to failed commands may end before any field.
         local is_complete = type.is_command or (message.status == STATUS.success and not type.is_error)
-        message.fields, message.rest, message.fault = read_fields(text, start, stop, declared, is_complete)
+        message.fields, message.rest, message.fault = reading.read_fields(text, start, stop, declared, is_complete)
     end
 
     -- Reads a frame. `text` may be shorter than its length field says.
-    function read_message(text)
+    function messages.read(text)
         local low, high, first, second, code = byte(text, 1, HEADER_SIZE)
         local message = {
             text = text, stop = #text, size = LENGTH_FIELD + low + high * 0x100,
@@ -7101,7 +7105,7 @@ do
 
     -- Shows a message. Returns its line and, with a tree, its item. The frame is at offset `base` of the buffer; `said`
     -- replaces the message's own line; `is_new` is true in the first pass.
-    function show_message(message, place, tvb, base, tree, is_shown, said, is_new)
+    function messages.show(message, place, tvb, base, tree, is_shown, said, is_new)
         local type, item = message.type, is_shown and add_frame(tree, tvb, base, message) or nil
         local view = {
             root = tree, item = item, target = item or tree, tvb = tvb, base = base, place = place, request = nil,
@@ -7110,7 +7114,7 @@ do
         if type and type.is_command then
             show = SHOW_COMMAND[type.carries]
         elseif type then
-            show, view.request = SHOW_REPLY[type.carries], message.request or request_of(place)
+            show, view.request = SHOW_REPLY[type.carries], message.request or dialogues.request_of(place)
         end
         local line = show(message, view)
         check_size(message)
@@ -7185,17 +7189,17 @@ local carriers = {}
 -- line. Returns the line for the info column and, if there is a tree, the message's item.
 local function dissect_message(tvb, at, message, conversation, place, pinfo, tree, is_shown, said)
     if conversation then
-        take_note(place, conversation, message, pinfo)
+        dialogues.take_note(place, conversation, message, pinfo)
         claiming.note(conversation, message)
     end
     -- The protocol hierarchy counts items, even if the tree is not needed; before 4.6 has_tree does not tell.
     if not is_shown and tree.text then tree:add(ev3, tvb(at, message.stop)) end
-    return show_message(message, place, tvb, at, tree, is_shown, said, conversation)
+    return messages.show(message, place, tvb, at, tree, is_shown, said, conversation)
 end
 
 -- Returns the offset after the frame that starts at an offset, by its length; nil without a length.
 local function stop_of(text, at)
-    local length = unsigned16(text, at)
+    local length = reading.unsigned16(text, at)
     return length and at + LENGTH_FIELD + length
 end
 
@@ -7206,7 +7210,7 @@ end
 -- Tells whether the length field at an offset can be a frame's. Downloads may be longer than all others, by their
 -- header.
 local function is_length(text, at)
-    local length = unsigned16(text, at)
+    local length = reading.unsigned16(text, at)
     if is_usual_length(length) then return true end
     local code, number = byte(text, at + HEADER_SIZE, at + HEADER_SIZE + 1)
     local type, command = MESSAGE_TYPES[code], SYSTEM_COMMANDS[number]
@@ -7265,7 +7269,7 @@ do
         while at < stop do
             local code = byte(text, at + 1)
             if code == CLAIMS.never_sent then return "fault" end
-            local operation, after, _, reason, kind = read_operation(text, at, visit)
+            local operation, after, _, reason, kind = reading.read_operation(text, at, visit)
             if operation and judge then judge(code) end
             if reason then return kind, operation end
             at = after
@@ -7306,7 +7310,7 @@ do
 
     -- The same for all operations of a direct command, at least one of which must be evidence.
     local function fits(text, stop, is_cut)
-        local memory, is_right, is_telling = unsigned16(text, HEADER_SIZE), true, false
+        local memory, is_right, is_telling = reading.unsigned16(text, HEADER_SIZE), true, false
         local globals = memory % (GLOBAL_MASK + 1)
         local sizes = { [GLOBAL] = globals, [LOCAL] = (memory - globals) / (GLOBAL_MASK + 1) }
         local function visit(parameter, encoding, value)
@@ -7342,7 +7346,7 @@ do
         while #text - at >= HEADER_SIZE do
             local stop = stop_of(text, at)
             if stop > #text or stop - at < HEADER_SIZE then return 0 end
-            local message = read_message(sub(text, at + 1, stop))
+            local message = messages.read(sub(text, at + 1, stop))
             local type = message.type
             if not type or type.is_command or type.carries == "daisy" or message.fault then return 0 end
             if type.carries == "direct" and (type.is_error or message.stop == HEADER_SIZE) then return 0 end
@@ -7458,7 +7462,7 @@ do
             elseif not is_whole then
                 if not (open and open < place) and may_become(text, place, accepts) then open = place end
             elseif place == 0 or place == joint or stop >= #text or may_start(text, stop) then
-                if is_plausible(read_message(sub(text, place + 1, stop)), is_cut) then return place, true end
+                if is_plausible(messages.read(sub(text, place + 1, stop)), is_cut) then return place, true end
             end
         end
         return open, false
@@ -7490,11 +7494,11 @@ do
             if stop > #text then
                 if not open and may_become(text, place, accepts) then open = place end
             elseif (following or is_begin) and (following or 0) >= least then
-                local stands = is_sensible(read_message(sub(text, place + 1, stop)))
-                if stands and following and following > 0 then return place, following end
-                if stands and following then
+                local is_sound = is_sensible(messages.read(sub(text, place + 1, stop)))
+                if is_sound and following and following > 0 then return place, following end
+                if is_sound and following then
                     single = single or place
-                elseif is_begin and (stands or following) then
+                elseif is_begin and (is_sound or following) then
                     begun = begun or place
                 end
             end
@@ -7512,17 +7516,17 @@ do
             local _, following = claiming.find_step(text, at + 1, accepts, 0)
             return not following and PART or nil
         end
-        local message, following = read_message(sub(text, at + 1, stop)), follow(text, stop)
+        local message, following = messages.read(sub(text, at + 1, stop)), follow(text, stop)
         local type = message.type
-        local stands = type and accepts(type) and is_sensible(message)
+        local is_sound = type and accepts(type) and is_sensible(message)
         if not following then return nil end
         -- Few random bytes are operations.
-        if stands and (following > 0 or type.is_command and type.carries == "direct") then return OURS end
+        if is_sound and (following > 0 or type.is_command and type.carries == "direct") then return OURS end
         -- After a gap between two packets, frames start in the newer one.
-        local inside, following_inside = claiming.find_step(text, stands and joint or at + 1, accepts, 0, joint)
+        local inside, following_inside = claiming.find_step(text, is_sound and joint or at + 1, accepts, 0, joint)
         local is_inside = inside and inside < stop
         if is_inside and following_inside then return nil end
-        return not is_last and following == 0 and (is_inside or not stands) and PART or OURS
+        return not is_last and following == 0 and (is_inside or not is_sound) and PART or OURS
     end
 end
 
@@ -7531,7 +7535,7 @@ end
 -- The byte stream of a TCP connection or of RFCOMM. Frames may be split over packets and share them; over TCP a text
 -- from each side may precede them.
 
-local dissect_stream, dissect_no_frame, judge_text
+local streaming = {}
 do
     -- Matches the text that unlocks the brick's port: the offset after it, and the serial number.
     local function match_unlock(text, at)
@@ -7584,7 +7588,7 @@ do
     end
 
     -- Judges data at the start of a connection: OURS if they begin with one of the texts, PART, or nil.
-    function judge_text(text)
+    function streaming.judge_text(text)
         if not UNLOCK.starts[byte(text, 1)] then return nil end
         if sub(text, 1, #UNLOCK.answer) == UNLOCK.answer or match_unlock(text, 0) then return OURS end
         return is_part_of_text(text, 0) and PART or nil
@@ -7608,8 +7612,8 @@ do
     end
 
     -- Adds the bytes between two offsets, which are outside of frames. `length` is what the length field there says.
-    function dissect_no_frame(tvb, at, stop, length, tree, is_shown)
-        local said = format("no frame (%s)", plural(stop - at, "byte"))
+    function streaming.dissect_no_frame(tvb, at, stop, length, tree, is_shown)
+        local said = format("no frame (%s)", phrases.plural(stop - at, "byte"))
         local reason = "bytes that are in no frame, as after a gap in the capture"
         if length and (length < MIN_LENGTH or length > MAX_LENGTH) then
             reason = "no frame can start here: the length field says %d, but it can be %d to %d"
@@ -7643,7 +7647,7 @@ do
         local is_whole, is_known = stop <= #text, type and accepts(type)
         local is_chained = not is_whole or claiming.follow(text, stop)
         if is_chained and at > 0 then return false end
-        if is_known and is_whole and claiming.is_sensible(read_message(sub(text, at + 1, stop))) then return false end
+        if is_known and is_whole and claiming.is_sensible(messages.read(sub(text, at + 1, stop))) then return false end
         local is_likely = is_chained and (is_whole or claiming.may_become(text, at, accepts))
         local place, following = claiming.find_step(text, at + 1, accepts, is_likely and 1 or 0)
         return following ~= nil and place < stop
@@ -7678,7 +7682,7 @@ do
     --   joint      where in the piece the newest packet starts; `first` is 0 if a packet starts with the piece, too
     --   may_gap    nothing tells of gaps between the packets
     --   accepts    tells which types go its way, if that is known
-    function dissect_stream(tvb, text, stream, conversation, number, pinfo, tree, is_shown)
+    function streaming.dissect(tvb, text, stream, conversation, number, pinfo, tree, is_shown)
         local at, captured, lost, start = stream.start or 0, #text, 0, tvb:offset()
         local step = stream.step
         while at < captured do
@@ -7706,7 +7710,7 @@ do
                 after = math.min(stop_of(text, at), captured)
                 local frame = at == 0 and after == captured and text or sub(text, at + 1, after)
                 local place = place_of(number, start + at)
-                said = dissect_message(tvb, at, read_message(frame), conversation, place, pinfo, tree, is_shown)
+                said = dissect_message(tvb, at, messages.read(frame), conversation, place, pinfo, tree, is_shown)
             elseif not said then
                 after = step ~= "lost" and end_of_text(text, at)
                 if after then
@@ -7724,7 +7728,7 @@ do
                     after, is_open = next_step(text, from, stream.accepts, least, stream.first, stream.joint)
                     step = (is_open or after == captured) and "lost" or "sure"
                     if after > at then
-                        said = dissect_no_frame(tvb, at, after, unsigned16(text, at), tree, is_shown)
+                        said = streaming.dissect_no_frame(tvb, at, after, reading.unsigned16(text, at), tree, is_shown)
                         lost = lost + after - at
                     end
                     if is_open then
@@ -7785,7 +7789,7 @@ do
     -- Reads the message at the start of a report, without the padding.
     local function read_report(tvb)
         local stop = stop_of(bytes_of(tvb, 0, LENGTH_FIELD), 0)
-        return read_message(bytes_of(tvb, 0, math.min(stop, captured_len(tvb))))
+        return messages.read(bytes_of(tvb, 0, math.min(stop, captured_len(tvb))))
     end
 
     local function dissect_report(tvb, message, device, pinfo, tree)
@@ -7795,7 +7799,7 @@ do
             message.is_overwritten = true
             line = "bootloader fault: reply to " .. command.name .. " overwritten by its request"
         end
-        local stop, conversation = message.stop, not pinfo.visited and conversation_of(device)
+        local stop, conversation = message.stop, not pinfo.visited and dialogues.conversation_of(device)
         brick = is_shown and device
         local place = place_of(number, offset)
         local said, item = dissect_message(tvb, 0, message, conversation, place, pinfo, tree, is_shown, line)
@@ -7806,7 +7810,7 @@ do
         end
         if item and stop < captured then
             local rest = tvb(stop, captured - stop)
-            item:add(field.padding, rest):append_text(format(" (%s)", plural(captured - stop, "byte")))
+            item:add(field.padding, rest):append_text(format(" (%s)", phrases.plural(captured - stop, "byte")))
         end
         start_line(number, offset)
         say(said)
@@ -7819,7 +7823,7 @@ do
         local captured = captured_len(tvb)
         brick = device_key(pinfo)
         start_line(pinfo.number, offset_of(tvb))
-        say((dissect_no_frame(tvb, 0, captured, length, tree, has_tree(tree))))
+        say((streaming.dissect_no_frame(tvb, 0, captured, length, tree, has_tree(tree))))
         show(pinfo)
         return captured
     end
@@ -7827,7 +7831,7 @@ do
     -- Dissects any report of a brick. Returns 0 if it is too short for a frame.
     local function dissect_known(tvb, pinfo, tree)
         if is_control(pinfo) or captured_len(tvb) < HEADER_SIZE then return 0 end
-        local length = unsigned16(bytes_of(tvb, 0, LENGTH_FIELD), 0)
+        local length = reading.unsigned16(bytes_of(tvb, 0, LENGTH_FIELD), 0)
         if not is_usual_length(length) then return dissect_other_report(tvb, length, pinfo, tree) end
         return dissect_report(tvb, read_report(tvb), device_key(pinfo), pinfo, tree)
     end
@@ -7847,7 +7851,7 @@ do
         local header = bytes_of(tvb, 0, math.min(captured, HEADER_SIZE))
         local type = MESSAGE_TYPES[byte(header, HEADER_SIZE)]
         if sort and type and (sort == "computer" or type.carries == "daisy")
-            and is_usual_length(unsigned16(header, 0)) and stop_of(header, 0) <= captured then
+            and is_usual_length(reading.unsigned16(header, 0)) and stop_of(header, 0) <= captured then
             message = read_report(tvb)
             -- Bricks in a chain send commands both ways, in smaller reports than computers.
             if sort == "daisy" or is_overwritten(message, pinfo) then
@@ -7855,11 +7859,11 @@ do
             end
         end
         if not message or (type.is_command == true) ~= is_from_host(pinfo) then
-            local conversation = conversation_of(key)
+            local conversation = dialogues.conversation_of(key)
             if conversation.is_claimed then claiming.count(conversation, captured, pinfo.number) end
             return nil
         end
-        local conversation = conversation_of(key)
+        local conversation = dialogues.conversation_of(key)
         if not conversation.is_claimed and claiming.is_plausible(message) then claiming.begin(conversation) end
         return conversation.is_claimed and message or nil
     end
@@ -7877,7 +7881,7 @@ do
         end
         if not message then return false end
         dissect_report(tvb, message, device, pinfo, tree)
-        local conversation = not pinfo.visited and conversation_of(device)
+        local conversation = not pinfo.visited and dialogues.conversation_of(device)
         if conversation and conversation.is_claimed then claiming.count(conversation, 0, number) end
         if has_tree(tree) then free_unused() end
         return true
@@ -7917,7 +7921,8 @@ do
     -- started after the connection has no addresses, but usually the direction.
     local function channel_of(pinfo)
         local from, to, channel = tostring(pinfo.dl_src), tostring(pinfo.dl_dst), floor(pinfo.match_uint / 2)
-        local conversation = conversation_of((from < to and from .. " " .. to or to .. " " .. from) .. " " .. channel)
+        local ends = from < to and from .. " " .. to or to .. " " .. from
+        local conversation = dialogues.conversation_of(ends .. " " .. channel)
         conversation.sides = conversation.sides or {}
         local key = from .. " > " .. to .. " " .. channel .. " " .. pinfo.p2p_dir
         local stream = streams[key]
@@ -8029,7 +8034,7 @@ do
     end
 
     local function add_joined(tree, tvb, packet)
-        local said = "EV3: joined with " .. plural(#packet.before, "byte") .. " of earlier packets"
+        local said = "EV3: joined with " .. phrases.plural(#packet.before, "byte") .. " of earlier packets"
         local item = tree:add(ev3, tvb(), said)
         for index = 1, packet.earlier do
             item:add(field.fragments, packet.list[index]):set_generated()
@@ -8092,7 +8097,8 @@ do
                 may_gap = true,
                 accepts = packet.accepts,
             }
-            local after, _, lost, step = dissect_stream(whole, text, state, conversation, number, pinfo, tree, is_shown)
+            local after, _, lost, step =
+                streaming.dissect(whole, text, state, conversation, number, pinfo, tree, is_shown)
             size = #text - after
             if stream then
                 if size > 0 then
@@ -8168,7 +8174,7 @@ do
         local from, to, ends = pinfo.src, pinfo.dst, pinfo.src_port * 0x10000 + pinfo.dst_port
         local known = connections[ends]
         if not known or known.from ~= from or known.to ~= to then
-            local conversation = conversation_of(conversation_key(pinfo))
+            local conversation = dialogues.conversation_of(conversation_key(pinfo))
             conversation.sides = conversation.sides or {}
             known = conversation.sides[ends] or { from = from, to = to, conversation = conversation }
             conversation.sides[ends], connections[ends] = known, known
@@ -8199,7 +8205,7 @@ do
     local function rest_of(text, joint, offset, pinfo)
         if joint == 0 or #text ~= joint + 1 or #text < HEADER_SIZE then return nil end
         if not offset or pinfo.len <= offset + 1 then return nil end
-        local rest = LENGTH_FIELD + unsigned16(text, 0) - #text
+        local rest = LENGTH_FIELD + reading.unsigned16(text, 0) - #text
         return rest > 0 and rest or nil
     end
 
@@ -8271,7 +8277,7 @@ do
             if step ~= "lost" and done == 0 and MESSAGE_TYPES[byte(text, HEADER_SIZE)]
                 and stop_of(text, 0) == captured and is_usual_length(captured - LENGTH_FIELD) then
                 local place = place_of(number, offset)
-                say((dissect_message(tvb, 0, read_message(text), conversation, place, pinfo, tree, is_shown)))
+                say((dissect_message(tvb, 0, messages.read(text), conversation, place, pinfo, tree, is_shown)))
             else
                 local reported = tvb:reported_len()
                 local stream = {
@@ -8285,7 +8291,7 @@ do
                 }
                 local after, wanted
                 after, wanted, lost, step =
-                    dissect_stream(tvb, text, stream, conversation, number, pinfo, tree, is_shown)
+                    streaming.dissect(tvb, text, stream, conversation, number, pinfo, tree, is_shown)
                 if after < captured then
                     if not wanted and known and after == 0 and step == "likely" then
                         wanted = rest_of(text, joint, known.offset, pinfo)
@@ -8345,7 +8351,7 @@ do
         local function claim(conversation, known, text, reported, pinfo)
             local to_brick = may_be_brick(pinfo.dst, pinfo.dst_port)
             if not to_brick and not may_be_brick(pinfo.src, pinfo.src_port) then return nil end
-            local verdict, place = judge_text(text), 0
+            local verdict, place = streaming.judge_text(text), 0
             if verdict == PART then return PART, 0 end
             if verdict == OURS or has_two_named(pinfo) then to_brick = tells_brick(text, verdict ~= nil, pinfo) end
             local joint = known.waits or 0
@@ -8432,7 +8438,7 @@ do
         local to_brick, size = is_announced(pinfo.dst, pinfo.dst_port), #UNLOCK.request
         if not to_brick and not is_announced(pinfo.src, pinfo.src_port) then
             if tvb:len() <= size or bytes_of(tvb, 0, size) ~= UNLOCK.request then return false end
-            local verdict = judge_text(bytes_of(tvb))
+            local verdict = streaming.judge_text(bytes_of(tvb))
             if verdict == PART and pinfo.can_desegment > 0 then
                 pinfo.desegment_offset, pinfo.desegment_len = 0, DESEGMENT_ONE_MORE_SEGMENT
                 return true
@@ -8477,10 +8483,10 @@ do
                     break
                 end
                 local value = sub(text, at + #head + 1, stop - 1)
-                values[#values + 1] = on_one_line(value)
+                values[#values + 1] = phrases.on_one_line(value)
                 if line.name == "port" then port = port_of(value) end
                 local range = tvb(at + #head, #value)
-                if item then item:add(beacon_field[line.name], range, utf8_text(value)) end
+                if item then item:add(beacon_field[line.name], range, reading.utf8_text(value)) end
                 at = stop + 1
             end
             local said = "beacon: " .. concat(values, " ")
@@ -8596,7 +8602,7 @@ do
     end
 
     function ev3.init()
-        forget_dialogues()
+        dialogues.forget()
         for _, carrier in ipairs(carriers) do
             if carrier.forget then carrier.forget() end
         end

@@ -2,11 +2,11 @@
 --
 -- To install it, put it beside ev3.lua into the personal Lua plugins folder; or run: ev3proto dissector install
 --
--- This file is made by ev3proto 0.2.0, of its runtime for Wireshark. Change that, not this.
+-- This file is made by ev3proto 0.2.0, from its runtime for Wireshark. Change that, not this file.
 
 set_plugin_info({
     version = "0.2.0",
-    description = "LEGO MINDSTORMS EV3: statistics, and export of the files that were transferred",
+    description = "LEGO MINDSTORMS EV3: statistics, and export of transferred files",
     author = "the ev3proto authors",
 })
 
@@ -253,7 +253,7 @@ local function survey_text(survey)
     return concat({
         table_text("Operation", survey.operations, true), "", table_text("Brick", survey.bricks), "",
         files_text(survey), "",
-        format("%d of %s that wanted a reply got none", unanswered, plural(survey.wanted, "command")),
+        format("without a reply: %d of %s that requested one", unanswered, plural(survey.wanted, "command")),
     }, "\n") .. "\n"
 end
 
@@ -333,7 +333,7 @@ local function export_files(survey, folder)
         local path = folder .. "/" .. safe_name(file.path, taken)
         lines[#lines + 1] = path .. ": " .. export_file(file, path)
     end
-    return lines[1] and concat(lines, "\n") or "no files were transferred in this capture"
+    return lines[1] and concat(lines, "\n") or "No files were transferred in this capture."
 end
 
 -- Windows, and the end of a run -------------------------------------------------------------------------------------

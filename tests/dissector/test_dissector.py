@@ -138,7 +138,7 @@ def test_a_command_in_the_tree(tshark: Tshark) -> None:
         "    Length: 14",
         "    Message counter: 1",
         "    Type: DIRECT_COMMAND_NO_REPLY (0x80)",
-        "    Memory asked for: 0x0000",
+        "    Requested memory: 0x0000",
         "        .... ..00 0000 0000 = Global memory: 0 bytes",
         "        0000 00.. .... .... = Local memory: 0 bytes",
         "    Opcode: SOUND (0x94) TONE volume=5 % frequency=440 Hz duration=250 ms",

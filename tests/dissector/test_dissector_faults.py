@@ -589,9 +589,9 @@ FAULTS = {
         "misaligned", "VALUE: the index of a DATAF must be a multiple of 4, the brick refuses GV(1)"
     ),
     "0800 0500 00 0200 81 01 60": Told(
-        "beyond_memory", "VALUE reaches up to byte 4 of the global memory, of which the command asks for 2 bytes"
+        "beyond_memory", "VALUE reaches up to byte 4 of the global memory, but the command requests 2 bytes"
     ),
-    "0300 0600 04": Told("error_reply", "the brick refused or failed the command; it tells no more"),
+    "0300 0600 04": Told("error_reply", "the brick refused the command or failed to execute it; it does not say why"),
     "0600 0700 05 92 06 FF": Told("failed", "the command failed: ILLEGAL_PATH"),
     "0500 0700 03 92 07": Told("failed", "the command failed: FILE_EXITS"),
     "0500 0700 03 92 63": Told("failed", "the command failed: status 99"),
@@ -687,7 +687,7 @@ frame: its terminating zero is missing]
     Length: 15
     Message counter: 1
     Type: DIRECT_COMMAND_NO_REPLY (0x80)
-    Memory asked for: 0x0000
+    Requested memory: 0x0000
         .... ..00 0000 0000 = Global memory: 0 bytes
         0000 00.. .... .... = Local memory: 0 bytes
     Opcode: PROGRAM_STOP (0x02) prgid=USER_SLOT

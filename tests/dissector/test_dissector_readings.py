@@ -29,7 +29,7 @@ CASES.remove(("a read filter", CAPTURES[0].with_name("wifi-reordered.pcap")))
 
 
 READ = r"EV3|LEGO|    +[^\s\[]"
-GENERATED = rf"{READ}|    +\[(?:Brick|Request in|Response time|File:|Moved so far|Size|Began in)"
+GENERATED = rf"{READ}|    +\[(?:Brick|Request in|Response time|File:|Transferred|Size|Began in)"
 """Lines of a tree: those of one reading, and those of every pass. Only the second pass knows about missing replies."""
 
 

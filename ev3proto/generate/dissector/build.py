@@ -27,7 +27,7 @@ RUNTIME = (
     *CARRIERS,
     "registration",
 )
-"""The hand-written parts, in the order of the file: each uses only what comes before it.
+"""The hand-written parts, in the order of the file: each uses only earlier parts.
 
 Each carrier has one, with its name.
 """
@@ -37,11 +37,11 @@ _MADE_BY = f"This file is made by ev3proto {VERSION}"
 HEAD = f"""\
 -- LEGO MINDSTORMS EV3 dissector for Wireshark 4.0 and later (Lua 5.2 and 5.4). Licence: MIT.
 --
--- To install it, put this one file into the personal Lua plugins folder, which Wireshark names under Help, About,
+-- To install it, put this file into the personal Lua plugins folder, which Wireshark names under Help, About,
 -- Folders; or run: ev3proto dissector install
 --
--- {_MADE_BY}, of its tables of the EV3's protocol and its runtime for Wireshark.
--- Change those, not this.
+-- {_MADE_BY}, from its tables of the EV3's protocol and its runtime for Wireshark.
+-- Change those, not this file.
 
 set_plugin_info({{
     version = "{VERSION}",
@@ -56,11 +56,11 @@ STATISTICS_HEAD = f"""\
 --
 -- To install it, put it beside ev3.lua into the personal Lua plugins folder; or run: ev3proto dissector install
 --
--- {_MADE_BY}, of its runtime for Wireshark. Change that, not this.
+-- {_MADE_BY}, from its runtime for Wireshark. Change that, not this file.
 
 set_plugin_info({{
     version = "{VERSION}",
-    description = "LEGO MINDSTORMS EV3: statistics, and export of the files that were transferred",
+    description = "LEGO MINDSTORMS EV3: statistics, and export of transferred files",
     author = "the ev3proto authors",
 }})
 
@@ -78,7 +78,7 @@ def files() -> dict[str, str]:
 
 
 def build_statistics() -> str:
-    """Returns the text of ev3_statistics.lua, which counts what ev3.lua shows and exports files. It is optional."""
+    """Returns the text of ev3_statistics.lua, which adds statistics and the export of files. It is optional."""
     return STATISTICS_HEAD + _part("statistics")
 
 

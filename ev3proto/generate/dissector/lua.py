@@ -1,4 +1,4 @@
-"""Lua values as a person would write them: on one line if they fit, else one entry a line."""
+"""Lua values in a readable layout: on one line if they fit, else one entry a line."""
 
 from __future__ import annotations
 
@@ -101,7 +101,7 @@ def _table(table: Table, depth: int, used: int) -> str:
 
 
 def _rows(table: Table, depth: int) -> Iterator[str]:
-    """The lines inside a table that takes several: as many plain values in each as fit, every table by itself."""
+    """Yields the lines inside a long table: as many plain values a line as fit, each table on its own."""
     margin = INDENT * depth
     row = margin
     for head, value in table.entries():

@@ -85,12 +85,12 @@ RULES = (
 _TROUBLE = " || ".join(rule.filter for rule in RULES if "ev3.expert." in rule.filter)
 
 BUTTONS = (
-    ("EV3", "ev3", "only what was said with bricks"),
-    ("Trouble", _TROUBLE, "what is wrong, refused, failed or doubtful"),
-    ("Replies", "ev3.response_time", "replies to commands that were seen"),
+    ("EV3", "ev3", "only traffic with bricks"),
+    ("Trouble", _TROUBLE, "everything wrong, refused, failed or doubtful"),
+    ("Replies", "ev3.response_time", "replies whose commands were captured"),
     ("Slow", "ev3.response_time > 0.05", "replies that took longer than 50 ms"),
-    ("Files", "ev3.transfer.path", "files and listings that were moved"),
-    ("Motors", f"ev3.op in {{{', '.join(str(opcode.number) for opcode in AREAS['output'])}}}", "who works on motors"),
+    ("Files", "ev3.transfer.path", "transfers of files and listings"),
+    ("Motors", f"ev3.op in {{{', '.join(str(opcode.number) for opcode in AREAS['output'])}}}", "commands for motors"),
 )
 """Buttons in the filter toolbar: label, filter, comment."""
 

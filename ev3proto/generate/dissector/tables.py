@@ -41,31 +41,31 @@ def data() -> str:
 
 
 def _sections() -> Iterator[tuple[str, str, Iterator[str]]]:
-    yield "Words", "What the tables below are written with.", _words()
-    yield "Frames", "The header, the types of message, and how big things may be.", _frames()
+    yield "Words", "The vocabulary of the tables below.", _words()
+    yield "Frames", "The header, the types of messages, and limits.", _frames()
     yield (
         "Arguments",
-        "What an identification byte says: first and last byte, encoding, kind, bytes that follow.",
+        "Identification bytes: first and last byte, encoding, kind, number of bytes that follow.",
         (_encodings()),
     )
     yield "Enumerations", "Names of numbers.", _enumerations()
     yield (
         "Operations",
-        "Opcode, name, what it does; then either parameters or, for a family, its commands, which have those. A\n"
-        "-- parameter is its name, direction, type and meaning. Parameters are text, which is read when an operation\n"
-        "-- is first seen.",
+        "Opcode, name, description; then parameters or, for a family, its commands, which have the same. A parameter\n"
+        "-- is a name, direction, type and description. Parameters are texts, which are parsed when an operation is\n"
+        "-- first seen.",
         _operations(),
     )
     yield (
         "System commands",
-        "Number, name, what it does; request and reply are fields: name, kind, name in filters, label; statuses are\n"
-        "-- what those other than SUCCESS mean.",
+        "Number, name, description; request and reply have fields: name, kind, filter name, label; statuses are the\n"
+        "-- meanings of those other than SUCCESS.",
         _system(),
     )
-    yield "Daisy chain", "What bricks say to each other when they are joined by USB.", _daisy()
-    yield "Claims", "When traffic is taken for this protocol, and when it is left to others.", _claims()
-    yield "USB and Bluetooth", "How a brick shows itself.", _carriers()
-    yield "WiFi", "What goes back and forth before any frame does.", _unlock()
+    yield "Daisy chain", "Messages between bricks that are connected by USB.", _daisy()
+    yield "Claims", "When traffic is claimed as this protocol.", _claims()
+    yield "USB and Bluetooth", "How a brick is recognised.", _carriers()
+    yield "WiFi", "The texts before the first frame.", _unlock()
 
 
 def _heading(title: str, text: str) -> str:
@@ -82,7 +82,7 @@ def _words() -> Iterator[str]:
         yield _names([str(name) for name in members.values()])
     yield _assign("TYPE_NAMES", Table(named={member.name: member.label for member in Type}))
     sizes = {member.name: member.size for member in Type if member.size and member is not Type.LABEL}
-    yield "-- Bytes of a value in memory, of the types that have a value there.\n"
+    yield "-- Bytes of a value in memory, for the types that have one.\n"
     yield _assign("SIZE_OF", Table(named=sizes))
     yield _assign("DIALECTS", Table(DIALECTS))
     yield "\n"
@@ -153,7 +153,7 @@ def _enumerations() -> Iterator[str]:
         head = f"{enum.name} = "
         yield f"    {head}{literal(Table(named=facts), 1, 5 + len(head))},\n"
     yield "}\n\n"
-    yield "-- The type of the values that a number of DATA_FORMAT announces.\n"
+    yield "-- The types of values by DATA_FORMAT.\n"
     yield _assign("FORMAT_TYPES", Table(named={code: TYPES[kind] for code, kind in enumerations.FORMAT_TYPES.items()}))
     yield "\n"
 
@@ -314,7 +314,7 @@ def _carriers() -> Iterator[str]:
         "beacon_lines": Table(lines),
         "protocol": discovery.PROTOCOL,
     }
-    yield "-- Of USB, vendor and product in one number: the brick, and its bootloader.\n"
+    yield "-- USB products are vendor and product in one number: the brick, and its bootloader.\n"
     yield _assign("CARRIERS", Table(named=places))
 
 
@@ -331,7 +331,7 @@ def _claims() -> Iterator[str]:
         "nxt_flag": 0xFFFF - claims.NXT_MASK,
     }
     yield _assign("CLAIMS", Table(named=rule))
-    yield "-- The numbers of each type.\n"
+    yield "-- The range of each type.\n"
     limits: dict[Any, object] = {kind.name: Table([limit.low, limit.high]) for kind, limit in RANGES.items()}
     yield _assign("TYPE_RANGES", Table(named=limits))
 
@@ -352,7 +352,7 @@ def _unlock() -> Iterator[str]:
         "answer": discovery.ACCEPT.decode("ascii"),
         "starts": Table(named=first),
     }
-    yield "-- What unlocks the brick over WiFi, and its answer. No frame has a length that starts like one of them.\n"
+    yield "-- The text that unlocks the brick over WiFi, and its answer. No frame starts like one of them, by its length.\n"
     yield _assign("UNLOCK", Table(named=texts))
     yield "\n"
 

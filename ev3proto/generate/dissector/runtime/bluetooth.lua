@@ -21,7 +21,8 @@ do
     -- started after the connection has no addresses, but usually the direction.
     local function channel_of(pinfo)
         local from, to, channel = tostring(pinfo.dl_src), tostring(pinfo.dl_dst), floor(pinfo.match_uint / 2)
-        local conversation = conversation_of((from < to and from .. " " .. to or to .. " " .. from) .. " " .. channel)
+        local ends = from < to and from .. " " .. to or to .. " " .. from
+        local conversation = dialogues.conversation_of(ends .. " " .. channel)
         conversation.sides = conversation.sides or {}
         local key = from .. " > " .. to .. " " .. channel .. " " .. pinfo.p2p_dir
         local stream = streams[key]
@@ -133,7 +134,7 @@ do
     end
 
     local function add_joined(tree, tvb, packet)
-        local said = "EV3: joined with " .. plural(#packet.before, "byte") .. " of earlier packets"
+        local said = "EV3: joined with " .. phrases.plural(#packet.before, "byte") .. " of earlier packets"
         local item = tree:add(ev3, tvb(), said)
         for index = 1, packet.earlier do
             item:add(field.fragments, packet.list[index]):set_generated()
@@ -196,7 +197,8 @@ do
                 may_gap = true,
                 accepts = packet.accepts,
             }
-            local after, _, lost, step = dissect_stream(whole, text, state, conversation, number, pinfo, tree, is_shown)
+            local after, _, lost, step =
+                streaming.dissect(whole, text, state, conversation, number, pinfo, tree, is_shown)
             size = #text - after
             if stream then
                 if size > 0 then

@@ -34,7 +34,7 @@ do
         while at < stop do
             local code = byte(text, at + 1)
             if code == CLAIMS.never_sent then return "fault" end
-            local operation, after, _, reason, kind = read_operation(text, at, visit)
+            local operation, after, _, reason, kind = reading.read_operation(text, at, visit)
             if operation and judge then judge(code) end
             if reason then return kind, operation end
             at = after
@@ -75,7 +75,7 @@ do
 
     -- The same for all operations of a direct command, at least one of which must be evidence.
     local function fits(text, stop, is_cut)
-        local memory, is_right, is_telling = unsigned16(text, HEADER_SIZE), true, false
+        local memory, is_right, is_telling = reading.unsigned16(text, HEADER_SIZE), true, false
         local globals = memory % (GLOBAL_MASK + 1)
         local sizes = { [GLOBAL] = globals, [LOCAL] = (memory - globals) / (GLOBAL_MASK + 1) }
         local function visit(parameter, encoding, value)
@@ -111,7 +111,7 @@ do
         while #text - at >= HEADER_SIZE do
             local stop = stop_of(text, at)
             if stop > #text or stop - at < HEADER_SIZE then return 0 end
-            local message = read_message(sub(text, at + 1, stop))
+            local message = messages.read(sub(text, at + 1, stop))
             local type = message.type
             if not type or type.is_command or type.carries == "daisy" or message.fault then return 0 end
             if type.carries == "direct" and (type.is_error or message.stop == HEADER_SIZE) then return 0 end
@@ -227,7 +227,7 @@ do
             elseif not is_whole then
                 if not (open and open < place) and may_become(text, place, accepts) then open = place end
             elseif place == 0 or place == joint or stop >= #text or may_start(text, stop) then
-                if is_plausible(read_message(sub(text, place + 1, stop)), is_cut) then return place, true end
+                if is_plausible(messages.read(sub(text, place + 1, stop)), is_cut) then return place, true end
             end
         end
         return open, false
@@ -259,11 +259,11 @@ do
             if stop > #text then
                 if not open and may_become(text, place, accepts) then open = place end
             elseif (following or is_begin) and (following or 0) >= least then
-                local stands = is_sensible(read_message(sub(text, place + 1, stop)))
-                if stands and following and following > 0 then return place, following end
-                if stands and following then
+                local is_sound = is_sensible(messages.read(sub(text, place + 1, stop)))
+                if is_sound and following and following > 0 then return place, following end
+                if is_sound and following then
                     single = single or place
-                elseif is_begin and (stands or following) then
+                elseif is_begin and (is_sound or following) then
                     begun = begun or place
                 end
             end
@@ -281,16 +281,16 @@ do
             local _, following = claiming.find_step(text, at + 1, accepts, 0)
             return not following and PART or nil
         end
-        local message, following = read_message(sub(text, at + 1, stop)), follow(text, stop)
+        local message, following = messages.read(sub(text, at + 1, stop)), follow(text, stop)
         local type = message.type
-        local stands = type and accepts(type) and is_sensible(message)
+        local is_sound = type and accepts(type) and is_sensible(message)
         if not following then return nil end
         -- Few random bytes are operations.
-        if stands and (following > 0 or type.is_command and type.carries == "direct") then return OURS end
+        if is_sound and (following > 0 or type.is_command and type.carries == "direct") then return OURS end
         -- After a gap between two packets, frames start in the newer one.
-        local inside, following_inside = claiming.find_step(text, stands and joint or at + 1, accepts, 0, joint)
+        local inside, following_inside = claiming.find_step(text, is_sound and joint or at + 1, accepts, 0, joint)
         local is_inside = inside and inside < stop
         if is_inside and following_inside then return nil end
-        return not is_last and following == 0 and (is_inside or not stands) and PART or OURS
+        return not is_last and following == 0 and (is_inside or not is_sound) and PART or OURS
     end
 end

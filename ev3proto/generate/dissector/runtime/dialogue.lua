@@ -4,8 +4,10 @@
 -- and afterwards those that are displayed. What the first pass finds is kept by the place of each message; later passes
 -- look it up.
 
-local read_message
-local forget_dialogues, conversation_of, take_note, request_of, reply_to, transfer_at
+-- Reading and showing one message: further below.
+local messages = {}
+
+local dialogues = {}
 do
     -- Commands with the same counter that are remembered, for senders that never change it.
     local MOST_PER_COUNTER = 4
@@ -19,33 +21,33 @@ do
 
     local conversations
 
-    function forget_dialogues()
+    function dialogues.forget()
         replies, requests, transfers, conversations = new_notes(), new_notes(), {}, {}
     end
-    forget_dialogues()
+    dialogues.forget()
 
     -- Returns the command that a reply answers: `place`, `message`, and `delay`, the response time in seconds.
-    function request_of(place)
+    function dialogues.request_of(place)
         local known = requests.get(place)
         if not known then return nil end
         local command, delay, start = Struct.unpack("dd", known)
-        return { place = command, delay = delay, message = read_message(sub(known, start)) }
+        return { place = command, delay = delay, message = messages.read(sub(known, start)) }
     end
 
     -- Returns the number of the packet with the reply to a command.
-    function reply_to(place)
+    function dialogues.reply_to(place)
         local number = replies.get(place)
         return number and tonumber(number)
     end
 
     -- Returns the file that a message belongs to: path, size, bytes done.
-    function transfer_at(place)
+    function dialogues.transfer_at(place)
         return transfers[place]
     end
 
     -- Returns the conversation of a computer and a brick. `waiting` has the commands that wait for a reply: lists by
     -- counter, oldest first. Transfers are `begun` by counter, and `open` by handle.
-    function conversation_of(key)
+    function dialogues.conversation_of(key)
         local conversation = conversations[key]
         if not conversation then
             conversation = { key = key, waiting = {}, begun = {}, open = {} }
@@ -74,7 +76,7 @@ do
 
     -- Tells whether a reply has the size that its command requested.
     local function fits(message, command)
-        local type, sizes = message.type, unsigned16(command.message.text, HEADER_SIZE)
+        local type, sizes = message.type, reading.unsigned16(command.message.text, HEADER_SIZE)
         if type.carries ~= "direct" or type.is_error or not sizes then return true end
         return message.size - HEADER_SIZE == sizes % (GLOBAL_MASK + 1)
     end
@@ -160,7 +162,7 @@ do
     end
 
     -- Records a message of a conversation, in the first pass.
-    function take_note(place, conversation, message, pinfo)
+    function dialogues.take_note(place, conversation, message, pinfo)
         local type = message.type
         local is_on_file = message.command and message.command.transfer
         if not type or message.is_overwritten then return end

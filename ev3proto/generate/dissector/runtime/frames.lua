@@ -56,17 +56,17 @@ local carriers = {}
 -- line. Returns the line for the info column and, if there is a tree, the message's item.
 local function dissect_message(tvb, at, message, conversation, place, pinfo, tree, is_shown, said)
     if conversation then
-        take_note(place, conversation, message, pinfo)
+        dialogues.take_note(place, conversation, message, pinfo)
         claiming.note(conversation, message)
     end
     -- The protocol hierarchy counts items, even if the tree is not needed; before 4.6 has_tree does not tell.
     if not is_shown and tree.text then tree:add(ev3, tvb(at, message.stop)) end
-    return show_message(message, place, tvb, at, tree, is_shown, said, conversation)
+    return messages.show(message, place, tvb, at, tree, is_shown, said, conversation)
 end
 
 -- Returns the offset after the frame that starts at an offset, by its length; nil without a length.
 local function stop_of(text, at)
-    local length = unsigned16(text, at)
+    local length = reading.unsigned16(text, at)
     return length and at + LENGTH_FIELD + length
 end
 
@@ -77,7 +77,7 @@ end
 -- Tells whether the length field at an offset can be a frame's. Downloads may be longer than all others, by their
 -- header.
 local function is_length(text, at)
-    local length = unsigned16(text, at)
+    local length = reading.unsigned16(text, at)
     if is_usual_length(length) then return true end
     local code, number = byte(text, at + HEADER_SIZE, at + HEADER_SIZE + 1)
     local type, command = MESSAGE_TYPES[code], SYSTEM_COMMANDS[number]

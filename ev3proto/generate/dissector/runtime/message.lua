@@ -5,7 +5,6 @@
 -- `target`, for expert information, the item or else the root; `tvb` and `base`, the buffer and the frame's offset in
 -- it; `place`, the message's place in the capture.
 
-local show_message
 do
     local add, add_le, set_generated = TreeItem.add, TreeItem.add_le, TreeItem.set_generated
     local set_len, set_text = TreeItem.set_len, TreeItem.set_text
@@ -50,14 +49,14 @@ do
             add_le(asked, field.globals, range)
             add_le(asked, field.locals, range)
         end
-        local sizes = unsigned16(message.text, HEADER_SIZE)
+        local sizes = reading.unsigned16(message.text, HEADER_SIZE)
         local globals = sizes % (GLOBAL_MASK + 1)
         local locals = (sizes - globals) / (GLOBAL_MASK + 1)
         if message.type.wants_reply then
             message.outputs = {}
             view.outputs = message.outputs
         end
-        local line, after, fault = show_operations(message.text, COMMAND_HEADER_SIZE, view, globals, locals)
+        local line, after, fault = operations.show(message.text, COMMAND_HEADER_SIZE, view, globals, locals)
         message.fault = fault
         if fault then add_rest(message, view, after) end
         if line ~= "" then return line end
@@ -69,16 +68,16 @@ do
         local range = bytes_between(view, at, at + output.size)
         local list = output.value
         if type(list) ~= "table" then
-            local item = add_value(tree, parameter, range, list, parameter.numbered)
+            local item = operations.add_value(tree, parameter, range, list, parameter.numbered)
             if output.is_handle then set_text(item, name .. ": handle " .. list) end
             return
         end
-        local item = add(tree, field.list, range):set_text(name .. ": " .. output_text(output))
+        local item = add(tree, field.list, range):set_text(name .. ": " .. phrases.output_text(output))
         local size = output.size / #list
         for index, element in ipairs(list) do
             local start = at + (index - 1) * size
             local one = bytes_between(view, start, start + size)
-            add_value(item, parameter, one, element, format("%s[%d]", name, index - 1))
+            operations.add_value(item, parameter, one, element, format("%s[%d]", name, index - 1))
         end
     end
 
@@ -104,7 +103,7 @@ do
 
     local function first_operation(message)
         if message.stop <= COMMAND_HEADER_SIZE then return nil end
-        return (select_operation(message.text, COMMAND_HEADER_SIZE))
+        return (reading.select_operation(message.text, COMMAND_HEADER_SIZE))
     end
 
     local function show_direct_reply(message, view)
@@ -113,44 +112,45 @@ do
             add(view.item, field.memory, bytes_between(view, HEADER_SIZE, stop))
         end
         if message.type.is_error then
-            complain(view.target, "error_reply", "the brick refused or failed the command; it tells no more")
+            local reason = "the brick refused the command or failed to execute it; it does not say why"
+            complain(view.target, "error_reply", reason)
             local operation = request and first_operation(request.message)
             return operation and "error reply to " .. operation.name or "error reply"
         end
-        local size = plural(stop - HEADER_SIZE, "byte")
+        local size = phrases.plural(stop - HEADER_SIZE, "byte")
         if not request then return "reply: " .. size .. ", command not seen" end
-        local outputs, first = read_outputs(request.message, message), first_operation(request.message)
+        local outputs, first = operations.read_outputs(request.message, message), first_operation(request.message)
         if view.item then add_outputs(view, outputs) end
         local head = first and "reply to " .. first.name .. ":" or "reply:"
-        if outputs[1] then return values_text(head, outputs) end
+        if outputs[1] then return phrases.values_text(head, outputs) end
         return head .. " " .. (stop == HEADER_SIZE and "ok" or size)
     end
 
     -- Returns the possible interpretations of a mailbox's message, whose type is not in the frame: field, value, and
     -- text.
-    local function readings_of(payload)
-        local readings = {}
+    local function meanings_of(payload)
+        local meanings = {}
         local function add_reading(kind, value, text)
-            readings[#readings + 1] = { field = field["message_" .. kind], value = value, text = kind .. " " .. text }
+            meanings[#meanings + 1] = { field = field["message_" .. kind], value = value, text = kind .. " " .. text }
         end
         if payload == "\0" or payload == "\1" then
             add_reading("logic", payload == "\1", payload == "\1" and "true" or "false")
         end
         if #payload == SIZE_OF[DATAF] then
-            local number = READ_TYPE[DATAF](payload, 0)
-            add_reading("number", number, number_text(number))
+            local number = reading.READ_TYPE[DATAF](payload, 0)
+            add_reading("number", number, phrases.number_text(number))
         end
         local text = payload:match("^([^\0]*)\0$")
         if text and (#payload ~= SIZE_OF[DATAF] or not find(text, "[^\32-\126\160-\255]")) then
-            add_reading("text", utf8_text(text), shortened(text))
+            add_reading("text", reading.utf8_text(text), phrases.shortened(text))
         end
-        return readings
+        return meanings
     end
 
     local function message_text(payload)
         local texts = {}
-        for _, reading in ipairs(readings_of(payload)) do
-            texts[#texts + 1] = reading.text
+        for _, meaning in ipairs(meanings_of(payload)) do
+            texts[#texts + 1] = meaning.text
         end
         return texts[1] and concat(texts, " or ")
     end
@@ -162,9 +162,10 @@ do
             local declared, value = found.declared, found.value
             local kind = declared.kind
             if kind == TEXT or kind == COUNTED_TEXT then
-                pieces[#pieces + 1] = " " .. shortened(value)
+                pieces[#pieces + 1] = " " .. phrases.shortened(value)
             elseif kind == BYTES or kind == LISTING then
-                pieces[#pieces + 1] = " " .. (declared.is_message and message_text(value) or plural(#value, "byte"))
+                local meaning = declared.is_message and message_text(value)
+                pieces[#pieces + 1] = " " .. (meaning or phrases.plural(#value, "byte"))
             elseif not declared.counts and declared.name ~= "handle" then
                 pieces[#pieces + 1] = format(declared.hexadecimal and " %s=0x%X" or " %s=%d", declared.filter, value)
             end
@@ -174,10 +175,10 @@ do
 
     -- Returns the subject of a system message; for a piece of a file that is the file and its progress.
     local function subject_text(message, place)
-        local transfer = transfer_at(place)
+        local transfer = dialogues.transfer_at(place)
         local is_first = message.command.transfer == "begin" and message.type.is_command
         if transfer and transfer.path ~= "" and not is_first then
-            return " " .. transfer_text(transfer)
+            return " " .. phrases.transfer_text(transfer)
         end
         return fields_text(message)
     end
@@ -205,11 +206,11 @@ do
         for _, found in ipairs(message.fields) do
             local declared, range = found.declared, bytes_between(view, found.at, found.stop)
             local value = found.value
-            if type(value) == "string" then value = utf8_text(value) end
+            if type(value) == "string" then value = reading.utf8_text(value) end
             local added = declared.kind == BYTES and item:add(declared.field, range)
                 or item:add(declared.field, range, value)
-            for _, reading in ipairs(declared.is_message and readings_of(found.value) or {}) do
-                added:add(reading.field, range, reading.value)
+            for _, meaning in ipairs(declared.is_message and meanings_of(found.value) or {}) do
+                added:add(meaning.field, range, meaning.value)
             end
         end
         add_rest(message, view, message.rest)
@@ -254,9 +255,9 @@ do
         at = at + DAISY_PAYLOAD
         if at == message.stop or not DAISY.carries_operations[number] then return line end
         -- The payload's layout is not certain: operations are shown only if all of it can be read.
-        local said, _, fault = show_operations(text, at, {})
+        local said, _, fault = operations.show(text, at, {})
         if fault then return line end
-        show_operations(text, at, { root = view.root, item = payload, tvb = view.tvb, base = view.base })
+        operations.show(text, at, { root = view.root, item = payload, tvb = view.tvb, base = view.base })
         return line .. ": " .. said
     end
 
@@ -301,7 +302,7 @@ do
         if not type or message.is_overwritten then return end
         if type.wants_reply then
             -- In the first pass, the reply is still to come.
-            local reply = not is_new and reply_to(place)
+            local reply = not is_new and dialogues.reply_to(place)
             if reply == nil then
                 complain(target, "unanswered", "no reply to this command was seen")
             elseif reply and item then
@@ -318,9 +319,9 @@ do
                 set_generated(add(item, field.response_time, time))
             end
         end
-        local transfer = item and transfer_at(place)
+        local transfer = item and dialogues.transfer_at(place)
         if transfer then
-            set_generated(add(item, field.transfer_path, utf8_text(transfer.path)))
+            set_generated(add(item, field.transfer_path, reading.utf8_text(transfer.path)))
             set_generated(add(item, field.transfer_done, transfer.done))
             if transfer.size then set_generated(add(item, field.transfer_size, transfer.size)) end
         end
@@ -348,11 +349,11 @@ do
         local declared = type.is_command and message.command.request or message.command.reply
         -- Replies to failed commands may end before any field.
         local is_complete = type.is_command or (message.status == STATUS.success and not type.is_error)
-        message.fields, message.rest, message.fault = read_fields(text, start, stop, declared, is_complete)
+        message.fields, message.rest, message.fault = reading.read_fields(text, start, stop, declared, is_complete)
     end
 
     -- Reads a frame. `text` may be shorter than its length field says.
-    function read_message(text)
+    function messages.read(text)
         local low, high, first, second, code = byte(text, 1, HEADER_SIZE)
         local message = {
             text = text, stop = #text, size = LENGTH_FIELD + low + high * 0x100,
@@ -375,7 +376,7 @@ do
 
     -- Shows a message. Returns its line and, with a tree, its item. The frame is at offset `base` of the buffer; `said`
     -- replaces the message's own line; `is_new` is true in the first pass.
-    function show_message(message, place, tvb, base, tree, is_shown, said, is_new)
+    function messages.show(message, place, tvb, base, tree, is_shown, said, is_new)
         local type, item = message.type, is_shown and add_frame(tree, tvb, base, message) or nil
         local view = {
             root = tree, item = item, target = item or tree, tvb = tvb, base = base, place = place, request = nil,
@@ -384,7 +385,7 @@ do
         if type and type.is_command then
             show = SHOW_COMMAND[type.carries]
         elseif type then
-            show, view.request = SHOW_REPLY[type.carries], message.request or request_of(place)
+            show, view.request = SHOW_REPLY[type.carries], message.request or dialogues.request_of(place)
         end
         local line = show(message, view)
         check_size(message)

@@ -2,7 +2,7 @@
 --
 -- The operations of a direct command, or of a daisy command's payload: their line, their faults, and their items.
 
-local add_value, show_operations, read_outputs
+local operations = {}
 do
     local add, set_len, append_text = TreeItem.add, TreeItem.set_len, TreeItem.append_text
     local new_range = Tvb.range
@@ -11,19 +11,19 @@ do
 
     -- Adds a value with the field of its parameter, as text if its type differs from the parameter's. `numbered` is the
     -- name of an element of a list, with its number.
-    function add_value(tree, parameter, range, value, numbered)
+    function operations.add_value(tree, parameter, range, value, numbered)
         local declared, kind, is_text = parameter.field, parameter.kind, type(value) == "string"
         if is_text ~= (kind == TEXT_VALUE) or kind == NUMBER and value % 1 ~= 0 then
-            local text = is_text and utf8_text(value) or number_text(value)
+            local text = is_text and reading.utf8_text(value) or phrases.number_text(value)
             return add(tree, field.other, range, text, (numbered or parameter.name) .. ": " .. text)
         elseif is_text then
-            local label = numbered and numbered .. ": " .. shortened(value)
-            return add(tree, declared, range, utf8_text(value), label)
+            local label = numbered and numbered .. ": " .. phrases.shortened(value)
+            return add(tree, declared, range, reading.utf8_text(value), label)
         end
         local unit, meaning, label = kind == FLOAT and parameter.unit, nil, nil
-        if parameter.special or parameter.flags then meaning = meaning_of(parameter, value) end
+        if parameter.special or parameter.flags then meaning = phrases.meaning_of(parameter, value) end
         if numbered then
-            local name, text = parameter.names and parameter.names[value], number_text(value)
+            local name, text = parameter.names and parameter.names[value], phrases.number_text(value)
             label = numbered .. ": " .. (name and format("%s (%s)", name, text) or text)
         elseif not (unit or meaning) then
             return add(tree, declared, range, value)
@@ -41,7 +41,7 @@ do
     local function complain_of_index(item, parameter, encoding, index, alignment)
         local reason = "%s: the index of a %s must be a multiple of %d, the brick refuses %s"
         local sort = encoding.handle and "handle" or TYPE_NAMES[parameter.type]
-        local variable = argument_text(parameter, encoding, index)
+        local variable = phrases.argument_text(parameter, encoding, index)
         complain(item or root, "misaligned", format(reason, parameter.name, sort, alignment, variable))
     end
 
@@ -64,16 +64,16 @@ do
         if index + size <= asked then return end
         is_beyond = true
         complain(item or root, "beyond_memory", format(
-            "%s reaches up to byte %d of the %s memory, of which the command asks for %s",
-            parameter.name, index + size, is_global and "global" or "local", plural(asked, "byte")))
+            "%s reaches up to byte %d of the %s memory, but the command requests %s",
+            parameter.name, index + size, is_global and "global" or "local", phrases.plural(asked, "byte")))
     end
 
     -- Appends an argument to the line of its operation.
     local function say_argument(parameter, encoding, value)
         said_count = said_count + 1
-        if said_count <= MOST_VALUES then
-            said = said .. parameter.key .. argument_text(parameter, encoding, value)
-        elseif said_count == MOST_VALUES + 1 then
+        if said_count <= phrases.MOST_VALUES then
+            said = said .. parameter.key .. phrases.argument_text(parameter, encoding, value)
+        elseif said_count == phrases.MOST_VALUES + 1 then
             said = said .. " ..."
         end
     end
@@ -93,10 +93,10 @@ do
             -- A range costs more than an item: one serves both the argument and its encoding.
             range = new_range(buffer, base + at, 1)
             if encoding.scope then
-                local variable = argument_text(parameter, encoding, value)
+                local variable = phrases.argument_text(parameter, encoding, value)
                 item = add(heading, VARIABLE, range, variable, parameter.label .. ": " .. variable)
             else
-                item = add_value(heading, parameter, range, value, parameter.numbered)
+                item = operations.add_value(heading, parameter, range, value, parameter.numbered)
             end
             if after > at + 1 then set_len(item, after - at) end
         end
@@ -119,7 +119,7 @@ do
         local item = add(heading, CMD, range, selected.name)
         if after > at + 1 then
             set_len(item, after - at)
-            add(item, ENCODING, range, ENCODINGS[byte(text, at + 1)].label)
+            add(item, ENCODING, range, reading.ENCODINGS[byte(text, at + 1)].label)
         end
     end
 
@@ -128,13 +128,13 @@ do
     -- and the list of `outputs` to fill, if a reply is to have their values. The last two arguments are the requested
     -- memory, if known. Returns the line of the operations, which may be empty; the offset after the last one that
     -- could be read; and the fault, or nil.
-    function show_operations(text, at, view, asked_globals, asked_locals)
+    function operations.show(text, at, view, asked_globals, asked_locals)
         local item, first, phrase, count, fault = view.item, nil, "", 0, nil
         root, heading, buffer, base = view.root, nil, view.tvb, view.base
         globals, locals, is_beyond, outputs = asked_globals, asked_locals, false, view.outputs
         while at < #text and not fault do
             if item then heading = add(item, OPCODE, new_range(buffer, base + at, 1)) end
-            local selected, after, reason, kind = select_operation(text, at)
+            local selected, after, reason, kind = reading.select_operation(text, at)
             if not selected then
                 fault = { at = after, reason = reason, kind = kind }
                 break
@@ -145,7 +145,7 @@ do
             local is_said = item ~= nil or not first
             said, said_count = is_said and "", 0
             local offset
-            after, offset, reason, kind = read_arguments(selected, text, after, show_argument, not is_said)
+            after, offset, reason, kind = reading.read_arguments(selected, text, after, show_argument, not is_said)
             if not first then
                 first, phrase = selected, said
             end
@@ -159,16 +159,16 @@ do
         end
         if not first then return "", at, fault end
         local line = first.name .. phrase
-        if count > 1 then line = format("%s (+%s)", line, plural(count - 1, "operation")) end
+        if count > 1 then line = format("%s (+%s)", line, phrases.plural(count - 1, "operation")) end
         return line, at, fault
     end
 
     -- Returns the values in a direct reply to a command, up to the end of its memory.
-    function read_outputs(command, reply)
+    function operations.read_outputs(command, reply)
         local outputs = command.outputs
         if not outputs then
             outputs = {}
-            show_operations(command.text, COMMAND_HEADER_SIZE, { outputs = outputs })
+            operations.show(command.text, COMMAND_HEADER_SIZE, { outputs = outputs })
         end
         local memory, found = sub(reply.text, HEADER_SIZE + 1), {}
         for _, output in ipairs(outputs) do

@@ -3,7 +3,7 @@
 -- Bytes to operations and fields. A frame is a string. Offsets start at 0, as in all documents about the protocol: the
 -- byte at offset 0 is byte(text, 1). Nothing here raises errors: a fault is returned as its offset and reason.
 
-local ENCODINGS, READ_TYPE, unsigned16, utf8_text, select_operation, read_arguments, read_operation, read_fields
+local reading = {}
 do
     local unpack = Struct.unpack
 
@@ -13,7 +13,7 @@ do
         return byte(text, at + 1)
     end
 
-    function unsigned16(text, at)
+    function reading.unsigned16(text, at)
         local low, high = byte(text, at + 1, at + 2)
         return high and low + high * 0x100
     end
@@ -43,13 +43,15 @@ do
         return value == value and value or 0 / 0
     end
 
-    local READ_UNSIGNED = { [1] = unsigned8, [2] = unsigned16, [4] = unsigned32 }
+    local READ_UNSIGNED = { [1] = unsigned8, [2] = reading.unsigned16, [4] = unsigned32 }
     local READ_SIGNED = { [1] = signed8, [2] = signed16, [4] = signed32 }
-    READ_TYPE = { [DATA8] = signed8, [DATA16] = signed16, [DATA32] = signed32, [DATAF] = single, [HANDLE] = signed16 }
+    reading.READ_TYPE = {
+        [DATA8] = signed8, [DATA16] = signed16, [DATA32] = signed32, [DATAF] = single, [HANDLE] = signed16,
+    }
 
     -- By identification byte: its encoding and, for short forms, the value.
     local SHORT_VALUES = {}
-    ENCODINGS = {}
+    reading.ENCODINGS = {}
     local SCOPES = { [LOCAL] = "LV(", [GLOBAL] = "GV(" }
     for _, row in ipairs(ENCODING_ROWS) do
         local kind, width = row[4], row[5]
@@ -61,7 +63,7 @@ do
             read = (scope and READ_UNSIGNED or READ_SIGNED)[width], is_long = kind == CONSTANT and width == 4,
         }
         for first = row[1], row[2] do
-            ENCODINGS[first] = encoding
+            reading.ENCODINGS[first] = encoding
             if row.value then SHORT_VALUES[first] = row.value + first - row[1] end
         end
     end
@@ -74,7 +76,7 @@ do
     end)
 
     -- The brick's strings are ISO-8859-1, Wireshark's are UTF-8.
-    function utf8_text(text)
+    function reading.utf8_text(text)
         if not find(text, "[\0\128-\255]") then return text end
         return (gsub(text, "[\0\128-\255]", utf8_of))
     end
@@ -84,10 +86,10 @@ do
         local first = byte(text, at + 1)
         if not first then
             return at, "the frame ends before the argument " .. name, "cut_off"
-        elseif not ENCODINGS[first] then
+        elseif not reading.ENCODINGS[first] then
             local reason = "undefined identification byte 0x%02X (argument %s)"
             return at, format(reason, first, name), "fault"
-        elseif ENCODINGS[first].kind == CONSTANT_TEXT then
+        elseif reading.ENCODINGS[first].kind == CONSTANT_TEXT then
             local reason = "the string %s runs past the end of the frame: its terminating zero is missing"
             return at, format(reason, name), "cut_off"
         end
@@ -97,7 +99,7 @@ do
     -- Reads the argument at an offset: its encoding, value, and the offset after it; else nil.
     local function read_argument(text, at, is_float)
         local first = byte(text, at + 1)
-        local encoding, value = ENCODINGS[first], SHORT_VALUES[first]
+        local encoding, value = reading.ENCODINGS[first], SHORT_VALUES[first]
         if value then return encoding, value, at + 1 end
         if not encoding then return nil end
         if encoding.kind == CONSTANT_TEXT then
@@ -110,7 +112,7 @@ do
     end
 
     -- Returns the operation of an opcode and its CMD, and the offset after them; else nil, offset, reason and kind.
-    function select_operation(text, at)
+    function reading.select_operation(text, at)
         local code = byte(text, at + 1)
         local operation, after = instructions[code], at + 1
         if not operation then
@@ -149,7 +151,7 @@ do
     -- parameter, encoding, value, and the offsets of its first byte and after its last; with `is_brief` only variables
     -- and lengths. Returns the offset after the last one that could be read, and after a fault its offset, reason and
     -- kind.
-    function read_arguments(operation, text, at, visit, is_brief)
+    function reading.read_arguments(operation, text, at, visit, is_brief)
         local parameters, list = operation.parameters, operation.list
         local element_type = list and list.element_type
         local index, last, elements = 0, #parameters, nil
@@ -179,10 +181,10 @@ do
     local function pass_over() end
 
     -- Reads one operation with its arguments, as above. Returns the operation, and the same as above.
-    function read_operation(text, at, visit)
-        local operation, after, reason, kind = select_operation(text, at)
+    function reading.read_operation(text, at, visit)
+        local operation, after, reason, kind = reading.select_operation(text, at)
         if not operation then return nil, at, after, reason, kind end
-        return operation, read_arguments(operation, text, after, visit or pass_over)
+        return operation, reading.read_arguments(operation, text, after, visit or pass_over)
     end
 
     -- Reads one field of a system message: its value and the offset after it; else nil, offset and reason.
@@ -225,7 +227,7 @@ do
 
     -- Reads the fields of a system message. Returns a list of { declared, value, at, stop }, the offset after them, and
     -- the fault, if any. Replies to failed commands may end before any field: they are not `complete`.
-    function read_fields(text, at, stop, declarations, complete)
+    function reading.read_fields(text, at, stop, declarations, complete)
         local found, counted = {}, {}
         for _, declared in ipairs(declarations) do
             if at == stop and (declared.optional or not complete) then break end

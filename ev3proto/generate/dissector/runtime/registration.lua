@@ -20,7 +20,7 @@ do
     end
 
     function ev3.init()
-        forget_dialogues()
+        dialogues.forget()
         for _, carrier in ipairs(carriers) do
             if carrier.forget then carrier.forget() end
         end

@@ -241,7 +241,7 @@ local function survey_text(survey)
     return concat({
         table_text("Operation", survey.operations, true), "", table_text("Brick", survey.bricks), "",
         files_text(survey), "",
-        format("%d of %s that wanted a reply got none", unanswered, plural(survey.wanted, "command")),
+        format("without a reply: %d of %s that requested one", unanswered, plural(survey.wanted, "command")),
     }, "\n") .. "\n"
 end
 
@@ -321,7 +321,7 @@ local function export_files(survey, folder)
         local path = folder .. "/" .. safe_name(file.path, taken)
         lines[#lines + 1] = path .. ": " .. export_file(file, path)
     end
-    return lines[1] and concat(lines, "\n") or "no files were transferred in this capture"
+    return lines[1] and concat(lines, "\n") or "No files were transferred in this capture."
 end
 
 -- Windows, and the end of a run -------------------------------------------------------------------------------------

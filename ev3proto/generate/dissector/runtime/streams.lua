@@ -3,7 +3,7 @@
 -- The byte stream of a TCP connection or of RFCOMM. Frames may be split over packets and share them; over TCP a text
 -- from each side may precede them.
 
-local dissect_stream, dissect_no_frame, judge_text
+local streaming = {}
 do
     -- Matches the text that unlocks the brick's port: the offset after it, and the serial number.
     local function match_unlock(text, at)
@@ -56,7 +56,7 @@ do
     end
 
     -- Judges data at the start of a connection: OURS if they begin with one of the texts, PART, or nil.
-    function judge_text(text)
+    function streaming.judge_text(text)
         if not UNLOCK.starts[byte(text, 1)] then return nil end
         if sub(text, 1, #UNLOCK.answer) == UNLOCK.answer or match_unlock(text, 0) then return OURS end
         return is_part_of_text(text, 0) and PART or nil
@@ -80,8 +80,8 @@ do
     end
 
     -- Adds the bytes between two offsets, which are outside of frames. `length` is what the length field there says.
-    function dissect_no_frame(tvb, at, stop, length, tree, is_shown)
-        local said = format("no frame (%s)", plural(stop - at, "byte"))
+    function streaming.dissect_no_frame(tvb, at, stop, length, tree, is_shown)
+        local said = format("no frame (%s)", phrases.plural(stop - at, "byte"))
         local reason = "bytes that are in no frame, as after a gap in the capture"
         if length and (length < MIN_LENGTH or length > MAX_LENGTH) then
             reason = "no frame can start here: the length field says %d, but it can be %d to %d"
@@ -115,7 +115,7 @@ do
         local is_whole, is_known = stop <= #text, type and accepts(type)
         local is_chained = not is_whole or claiming.follow(text, stop)
         if is_chained and at > 0 then return false end
-        if is_known and is_whole and claiming.is_sensible(read_message(sub(text, at + 1, stop))) then return false end
+        if is_known and is_whole and claiming.is_sensible(messages.read(sub(text, at + 1, stop))) then return false end
         local is_likely = is_chained and (is_whole or claiming.may_become(text, at, accepts))
         local place, following = claiming.find_step(text, at + 1, accepts, is_likely and 1 or 0)
         return following ~= nil and place < stop
@@ -150,7 +150,7 @@ do
     --   joint      where in the piece the newest packet starts; `first` is 0 if a packet starts with the piece, too
     --   may_gap    nothing tells of gaps between the packets
     --   accepts    tells which types go its way, if that is known
-    function dissect_stream(tvb, text, stream, conversation, number, pinfo, tree, is_shown)
+    function streaming.dissect(tvb, text, stream, conversation, number, pinfo, tree, is_shown)
         local at, captured, lost, start = stream.start or 0, #text, 0, tvb:offset()
         local step = stream.step
         while at < captured do
@@ -178,7 +178,7 @@ do
                 after = math.min(stop_of(text, at), captured)
                 local frame = at == 0 and after == captured and text or sub(text, at + 1, after)
                 local place = place_of(number, start + at)
-                said = dissect_message(tvb, at, read_message(frame), conversation, place, pinfo, tree, is_shown)
+                said = dissect_message(tvb, at, messages.read(frame), conversation, place, pinfo, tree, is_shown)
             elseif not said then
                 after = step ~= "lost" and end_of_text(text, at)
                 if after then
@@ -196,7 +196,7 @@ do
                     after, is_open = next_step(text, from, stream.accepts, least, stream.first, stream.joint)
                     step = (is_open or after == captured) and "lost" or "sure"
                     if after > at then
-                        said = dissect_no_frame(tvb, at, after, unsigned16(text, at), tree, is_shown)
+                        said = streaming.dissect_no_frame(tvb, at, after, reading.unsigned16(text, at), tree, is_shown)
                         lost = lost + after - at
                     end
                     if is_open then

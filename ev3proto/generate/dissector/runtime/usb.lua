@@ -43,7 +43,7 @@ do
     -- Reads the message at the start of a report, without the padding.
     local function read_report(tvb)
         local stop = stop_of(bytes_of(tvb, 0, LENGTH_FIELD), 0)
-        return read_message(bytes_of(tvb, 0, math.min(stop, captured_len(tvb))))
+        return messages.read(bytes_of(tvb, 0, math.min(stop, captured_len(tvb))))
     end
 
     local function dissect_report(tvb, message, device, pinfo, tree)
@@ -53,7 +53,7 @@ do
             message.is_overwritten = true
             line = "bootloader fault: reply to " .. command.name .. " overwritten by its request"
         end
-        local stop, conversation = message.stop, not pinfo.visited and conversation_of(device)
+        local stop, conversation = message.stop, not pinfo.visited and dialogues.conversation_of(device)
         brick = is_shown and device
         local place = place_of(number, offset)
         local said, item = dissect_message(tvb, 0, message, conversation, place, pinfo, tree, is_shown, line)
@@ -64,7 +64,7 @@ do
         end
         if item and stop < captured then
             local rest = tvb(stop, captured - stop)
-            item:add(field.padding, rest):append_text(format(" (%s)", plural(captured - stop, "byte")))
+            item:add(field.padding, rest):append_text(format(" (%s)", phrases.plural(captured - stop, "byte")))
         end
         start_line(number, offset)
         say(said)
@@ -77,7 +77,7 @@ do
         local captured = captured_len(tvb)
         brick = device_key(pinfo)
         start_line(pinfo.number, offset_of(tvb))
-        say((dissect_no_frame(tvb, 0, captured, length, tree, has_tree(tree))))
+        say((streaming.dissect_no_frame(tvb, 0, captured, length, tree, has_tree(tree))))
         show(pinfo)
         return captured
     end
@@ -85,7 +85,7 @@ do
     -- Dissects any report of a brick. Returns 0 if it is too short for a frame.
     local function dissect_known(tvb, pinfo, tree)
         if is_control(pinfo) or captured_len(tvb) < HEADER_SIZE then return 0 end
-        local length = unsigned16(bytes_of(tvb, 0, LENGTH_FIELD), 0)
+        local length = reading.unsigned16(bytes_of(tvb, 0, LENGTH_FIELD), 0)
         if not is_usual_length(length) then return dissect_other_report(tvb, length, pinfo, tree) end
         return dissect_report(tvb, read_report(tvb), device_key(pinfo), pinfo, tree)
     end
@@ -105,7 +105,7 @@ do
         local header = bytes_of(tvb, 0, math.min(captured, HEADER_SIZE))
         local type = MESSAGE_TYPES[byte(header, HEADER_SIZE)]
         if sort and type and (sort == "computer" or type.carries == "daisy")
-            and is_usual_length(unsigned16(header, 0)) and stop_of(header, 0) <= captured then
+            and is_usual_length(reading.unsigned16(header, 0)) and stop_of(header, 0) <= captured then
             message = read_report(tvb)
             -- Bricks in a chain send commands both ways, in smaller reports than computers.
             if sort == "daisy" or is_overwritten(message, pinfo) then
@@ -113,11 +113,11 @@ do
             end
         end
         if not message or (type.is_command == true) ~= is_from_host(pinfo) then
-            local conversation = conversation_of(key)
+            local conversation = dialogues.conversation_of(key)
             if conversation.is_claimed then claiming.count(conversation, captured, pinfo.number) end
             return nil
         end
-        local conversation = conversation_of(key)
+        local conversation = dialogues.conversation_of(key)
         if not conversation.is_claimed and claiming.is_plausible(message) then claiming.begin(conversation) end
         return conversation.is_claimed and message or nil
     end
@@ -135,7 +135,7 @@ do
         end
         if not message then return false end
         dissect_report(tvb, message, device, pinfo, tree)
-        local conversation = not pinfo.visited and conversation_of(device)
+        local conversation = not pinfo.visited and dialogues.conversation_of(device)
         if conversation and conversation.is_claimed then claiming.count(conversation, 0, number) end
         if has_tree(tree) then free_unused() end
         return true

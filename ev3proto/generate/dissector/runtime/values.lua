@@ -43,7 +43,7 @@ do
         end
         local is_list = parameter.length and kind ~= ARRAY_TYPED and not output.is_handle
         if kind == ARRAY_TYPED then kind = untyped(output, outputs, #memory) end
-        local read, size = READ_TYPE[kind], SIZE_OF[kind]
+        local read, size = reading.READ_TYPE[kind], SIZE_OF[kind]
         if not read then return false end
         if not is_list then
             output.value, output.size = read(memory, start), size

@@ -45,7 +45,7 @@ do
         local from, to, ends = pinfo.src, pinfo.dst, pinfo.src_port * 0x10000 + pinfo.dst_port
         local known = connections[ends]
         if not known or known.from ~= from or known.to ~= to then
-            local conversation = conversation_of(conversation_key(pinfo))
+            local conversation = dialogues.conversation_of(conversation_key(pinfo))
             conversation.sides = conversation.sides or {}
             known = conversation.sides[ends] or { from = from, to = to, conversation = conversation }
             conversation.sides[ends], connections[ends] = known, known
@@ -76,7 +76,7 @@ do
     local function rest_of(text, joint, offset, pinfo)
         if joint == 0 or #text ~= joint + 1 or #text < HEADER_SIZE then return nil end
         if not offset or pinfo.len <= offset + 1 then return nil end
-        local rest = LENGTH_FIELD + unsigned16(text, 0) - #text
+        local rest = LENGTH_FIELD + reading.unsigned16(text, 0) - #text
         return rest > 0 and rest or nil
     end
 
@@ -148,7 +148,7 @@ do
             if step ~= "lost" and done == 0 and MESSAGE_TYPES[byte(text, HEADER_SIZE)]
                 and stop_of(text, 0) == captured and is_usual_length(captured - LENGTH_FIELD) then
                 local place = place_of(number, offset)
-                say((dissect_message(tvb, 0, read_message(text), conversation, place, pinfo, tree, is_shown)))
+                say((dissect_message(tvb, 0, messages.read(text), conversation, place, pinfo, tree, is_shown)))
             else
                 local reported = tvb:reported_len()
                 local stream = {
@@ -162,7 +162,7 @@ do
                 }
                 local after, wanted
                 after, wanted, lost, step =
-                    dissect_stream(tvb, text, stream, conversation, number, pinfo, tree, is_shown)
+                    streaming.dissect(tvb, text, stream, conversation, number, pinfo, tree, is_shown)
                 if after < captured then
                     if not wanted and known and after == 0 and step == "likely" then
                         wanted = rest_of(text, joint, known.offset, pinfo)
@@ -222,7 +222,7 @@ do
         local function claim(conversation, known, text, reported, pinfo)
             local to_brick = may_be_brick(pinfo.dst, pinfo.dst_port)
             if not to_brick and not may_be_brick(pinfo.src, pinfo.src_port) then return nil end
-            local verdict, place = judge_text(text), 0
+            local verdict, place = streaming.judge_text(text), 0
             if verdict == PART then return PART, 0 end
             if verdict == OURS or has_two_named(pinfo) then to_brick = tells_brick(text, verdict ~= nil, pinfo) end
             local joint = known.waits or 0
@@ -309,7 +309,7 @@ do
         local to_brick, size = is_announced(pinfo.dst, pinfo.dst_port), #UNLOCK.request
         if not to_brick and not is_announced(pinfo.src, pinfo.src_port) then
             if tvb:len() <= size or bytes_of(tvb, 0, size) ~= UNLOCK.request then return false end
-            local verdict = judge_text(bytes_of(tvb))
+            local verdict = streaming.judge_text(bytes_of(tvb))
             if verdict == PART and pinfo.can_desegment > 0 then
                 pinfo.desegment_offset, pinfo.desegment_len = 0, DESEGMENT_ONE_MORE_SEGMENT
                 return true
@@ -354,10 +354,10 @@ do
                     break
                 end
                 local value = sub(text, at + #head + 1, stop - 1)
-                values[#values + 1] = on_one_line(value)
+                values[#values + 1] = phrases.on_one_line(value)
                 if line.name == "port" then port = port_of(value) end
                 local range = tvb(at + #head, #value)
-                if item then item:add(beacon_field[line.name], range, utf8_text(value)) end
+                if item then item:add(beacon_field[line.name], range, reading.utf8_text(value)) end
                 at = stop + 1
             end
             local said = "beacon: " .. concat(values, " ")

@@ -103,7 +103,7 @@ enum {
     DAISY_REPLY_ERROR = 0x09,
 };
 
-/* Virtual machine and programs ------------------------------------------------------------------------------------- */
+/* Programs and the virtual machine --------------------------------------------------------------------------------- */
 
 enum {
     /* Ends the program with a failure; never valid on the wire */

@@ -46,15 +46,9 @@ class Recording:
         Raises:
             OSError: The file cannot be written.
         """
-        interface = self._file.interface(carrier)
-        if carrier is Carrier.WIFI:
-            connection = wifi.Writer(host, brick)
-            self._writers[key] = connection, interface
-            self._write(key, connection.handshake())
-        else:
-            writer = carrier_writer(carrier)
-            self._writers[key] = writer, interface
-            self._write(key, writer.opening())
+        writer = wifi.Writer(host, brick) if carrier is Carrier.WIFI else carrier_writer(carrier)
+        self._writers[key] = writer, self._file.interface(carrier)
+        self._write(key, writer.handshake() if isinstance(writer, wifi.Writer) else writer.opening())
 
     def data(self, key: Hashable, data: bytes, is_from_host: bool) -> None:
         """Records bytes: a frame, the unlock text or its answer, whatever a client sends. Raises OSError."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Iterable, Iterator
 
+from ev3proto.generate.areas import AREA_TITLES
 from ev3proto.semantics.domain import comment, firmwares
 from ev3proto.tables import AREAS, daisy
 from ev3proto.tables.constants import CONSTANTS
@@ -28,21 +29,6 @@ DAISY = "DAISY_"
 
 _ASCII = str.maketrans({"°": "deg "})
 """Replaces characters that not every compiler accepts, even in comments."""
-
-_AREA_TITLES = {
-    "vm": "Virtual machine and programs",
-    "math": "Arithmetic",
-    "move": "Moving and converting values",
-    "branch": "Jumps",
-    "compare": "Comparisons",
-    "ui": "Display, buttons, lights, battery",
-    "timer": "Timers",
-    "sound": "Sound",
-    "input": "Sensors",
-    "output": "Motors",
-    "memory": "Files and arrays",
-    "com": "Communication",
-}
 
 
 def data() -> str:
@@ -95,10 +81,7 @@ def _enum(entries: Iterable[tuple[str, int, Iterable[str]]], digits: int) -> Ite
         if said:
             rows += _comment(said, INDENT)
         rows.append(f"{INDENT}{name} = {f'0x{number:0{digits}X}' if digits else number},")
-    yield "enum {"
-    yield from rows
-    yield "};"
-    yield ""
+    yield from ("enum {", *rows, "};", "")
 
 
 def _message_types() -> Iterator[str]:
@@ -110,7 +93,7 @@ def _message_types() -> Iterator[str]:
 
 
 def _area(area: str, opcodes: tuple[Opcode, ...]) -> Iterator[str]:
-    yield from heading(_AREA_TITLES[area])
+    yield from heading(AREA_TITLES[area])
     yield from _enum(((f"op{opcode.name}", opcode.number, _opcode(opcode)) for opcode in opcodes), 2)
     for opcode in opcodes:
         if opcode.is_family:

@@ -90,11 +90,11 @@ def bracketed(start: str, items: Sequence[str], end: str, indent: str = "") -> I
         yield end
 
 
-def imported(module: str, names: Iterable[str], indent: str = "") -> Iterator[str]:
+def imported(module: str, names: Iterable[str]) -> Iterator[str]:
     """Returns `from module import name, ...`."""
     found = sorted(set(names), key=_import_order)
     line = f"from {module} import {', '.join(found)}"
-    if len(indent) + len(line) <= WIDTH:
+    if len(line) <= WIDTH:
         yield line
     else:
         yield from bracketed(f"from {module} import (", found, ")", indent=" " * WIDTH)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ev3proto.generate.areas import AREA_TITLES
 from ev3proto.generate.pages import (
     checker_codes,
     contents,
@@ -12,7 +13,6 @@ from ev3proto.generate.pages import (
     python_api,
     system_commands,
 )
-from ev3proto.generate.pages.areas import AREA_TITLES
 from ev3proto.generate.pages.markdown import page
 from ev3proto.tables import AREAS
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ev3proto.generate.pages.areas import AREA_TITLES
+from ev3proto.generate.areas import AREA_TITLES
 from ev3proto.generate.pages.markdown import block, listed, table
 from ev3proto.tables import AREAS
 from ev3proto.tables.declaration import Declaration, declarations

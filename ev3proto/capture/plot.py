@@ -32,24 +32,24 @@ def draw(found: Series, suffix: str, title: str, start_ns: int) -> bytes:
         found: The values.
         suffix: `.svg` or `.png`.
         title: Text above the picture.
-        start_ns: When the capture began, in nanoseconds since 1970-01-01 UTC: 0 on the axis of time.
+        start_ns: Time of the first message, in nanoseconds since 1970-01-01 UTC: 0 on the axis.
 
     Returns:
         The contents of a file.
 
     Raises:
-        ValueError: The suffix is another, or there is no number to draw.
+        ValueError: The suffix is unknown, or there are no numbers to draw.
         MissingLibraryError: The library that draws is not installed.
     """
     if suffix not in (".svg", ".png"):
-        raise ValueError(f"a plot is written to a file that ends in .svg or .png, not in {suffix or 'nothing'}")
+        raise ValueError(f"unknown suffix of a plot: {suffix or 'none'}; expected .svg or .png")
     return picture(specification(found, clean(title, MOST_TITLE), start_ns), Form(suffix))
 
 
 def specification(found: Series, title: str, start_ns: int) -> dict[str, Any]:
-    """The picture in Vega-Lite: one panel for each unit, with the time in seconds below all of them.
+    """Returns the picture in Vega-Lite: one panel for each unit, over the time in seconds.
 
-    If a reply has no time, it is the order instead: the first reply is 1.
+    If a reply has no time, all are drawn over their order instead: the first reply is 1.
     """
     is_timed = all(row.is_timed for row in found.rows)
     along = "seconds since the first message" if is_timed else "order"
@@ -61,7 +61,7 @@ def specification(found: Series, title: str, start_ns: int) -> dict[str, Any]:
                 point = {"time": at, "value": float(cell), "name": clean(name)}
                 panels.setdefault(found.units[name], []).append(point)
     if not panels:
-        raise ValueError("there is no number to draw")
+        raise ValueError("no numbers to draw")
     return {
         "title": {"text": title, "fontSize": 15, "offset": 14},
         "padding": 12,
@@ -79,7 +79,7 @@ def _panel(unit: str | None, points: list[dict[str, Any]], along: str) -> dict[s
     low, high = min(values), max(values)
     scale: dict[str, Any] = {"zero": False}
     if low == high:
-        # An axis without a length would have a single number, rounded to none of its digits.
+        # An axis of a single value would have one label, with all digits rounded away.
         around = abs(low) / 10 or 1
         scale["domain"] = [low - around, high + around]
     colours = [_COLOURS[number % len(_COLOURS)] for number in range(len(names))]

@@ -641,7 +641,7 @@ def test_a_filter_keeps_replies_with_their_commands(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("words", "status", "complaint"),
     [
-        (("-o", "x.pdf"), 2, "x.pdf: a timeline is written as one of .html, .svg, .png, .json"),
+        (("-o", "x.pdf"), 2, "x.pdf: unknown suffix; expected one of .html, .svg, .png, .json"),
         (("-o", "robot"), 2, ".html, .svg, .png"),
         ((), 2, "Missing option '-o'"),
         (("-o", "no-such-folder/x.svg"), 1, "there is no folder no-such-folder"),

@@ -1,9 +1,9 @@
-"""Filters: which records are wanted, in a language like that of Wireshark's display filters.
+"""Filters: expressions that select records, like Wireshark's display filters.
 
     keep = compile_filter("op==SOUND.TONE && FREQUENCY>400")
     loud = [record for record in capture if keep(record)]
 
-`manual` has all that can be written, with examples; `ev3proto decode --help-filter` prints it.
+`manual` describes the language with examples; `ev3proto decode --help-filter` prints it.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
-"""The records that a filter lets through, in their order, also where it asks for what is only known later.
+"""Selects the records of a capture that match a filter, in their order, even if the filter needs later records.
 
-Whether a command is `unanswered` shows when its reply comes, or when the capture ends. Until then it waits here, and
-so does everything after it that is wanted.
+Whether a command is `unanswered` is known when its reply comes, or when the capture ends. Until then the command
+waits here, and so do all matching records after it.
 """
 
 from __future__ import annotations
@@ -13,21 +13,21 @@ from ev3proto.capture.filter.language import Filter
 from ev3proto.capture.record import Event, Record
 
 _RECORD_SIZE = 900
-"""Bytes of memory that a record takes while it waits, besides its frame, about."""
+"""Approximate memory of a waiting record, in bytes, in addition to its frame."""
 
 
 class Choosing:
-    """Chooses records of one capture.
+    """A selection of records from one capture.
 
-    given_up  commands that were taken for unanswered before the capture ended, because too much waited
+    given_up  commands that counted as unanswered before the capture ended, because too many records waited
     """
 
     def __init__(self, keep: Filter, memory: int = DEFAULT_MEMORY) -> None:
-        """Starts a capture.
+        """Starts with an empty backlog.
 
         Args:
-            keep: Which records are wanted.
-            memory: Bytes that the records that wait may take, about.
+            keep: The filter.
+            memory: Approximate memory limit for waiting records, in bytes.
         """
         self.given_up = 0
         self._keep = keep
@@ -36,13 +36,13 @@ class Choosing:
         self._size = 0
 
     def chosen(self, events: Iterable[Event]) -> Iterator[Record]:
-        """Chooses the wanted records.
+        """Selects the matching records.
 
         Args:
-            events: Those of the capture, to its end. Events that are not frames are never wanted.
+            events: All events of the capture; those that are not frames never match.
 
         Yields:
-            The records, in the order of the capture.
+            The matching records, in the order of the capture.
         """
         for event in events:
             if not isinstance(event, Record):

@@ -1,4 +1,4 @@
-"""The parameters and fields of the tables: which places a name means, and what a record holds there."""
+"""The parameters and fields of the tables: the places that a name refers to, and their values in a record."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ from ev3proto.tables.system import SYSTEM
 from ev3proto.tables.system import Kind as FieldKind
 
 PATH = "path"
-"""The field that says which file a message is about."""
+"""The field with the path of a file."""
 
 _ANY = "ARG"
-"""Before the dot: any operation's parameter of the name."""
+"""Prefix before the dot: the parameter of any operation."""
 
 _DAISY = "messages from brick to brick"
 
@@ -34,7 +34,7 @@ class Place(NamedTuple):
     """A parameter of an operation, or a field of a system command.
 
     owner  full name of the operation or the command
-    name   as the tables spell it
+    name   spelling in the tables
     holds  int (for all numbers), str or bytes
     """
 
@@ -49,9 +49,9 @@ _WHAT = {int: "a number", str: "a text in quotes", bytes: "bytes such as 4c:45:4
 
 
 def find_field(name: str) -> Name | None:
-    """What a name means, in any case: `VOLUME`, `SOUND.TONE.VOLUME`, `arg.SIZE`, `VALUES[0]`; None where it is unknown.
+    """Looks up `VOLUME`, `SOUND.TONE.VOLUME`, `arg.SIZE` or `VALUES[0]`, in any case. Returns None if it is unknown.
 
-    The name of a command that has a single parameter means that parameter (`LED`), where no parameter has the name.
+    The name of a command with a single parameter also means that parameter (`LED`), unless a parameter has the name.
     """
     owner, _, base = name.upper().rpartition(".")
     base, bracket, _ = base.partition("[")
@@ -104,14 +104,12 @@ def _named_values(record: Record, owners: Container[str]) -> Iterator[tuple[str,
 
 
 def is_parameter(name: str) -> bool:
-    """True for the name of any parameter or field, in any case."""
+    """Tells whether any parameter or field has this name, in any case."""
     return name.upper() in _places()
 
 
 def places_of() -> dict[str, list[str]]:
-    """The names of all parameters and fields as the tables spell them, each with the operations and system commands
-    that have it.
-    """
+    """Returns the names of all parameters and fields, each with its operations and system commands."""
     found: dict[str, list[str]] = {}
     for place in (place for places in _places().values() for place in places):
         found.setdefault(place.name, []).append(place.owner)
@@ -120,7 +118,7 @@ def places_of() -> dict[str, list[str]]:
 
 @cache
 def operation_names() -> dict[str, frozenset[str]]:
-    """The operations that a name means: one full name, or all of a family."""
+    """Returns the operations of each name: one for a full name, all of them for a family."""
     found: dict[str, set[str]] = {}
     for entry in _declared():
         found.setdefault(entry.name, set()).add(entry.name)
@@ -130,7 +128,7 @@ def operation_names() -> dict[str, frozenset[str]]:
 
 @cache
 def command_names() -> tuple[str, ...]:
-    """All names of CMDs, system commands and daisy commands."""
+    """Returns all names of CMDs, system commands and daisy commands."""
     of_operations = [entry.command for entry in _declared() if entry.command is not None]
     return tuple(dict.fromkeys(entry.name for entry in (*of_operations, *SYSTEM, *DaisyNumber)))
 
@@ -152,7 +150,7 @@ def _holds(kind: FieldKind) -> type:
 
 @cache
 def _places() -> dict[str, list[Place]]:
-    """All places by their names in upper case."""
+    """Returns all places by their names in upper case."""
     found = [_place(entry, parameter) for entry in _declared() for parameter in entry.parameters]
     for command in SYSTEM:
         fields = (*command.request, *command.reply)

@@ -1,9 +1,9 @@
-"""The language of filters: from a text to a test of records.
+"""The filter language: compiles an expression to a test of records.
 
     filter      conditions joined by && and ||; && binds tighter
     condition   !condition, (filter), NAME, NAME RELATION value, NAME in {value or range, ...}, NAME not in {...}
 
-The words of the language are not reserved: each is only looked for where it can be, so `in` can be a value, too.
+Keywords are not reserved: each is recognised only where the grammar allows it, so `in` can also be a value.
 """
 
 from __future__ import annotations
@@ -18,10 +18,10 @@ from ev3proto.capture.filter.values import TIME_UNITS, FilterError, Held, Name, 
 from ev3proto.capture.record import NANOSECONDS, Record
 
 MAX_LENGTH = 4096
-"""Characters that a filter may have."""
+"""Maximum length of a filter, in characters."""
 
 MAX_DEPTH = 50
-"""Maximum nesting depth of conditions, each `!` and each pair of parentheses being a level."""
+"""Maximum nesting depth of conditions; each `!` and each pair of parentheses is a level."""
 
 _WORDS = {"eq": "==", "ne": "!=", "lt": "<", "le": "<=", "gt": ">", "ge": ">="}
 
@@ -33,8 +33,8 @@ _NOT_IN = re.compile(r"not\s+in\b", re.IGNORECASE)
 _RELATION = re.compile(rf"[=!<>]=|[<>]|(?:{'|'.join(_WORDS)}|contains|like|matches)\b", re.IGNORECASE)
 # SOUND.TONE.FREQUENCY, VALUES[0]
 _NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*(?:\.[A-Za-z0-9_]+)*(?:\[[0-9]+\])?")
-# A text in quotes; r before them turns escapes off, as in Wireshark. Anything else needs no quotes: 440, 4ms, -1.5,
-# 1..5, SOUND.TONE, 192.0.2.1:5555.
+# A text in quotes; a prefix r turns escapes off, as in Wireshark. Other values need no quotes: 440, 4ms, -1.5, 1..5,
+# SOUND.TONE, 192.0.2.1:5555.
 _VALUE = re.compile(
     r"""(?P<raw>r"[^"]*"|r'[^']*') | (?P<text>"(?:\\.|[^"\\])*"|'(?:\\.|[^'\\])*') | [^\s"'(){},!=<>&|]+""",
     re.VERBOSE | re.DOTALL,
@@ -43,7 +43,7 @@ _OPEN, _CLOSE, _BRACE, _COMMA, _END_BRACE = map(re.compile, (r"\(", r"\)", r"\{"
 _SPACE = re.compile(r"\s*")
 _END = re.compile(r"\Z")
 _PIECE = re.compile(r"[\w.:-]+|[=!<>&|~]+|.", re.DOTALL)
-"""What an error underlines."""
+"""The part of the text that an error underlines."""
 
 _OF_OTHER_LANGUAGES = {
     "=": "a comparison; did you mean ==?",
@@ -55,28 +55,28 @@ _OF_OTHER_LANGUAGES = {
     "xor": "and, or, not",
     **dict.fromkeys(TIME_UNITS, "no space between a number and its unit: 4ms"),
 }
-"""What is expected in place of words and signs of other languages."""
+"""Suggestions for words and signs of other languages."""
 
 _ESCAPE = re.compile(r"\\(x[0-9a-fA-F]{2}|.)", re.DOTALL)
 _ESCAPES = {'"': '"', "'": "'", "\\": "\\", "n": "\n", "r": "\r", "t": "\t", "0": "\0"}
 
 Condition = Callable[[Sequence[Record]], bool]
-"""Whether something is true of a record, or of a command and its reply together."""
+"""Tests a record, or a command together with its reply."""
 
 
 class Filter:
-    """Whether a record is wanted, or a command together with its reply.
+    """A compiled filter: tests a record, or a command together with its reply.
 
-    A filter that asks for `time` counts it from what `begin` was given, or else from the first record that it is asked
-    about: compile one for each capture, or call `begin` for each.
+    `time` is counted from the time given to `begin`, or else from the first record tested: compile one filter for each
+    capture, or call `begin` for each.
 
-    text         as it was written
-    looks_ahead  it asks for what a command's record does not know before its reply was seen (`unanswered`, `failed`,
-                 `late`): ask it about records of a capture that was read to its end, or use `Choosing`
+    text         source text
+    looks_ahead  it uses names that are known only after a command's reply (`unanswered`, `failed`, `late`): test
+                 records of a capture that was read to its end, or use `Choosing`
     """
 
     def __init__(self, text: str) -> None:
-        """Reads a filter. Raises FilterError for a text that is not one."""
+        """Compiles a filter. Raises FilterError if its syntax or a name is wrong."""
         self.text = text
         self._start_ns: int | None = None
         parser = _Parser(text, self._time)
@@ -84,17 +84,17 @@ class Filter:
         self.looks_ahead = parser.looks_ahead
 
     def __call__(self, record: Record) -> bool:
-        """True for a record that is wanted."""
+        """Tells whether a record matches."""
         return self._hold((record,))
 
     def begin(self, time_ns: int) -> None:
-        """Begins a capture: `time` counts from here on, in nanoseconds since 1970-01-01 UTC."""
+        """Begins a capture: sets the zero of `time`, in nanoseconds since 1970-01-01 UTC."""
         self._start_ns = time_ns
 
     def of_dialogue(self, pair: RequestReply) -> bool:
-        """True for a command with its reply that is wanted. Each condition may be true of the one or of the other.
+        """Tells whether a command together with its reply matches. Each condition may hold for either of them.
 
-        So `FREQUENCY > 400 && latency > 4ms` can hold, of which the command has the first and the reply the second.
+        `FREQUENCY > 400 && latency > 4ms` can match: the frequency is in the command, the latency in the reply.
         """
         return self._hold([record for record in pair if record is not None])
 
@@ -111,24 +111,24 @@ class Filter:
 
 
 def compile_filter(text: str) -> Filter:
-    """Makes a filter.
+    """Compiles a filter.
 
     Args:
-        text: The filter as it is written, such as `op==SOUND.TONE && FREQUENCY>400`.
+        text: An expression such as `op==SOUND.TONE && FREQUENCY>400`.
 
     Returns:
-        A function that says whether a record is wanted.
+        A function that tells whether a record matches.
 
     Raises:
-        FilterError: The text is not a filter. This ValueError says why, and in which column.
+        FilterError: The syntax or a name is wrong. This ValueError has the reason and the column.
     """
     return Filter(text)
 
 
 class _Parser:
-    """Makes conditions of a text, by recursive descent.
+    """A recursive-descent parser that builds conditions.
 
-    looks_ahead  a name asks for what is only known with the reply
+    looks_ahead  a name was used that is known only after the reply
     """
 
     def __init__(self, text: str, time: Callable[[Record], float]) -> None:
@@ -152,7 +152,7 @@ class _Parser:
         return found
 
     def _take(self, pattern: re.Pattern[str]) -> re.Match[str] | None:
-        """Goes past spaces and what a pattern matches there."""
+        """Skips spaces, then consumes a match of the pattern. Returns None without one."""
         spaces = _SPACE.match(self._text, self._at)
         found = pattern.match(self._text, spaces.end() if spaces else self._at)
         if found:
@@ -217,7 +217,7 @@ class _Parser:
         return _some(name, lambda held: any(test(held) for test in tests))
 
     def _member(self, text: str, name: Name) -> Test:
-        """One value or range in braces."""
+        """Parses one value or range in braces."""
         word = self._value()
         low, dots, high = word.text.partition("..")
         if word.is_quoted or not dots:
@@ -269,10 +269,10 @@ def _negated(part: Condition) -> Condition:
 
 
 def _values(name: Name, records: Sequence[Record]) -> list[Held]:
-    """The values that are known."""
+    """Returns the known values of a name."""
     return [held for record in records for held in name.read(record) if held.value is not None]
 
 
 def _some(name: Name, test: Test) -> Condition:
-    """Some value passes a test."""
+    """Returns the condition that at least one value passes a test."""
     return lambda records: any(map(test, _values(name, records)))

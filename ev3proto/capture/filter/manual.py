@@ -1,6 +1,6 @@
-"""All that can be written in a filter, with an example of each: what `--help-filter` and a page of the reference show.
+"""The description of the filter language that `--help-filter` and a page of the reference print.
 
-The names of frames are those of `NAMES`, the names of parameters those of the tables.
+The names of frames come from `NAMES`, the names of parameters from the tables.
 """
 
 from __future__ import annotations
@@ -17,10 +17,10 @@ _COLUMN = 12
 
 
 class Entry(NamedTuple):
-    """One thing that can be written.
+    """One element of the language.
 
-    written  how it is written
-    text     what it means
+    written  its notation
+    text     its meaning
     example  a filter that uses it
     """
 
@@ -43,7 +43,7 @@ COMPARISONS = (
     Entry("||", "one holds or both do; also or", "error || fault"),
     Entry("( )", "what belongs together", "op == SOUND.TONE && (VOLUME > 50 || DURATION > 100)"),
 )
-"""How names and values are compared, and how conditions are joined."""
+"""Comparisons of names and values, and joined conditions."""
 
 VALUES = (
     Entry("440, 0x1b8", "a number, also 7.92 and 1e3", "FREQUENCY == 0x1b8"),
@@ -55,7 +55,7 @@ VALUES = (
     Entry("4c:45:47", "bytes", "data contains 3b:30"),
     Entry("192.0.2.10", "an address; also 192.0.2.10:5555 and 00:16:53:00:00:0a", "peer == 192.0.2.10"),
 )
-"""How values are written."""
+"""Notations of values."""
 
 PARAMETERS = (
     Entry("FREQUENCY", "a parameter of any operation, in any case of its letters", "frequency > 400"),
@@ -64,11 +64,11 @@ PARAMETERS = (
     Entry("path", "a field of system messages; the path holds for all messages of a transfer", 'path like "*.rtf"'),
     Entry("TYPE, arg.type", "a parameter that has the name of something above", "TYPE == TYPE_GYRO"),
 )
-"""How parameters and fields are named."""
+"""Names of parameters and fields."""
 
 
 def sections() -> dict[str, tuple[Entry, ...]]:
-    """Everything with an example, by the title under which it is listed."""
+    """Returns all elements by the titles of their sections."""
     names = (Entry(name, known.text, known.example) for name, known in NAMES.items())
     return {
         "Of every frame": tuple(names),

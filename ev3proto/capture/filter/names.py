@@ -1,7 +1,7 @@
-"""The names that a filter knows, and what each of them means in a record.
+"""The names in filters, and their values in a record.
 
-Lower case   what a frame is and how it came: `op`, `peer`, `latency`, ...; `NAMES` has them all.
-Any case     the parameters and fields of the tables: `FREQUENCY`, `path`, ... Where one has a name of the former
+Lower case   properties of every frame: `op`, `peer`, `latency`, ...; `NAMES` lists them all.
+Any case     parameters and fields of the tables: `FREQUENCY`, `path`, ... If a property has the same name
              (`TYPE`, `SIZE`, `TIME`, ...), upper case means the parameter.
 With a dot   a parameter of one operation, family or system command (`SOUND.TONE.VOLUME`, `BEGIN_DOWNLOAD.size`),
              or, after `arg.`, of any.
@@ -24,17 +24,17 @@ from ev3proto.tables.frame import MessageType
 from ev3proto.tables.system import SystemStatus
 
 TIME = "time"
-"""The one name that depends on more than the record: on when the capture began."""
+"""The one name that also depends on the beginning of the capture."""
 
 LATE_MS = 100
 """Milliseconds after which a reply is late. Bricks answer within 10 by USB and WiFi, within 60 by Bluetooth."""
 
 
 def find_name(word: Word, time: Callable[[Record], float]) -> Name:
-    """Returns what a name means, where `time` says how many seconds after the capture's begin a record is.
+    """Looks up a name; `time` returns the seconds from the beginning of the capture to a record.
 
     Raises:
-        FilterError: It is unknown. The error names the nearest ones.
+        FilterError: The name is unknown. The error suggests similar ones.
     """
     lower = word.text.lower()
     known = None if word.text.isupper() and is_parameter(lower) else NAMES.get(lower)
@@ -47,7 +47,7 @@ def find_name(word: Word, time: Callable[[Record], float]) -> Name:
         return field
 
     def read_with_path(record: Record) -> Iterator[Held]:
-        # The path is in the first message of a transfer only, and is asked for to find all of the transfer.
+        # Only the first message of a transfer has the path, but a filter for a path should find the whole transfer.
         yield from field.read(record)
         if record.transfer is not None:
             yield Held(record.transfer.path)
@@ -55,18 +55,18 @@ def find_name(word: Word, time: Callable[[Record], float]) -> Name:
     return Name(field.kind, read_with_path)
 
 
-# What a frame is and how it came
+# Properties of every frame
 
 
 def operations_of(record: Record) -> tuple[Operation, ...]:
-    """The operations of a command; for a reply, those of the command that it answers."""
+    """Returns the operations of a command; for a reply, those of its command."""
     message = record.message if record.request is None else record.request.message
     found: tuple[Operation, ...] = getattr(message, "operations", ())
     return found
 
 
 def _operations(record: Record) -> Iterator[str | int]:
-    """Each by its full name, its family's and its number."""
+    """Yields the full name, the family and the number of each."""
     for operation in operations_of(record):
         yield from (operation.full_name, operation.name, operation.opcode)
 
@@ -94,7 +94,7 @@ _STATUSES = {status.value for status in SystemStatus}
 
 
 def _address(which: str, text: str, example: str) -> Name:
-    """An address, and on WiFi the same without its port."""
+    """Describes an address; on WiFi it also matches without its port."""
 
     def read(record: Record) -> tuple[str, ...]:
         address: str = getattr(record, which)
@@ -123,7 +123,7 @@ def _late(record: Record) -> bool:
 
 
 def _meant(word: str) -> str:
-    """A hint for an operation or a command where something else is expected."""
+    """Returns a hint if the word is an operation or a command."""
     upper = word.upper()
     if upper in operation_names():
         return f"; it is an operation: op=={upper}"
@@ -131,7 +131,7 @@ def _meant(word: str) -> str:
 
 
 def _is_member_of(name: str) -> Callable[[str], str]:
-    """For a name that a parameter has, too, and a value that is the parameter's."""
+    """Makes the hint for a value that belongs to the parameter of the same name."""
 
     def hint(word: str) -> str:
         field = find_field(name)
@@ -271,7 +271,7 @@ NAMES = {
         _BARE_TEXT, lambda record: _text(record.interface), "interface on which it was captured", "interface"
     ),
 }
-"""What can be asked about every frame."""
+"""The properties of every frame."""
 
 _OF_WIRESHARK = {
     "op": "_ws.col.info ev3.answers ev3.cmd ev3.op ev3.opcode",
@@ -293,11 +293,11 @@ _OF_WIRESHARK = {
     "packet": "frame.number",
     "time": "frame.time frame.time_relative",
 }
-"""The fields of Wireshark to which a name here comes nearest."""
+"""The fields of Wireshark that correspond to a name."""
 
 
 def _unknown(text: str) -> str:
-    """A sentence about an unknown name, with the one that was probably meant."""
+    """Returns the error for an unknown name, with a suggestion."""
     upper, lower = text.upper(), text.lower()
     for name, fields in _OF_WIRESHARK.items():
         if lower in fields.split():

@@ -1,4 +1,4 @@
-"""Regular expressions: what `matches` understands. They are Python's, but for those that can take ages."""
+"""Regular expressions for `matches`: Python's, without those that can take very long."""
 
 from __future__ import annotations
 
@@ -7,17 +7,17 @@ import warnings
 from collections.abc import Callable
 
 MOST_EXAMINED = 256
-"""Characters of a text in which a pattern is looked for: more than any name or path on a brick has."""
+"""Number of characters of a text that are searched: more than any name or path on a brick has."""
 
 MOST_OPEN = 2
-"""Repetitions without an end (`*`, `+`, `{2,}`) or nearly so (`{0,256}`) of a pattern: each multiplies the time by the
-text's length."""
+"""Maximum number of unbounded repetitions (`*`, `+`, `{2,}`) and wide ones (`{0,256}`): each multiplies the time by
+the length of the text."""
 
 MOST_TIMES = 3
-"""Times by which the ends of a repetition (`{2,5}`) may differ without counting as one that has no end."""
+"""Maximum width of a range such as `{2,5}` that does not count as unbounded."""
 
 MOST_CHOICES = 4
-"""Repetitions and groups of alternatives together that a pattern may have: each multiplies the time by its number."""
+"""Maximum number of repetitions and groups of alternatives: each multiplies the time by its number of choices."""
 
 _PIECE = re.compile(
     r"""(?P<reference>\\[1-9] | \(\?P= | \(\?\()
@@ -30,9 +30,9 @@ _EXACT = "(?-i)"
 
 
 class PatternError(ValueError):
-    """A text that is no pattern.
+    """An invalid pattern, or one that could take very long.
 
-    position  of the character where the trouble starts; the first one is 0
+    position  index of the character where the error begins, from 0
     """
 
     def __init__(self, position: int, reason: str) -> None:
@@ -41,19 +41,19 @@ class PatternError(ValueError):
 
 
 def compile_pattern(text: str) -> Callable[[str], bool]:
-    """Makes the test whether a pattern is found in the first MOST_EXAMINED characters of a text, in any case.
+    """Compiles a pattern to a search in the first MOST_EXAMINED characters of a text.
 
     Args:
-        text: A regular expression of Python's. `(?-i)` at its start makes the case of letters count.
+        text: A regular expression of Python; it ignores case unless it starts with `(?-i)`.
 
     Raises:
-        PatternError: The text is no pattern, or one that may take ages.
+        PatternError: The pattern is invalid, or could take very long.
     """
     is_exact = text.startswith(_EXACT)
     begin = len(_EXACT) if is_exact else 0
     try:
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # sets such as [[a] may mean something else in a later Python
+            warnings.simplefilter("ignore")  # FutureWarning for sets such as [[a]
             search = re.compile(text[begin:], re.DOTALL | (re.NOFLAG if is_exact else re.IGNORECASE)).search
     except (re.error, ValueError, OverflowError, RecursionError) as error:
         position = getattr(error, "pos", None) or 0
@@ -63,21 +63,23 @@ def compile_pattern(text: str) -> Callable[[str], bool]:
 
 
 def _refuse_slow(text: str, begin: int) -> None:
-    """Raises PatternError for what makes Python try many ways through the same text."""
-    groups = [False]  # whether each open group has something in it that can match in several ways
-    repeats = False  # whether the group that ends just here has
+    """Raises PatternError for a pattern that can match the same text in very many ways."""
+    groups = [False]  # whether each open group can match in several ways
+    repeats = False  # whether the group that has just ended can
     open_ended = choices = 0
     for found in _PIECE.finditer(text, begin):
         piece, after_many, repeats = found.lastgroup, repeats, False
         if piece == "reference":
-            raise PatternError(found.start(), f"{found[0]} refers to a group, which may take ages: write it out")
+            raise PatternError(
+                found.start(), f"{found[0]} refers to a group, which can take very long; write the text out"
+            )
         if piece == "begin":
             groups.append(False)
         elif piece == "end":
             repeats = groups.pop()
             groups[-1] |= repeats
         elif piece == "times" and after_many:
-            reason = f"{found[0]} repeats a group with *, +, ?, {{ }} or | in it, which may take ages"
+            reason = f"{found[0]} repeats a group with *, +, ?, {{ }} or | in it, which can take very long"
             raise PatternError(found.start(), reason)
         elif piece == "times" or (piece == "other" and not groups[-1]):
             more = int(found["most"] or 0) - int(found["least"] or 0)
@@ -86,7 +88,7 @@ def _refuse_slow(text: str, begin: int) -> None:
         if open_ended > MOST_OPEN or choices > MOST_CHOICES:
             raise PatternError(
                 found.start(),
-                f"more than {MOST_OPEN} of * and +, or {MOST_CHOICES} of *, +, ?, {{ , }} and |, may take ages: like"
-                " takes * for any characters",
+                f"more than {MOST_OPEN} of * and +, or {MOST_CHOICES} of *, +, ?, {{ , }} and | can take very long;"
+                " use like with * for any characters",
             )
         groups[-1] |= piece in ("times", "other")

@@ -1,4 +1,4 @@
-"""What the values of a name can be compared with: numbers, texts, bytes, or names from a list."""
+"""Comparisons of values: numbers, texts, bytes, and names from a list."""
 
 from __future__ import annotations
 
@@ -18,21 +18,21 @@ from ev3proto.tables.declaration import Enumeration
 from ev3proto.tables.encoding import STRING_CODING
 
 TIME_UNITS = {"ns": 1, "us": 10**3, "µs": 10**3, "ms": 10**6, "s": 10**9, "min": 60 * 10**9}
-"""Nanoseconds in each unit that a time can have."""
+"""Nanoseconds in each unit of time."""
 
 _MOST_LISTED = 16
-"""An error lists this many names in full."""
+"""Maximum number of names that an error lists in full."""
 
 _DECIMAL = r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?"
 _QUANTITY = re.compile(rf"({_DECIMAL})([^\W\d_]+(?:/s)?|%|°C)")
 
 
 class FilterError(ValueError):
-    """A text that is not a filter.
+    """An invalid filter.
 
-    column  where the error begins, from 1
-    reason  what is wrong, in one sentence
-    length  of the error in characters, at least 1
+    column  column of the error, from 1
+    reason  the error, in one sentence
+    length  length of the error in characters, at least 1
     """
 
     def __init__(self, column: int, reason: str, length: int = 1) -> None:
@@ -52,17 +52,17 @@ ORDER: dict[str, Callable[[Any, Any], bool]] = {
     ">": operator.gt,
     ">=": operator.ge,
 }
-"""The relations of numbers. != is about all values of a name, not about one, and is not made here."""
+"""The relations of numbers. != needs all values of a name, not one, and is not here."""
 
 
 @dataclass(frozen=True, slots=True)
 class Word:
-    """A name or a value as it was written.
+    """A name or a value in the source text.
 
     text     without quotes, escapes resolved
     column   of its first character, from 1
-    opening  characters before the text: 1 for a quote, 2 for r and a quote, 0 where it has no quotes
-    length   characters in all; 0 for the length of the text
+    opening  characters before the text: 1 for a quote, 2 for r and a quote, 0 without quotes
+    length   of all its characters; 0 means the length of the text
     """
 
     text: str
@@ -78,12 +78,12 @@ class Word:
 
     @property
     def is_quoted(self) -> bool:
-        """True for a text in quotes, which is never a number."""
+        """Whether it has quotes, and so is never a number."""
         return self.opening > 0
 
     @property
     def number(self) -> int | float | None:
-        """440, -1, 0x94, 7.92, 1e-3; None for anything else."""
+        """Its number: 440, -1, 0x94, 7.92, 1e-3; None for anything else."""
         if self.is_quoted:
             return None
         if re.fullmatch(r"[+-]?0[xX][0-9a-fA-F]+", self.text):
@@ -94,13 +94,13 @@ class Word:
 
     @property
     def quantity(self) -> tuple[float, str] | None:
-        """4ms, 7.9V, 50%: a number and its unit; None for anything else."""
+        """Its number and unit: 4ms, 7.9V, 50%; None for anything else."""
         found = None if self.is_quoted else _QUANTITY.fullmatch(self.text)
         return None if found is None else (float(found[1]), found[2])
 
     @property
     def data(self) -> bytes | None:
-        """4c:45:47:4f or 4c45474f, or the characters in quotes; None for anything else."""
+        """Its bytes: 4c:45:47:4f, 4c45474f, or the characters in quotes; None for anything else."""
         if self.is_quoted:
             return self.text.encode(STRING_CODING) if max(self.text, default="") <= "\xff" else None
         is_hex = re.fullmatch(r"[0-9a-fA-F]{2}(:?[0-9a-fA-F]{2})*", self.text)
@@ -108,11 +108,11 @@ class Word:
 
 
 class Held(NamedTuple):
-    """A value that a frame has for a name.
+    """A value of a name in a frame.
 
-    value  None for an argument that is a variable, whose value is not known
-    enum   the names of its numbers, None where they have none
-    unit   what it is measured in, None where it has no unit
+    value  None for a variable, whose value is unknown
+    enum   the names of its numbers, if any
+    unit   its unit, if any
     """
 
     value: int | float | str | bytes | None
@@ -121,24 +121,24 @@ class Held(NamedTuple):
 
 
 Test = Callable[[Held], bool]
-"""Whether one value compares true."""
+"""Tests one value."""
 
 
 @dataclass(frozen=True, slots=True)
 class Kind:
-    """What the values of a name can be compared with.
+    """The type of a name's values, which decides what they can be compared with.
 
-    what      what it is, for errors: `a number`, or `operation` where it is one of a list of names
-    number    it can be a number
-    text      it can be a text
-    data      it can be bytes
-    is_bare   its texts need no quotes
-    names     the only texts that it can be, in any case of their letters; empty where it can be any
-    hint      for a word that is none of these names: what to say to it, or nothing
-    enums     the names that its numbers can have
-    units     what it is measured in
-    is_exact  its numbers are not those of a frame, where four bytes hold 7.92 as 7.9200000762939453
-    is_flag   it is true or false, and has no patterns
+    what      description for errors: `a number`, or `operation` for a list of names
+    number    values can be numbers
+    text      values can be texts
+    data      values can be bytes
+    is_bare   texts need no quotes
+    names     the only possible texts, in any case; empty if any text is possible
+    hint      returns a suggestion for an unknown name, or an empty text
+    enums     enumerations that name the numbers
+    units     units of the numbers
+    is_exact  numbers do not come from a frame, whose four bytes hold 7.92 as 7.9200000762939453
+    is_flag   values are true and false, and have no patterns
     """
 
     what: str
@@ -154,7 +154,7 @@ class Kind:
     is_flag: bool = False
 
     def test(self, name: str, relation: str, word: Word) -> Test:
-        """Makes the test whether a value is in a relation (any but !=) to a word.
+        """Makes the test of a value by a relation (any except !=) to a word.
 
         Raises:
             FilterError: They cannot be compared.
@@ -181,7 +181,7 @@ class Kind:
                 yield self._compared(relation, number, enum=enum)
 
     def _compared(self, relation: str, number: float, unit: str | None = None, enum: Enumeration | None = None) -> Test:
-        """Compares numbers; given a unit or an enumeration, only those that have it."""
+        """Makes the comparison of numbers, limited to those with the given unit or enumeration."""
         compare, single = ORDER[relation], number if self.is_exact else _single(number)
 
         def holds(held: Held) -> bool:
@@ -216,7 +216,7 @@ class Kind:
             yield lambda held: isinstance(held.value, bytes) and data in held.value
 
     def _error(self, name: str, relation: str, word: Word) -> str:
-        """Says why the name and the word cannot be compared."""
+        """Returns the reason why the name and the word cannot be compared."""
         text, written = word.text, f'"{word.text}"' if word.is_quoted else word.text
         members = self.names or tuple(member for enum in self.enums for member in enum.members)
         if relation == "==" and members and (self.names or not (word.is_quoted or word.number is not None)):
@@ -235,13 +235,13 @@ class Kind:
 
 
 class Name(NamedTuple):
-    """What a name means in a filter.
+    """A name in a filter.
 
-    kind         what its values can be compared with
-    read         the values that a record has; unknown ones are None
-    text         what it is, for people, where it can be asked about every frame
+    kind         type of its values
+    read         yields its values in a record; unknown ones are None
+    text         description, for properties of every frame
     example      a filter that uses it
-    looks_ahead  of a command, it is only known when its reply was seen, or can no longer come
+    looks_ahead  for a command, it is known only after the reply, or at the end of the capture
     """
 
     kind: Kind
@@ -252,7 +252,7 @@ class Name(NamedTuple):
 
 
 def _text_test(relation: str, word: Word, change: Callable[[str], str]) -> Callable[[str], bool] | None:
-    """Makes the test whether a text is a word, contains it or fits it as a pattern; None for other relations."""
+    """Makes the test of a text by a relation to a word. Returns None for relations that texts do not have."""
     text = change(word.text)
     if relation == "==":
         return text.__eq__
@@ -273,7 +273,7 @@ def _pattern(word: Word) -> Callable[[str], bool]:
 
 
 def _converted(number: float, unit: str, wanted: str) -> float | None:
-    """A number of a unit in another unit; None where they measure different things."""
+    """Converts a number to another unit. Returns None if the units measure different things."""
     if unit.lower() == wanted.lower():
         return number
     if unit not in TIME_UNITS or wanted not in TIME_UNITS:
@@ -283,7 +283,7 @@ def _converted(number: float, unit: str, wanted: str) -> float | None:
 
 
 def _single(number: float) -> float:
-    """The number as a frame's four bytes hold it."""
+    """Rounds a number to the float of four bytes that a frame holds."""
     try:
         rounded: float = struct.unpack("<f", struct.pack("<f", number))[0]
     except (OverflowError, struct.error):

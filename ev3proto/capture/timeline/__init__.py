@@ -5,8 +5,8 @@
     if timeline is not None:
         page = render(timeline, Form.HTML, "robot.pcapng")
 
-`marks` and `collecting` say what is drawn, `chart`, `page` and `chart_files` how. What draws is imported when
-something is drawn.
+`marks` and `collecting` decide what is drawn, `chart`, `page` and `chart_files` how. The library that draws is imported
+when something is drawn.
 """
 
 from ev3proto.capture.timeline.chart_files import Form, MissingLibraryError, render, require_library

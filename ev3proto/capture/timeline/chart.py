@@ -14,16 +14,16 @@ VERSION = "6.1"
 """The version of Vega-Lite that it is written in."""
 
 WIDTH = 960
-"""Pixels from the begin of the capture to its end, where nothing else is set."""
+"""Default width of the time axis, in pixels."""
 
 KINDS_WIDTH = 124
 """Pixels for the names of kinds, at the left edge."""
 
 MOST_ROWS = 10
-"""Rows of one kind of one brick; the rarest subjects beyond that share a row."""
+"""Maximum number of rows for one kind of one brick; the rarest subjects share the last one."""
 
 MOST_FILE_ROWS = 5
-"""Rows for files that are moved at the same time, or whose paths would overlap."""
+"""Maximum number of rows for files that overlap in time, or whose paths would."""
 
 FIRST_MS = 0.001
 """The shortest latency that is drawn, in milliseconds: a logarithmic axis has no 0."""
@@ -32,9 +32,9 @@ _LETTER, _CAPITAL, _SYMBOL = 6.0, 7.8, 12
 """Pixels of a letter, of a capital, of a symbol with the space after it."""
 
 _LOGARITHMIC = 20
-"""How many times the shortest latency the longest must be for a logarithmic axis."""
+"""The axis is logarithmic if the longest latency is at least this multiple of the shortest."""
 
-# Colours of Okabe and Ito, which everybody can distinguish, darker where they are thin lines on white; and symbols.
+# Colours of Okabe and Ito, which all readers can distinguish, darker for thin lines on white; and symbols.
 _LOOKS = {
     MarkState.ANSWERED: ("#0072B2", "circle"),
     MarkState.SILENT: ("#3A9BD9", "M-.22,-1L.22,-1L.22,1L-.22,1Z"),
@@ -55,14 +55,14 @@ Json = dict[str, Any]
 
 
 def specification(timeline: Timeline, title: str = "") -> Json:
-    """The specification of a picture with all of its data.
+    """Returns the specification of a picture with all of its data.
 
-    Its parameters `room`, `margin` and `kinds` are pixels that a page sets to what its window has: for what is drawn
-    over time, for all that is left of it, and of that for the names of kinds.
+    Its parameters are widths in pixels that a page fits to its window: `room` of the time axis, `margin` of everything
+    left of it, `kinds` of the names of kinds within the margin.
 
     Args:
         timeline: What to draw.
-        title: Text above the picture; without it the lines of `summary` are not there either.
+        title: Text above the picture, followed by the lines of `summary`; "" omits both.
     """
     chart = _Chart(timeline)
     heading = {"title": _heading(title, summary(timeline), 17)} if title else {}
@@ -94,7 +94,7 @@ def specification(timeline: Timeline, title: str = "") -> Json:
 
 
 def summary(timeline: Timeline) -> list[str]:
-    """The lines under the title: when, how long, how much, how it went; what is not shown one by one."""
+    """Returns the lines under the title: time, duration, counts of messages and troubles, and what is not drawn."""
     begin, length = timeline.origin_ns + round(timeline.begin * NANOSECONDS), timeline.end - timeline.begin
     when = f"from {clock(begin)}, {duration(length)}" if timeline.is_timed else "in their order, without times"
     troubles = (
@@ -119,7 +119,7 @@ def summary(timeline: Timeline) -> list[str]:
 
 
 def duration(seconds: float) -> str:
-    """`0.35 ms`, `41 ms`, `1.23 s`: three digits."""
+    """Returns `0.35 ms`, `41 ms`, `1.23 s`: three digits."""
     number, unit = (seconds * 1000, "ms") if seconds < 1 else (seconds, "s")
     return f"{number:,.0f} {unit}" if number >= 100 else f"{number:.3g} {unit}"
 
@@ -166,7 +166,7 @@ class _Chart:
     # Rows
 
     def _panel(self, brick: str, tally: Tally, bricks: set[str]) -> None:
-        """The view of one brick, and its data."""
+        """Adds the view of one brick, and its data."""
         number, timeline = len(self.views), self._timeline
         lanes: Counter[Lane] = Counter()
         marks = [mark for mark in timeline.marks if mark.lane.brick in bricks]
@@ -205,7 +205,7 @@ class _Chart:
         self.views.append(self._view(number, rows) | {"title": _heading(brick, [", ".join(aside)])})
 
     def _rows(self, lanes: Counter[Lane], rows: list[str], row_of: dict[Lane, str]) -> None:
-        """A row for each subject; the rarest share one if there are many."""
+        """Adds a row for each subject; if there are many, the rarest share one."""
         subjects: Counter[str] = Counter()
         for lane, number in lanes.items():
             subjects[lane.subject] += number
@@ -220,7 +220,7 @@ class _Chart:
         row_of |= {lane: found[lane.subject if lane.subject in own else names[-1]] for lane in lanes}
 
     def _files(self, marks: Iterable[Mark], panel: int, rows: list[str]) -> dict[str, list[Json]]:
-        """Files in rows in which neither they nor their paths overlap, as far as there are rows."""
+        """Distributes files over rows, so that neither they nor their paths overlap while there are rows."""
         found: dict[str, list[Json]] = {}
         ends: dict[str, float] = {}
         for mark in marks:
@@ -247,18 +247,18 @@ class _Chart:
             datum["e"] = round(mark.end, 9)
         if mark.latency is not None:
             datum["ms"] = _milliseconds(mark.latency)
-        # Words on shades cannot be read.
+        # Labels on the shaded counts would be illegible.
         return datum | ({"l": mark.label} if mark.label and not self._timeline.cells else {})
 
     def _width(self, words: str) -> float:
-        """Seconds that a label needs, with the space around it, in a picture of WIDTH pixels."""
+        """Returns the width of a label with the space around it, in seconds of a picture of WIDTH pixels."""
         return (1.5 * _SYMBOL + _LETTER * len(words)) / self._second
 
     def _place_labels(self, row: list[Json]) -> None:
-        """Places labels in the bar or after it or, at the right edge, before it; those without room go.
+        """Places labels in the bar, after it, or at the right edge before it; drops those without room.
 
-        `x` is the place, `back` says that the text ends there, `w` is the least width in which it has room: a narrow
-        window has no room for some of them.
+        `x` is the position, `back` means that the text ends there, `w` is the minimum width of the time axis that
+        leaves room for it: a narrow window omits some labels.
         """
         low, high = self.domain
         before = taken = low
@@ -310,7 +310,7 @@ class _Chart:
         x, bands, ours = self._x("t"), f"bands{number}", f"datum.p === {number}"
         band = {"type": "rect", "color": "black"}  # see-through, because the grid is behind it
         shaded = {"condition": {"test": "datum.shaded", "value": 0.04}, "value": 0}
-        # Left of the view, where it would be clipped off with everything that can be dragged.
+        # It is left of the view, so it must not be clipped like everything that can be dragged.
         kind = {
             "type": "text",
             "align": "left",
@@ -337,7 +337,7 @@ class _Chart:
             _layer(bands, band, {"y": y, "opacity": shaded}),
             _layer(bands, kind, {"y": y, **kinds}, "datum.first"),
             *([self._heat(x, y, ours)] if self._timeline.cells else []),
-            # Named is the first layer with times and colours: what can be dragged, and whose legend can be clicked.
+            # The parameters refer to the first layer with times and colours by its name.
             _timed("marks", bar, bars, f"{ours} && isValid(datum.e)") | {"name": f"rows{number}"},
             _timed("marks", words, {"x": self._x("x"), "y": y, "text": {"field": "l"}}, f"{ours} && datum.w <= room"),
             _timed("marks", _POINT, {"x": x, "y": y, **symbol}, f"{ours} && !datum.f"),
@@ -353,7 +353,7 @@ class _Chart:
         return _timed("cells", rect, {"x": x, "x2": {"field": "e"}, "y": y, "fill": fill}, where)
 
     def _latency(self) -> list[Json]:
-        """The view of the latencies, where there are any."""
+        """Returns the view of the latencies, if there are any."""
         data = (datum for data in self.datasets.values() for datum in data)
         found = [datum[name] for datum in data for name in ("low", "ms") if name in datum]
         if not found:
@@ -395,7 +395,7 @@ class _Chart:
         return {"field": field, "type": "quantitative", "scale": scale, "axis": axis}
 
     def _symbol(self) -> Json:
-        """How symbols look: smaller where there are many, trouble never, with a white rim that lifts it."""
+        """Returns the look of symbols: smaller if there are many; troubles stay large and have a white rim."""
         many = len(self.datasets["marks"])
         outcomes = self._timeline.outcomes
         words = {outcome.value: f"{outcome.value}: {outcomes[outcome]:,}" for outcome in MarkState}
@@ -435,7 +435,7 @@ def _layer(data: str, mark: Json, encoding: Json, where: str | None = None) -> J
 
 
 def _timed(data: str, mark: Json, encoding: Json, where: str) -> Json:
-    """What moves with the time, says what it knows, and is faint unless its words in the legend were clicked."""
+    """Returns a layer that moves with the time, has tooltips, and fades when others are selected in the legend."""
     opacity = {"opacity": {"condition": {"param": "picked", "value": 1.0}, "value": 0.1}}
     return _layer(data, mark | {"clip": True, "tooltip": {"expr": "datum.tip"}}, encoding | opacity, where)
 
@@ -456,7 +456,7 @@ def _heading(text: str, lines: list[str], size: int = 14) -> Json:
 
 
 def _homes(bricks: dict[str, Tally]) -> dict[str, str]:
-    """In whose panel a brick is drawn: a beacon comes from another port than the dialogue, but from the same brick."""
+    """Returns the panel of each brick: a beacon has another port than the dialogue, but is from the same brick."""
     homes = {brick: brick for brick in bricks}
     for brick, tally in bricks.items():
         same = [other for other in bricks if bricks[other].messages and _host(other) == _host(brick)]

@@ -1,4 +1,4 @@
-"""Pictures as files: a page, an SVG, a PNG or what Vega-Lite draws, by the file's suffix; whole, or not at all."""
+"""Pictures as files, by suffix: a page, an SVG, a PNG, or the Vega-Lite specification."""
 
 from __future__ import annotations
 
@@ -17,17 +17,17 @@ from ev3proto.capture.timeline.page import page
 from ev3proto.extras import install_command
 
 LIBRARY = "vl_convert"
-"""The library that draws; an extra."""
+"""The library that draws, an optional dependency."""
 
 MOST_TITLE = 100
-"""Letters of the title: a long one would make the picture wider."""
+"""Maximum length of the title in letters: a long one would make the picture wider."""
 
 PNG_SCALE = 2.0
 """Pixels of the PNG for one of the chart: letters stay sharp when it is printed or projected."""
 
 
 class Form(Enum):
-    """What a timeline can be written as, by the file's suffix."""
+    """The formats of a timeline, by the suffix of the file."""
 
     HTML = ".html"
     SVG = ".svg"
@@ -36,16 +36,16 @@ class Form(Enum):
 
     @classmethod
     def of(cls, path: Path) -> Form:
-        """The form that a file's suffix asks for.
+        """Returns the format for the suffix of a file.
 
         Raises:
-            ValueError: The suffix is that of no form.
+            ValueError: The suffix is unknown.
         """
         try:
             return cls(path.suffix.lower())
         except ValueError:
             known = ", ".join(form.value for form in cls)
-            raise ValueError(f"{path}: a timeline is written as one of {known}, by the file's suffix") from None
+            raise ValueError(f"{path}: unknown suffix; expected one of {known}") from None
 
 
 class MissingLibraryError(ImportError):
@@ -53,7 +53,7 @@ class MissingLibraryError(ImportError):
 
 
 def require_library() -> None:
-    """Looks for the library that draws, without importing it.
+    """Checks that the library that draws is installed, without importing it.
 
     Raises:
         MissingLibraryError: It is not installed.
@@ -86,7 +86,7 @@ def render(timeline: Timeline, form: Form, title: str) -> bytes:
 
 
 def picture(chart: dict[str, Any], form: Form) -> bytes:
-    """Draws a chart of Vega-Lite as SVG or PNG, from nothing but what is in it; as JSON it is the chart itself.
+    """Draws a Vega-Lite chart as SVG or PNG, without network access; as JSON, returns the chart itself.
 
     Raises:
         MissingLibraryError: The library that draws is not installed.
@@ -111,7 +111,7 @@ def picture(chart: dict[str, Any], form: Form) -> bytes:
 
 @cache
 def _javascript() -> str:
-    """The libraries that the page needs, made into one script, which takes seconds."""
+    """Returns the libraries of the page bundled into one script, which takes seconds."""
     import vl_convert  # an extra
 
     script: str = vl_convert.javascript_bundle("window.vegaEmbed = vegaEmbed;", vl_version=VERSION)

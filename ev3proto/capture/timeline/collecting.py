@@ -21,34 +21,34 @@ from ev3proto.text.phrases import argument_meaning, argument_value, command_span
 from ev3proto.text.spans import plain_text, visible
 
 MOST_MARKS = 20_000
-"""Marks that are drawn one by one."""
+"""Maximum number of marks that are drawn one by one."""
 
 MOST_TROUBLES = 2_000
-"""Troubles that are drawn one by one where the rest is counted."""
+"""Maximum number of troubles that are drawn one by one if the rest is counted."""
 
 MOST_FILES = 500
-"""Files that are drawn."""
+"""Maximum number of files that are drawn."""
 
 MOST_BRICKS = 8
-"""Bricks that have lanes of their own; the rest share theirs."""
+"""Maximum number of bricks with their own lanes; the rest share theirs."""
 
 MOST_LANES = 300
-"""Lanes of all bricks together; what comes beyond that goes into the lane OTHERS of its kind."""
+"""Maximum number of lanes of all bricks; further subjects share the lane OTHERS of their kind."""
 
 MOST_LETTERS = 240
-"""Letters of one detail."""
+"""Maximum length of one detail, in letters."""
 
 MOST_LABEL = 28
-"""Letters of what is written beside a mark."""
+"""Maximum length of a label beside a mark, in letters."""
 
 MOST_TOLD = 8
-"""Values of one message that are written beside a mark."""
+"""Maximum number of values in a label."""
 
 _KINDS = {"direct": LaneKind.DIRECT, "system": LaneKind.SYSTEM, "daisy": LaneKind.DAISY}
 
 
 class Window(NamedTuple):
-    """The part of a capture that is drawn, in seconds since the first event; None where it is not limited."""
+    """The part of a capture that is drawn, in seconds since the first event; None means no limit."""
 
     first: float | None = None
     last: float | None = None
@@ -60,17 +60,17 @@ def collect(
     window: Window | None = None,
     most_marks: int = MOST_MARKS,
 ) -> Timeline | None:
-    """Collects what is to be drawn of a capture.
+    """Collects the marks of a capture.
 
     Args:
         events: The events of the capture.
-        chosen: Which records to draw, by default all, with everything else. Of a command and its reply, one is enough
-            for both.
-        window: Which part of the capture to draw, by default all of it: what begins there.
-        most_marks: How many marks may be drawn one by one.
+        chosen: Selects the records to draw. A command and its reply are drawn if either is selected. None draws all
+            records and everything else.
+        window: The part of the capture to draw: everything that begins in it. None draws all of it.
+        most_marks: Maximum number of marks that are drawn one by one.
 
     Returns:
-        The timeline; None where there is nothing to draw.
+        The timeline; None if there is nothing to draw.
     """
     collector = _Collector(chosen, window or Window(), most_marks)
     for pair in dialogues(map(collector.seen, events)):
@@ -80,7 +80,7 @@ def collect(
 
 @dataclass(slots=True)
 class _Move:
-    """A file on its way. The transfer itself counts on while the capture is read."""
+    """A file being moved. The transfer itself is updated while the capture is read."""
 
     transfer: Transfer
     brick: str
@@ -96,7 +96,7 @@ class _Collector:
         self._first = -math.inf if window.first is None else window.first
         self._last = math.inf if window.last is None else window.last
         self._origin: int | None = None
-        # Without times, as some logs are, all is drawn in its order.
+        # Some logs have no times; their messages are drawn in order.
         self._is_timed = True
         self._most_marks = most_marks
         self._marks: list[Mark] = []
@@ -108,7 +108,7 @@ class _Collector:
         self._unshown = 0
 
     def seen(self, event: Event) -> Event:
-        """Takes what is not a record. Returns the event."""
+        """Adds events that are not records. Returns the event."""
         if self._origin is None:
             self._is_timed = event.route.is_timed
             self._origin = event.time_ns if self._is_timed else 0
@@ -127,13 +127,13 @@ class _Collector:
         return event
 
     def dialogue(self, pair: RequestReply) -> None:
-        """Takes a command with its reply; where one of the two is chosen, it is drawn with the other."""
+        """Adds a command with its reply; both are drawn if either is selected."""
         counted = [record for record in pair if record is not None and self._is_counted(record)]
         if any(record.message.type is not None for record in counted):
             self._exchange(pair.command, pair.reply)
 
     def timeline(self) -> Timeline | None:
-        """What was collected; None where it is nothing."""
+        """Returns the timeline; None if nothing was collected."""
         files = [
             self._file(move)
             for move in self._moves.values()
@@ -154,7 +154,7 @@ class _Collector:
         )
 
     def _at(self, event: Event) -> float:
-        """Where on the axis something is; without times, each line of the text is as long as a second."""
+        """Returns the position on the axis; without times, each line of the text counts as a second."""
         assert self._origin is not None
         return (event.time_ns - self._origin) / NANOSECONDS if self._is_timed else _number(event)
 
@@ -164,7 +164,7 @@ class _Collector:
     # Records
 
     def _is_counted(self, record: Record) -> bool:
-        """Whether a record is chosen; if so it counts, for its brick, for its file, as a faulty frame."""
+        """Tells whether a record is selected. If so, counts it for its brick and file, and adds a mark for a fault."""
         if self._chosen is not None and not self._chosen(record):
             return False
         message = record.message
@@ -181,7 +181,7 @@ class _Collector:
         return True
 
     def _exchange(self, command: Record | None, reply: Record | None) -> None:
-        """A command and its reply, or one of them alone."""
+        """Adds a command and its reply, or one of them alone."""
         seen = command or reply
         assert seen is not None
         assert seen.message.type is not None
@@ -202,7 +202,7 @@ class _Collector:
     def _point(
         self, event: Event, kind: LaneKind, subject: str, outcome: MarkState, heading: str, details: dict[str, str]
     ) -> None:
-        """A mark that has no end and no label."""
+        """Adds a mark without an end and a label."""
         mark = Mark(self._lane(self._brick(event.route), kind, subject), outcome, self._at(event), None, "", {}, 0)
         mark.number = _number(event)
         mark.tip = self._tip(heading, mark, event, {"packet": _packets(event), **details})
@@ -228,7 +228,7 @@ class _Collector:
 
     def _file(self, move: _Move) -> Mark:
         transfer, (begin, first), (end, last) = move.transfer, move.begin, move.end
-        # A command that failed is counted already, as its answer.
+        # A failed command is already counted by its reply.
         outcome = MarkState.MOVED if transfer.is_complete else MarkState.CUT_SHORT
         if move.failure:
             outcome = MarkState.ERROR
@@ -290,17 +290,17 @@ class _Collector:
             self._unshown += 1
 
 
-# Words. What comes from the network may be long, and may have characters that turn the text around them: `clean`.
+# Texts. Those from the network can be long, and contain characters that reorder the text around them: see `clean`.
 
 
 def clean(text: str, most: int = MOST_LETTERS) -> str:
-    """A text with what is not printable escaped, and not longer than `most` letters: the end is omitted."""
+    """Escapes unprintable characters, and shortens the text to `most` letters."""
     shown = visible(text[: most + 1])
     return shown if len(shown) <= most else f"{shown[: most - 1]}…"
 
 
 def clock(time_ns: int) -> str:
-    """`2024-01-31 09:12:31.011558 UTC`."""
+    """Returns `2024-01-31 09:12:31.011558 UTC`."""
     return f"{utc(time_ns).removesuffix('Z').replace('T', ' ')} UTC"
 
 
@@ -313,7 +313,7 @@ def _number(event: Event) -> int:
 
 
 def _packets(event: Event) -> str:
-    """`7`, `7, 8`, `7 to 31 (9 packets)`."""
+    """Returns `7`, `7, 8`, `7 to 31 (9 packets)`."""
     numbers = (event.number,) if isinstance(event, Skipped) else event.numbers
     if len(numbers) <= 3:
         return ", ".join(map(str, numbers))
@@ -330,7 +330,7 @@ def _outcome(command: Record | None, reply: Record | None) -> MarkState:
 
 
 def _subject(message: Message) -> str:
-    """What a message is about: its operations, its system command, its daisy command."""
+    """Returns the subject of a message: its operations, system command or daisy command."""
     match message:
         case DirectCommand():
             names = list(dict.fromkeys(operation.full_name for operation in message.operations)) or ["no operation"]
@@ -360,7 +360,7 @@ def _reply_text(reply: Record) -> str:
 
 
 def _exchange_label(command: Record | None, reply: Record | None) -> str:
-    """Values that came back; without a reply, what the one operation is to do."""
+    """Returns the values of the reply; without a reply, the arguments of a single operation."""
     if reply is not None:
         if is_error(reply.message):
             return _reply_text(reply).split(" ", 1)[0] if isinstance(reply.message, SystemReply) else "error"

@@ -1,4 +1,4 @@
-"""What a timeline has: marks in lanes, counts where there are too many of them, and how each brick did."""
+"""The contents of a timeline: marks in lanes, or counts if there are too many, and totals of each brick."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from ev3proto.capture.latencies import Latencies
 from ev3proto.capture.record import NANOSECONDS
 
 MOST_BINS = 600
-"""Bins from the first mark to the last: a bin is hardly wider than a pixel or two."""
+"""Maximum number of bins from the first mark to the last: a bin is one or two pixels wide."""
 
 _FIRST_WIDTH_NS = 1_000_000
 
 
 class LaneKind(StrEnum):
-    """What lanes are about, in the order in which they are drawn."""
+    """Kinds of lanes, in the order in which they are drawn."""
 
     ANNOUNCEMENTS = "announcements"
     DIRECT = "direct commands"
@@ -29,7 +29,7 @@ class LaneKind(StrEnum):
 
 
 class MarkState(StrEnum):
-    """How it went, in the words and the order of the legend."""
+    """Outcomes, with the texts and in the order of the legend."""
 
     ANSWERED = "answered"
     SILENT = "no reply asked for"
@@ -44,10 +44,10 @@ class MarkState(StrEnum):
 
 
 TROUBLES = frozenset({MarkState.ERROR, MarkState.UNANSWERED, MarkState.CUT_SHORT, MarkState.FAULTY, MarkState.SKIPPED})
-"""What people look for: it is kept one by one where the rest is only counted."""
+"""Outcomes that readers look for: they keep their own marks when the rest is only counted."""
 
 OTHERS = "others"
-"""The subject, or the brick, of all those beyond the limits."""
+"""The name that subjects or bricks beyond the limits share."""
 
 
 class Lane(NamedTuple):
@@ -60,15 +60,15 @@ class Lane(NamedTuple):
 
 @dataclass(slots=True)
 class Mark:
-    """One thing that happened: a command with its reply, a file that was moved, a beacon, skipped bytes.
+    """One event: a command with its reply, a file that was moved, a beacon, skipped bytes.
 
-    outcome  how it went
-    begin    seconds since the first event: of an exchange, when the command was captured
-    end      the same for the reply; None for what has no end
+    outcome  its outcome
+    begin    seconds from the first event of the capture to the command
+    end      the same to the reply; None for marks without an end
     label    a text beside it: the values of a reply, the path of a file; "" for nothing
-    tip      what else is known of it, by name
-    number   the packet by which to find it
-    latency  seconds from command to reply; None where there is none, or no time was recorded
+    tip      details by name
+    number   number of its packet
+    latency  seconds from command to reply; None without a reply or without times
     """
 
     lane: Lane
@@ -91,7 +91,7 @@ class Cell:
     slowest: int = 0
 
     def merge(self, other: Cell) -> None:
-        """Counts all that another cell counted."""
+        """Adds the counts of another cell."""
         self.count += other.count
         self.troubles += other.troubles
         if other.latencies is not None:
@@ -102,18 +102,18 @@ class Cell:
 
 
 class Bins:
-    """Counts by lane and bin. The bins grow with the time that they cover: never more than MOST_BINS a lane."""
+    """Counts by lane and bin. Bins are widened as time passes, so that each lane has at most MOST_BINS."""
 
     def __init__(self) -> None:
         self.width_ns = _FIRST_WIDTH_NS
-        # 1, 5, 10, 50, 100 milliseconds and so on: round numbers, each of which the one before divides.
+        # 1, 5, 10, 50, 100 milliseconds and so on: round numbers, each a multiple of the one before.
         self._factors = cycle((5, 2))
         self._cells: dict[tuple[Lane, int], Cell] = {}
         self._first = self._last = 0.0
 
     @property
     def cells(self) -> dict[tuple[Lane, float], Cell]:
-        """The cells by lane and begin of the bin in seconds, in the order of time."""
+        """The cells by lane and start of the bin in seconds, in the order of time."""
         ordered = sorted(self._cells.items(), key=lambda item: item[0][1])
         return {(lane, number * self.width_ns / NANOSECONDS): cell for (lane, number), cell in ordered}
 
@@ -139,7 +139,7 @@ class Bins:
 
 @dataclass(slots=True)
 class Tally:
-    """How often what happened at one brick, and how long its answers took."""
+    """The totals of one brick: messages, outcomes, latencies."""
 
     messages: int = 0
     outcomes: Counter[MarkState] = field(default_factory=Counter)
@@ -157,14 +157,14 @@ class Timeline:
     """All that is drawn.
 
     origin_ns  time of the capture's first event, in nanoseconds since 1970-01-01 UTC: 0 on the axis
-    begin      where the picture begins, in seconds since then
-    end        where it ends
-    marks      what is drawn one by one, in the order of time: everything, or where that is too much, troubles and files
-    cells      where it was too much: counts by lane and begin of the bin, else empty
-    bin_width  seconds of a bin, 0 where nothing is binned
-    bricks     how each brick did, by its name, in the order in which they appeared
-    unshown    troubles and files that are counted, but too many to be shown one by one
-    is_timed   the times are those of the capture; else there are none, and a second is a line of the text
+    begin      start of the picture, in seconds since then
+    end        end of the picture
+    marks      all marks in the order of time; if there are too many, only those of troubles and files
+    cells      if there are too many marks: counts by lane and start of the bin
+    bin_width  width of a bin in seconds, 0 without bins
+    bricks     totals of each brick by name, in the order of their first events
+    unshown    troubles and files that were counted, but not drawn
+    is_timed   the capture has times; otherwise a second is a line of the text
     """
 
     origin_ns: int
@@ -179,10 +179,10 @@ class Timeline:
 
     @property
     def messages(self) -> int:
-        """Messages of all bricks together."""
+        """Number of messages of all bricks."""
         return sum(tally.messages for tally in self.bricks.values())
 
     @property
     def outcomes(self) -> Counter[MarkState]:
-        """How it went with all bricks together."""
+        """Outcomes of all bricks."""
         return sum((tally.outcomes for tally in self.bricks.values()), Counter())

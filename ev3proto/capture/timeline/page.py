@@ -1,4 +1,4 @@
-"""The page: chart, data and all JavaScript in one file, which needs no network and asks for none."""
+"""The interactive page: chart, data and JavaScript in one file that never uses the network."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import html
 import json
 from typing import Any
 
-# Nothing may be fetched, whatever is in the capture. Vega makes functions of its expressions: 'unsafe-eval'.
+# Nothing may be fetched, whatever the capture contains. Vega compiles its expressions to functions: 'unsafe-eval'.
 _POLICY = "default-src 'none'; script-src 'unsafe-inline' 'unsafe-eval'; style-src 'unsafe-inline'; img-src data: blob:"
 
 _STYLE = """
@@ -31,8 +31,7 @@ _TOUCH_HINT = (
     "Drag sideways to move along. Tap a mark to see what it says. Tap words in the legend to see only those marks."
 )
 
-# As wide as the window. In a narrow one less is beside the rows, and labels without room are omitted: a tap on their
-# mark shows them.
+# The chart fits the window. A narrow window gets a narrower margin and fewer labels; a tap on a mark shows its label.
 _SCRIPT = """
 {
   const chart = JSON.parse(document.getElementById("chart").textContent);
@@ -52,7 +51,7 @@ _SCRIPT = """
     for (const view of chart.vconcat) view.width = room;
     await vegaEmbed(place, chart, { mode: "vega-lite", renderer: "canvas", actions, downloadFileName: "timeline" });
     const over = place.scrollWidth - place.clientWidth;
-    // Letters of this device are wider than elsewhere: again, with less room for the rest.
+    // This device has wider letters: draw again with less room for the rest.
     if (over > 0 && less < 100) await draw(less + over + 4);
   }
 
@@ -60,7 +59,7 @@ _SCRIPT = """
     document.getElementById("hint").textContent = `The chart cannot be drawn: ${error.message}`;
   });
   start();
-  // A finger is nowhere before it touches, and after it: the chart has to work out what is under it, as for a mouse.
+  // A touch has no hover: tell the chart what is under the finger, as if a mouse had moved there.
   let isTouched = false;
   const tell = (event) => {
     if (isTouched) event.target.dispatchEvent(new PointerEvent("pointermove", event));
@@ -78,11 +77,11 @@ _SCRIPT = """
 
 
 def page(specification: dict[str, Any], title: str, lines: list[str], javascript: str) -> str:
-    """The HTML.
+    """Returns the HTML.
 
     Args:
         specification: The chart, with its data.
-        title: The page's name and heading.
+        title: Title and heading of the page.
         lines: Paragraphs under the title.
         javascript: The libraries vega, vega-lite and vega-embed.
     """
@@ -114,6 +113,6 @@ def page(specification: dict[str, Any], title: str, lines: list[str], javascript
 
 
 def _inert(data: dict[str, Any]) -> str:
-    """JSON in which nothing can end the script element around it."""
+    """Returns JSON that cannot end the script element around it."""
     text = json.dumps(data, ensure_ascii=False, separators=(",", ":"))
     return text.replace("<", r"\u003c").replace(">", r"\u003e").replace("&", r"\u0026")

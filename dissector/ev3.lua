@@ -1127,7 +1127,7 @@ local OPERATIONS = {
         0x2F, "INIT_BYTES", "Fills consecutive bytes of memory with constant values",
         [[
             { "DESTINATION", OUT, DATA8, "first byte to fill", length = "LENGTH" },
-            { "LENGTH", IN, DATA32, "number of values follow; a negative count hangs the brick", unit = "bytes" },
+            { "LENGTH", IN, DATA32, "number of values that follow; a negative count hangs the brick", unit = "bytes" },
             { "SOURCE", IN, VALUES, "the values, one per byte", element = DATA8 },
         ]],
     },
@@ -3383,7 +3383,7 @@ local OPERATIONS = {
                     },
                     { "MODE", IN, DATA8, "mode to set", special = { [-1] = "keep the mode" }, range = { 0, 7 } },
                     {
-                        "VALUES", IN, COUNT, "number of values follow, each in percent", element = DATA8,
+                        "VALUES", IN, COUNT, "number of values that follow, each in percent", element = DATA8,
                         elements = OUT,
                     },
                 ]],
@@ -3409,7 +3409,7 @@ local OPERATIONS = {
                         range = { 50, 98 },
                     },
                     { "MODE", IN, DATA8, "mode to set", special = { [-1] = "keep the mode" }, range = { 0, 7 } },
-                    { "VALUES", IN, COUNT, "number of raw values follow", element = DATA32, elements = OUT },
+                    { "VALUES", IN, COUNT, "number of raw values that follow", element = DATA32, elements = OUT },
                 ]],
             },
             {
@@ -3434,7 +3434,7 @@ local OPERATIONS = {
                     },
                     { "MODE", IN, DATA8, "mode to set", special = { [-1] = "keep the mode" }, range = { 0, 7 } },
                     {
-                        "VALUES", IN, COUNT, "number of values follow, each in SI units", element = DATAF,
+                        "VALUES", IN, COUNT, "number of values that follow, each in SI units", element = DATAF,
                         elements = OUT,
                     },
                 ]],
@@ -3583,7 +3583,7 @@ local OPERATIONS = {
             },
             { "MODE", IN, DATA8, "mode to set", special = { [-1] = "keep the mode" }, range = { 0, 7 } },
             { "FORMAT", IN, DATA8, "DATA_PCT, DATA_RAW or DATA_SI; others give NaN", enum = ENUMERATIONS.DATA_FORMAT },
-            { "VALUES", IN, COUNT, "number of values follow, each in FORMAT", element = "FORMAT", elements = OUT },
+            { "VALUES", IN, COUNT, "number of values that follow, each in FORMAT", element = "FORMAT", elements = OUT },
         ]],
     },
     {
@@ -4489,7 +4489,7 @@ local OPERATIONS = {
                 [[
                     { "HANDLE", IN, HANDLE, "the array" },
                     { "INDEX", IN, DATA32, "first element to write, counted from 0", range = { 0, 2147483647 } },
-                    { "ELEMENTS", IN, DATA32, "number of values follow", range = { 0, 2147483647 } },
+                    { "ELEMENTS", IN, DATA32, "number of values that follow", range = { 0, 2147483647 } },
                     { "VALUES", IN, VALUES, "the values, one parameter each", element = DATA8 },
                 ]],
             },
@@ -4498,7 +4498,7 @@ local OPERATIONS = {
                 [[
                     { "HANDLE", IN, HANDLE, "the array" },
                     { "INDEX", IN, DATA32, "first element to write, counted from 0", range = { 0, 2147483647 } },
-                    { "ELEMENTS", IN, DATA32, "number of values follow", range = { 0, 2147483647 } },
+                    { "ELEMENTS", IN, DATA32, "number of values that follow", range = { 0, 2147483647 } },
                     { "VALUES", IN, VALUES, "the values, one parameter each", element = DATA16 },
                 ]],
             },
@@ -4507,7 +4507,7 @@ local OPERATIONS = {
                 [[
                     { "HANDLE", IN, HANDLE, "the array" },
                     { "INDEX", IN, DATA32, "first element to write, counted from 0", range = { 0, 2147483647 } },
-                    { "ELEMENTS", IN, DATA32, "number of values follow", range = { 0, 2147483647 } },
+                    { "ELEMENTS", IN, DATA32, "number of values that follow", range = { 0, 2147483647 } },
                     { "VALUES", IN, VALUES, "the values, one parameter each", element = DATA32 },
                 ]],
             },
@@ -4516,7 +4516,7 @@ local OPERATIONS = {
                 [[
                     { "HANDLE", IN, HANDLE, "the array" },
                     { "INDEX", IN, DATA32, "first element to write, counted from 0", range = { 0, 2147483647 } },
-                    { "ELEMENTS", IN, DATA32, "number of values follow", range = { 0, 2147483647 } },
+                    { "ELEMENTS", IN, DATA32, "number of values that follow", range = { 0, 2147483647 } },
                     { "VALUES", IN, VALUES, "the values, one parameter each", element = DATAF },
                 ]],
             },
@@ -5135,8 +5135,8 @@ local OPERATIONS = {
             { "NO", IN, DATA8, "number of the mailbox on this brick", range = { 0, 29 } },
             { "LENGTH", IN, DATA8, "maximum number of bytes to read, ignored by the firmware", unit = "bytes" },
             {
-                "VALUES", IN, COUNT, "number of values follow, of the type given to MAILBOX_OPEN",
-                element = ARRAY_TYPED, elements = OUT,
+                "VALUES", IN, COUNT, "number of values that follow, in the type of MAILBOX_OPEN", element = ARRAY_TYPED,
+                elements = OUT,
             },
         ]],
     },

@@ -1865,7 +1865,9 @@ types:
     doc: Fills consecutive bytes of memory with constant values
     seq:
       - {id: destination, type: argument(false), doc: first byte to fill (as many values as LENGTH says)}
-      - {id: length, type: argument(false), doc: "number of values follow; a negative count hangs the brick (bytes)"}
+      - id: length
+        type: argument(false)
+        doc: "number of values that follow; a negative count hangs the brick (bytes)"
       - id: source
         type: argument(false)
         repeat: expr
@@ -3288,7 +3290,7 @@ types:
       - {id: "no", type: argument(false), doc: "port, counted from 0; 16 to 19 for motors (0 to 19)"}
       - {id: type_, type: argument(false), doc: "type to set (0: keep the type; a member of TYPE)"}
       - {id: mode, type: argument(false), doc: "mode to set (0 to 7; -1: keep the mode)"}
-      - {id: values_count, type: argument(false), doc: "number of values follow, each in percent (each is DATA8)"}
+      - {id: values_count, type: argument(false), doc: "number of values that follow, each in percent (each is DATA8)"}
       - {id: values, type: argument(false), repeat: expr, repeat-expr: values_count.value}
     instances:
       type__name: {value: type_.value, enum: type_, if: type_.is_number}
@@ -3299,7 +3301,7 @@ types:
       - {id: "no", type: argument(false), doc: "port, counted from 0; 16 to 19 for motors (0 to 19)"}
       - {id: type_, type: argument(false), doc: "type to set (0: keep the type; a member of TYPE)"}
       - {id: mode, type: argument(false), doc: "mode to set (0 to 7; -1: keep the mode)"}
-      - {id: values_count, type: argument(false), doc: number of raw values follow (each is DATA32)}
+      - {id: values_count, type: argument(false), doc: number of raw values that follow (each is DATA32)}
       - {id: values, type: argument(false), repeat: expr, repeat-expr: values_count.value}
     instances:
       type__name: {value: type_.value, enum: type_, if: type_.is_number}
@@ -3310,7 +3312,7 @@ types:
       - {id: "no", type: argument(false), doc: "port, counted from 0; 16 to 19 for motors (0 to 19)"}
       - {id: type_, type: argument(false), doc: "type to set (0: keep the type; a member of TYPE)"}
       - {id: mode, type: argument(false), doc: "mode to set (0 to 7; -1: keep the mode)"}
-      - {id: values_count, type: argument(false), doc: "number of values follow, each in SI units (each is DATAF)"}
+      - {id: values_count, type: argument(false), doc: "number of values that follow, each in SI units (each is DATAF)"}
       - {id: values, type: argument(true), repeat: expr, repeat-expr: values_count.value}
     instances:
       type__name: {value: type_.value, enum: type_, if: type_.is_number}
@@ -3370,7 +3372,7 @@ types:
         doc: "DATA_PCT, DATA_RAW or DATA_SI; others give NaN (a member of DATA_FORMAT)"
       - id: values_count
         type: argument(false)
-        doc: "number of values follow, each in FORMAT (each is what FORMAT says)"
+        doc: "number of values that follow, each in FORMAT (each is what FORMAT says)"
       - id: values
         type: "argument(format.is_number and (format.value == 3 or format.value == 19))"
         repeat: expr
@@ -3818,7 +3820,7 @@ types:
     seq:
       - {id: handle, type: argument(false), doc: the array}
       - {id: index, type: argument(false), doc: "first element to write, counted from 0 (0 to 2147483647)"}
-      - {id: elements, type: argument(false), doc: number of values follow (0 to 2147483647)}
+      - {id: elements, type: argument(false), doc: number of values that follow (0 to 2147483647)}
       - id: values
         type: argument(false)
         repeat: expr
@@ -3829,7 +3831,7 @@ types:
     seq:
       - {id: handle, type: argument(false), doc: the array}
       - {id: index, type: argument(false), doc: "first element to write, counted from 0 (0 to 2147483647)"}
-      - {id: elements, type: argument(false), doc: number of values follow (0 to 2147483647)}
+      - {id: elements, type: argument(false), doc: number of values that follow (0 to 2147483647)}
       - id: values
         type: argument(false)
         repeat: expr
@@ -3840,7 +3842,7 @@ types:
     seq:
       - {id: handle, type: argument(false), doc: the array}
       - {id: index, type: argument(false), doc: "first element to write, counted from 0 (0 to 2147483647)"}
-      - {id: elements, type: argument(false), doc: number of values follow (0 to 2147483647)}
+      - {id: elements, type: argument(false), doc: number of values that follow (0 to 2147483647)}
       - id: values
         type: argument(false)
         repeat: expr
@@ -3851,7 +3853,7 @@ types:
     seq:
       - {id: handle, type: argument(false), doc: the array}
       - {id: index, type: argument(false), doc: "first element to write, counted from 0 (0 to 2147483647)"}
-      - {id: elements, type: argument(false), doc: number of values follow (0 to 2147483647)}
+      - {id: elements, type: argument(false), doc: number of values that follow (0 to 2147483647)}
       - id: values
         type: argument(true)
         repeat: expr
@@ -4328,7 +4330,7 @@ types:
       - {id: length, type: argument(false), doc: "maximum number of bytes to read, ignored by the firmware (bytes)"}
       - id: values_count
         type: argument(false)
-        doc: "number of values follow, of the type given to MAILBOX_OPEN (each is array-typed)"
+        doc: "number of values that follow, in the type of MAILBOX_OPEN (each is array-typed)"
       - {id: values, type: argument(false), repeat: expr, repeat-expr: values_count.value}
   op_mailbox_test:
     doc: Reports whether a mailbox has an unread message

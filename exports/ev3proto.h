@@ -1043,7 +1043,7 @@ enum {
     /*
      * Fills consecutive bytes of memory with constant values
      *   DESTINATION  out DATA8  first byte to fill (as many values as LENGTH says)
-     *   LENGTH       DATA32     number of values follow; a negative count hangs the brick (bytes)
+     *   LENGTH       DATA32     number of values that follow; a negative count hangs the brick (bytes)
      *   SOURCE       values     the values, one per byte (each is DATA8)
      */
     opINIT_BYTES = 0x2F,
@@ -2598,7 +2598,7 @@ enum {
      *   TYPE    DATA8  type to set (0: keep the type; a member of TYPE)
      *   MODE    DATA8  mode to set (0 to 7; -1: keep the mode)
      *   FORMAT  DATA8  DATA_PCT, DATA_RAW or DATA_SI; others give NaN (a member of DATA_FORMAT)
-     *   VALUES  count  number of values follow, each in FORMAT (each is what FORMAT says)
+     *   VALUES  count  number of values that follow, each in FORMAT (each is what FORMAT says)
      */
     opINPUT_READEXT = 0x9E,
 
@@ -2850,7 +2850,7 @@ enum {
      *   NO      DATA8  port, counted from 0; 16 to 19 for motors (0 to 19)
      *   TYPE    DATA8  type to set (0: keep the type; a member of TYPE)
      *   MODE    DATA8  mode to set (0 to 7; -1: keep the mode)
-     *   VALUES  count  number of values follow, each in percent (each is DATA8)
+     *   VALUES  count  number of values that follow, each in percent (each is DATA8)
      */
     READY_PCT = 27,
 
@@ -2860,7 +2860,7 @@ enum {
      *   NO      DATA8  port, counted from 0; 16 to 19 for motors (0 to 19)
      *   TYPE    DATA8  type to set (0: keep the type; a member of TYPE)
      *   MODE    DATA8  mode to set (0 to 7; -1: keep the mode)
-     *   VALUES  count  number of raw values follow (each is DATA32)
+     *   VALUES  count  number of raw values that follow (each is DATA32)
      */
     READY_RAW = 28,
 
@@ -2870,7 +2870,7 @@ enum {
      *   NO      DATA8  port, counted from 0; 16 to 19 for motors (0 to 19)
      *   TYPE    DATA8  type to set (0: keep the type; a member of TYPE)
      *   MODE    DATA8  mode to set (0 to 7; -1: keep the mode)
-     *   VALUES  count  number of values follow, each in SI units (each is DATAF)
+     *   VALUES  count  number of values that follow, each in SI units (each is DATAF)
      */
     READY_SI = 29,
 
@@ -3471,7 +3471,7 @@ enum {
      * Writes several elements of a DATA8 array, all within its size
      *   HANDLE    handle  the array
      *   INDEX     DATA32  first element to write, counted from 0 (0 to 2147483647)
-     *   ELEMENTS  DATA32  number of values follow (0 to 2147483647)
+     *   ELEMENTS  DATA32  number of values that follow (0 to 2147483647)
      *   VALUES    values  the values, one parameter each (each is DATA8)
      */
     INIT8 = 8,
@@ -3480,7 +3480,7 @@ enum {
      * Writes several elements of a DATA16 array, all within its size
      *   HANDLE    handle  the array
      *   INDEX     DATA32  first element to write, counted from 0 (0 to 2147483647)
-     *   ELEMENTS  DATA32  number of values follow (0 to 2147483647)
+     *   ELEMENTS  DATA32  number of values that follow (0 to 2147483647)
      *   VALUES    values  the values, one parameter each (each is DATA16)
      */
     INIT16 = 9,
@@ -3489,7 +3489,7 @@ enum {
      * Writes several elements of a DATA32 array, all within its size
      *   HANDLE    handle  the array
      *   INDEX     DATA32  first element to write, counted from 0 (0 to 2147483647)
-     *   ELEMENTS  DATA32  number of values follow (0 to 2147483647)
+     *   ELEMENTS  DATA32  number of values that follow (0 to 2147483647)
      *   VALUES    values  the values, one parameter each (each is DATA32)
      */
     INIT32 = 10,
@@ -3498,7 +3498,7 @@ enum {
      * Writes several elements of a DATAF array, all within its size
      *   HANDLE    handle  the array
      *   INDEX     DATA32  first element to write, counted from 0 (0 to 2147483647)
-     *   ELEMENTS  DATA32  number of values follow (0 to 2147483647)
+     *   ELEMENTS  DATA32  number of values that follow (0 to 2147483647)
      *   VALUES    values  the values, one parameter each (each is DATAF)
      */
     INITF = 11,
@@ -3699,7 +3699,7 @@ enum {
      * Reads the content of a mailbox and marks it read
      *   NO      DATA8  number of the mailbox on this brick (0 to 29)
      *   LENGTH  DATA8  maximum number of bytes to read, ignored by the firmware (bytes)
-     *   VALUES  count  number of values follow, of the type given to MAILBOX_OPEN (each is array-typed)
+     *   VALUES  count  number of values that follow, in the type of MAILBOX_OPEN (each is array-typed)
      */
     opMAILBOX_READ = 0xDA,
 

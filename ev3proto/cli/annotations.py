@@ -22,10 +22,10 @@ REFUSED = "E000"
 """The code of a frame that the brick refuses where no finding that is shown explains it."""
 
 UNREAD = "unread"
-"""What stands in place of a code where input could not be read."""
+"""The code of input that could not be read."""
 
 MOST_COMPLAINTS = 1_000
-"""Places that could not be read and stand in a SARIF log one by one."""
+"""Maximum number of unreadable places that a SARIF log lists."""
 
 _TITLES = {REFUSED: "refused by the brick", SOURCE_CODE: "a program's source"}
 
@@ -35,16 +35,16 @@ _SARIF = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.HINT: "
 
 @dataclass(frozen=True, slots=True)
 class Note:
-    """One thing to say about a file or a frame.
+    """A message about a file or a frame.
 
-    severity   how bad it is
+    severity   error, warning or hint
     code       of the finding
     sentence   what is wrong, and what would be right
-    source     the file, empty where there is none
-    line       of a text, from 1 on; None where it has no lines
-    column     in that line, from 1 on
-    at         offset and number of bytes in a file of bytes, None for texts and captures
-    more       what else is known, for other tools
+    source     the file, or empty
+    line       in a text, counted from 1, or None
+    column     in that line, counted from 1
+    at         offset and number of bytes in a binary file; None for texts and captures
+    more       other properties, for other tools
     """
 
     severity: Severity
@@ -63,13 +63,13 @@ def notes_on(
     """The findings of a frame or a program as notes.
 
     Args:
-        report: What was found.
-        findings: Those of them to show.
-        facts: Where the frame stands: `source`, and `line` and `column`, or `packet`.
-        is_file: Offsets are those of the whole file.
+        report: The report of the check.
+        findings: Its findings to show.
+        facts: The place of the frame: `source`, and `line` and `column`, or `packet`.
+        is_file: Whether offsets are those of the whole file.
 
     Returns:
-        A note for each, and one more where the brick refuses it for a reason that none of them gives.
+        A note for each, and one more if the brick refuses the frame for a reason that none of them gives.
     """
     shown = list(findings)
     if not report.accepted and not any(one.severity is Severity.ERROR for one in shown):
@@ -140,7 +140,7 @@ class Sarif:
             if region:
                 location["region"] = region
             result["locations"] = [{"physicalLocation": location}]
-        # Between two of them stands a comma, so each line waits for what follows it.
+        # A comma separates them, so each line is written when the next one is known.
         self._show(self._last + "," * bool(self._used))
         self._last = json.dumps(result, ensure_ascii=False)
         self._used.add(note.code)
@@ -153,7 +153,7 @@ class Sarif:
             self._more_complaints += 1
 
     def end(self) -> None:
-        """Writes what stands after the notes: which rules they are of, and what could not be read."""
+        """Writes the end of the log: the rules of the notes, and what could not be read."""
         driver = {"name": "ev3proto", "version": VERSION, "rules": [_rule(code) for code in sorted(self._used)]}
         sentences = list(self._complaints)
         if self._more_complaints:

@@ -180,7 +180,7 @@ class CaptureSource:
         return "line" if self._is_text else "packet"
 
     def carrier(self, record: Record) -> str | None:
-        """What carried a frame; nobody knows that of a text."""
+        """Returns the carrier of a frame; None for a text, in which it is unknown."""
         return str(record.carrier) if not self._is_text else None
 
     @property

@@ -92,11 +92,11 @@ class Commands(Group):
     """The subcommands, and how everything ends: with an exit status, and never with a traceback."""
 
     def list_commands(self, _context: click.Context) -> list[str]:
-        """The names of all, in order."""
+        """Returns the names of all subcommands, in order."""
         return list(SUBCOMMANDS)
 
     def get_command(self, _context: click.Context, name: str) -> click.Command | None:
-        """The command of that name, None where there is none."""
+        """Returns the subcommand of that name, or None."""
         if name not in SUBCOMMANDS:
             return None
         command: click.Command = getattr(import_module(f"ev3proto.cli.{name}"), name)
@@ -124,9 +124,9 @@ class Commands(Group):
     def main(  # type: ignore[override]
         self, args: Sequence[str] | None = None, prog_name: str | None = None, **extra: Any
     ) -> NoReturn:
-        """Runs a command, and exits with 0 (fine), 1 (the input is at fault), 2 (the call is) or 70 (ev3proto is).
+        """Runs a command, and exits with 0 (success), 1 (wrong input), 2 (wrong use) or 70 (a bug in ev3proto).
 
-        A signal gives 128 and its number. Where nobody reads the output any more, that is no fault: 0.
+        After a signal, the status is 128 plus its number. If the reader of the output stops early, it is 0.
         """
         extra["standalone_mode"] = False
         if isinstance(sys.stdout, TextIOWrapper):
@@ -212,8 +212,7 @@ def _say_last(sentence: str) -> None:
 def cli() -> None:
     """Decodes, checks, builds and sends messages of the LEGO MINDSTORMS EV3's wire protocol.
 
-    Exit status: 0 fine, 1 the input is at fault, 2 the command was used wrongly, 70 a defect of ev3proto, 130 after
-    Ctrl-C.
+    Exit status: 0 success, 1 wrong input, 2 wrong use of the command, 70 a bug in ev3proto, 130 Ctrl-C.
 
     \b
       ev3proto decode robot.pcapng

@@ -55,11 +55,11 @@ def ended_behind(error: BaseException | None) -> Ended | None:
 
 
 def _numbers(*, also_ignored: bool = False) -> list[signal.Signals]:
-    """The signals that end the program, without those that whoever started it wants ignored.
+    """Returns the signals that end the program, without those that were ignored when it started.
 
     Args:
-        also_ignored: Ctrl-C counts all the same. Shells have it ignored in what scripts start with `&`, and there is no
-            other way to end a server in order. Hanging up stays ignored, as `nohup` wants it.
+        also_ignored: Include Ctrl-C even then. Shells ignore it in programs that scripts start with `&`, but servers
+            have no other way to end cleanly. Hanging up stays ignored, as `nohup` wants it.
     """
     numbers = [signal.Signals[name] for name in _NAMES if hasattr(signal, name)]
     counts = {signal.SIGINT} if also_ignored else set()
@@ -114,7 +114,7 @@ def _insist(number: int, over: threading.Event) -> None:
 
 
 def _let_go_of_output() -> None:
-    """Writes what is left where that is possible at once. Python would wait at its end for whoever does not read it."""
+    """Writes the remaining output if that is possible at once. At its end, Python would wait for a stuck reader."""
     for stream in (sys.stdout, sys.stderr):
         if stream is None:
             continue
@@ -146,7 +146,7 @@ def ended_by_signals() -> Iterator[None]:
     def unraisable(lost: sys.UnraisableHookArgs) -> None:
         nonlocal first
         if isinstance(lost.exc_value, Ended):
-            # It came while Python removed something, where nobody can take an exception: soon once more.
+            # It came while Python finalised an object, where exceptions are lost: send it again soon.
             first = None
             again = threading.Timer(_SOON, os.kill, (os.getpid(), lost.exc_value.number))
             again.daemon = True

@@ -9,8 +9,8 @@ import os
 from ev3proto.cli.ending import ended_by_signals
 
 _OBJECTS = 50_000
-"""New objects after which Python looks for circles of objects that nobody refers to any more. A long capture makes
-millions of tuples, and none of them is in a circle. Reading one takes twice as long with Python's usual 700."""
+"""New objects after which Python collects cyclic garbage. A long capture makes millions of tuples, none of them in a
+cycle. Reading one takes twice as long with Python's default of 700."""
 
 
 def main() -> None:

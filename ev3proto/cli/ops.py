@@ -184,7 +184,7 @@ def _status(status: SystemStatus) -> Entry:
 
 
 def _named(name: str, number: int, kind: str, text: str, notes: Iterable[str]) -> Entry:
-    """A name that is no command: of a status, of a type of message, of an opcode that no firmware has."""
+    """The entry of a name that is not a command: of a status, a message type, an unknown opcode."""
     noted = list(notes)
 
     def about() -> Iterator[Line]:
@@ -240,7 +240,7 @@ def _words(text: str) -> list[str]:
 
 
 _SHORTEST_START = 4
-"""A word of so many letters is found at the start of a longer one, too: `motor` in `motors`."""
+"""A word of this length is also found at the start of a longer one: `motor` in `motors`."""
 
 
 def _has(words: list[str], wanted: str) -> bool:

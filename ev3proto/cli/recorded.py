@@ -138,7 +138,7 @@ def _record(record: Record) -> dict[str, Any]:
 
 
 def _place(event: Record | Announcement) -> dict[str, Any]:
-    """Where and when, for other tools; no `time` where nobody wrote that down."""
+    """Returns place and time, for other tools; without `time` if it was not recorded."""
     route = event.route
     time = {"time": utc(event.time_ns)} if route.is_timed else {}
     return time | {

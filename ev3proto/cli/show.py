@@ -27,8 +27,8 @@ _encode = json.JSONEncoder(ensure_ascii=False, check_circular=False).encode
 class Show:
     """Shows one message after the other.
 
-    style    one of FORMATS, or of those that there are for programs only; None for the usual one
-    at_once  what is shown is to be seen at once, because nobody knows when more will come
+    style    one of FORMATS, or of the formats for programs only; None for the default
+    at_once  output is flushed at once, because the next message may come late
     """
 
     def __init__(self, style: str | None, *, at_once: bool = False) -> None:
@@ -70,7 +70,7 @@ class Show:
         self.aside(line)
 
     def aside(self, line: Line) -> None:
-        """A line that is no message: in assembly, which can be read back, a comment."""
+        """Shows a line that is not a message: a comment in assembly, which can be read back."""
         if self._style in NOTATIONS:
             self._printer.text(f"// {plain_text(line).lstrip()}")
         else:

@@ -9,13 +9,13 @@ from ev3proto.cli.output import Printer, draw, say
 from ev3proto.text.spans import Role, visible
 
 TEXTS = {"kind", "operation", "text", "path", "direction", "state", "brick", "what", "part"}
-"""The columns that have texts in them, which stand left and may be folded; the others have numbers."""
+"""The columns with texts, which are left-aligned and may be folded; the others have numbers."""
 
 LEAST_TEXT = 12
-"""Cells of a terminal that a column of texts has at least, however narrow the terminal is."""
+"""Minimum width of a column of texts, in cells, even on a narrow terminal."""
 
 GAP = "  "
-"""What stands between two columns."""
+"""The gap between two columns."""
 
 
 class Tables:

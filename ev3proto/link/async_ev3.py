@@ -1,7 +1,7 @@
-"""`AsyncEV3`: the same brick for programs of asyncio, on the same sessions and carriers.
+"""`AsyncEV3`: `EV3` for programs with asyncio, on the same sessions and carriers.
 
-Carriers block while they send, so one thread of its own sends, in the order of the calls. Replies arrive in the thread
-that reads and are handed to the event loop: any number of them can be waited for without a thread for each.
+Carriers block while they send, so a separate thread sends, in the order of the calls. Replies arrive in the thread
+that reads and are passed to the event loop: a program can await any number of them without a thread for each.
 """
 
 from __future__ import annotations
@@ -31,13 +31,12 @@ T = TypeVar("T")
 class AsyncEV3(Verbs[Coroutine[Any, Any, bytes], Coroutine[Any, Any, Any]]):
     """A connection to a brick, for one event loop.
 
-    `async with AsyncEV3(protocol=...) as my_ev3` connects and closes. Methods are those of `EV3`, to be awaited; so are
-    its properties (`await my_ev3.battery`), of which those that can be set have a method: `set_name`, `set_volume`,
-    `set_sleep`.
+    `async with AsyncEV3(protocol=...) as my_ev3` connects and closes. It has the methods and properties of `EV3`, to be
+    awaited (`await my_ev3.battery`). Properties are set by methods: `set_name`, `set_volume`, `set_sleep`.
     """
 
     def __init__(self, **arguments: Any) -> None:
-        """Says which brick; `connect`, or `async with`, connects.
+        """Selects a brick; `connect`, or `async with`, connects.
 
         Args:
             arguments: Those of `EV3`.
@@ -69,10 +68,10 @@ class AsyncEV3(Verbs[Coroutine[Any, Any, bytes], Coroutine[Any, Any, Any]]):
 
     @property
     def connected(self) -> EV3:
-        """The connection itself, with `sync_mode`, `verbosity`, `timeout`, `target` and the like.
+        """The connection itself, with `sync_mode`, `verbosity`, `timeout`, `target` and others.
 
         Raises:
-            RuntimeError: There is no connection yet.
+            RuntimeError: It is not connected yet.
         """
         if self._ev3 is None:
             raise RuntimeError("there is no connection yet: `await connect()`, or `async with AsyncEV3(...)`")
@@ -119,10 +118,10 @@ class AsyncEV3(Verbs[Coroutine[Any, Any, bytes], Coroutine[Any, Any, Any]]):
         return await asyncio.get_running_loop().run_in_executor(self._sender, call)
 
     def take_messages(self) -> list[Message]:
-        """Returns what the brick has sent by itself since the last call; see `EV3.take_messages`."""
+        """Returns new mailbox messages of the brick; see `EV3.take_messages`."""
         return self.connected.take_messages()
 
-    # What the brick is and has
+    # Information and settings of the brick
 
     @property
     def name(self) -> Coroutine[Any, Any, str]:
@@ -130,7 +129,7 @@ class AsyncEV3(Verbs[Coroutine[Any, Any, bytes], Coroutine[Any, Any, Any]]):
         return self._ask(questions.NAME)
 
     async def set_name(self, name: str) -> None:
-        """Gives the brick another name."""
+        """Changes the brick's name."""
         await self.send_direct_cmd(com_set.set_brickname(name), sync_mode=SyncMode.SYNC)
 
     @property
@@ -148,7 +147,7 @@ class AsyncEV3(Verbs[Coroutine[Any, Any, bytes], Coroutine[Any, Any, Any]]):
         return self._ask(questions.SLEEP)
 
     async def set_sleep(self, minutes: int) -> None:
-        """Changes after how many minutes without use the brick powers off."""
+        """Changes the minutes without use after which the brick powers off, 0 for never."""
         await self.send_direct_cmd(info.set_minutes(minutes), sync_mode=SyncMode.SYNC)
 
     @property
@@ -168,12 +167,12 @@ class AsyncEV3(Verbs[Coroutine[Any, Any, bytes], Coroutine[Any, Any, Any]]):
 
     @property
     def memory(self) -> Coroutine[Any, Any, Memory]:
-        """The memory for users' files in KiB: all of it, and what is free."""
+        """The memory for users' files in KiB: total and free."""
         return self._ask(questions.MEMORY)
 
     @property
     def network(self) -> Coroutine[Any, Any, Network]:
-        """The WiFi network that the brick is in, and its addresses there."""
+        """The WiFi network of the brick, and its addresses there."""
         return self._ask(questions.NETWORK)
 
     async def _ask(self, question: Question[T]) -> T:
@@ -205,7 +204,7 @@ class AsyncEV3(Verbs[Coroutine[Any, Any, bytes], Coroutine[Any, Any, Any]]):
         await self._run(file_moves.delete(path))
 
     async def mkdir(self, path: str) -> None:
-        """Makes a folder on the brick. Raises SystemCommandError."""
+        """Creates a folder on the brick. Raises SystemCommandError."""
         await self._run(file_moves.mkdir(path))
 
     async def _run(self, task: Task[T]) -> T:

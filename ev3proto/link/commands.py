@@ -1,7 +1,7 @@
-"""What a program gives to be sent, as type and body of a message; and what it gets for the reply.
+"""The commands of a program, as type and body of a message, and the results that it gets from replies.
 
-Joined bytes give bytes, as in the lessons: a reply's memory, or the counter. Operations of `ev3proto.ops`, and
-messages, give the named values of the reply.
+The result of joined bytes is bytes, as in the lessons: a reply's memory, or the counter. The result of operations of
+`ev3proto.ops`, and of messages, is the named values of the reply.
 """
 
 from __future__ import annotations
@@ -22,18 +22,18 @@ from ev3proto.tables.frame import DIRECT_COMMAND_TYPES, LENGTH_FIELD, SYSTEM_COM
 from ev3proto.tables.system import SystemStatus
 
 Operations = bytes | bytearray | Draft | Operation | DirectCommand | Iterable[Draft | Operation | Label]
-"""What a direct command is made of."""
+"""The contents of a direct command."""
 
 Result = bytes | list[Value]
-"""What sending gives: for bytes, bytes; for operations and messages, the values of the reply."""
+"""The result of sending: bytes for bytes, the values of the reply for operations and messages."""
 
 
 class SyncMode(StrEnum):
-    """How commands and program go together.
+    """Whether commands request a reply, and who waits for it.
 
-    STD    asks for a reply where there is global memory, and waits for it
-    ASYNC  asks for a reply where there is global memory, and waits only when the program asks for it
-    SYNC   asks for a reply always, and waits for it: the brick has done everything when the program continues
+    STD    requests a reply if there is global memory, and waits for it
+    ASYNC  requests a reply if there is global memory, and waits only when the program calls `wait_for_reply`
+    SYNC   always requests a reply, and waits for it: the brick has done everything when the program continues
     """
 
     STD = "STD"
@@ -54,9 +54,9 @@ class Prepared:
     """A command before it is sent.
 
     kind      its message type
-    body      what follows the header
-    waits     the program waits for the reply
-    is_named  the reply is given as values; else as bytes
+    body      the bytes after the header
+    waits     whether the program waits for the reply
+    is_named  whether the result is values; else it is bytes
     dialect   the firmware whose instruction set it is read by
     """
 
@@ -112,9 +112,9 @@ def direct(operations: Operations, local_mem: int, global_mem: int, mode: SyncMo
 
     Args:
         operations: Bytes, operations, or a whole message.
-        local_mem: Bytes of local memory, 0 to 63. Operations ask for as much as they need where it is 0.
-        global_mem: Bytes of global memory, 0 to 1019; the same holds.
-        mode: Whether to ask for a reply and to wait for it.
+        local_mem: Bytes of local memory, 0 to 63; if 0, operations request what they need.
+        global_mem: Bytes of global memory, 0 to 1019; if 0, operations request what they need.
+        mode: Whether to request a reply and to wait for it.
         dialect: The firmware whose instruction set the command is in.
 
     Raises:
@@ -158,7 +158,7 @@ def system(given: bytes | bytearray | SystemCommand, reply: bool) -> Prepared:
 
     Args:
         given: Its number and fields as bytes, or a message of `ev3proto.system`.
-        reply: Whether the brick is to answer; a message says so itself.
+        reply: Whether the brick should answer; a message has this itself.
 
     Raises:
         BuildError: It is not a valid command.

@@ -1,4 +1,4 @@
-"""`EV3`: a brick as a program sees it, as the lessons and the package ev3_dc have it."""
+"""`EV3`: the connection to a brick, with the interface of the lessons and of the package ev3_dc."""
 
 from __future__ import annotations
 
@@ -28,18 +28,18 @@ from ev3proto.whole_files import write_whole
 T = TypeVar("T")
 
 REPLY_TIMEOUT = 30.0
-"""Seconds to wait for a reply unless something else is asked for."""
+"""Default seconds to wait for a reply."""
 
 
 class Shared:
     """A connection that several objects share: it ends with the last of them.
 
     channel  the connection
-    moving   held while a file is moved
+    moving   the lock that a file transfer holds
     """
 
     def __init__(self, channel: Channel) -> None:
-        """Takes a channel over."""
+        """Takes over a channel."""
         self.channel = channel
         self.moving = threading.Lock()
         self._users = 0
@@ -78,23 +78,23 @@ class EV3(Verbs[bytes, Any]):
         timeout: float | None = REPLY_TIMEOUT,
         dialect: str = "official",
     ) -> None:
-        """Connects to a brick. The environment variable EV3PROTO_TARGET overrides what is said here about which one.
+        """Connects to a brick. The environment variable EV3PROTO_TARGET overrides the arguments that select it.
 
         Args:
             protocol: BLUETOOTH, USB or WIFI.
-            host: Bluetooth: its MAC address, or the serial port of the connection. USB: its serial number, where
-                several are plugged in. WiFi: its serial number or address; the first one that is heard when omitted.
-            ev3_obj: Another object, whose connection is shared; in place of protocol and host.
-            sync_mode: STD, ASYNC or SYNC; STD when omitted, or that of `ev3_obj`.
-            verbosity: 0 prints nothing, 1 each frame, 2 also what it says.
-            address: WiFi: address and TCP port; no beacon is waited for.
-            target: The brick as the command line names it, such as `usb`; in place of protocol and host.
+            host: Bluetooth: the MAC address, or the serial port of the connection. USB: the serial number, if several
+                bricks are plugged in. WiFi: the serial number or address; by default the first brick that is heard.
+            ev3_obj: Another object whose connection to share, instead of protocol and host.
+            sync_mode: STD, ASYNC or SYNC; by default STD, or that of `ev3_obj`.
+            verbosity: 0 prints nothing, 1 each frame, 2 also its contents.
+            address: WiFi: address and TCP port; the beacon is not needed then.
+            target: The brick as on the command line, such as `usb`, instead of protocol and host.
             timeout: Seconds to wait for each reply; None waits as long as the connection lasts.
-            dialect: "official", "xtended" or "compat": the firmware whose instruction set to read by.
+            dialect: "official", "xtended" or "compat": the firmware whose instruction set to use.
 
         Raises:
-            ValueError: The arguments do not say which brick is meant, or one of them is odd.
-            LinkError: It cannot be reached; the sentence says what to do.
+            ValueError: The arguments do not select a brick, or one of them is invalid.
+            LinkError: The brick cannot be reached; the message says what to do.
         """
         self.timeout = known_timeout(timeout)
         self.dialect = dialect
@@ -116,7 +116,7 @@ class EV3(Verbs[bytes, Any]):
 
     @property
     def target(self) -> str:
-        """The brick as the command line names it."""
+        """The brick as on the command line, such as `usb`."""
         return str(self._target)
 
     @property
@@ -126,17 +126,17 @@ class EV3(Verbs[bytes, Any]):
 
     @property
     def host(self) -> str | None:
-        """The address, serial number or port that was given, None where none was."""
+        """The given address, serial number or port, or None."""
         return self._target.host
 
     @property
     def channel(self) -> Channel:
-        """What carries the commands, and pairs the replies with them."""
+        """The channel that sends commands and pairs replies with them."""
         return self._shared.channel
 
     @property
     def is_open(self) -> bool:
-        """Whether the connection is there, as far as is known."""
+        """Whether the connection is open, as far as is known."""
         return self._release.alive and self.channel.is_open
 
     def close(self) -> None:
@@ -154,14 +154,14 @@ class EV3(Verbs[bytes, Any]):
     def __str__(self) -> str:
         return f"EV3 at {self._target}"
 
-    # How commands go
+    # Settings of commands
 
     @property
     def sync_mode(self) -> str:
         """STD, ASYNC or SYNC.
 
-        STD asks for a reply where there is global memory, and waits for it. ASYNC asks for it, too; the program waits
-        for it with `wait_for_reply`. SYNC asks for a reply always, and waits for it.
+        STD requests a reply if there is global memory, and waits for it. ASYNC requests it, too, but the program waits
+        for it with `wait_for_reply`. SYNC always requests a reply, and waits for it.
         """
         return self._sync_mode.value
 
@@ -171,7 +171,7 @@ class EV3(Verbs[bytes, Any]):
 
     @property
     def verbosity(self) -> int:
-        """What is printed: 0 nothing, 1 each frame, 2 also what it says."""
+        """What is printed: 0 nothing, 1 each frame, 2 also its contents."""
         return self._verbosity
 
     @verbosity.setter
@@ -208,25 +208,25 @@ class EV3(Verbs[bytes, Any]):
     def printer(
         self, direction: str, verbosity: int | None, request: bytes | None = None
     ) -> Callable[[bytes], None] | None:
-        """Returns what logs a frame, and prints it as `verbosity` asks for; None where nothing is logged or printed.
+        """Returns a function that logs a frame and prints it by `verbosity`; None if neither is wanted.
 
         Args:
             direction: SENT or RECEIVED.
-            verbosity: 0, 1 or 2; that of this object where None.
+            verbosity: 0, 1 or 2; None for that of this object.
             request: For a reply: the frame of its command.
         """
         level = self._verbosity if verbosity is None else known_verbosity(verbosity)
         return frame_printer(direction, level, request, self.dialect)
 
     def take_messages(self) -> list[Message]:
-        """Returns what the brick has sent by itself since the last call: what its programs write to mailboxes.
+        """Returns the mailbox messages that programs on the brick have sent since the last call.
 
         Returns:
-            The messages, oldest first; the newest 256 where there are more.
+            The messages, oldest first; at most the newest 256.
         """
         return [parse(frame, strict=False, dialect=self.dialect) for frame in self.channel.take_unasked()]
 
-    # What the brick is and has
+    # Information and settings of the brick
 
     @property
     def name(self) -> str:
@@ -272,12 +272,12 @@ class EV3(Verbs[bytes, Any]):
 
     @property
     def memory(self) -> Memory:
-        """The memory for users' files in KiB: all of it, and what is free."""
+        """The memory for users' files in KiB: total and free."""
         return self._ask(questions.MEMORY)
 
     @property
     def network(self) -> Network:
-        """The WiFi network that the brick is in, and its addresses there."""
+        """The WiFi network of the brick, and its addresses there."""
         return self._ask(questions.NETWORK)
 
     def _ask(self, question: Question[T]) -> T:
@@ -293,17 +293,17 @@ class EV3(Verbs[bytes, Any]):
         """Writes a file to the brick (the protocol's word for it), and compares its MD5 there.
 
         Args:
-            source: A file of this computer, or the contents themselves as bytes.
-            path: Where it goes, absolute or relative to /home/root/lms2012/sys. Missing folders are made.
-            progress: Called with the bytes moved so far and their total.
+            source: A file of this computer, or the contents as bytes.
+            path: The path on the brick, absolute or relative to /home/root/lms2012/sys. Missing folders are created.
+            progress: Called with the bytes transferred so far and their total.
 
         Returns:
             The file as the brick lists it.
 
         Raises:
             OSError: The file cannot be read, or has more than 256 MiB.
-            SystemCommandError: The brick does not take it.
-            TransferError: It has not arrived as it was sent.
+            SystemCommandError: The brick refuses the file.
+            TransferError: The file on the brick differs.
         """
         data = source if isinstance(source, bytes) else read_source(source)
         return self._run(file_moves.download(data, path, progress))
@@ -312,17 +312,17 @@ class EV3(Verbs[bytes, Any]):
         """Reads a file from the brick (the protocol's word for it), and compares its MD5 there.
 
         Args:
-            path: Where it is, absolute or relative to /home/root/lms2012/sys.
-            destination: The file of this computer to write; None writes none. It appears only when it is complete.
-            progress: Called with the bytes moved so far and their total.
+            path: The path on the brick, absolute or relative to /home/root/lms2012/sys.
+            destination: The file of this computer to write, or None. It appears only when it is complete.
+            progress: Called with the bytes transferred so far and their total.
 
         Returns:
             The contents.
 
         Raises:
             OSError: The file cannot be written.
-            SystemCommandError: The brick does not give it.
-            TransferError: It has not arrived as the brick has it.
+            SystemCommandError: The brick refuses to send the file.
+            TransferError: The contents differ from the file on the brick.
         """
         data = self._run(file_moves.upload(path, progress))
         if destination is not None:
@@ -333,7 +333,7 @@ class EV3(Verbs[bytes, Any]):
         """Lists a folder of the brick: its folders and its files, each with size and MD5.
 
         Args:
-            path: Where it is, absolute or relative to /home/root/lms2012/sys.
+            path: The path on the brick, absolute or relative to /home/root/lms2012/sys.
 
         Raises:
             SystemCommandError: The folder does not exist.
@@ -345,11 +345,11 @@ class EV3(Verbs[bytes, Any]):
         self._run(file_moves.delete(path))
 
     def mkdir(self, path: str) -> None:
-        """Makes a folder on the brick. Raises SystemCommandError."""
+        """Creates a folder on the brick. Raises SystemCommandError."""
         self._run(file_moves.mkdir(path))
 
     def _run(self, task: Task[T]) -> T:
-        # The firmware reads from the file that was opened last, for any handle: one at a time.
+        # The firmware reads from the file that was opened last, whatever the handle: one transfer at a time.
         with self._shared.moving:
             reply: SystemReply | None = None
             while True:
@@ -371,16 +371,16 @@ def system_reply(frame: bytes) -> SystemReply:
 
 
 def read_source(path: str | Path) -> bytes:
-    """Returns the contents of a file that goes to a brick.
+    """Reads a file to send to a brick.
 
     Args:
-        path: Any file of this computer, a device as well, which may never end.
+        path: Any file of this computer, even a device, which may never end.
 
     Returns:
-        Its bytes, `MOST_FILE` at most.
+        Its bytes, at most `MOST_FILE`.
 
     Raises:
-        OSError: It cannot be read, or has more bytes than that.
+        OSError: The file cannot be read, or is longer.
     """
     with Path(path).open("rb") as stream:
         data = stream.read(MOST_FILE + 1)

@@ -20,7 +20,7 @@ FIRST_COUNTER = 42
 """The counter of the first command, as in the lessons."""
 
 MOST_ABANDONED = 1024
-"""Commands that were given up on whose counters are kept from use, in case their replies come after all."""
+"""Abandoned commands whose counters are not used again yet, in case their replies come after all."""
 
 _ASKING = frozenset(int(member) for member in MessageType if member.wants_reply)
 
@@ -31,7 +31,7 @@ class Request:
 
     counter      its message counter
     frame        its bytes
-    wants_reply  whether the brick is to answer it
+    wants_reply  whether the brick should answer it
     """
 
     counter: int
@@ -71,7 +71,7 @@ class Session:
     """Commands to one brick and the replies to them."""
 
     def __init__(self, first_counter: int = FIRST_COUNTER) -> None:
-        """Starts without any command.
+        """Starts a session without commands.
 
         Args:
             first_counter: The counter of the first command, 0 to 65535.
@@ -98,18 +98,18 @@ class Session:
         return self._stream.missing
 
     def command(self, kind: MessageType, body: bytes) -> Request:
-        """Makes the frame of a command, with a counter that no command has which waits for its reply.
+        """Makes the frame of a command, with a counter that no waiting command has.
 
         Args:
             kind: The message type.
-            body: What follows the header.
+            body: The bytes after the header.
 
         Returns:
-            The command. It waits for its reply from now on, if it wants one.
+            The command. If it wants a reply, it is waiting from now on.
 
         Raises:
             BuildError: The frame would be too long.
-            LinkError: As many commands wait for a reply as there are counters.
+            LinkError: All counters belong to waiting commands.
         """
         counter = self._free_counter()
         frame = build_frame(kind, counter, body)
@@ -145,7 +145,7 @@ class Session:
         self._pairing.remember(pairing_key(request.frame), 0, request)
 
     def abandon(self, request: Request) -> None:
-        """Waits no more for the reply to a command. Its counter is not used again for as long as that is possible."""
+        """Abandons a command that waits for a reply. Its counter is not used again for as long as possible."""
         if self._waiting.get(request.counter) is request:
             del self._waiting[request.counter]
             self._abandoned.add(request.counter, request)

@@ -1,4 +1,4 @@
-"""The commands of `EV3` and `AsyncEV3`: their types and texts, which differ only in what is given for a reply."""
+"""The commands of `EV3` and `AsyncEV3`: their types and texts, which differ only in the type of the result."""
 
 from __future__ import annotations
 
@@ -54,22 +54,22 @@ class Verbs(ABC, Generic[Bytes, Values]):
         """Sends a direct command.
 
         Args:
-            ops: Joined byte code; or operations of `ev3proto.ops`, for which memory and reply are worked out.
+            ops: Joined byte code; or operations of `ev3proto.ops`, for which memory and reply type are computed.
             local_mem: Bytes of local memory, 0 to 63.
-            global_mem: Bytes of global memory, which the reply brings, 0 to 1019.
+            global_mem: Bytes of global memory, which the reply carries, 0 to 1019.
             sync_mode: STD, ASYNC or SYNC for this command.
             verbosity: 0, 1 or 2 for this command.
-            timeout: Seconds to wait for the reply to this command; when omitted, those of this object.
+            timeout: Seconds to wait for the reply to this command; by default those of this object.
 
         Returns:
-            Where a reply was waited for: the memory in it for joined bytes, its named values for operations. Else the
+            After waiting for a reply: its memory for joined bytes, its named values for operations. Otherwise the
             message counter, as two bytes.
 
         Raises:
             BuildError: No frame can carry the command.
-            DirectCommandError: The brick refused or failed it; the sentence has what `check` says.
+            DirectCommandError: The brick refused the command, or it failed; the message has the report of `check`.
             NoAnswerError: The reply did not come in time.
-            ConnectionLostError: The connection is gone.
+            ConnectionLostError: The connection is lost.
         """
         given: Bytes | Values = self._send(
             lambda: direct(ops, local_mem, global_mem, *self._settings(sync_mode)), verbosity, timeout
@@ -108,19 +108,19 @@ class Verbs(ABC, Generic[Bytes, Values]):
 
         Args:
             cmd: Its number and its fields as joined bytes; or a message of `ev3proto.system`.
-            reply: Whether the brick is to answer.
+            reply: Whether the brick should answer.
             verbosity: 0, 1 or 2 for this command.
-            timeout: Seconds to wait for the reply to this command; when omitted, those of this object.
+            timeout: Seconds to wait for the reply to this command; by default those of this object.
 
         Returns:
-            The reply: status and fields for joined bytes, named values for a message. The message counter, as two
-            bytes, where there is no reply.
+            The reply: status and fields for joined bytes, named values for a message. Without a reply, the message
+            counter, as two bytes.
 
         Raises:
             BuildError: No frame can carry the command.
-            SystemCommandError: The brick says that it failed.
+            SystemCommandError: The command failed according to the brick.
             NoAnswerError: The reply did not come in time.
-            ConnectionLostError: The connection is gone.
+            ConnectionLostError: The connection is lost.
         """
         given: Bytes | Values = self._send(lambda: system(cmd, reply), verbosity, timeout)
         return given
@@ -131,15 +131,15 @@ class Verbs(ABC, Generic[Bytes, Values]):
         """Waits for the reply to a command that was sent with ASYNC. One that did not come can be waited for again.
 
         Args:
-            msg_cnt: What sending it gave.
+            msg_cnt: The counter that sending it returned.
             verbosity: 0, 1 or 2 for this reply.
-            timeout: Seconds to wait; when omitted, those of this object.
+            timeout: Seconds to wait; by default those of this object.
 
         Returns:
-            What sending it with STD would have given.
+            The result that sending it with STD would have returned.
 
         Raises:
-            LinkError: As for `send_direct_cmd`; also where no such command waits for its reply.
+            LinkError: As for `send_direct_cmd`; also if no such command waits for its reply.
         """
         given: Values = self._fetch(msg_cnt, verbosity, timeout)
         return given

@@ -225,7 +225,7 @@ def jr(offset: Jump, *, unchecked: bool = False) -> Draft:
 
     Args:
         offset: How far to jump from the end of this operation; negative jumps back; or a label; bytes; label.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["JR"].draft((offset,), unchecked)
 
@@ -236,7 +236,7 @@ def jr_false(flag: Number, offset: Jump, *, unchecked: bool = False) -> Draft:
     Args:
         flag: The condition: anything but 0 is true; 0: false; 1: true; DATA8.
         offset: How far to jump from the end of this operation; negative jumps back; or a label; bytes; label.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["JR_FALSE"].draft((flag, offset), unchecked)
 
@@ -247,7 +247,7 @@ def jr_true(flag: Number, offset: Jump, *, unchecked: bool = False) -> Draft:
     Args:
         flag: The condition: anything but 0 is true; 0: false; 1: true; DATA8.
         offset: How far to jump from the end of this operation; negative jumps back; or a label; bytes; label.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["JR_TRUE"].draft((flag, offset), unchecked)
 
@@ -258,7 +258,7 @@ def jr_nan(value: Real, offset: Jump, *, unchecked: bool = False) -> Draft:
     Args:
         value: Value to look at; DATAF.
         offset: How far to jump from the end of this operation; negative jumps back; or a label; bytes; label.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["JR_NAN"].draft((value, offset), unchecked)
 
@@ -270,7 +270,7 @@ def jr_lt8(left: Number, right: Number, offset: Jump, *, unchecked: bool = False
         left: Left side of the comparison; DATA8.
         right: Right side of the comparison; DATA8.
         offset: How far to jump from the end of this operation; negative jumps back; or a label; bytes; label.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["JR_LT8"].draft((left, right, offset), unchecked)
 
@@ -282,7 +282,7 @@ def jr_lt16(left: Number, right: Number, offset: Jump, *, unchecked: bool = Fals
         left: Left side of the comparison; DATA16.
         right: Right side of the comparison; DATA16.
         offset: How far to jump from the end of this operation; negative jumps back; or a label; bytes; label.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["JR_LT16"].draft((left, right, offset), unchecked)
 
@@ -294,7 +294,7 @@ def jr_lt32(left: Number, right: Number, offset: Jump, *, unchecked: bool = Fals
         left: Left side of the comparison; DATA32.
         right: Right side of the comparison; DATA32.
         offset: How far to jump from the end of this operation; negative jumps back; or a label; bytes; label.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["JR_LT32"].draft((left, right, offset), unchecked)
 
@@ -306,7 +306,7 @@ def jr_ltf(left: Real, right: Real, offset: Jump, *, unchecked: bool = False) ->
         left: Left side of the comparison; DATAF.
         right: Right side of the comparison; DATAF.
         offset: How far to jump from the end of this operation; negative jumps back; or a label; bytes; label.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["JR_LTF"].draft((left, right, offset), unchecked)
 
@@ -318,7 +318,7 @@ def jr_gt8(left: Number, right: Number, offset: Jump, *, unchecked: bool = False
         left: Left side of the comparison; DATA8.
         right: Right side of the comparison; DATA8.
         offset: How far to jump from the end of this operation; negative jumps back; or a label; bytes; label.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["JR_GT8"].draft((left, right, offset), unchecked)
 
@@ -330,7 +330,7 @@ def jr_gt16(left: Number, right: Number, offset: Jump, *, unchecked: bool = Fals
         left: Left side of the comparison; DATA16.
         right: Right side of the comparison; DATA16.
         offset: How far to jump from the end of this operation; negative jumps back; or a label; bytes; label.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["JR_GT16"].draft((left, right, offset), unchecked)
 
@@ -342,7 +342,7 @@ def jr_gt32(left: Number, right: Number, offset: Jump, *, unchecked: bool = Fals
         left: Left side of the comparison; DATA32.
         right: Right side of the comparison; DATA32.
         offset: How far to jump from the end of this operation; negative jumps back; or a label; bytes; label.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["JR_GT32"].draft((left, right, offset), unchecked)
 
@@ -354,7 +354,7 @@ def jr_gtf(left: Real, right: Real, offset: Jump, *, unchecked: bool = False) ->
         left: Left side of the comparison; DATAF.
         right: Right side of the comparison; DATAF.
         offset: How far to jump from the end of this operation; negative jumps back; or a label; bytes; label.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["JR_GTF"].draft((left, right, offset), unchecked)
 
@@ -366,7 +366,7 @@ def jr_eq8(left: Number, right: Number, offset: Jump, *, unchecked: bool = False
         left: Left side of the comparison; DATA8.
         right: Right side of the comparison; DATA8.
         offset: How far to jump from the end of this operation; negative jumps back; or a label; bytes; label.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["JR_EQ8"].draft((left, right, offset), unchecked)
 
@@ -378,7 +378,7 @@ def jr_eq16(left: Number, right: Number, offset: Jump, *, unchecked: bool = Fals
         left: Left side of the comparison; DATA16.
         right: Right side of the comparison; DATA16.
         offset: How far to jump from the end of this operation; negative jumps back; or a label; bytes; label.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["JR_EQ16"].draft((left, right, offset), unchecked)
 
@@ -390,7 +390,7 @@ def jr_eq32(left: Number, right: Number, offset: Jump, *, unchecked: bool = Fals
         left: Left side of the comparison; DATA32.
         right: Right side of the comparison; DATA32.
         offset: How far to jump from the end of this operation; negative jumps back; or a label; bytes; label.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["JR_EQ32"].draft((left, right, offset), unchecked)
 
@@ -402,7 +402,7 @@ def jr_eqf(left: Real, right: Real, offset: Jump, *, unchecked: bool = False) ->
         left: Left side of the comparison; DATAF.
         right: Right side of the comparison; DATAF.
         offset: How far to jump from the end of this operation; negative jumps back; or a label; bytes; label.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["JR_EQF"].draft((left, right, offset), unchecked)
 
@@ -414,7 +414,7 @@ def jr_neq8(left: Number, right: Number, offset: Jump, *, unchecked: bool = Fals
         left: Left side of the comparison; DATA8.
         right: Right side of the comparison; DATA8.
         offset: How far to jump from the end of this operation; negative jumps back; or a label; bytes; label.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["JR_NEQ8"].draft((left, right, offset), unchecked)
 
@@ -426,7 +426,7 @@ def jr_neq16(left: Number, right: Number, offset: Jump, *, unchecked: bool = Fal
         left: Left side of the comparison; DATA16.
         right: Right side of the comparison; DATA16.
         offset: How far to jump from the end of this operation; negative jumps back; or a label; bytes; label.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["JR_NEQ16"].draft((left, right, offset), unchecked)
 
@@ -438,7 +438,7 @@ def jr_neq32(left: Number, right: Number, offset: Jump, *, unchecked: bool = Fal
         left: Left side of the comparison; DATA32.
         right: Right side of the comparison; DATA32.
         offset: How far to jump from the end of this operation; negative jumps back; or a label; bytes; label.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["JR_NEQ32"].draft((left, right, offset), unchecked)
 
@@ -450,7 +450,7 @@ def jr_neqf(left: Real, right: Real, offset: Jump, *, unchecked: bool = False) -
         left: Left side of the comparison; DATAF.
         right: Right side of the comparison; DATAF.
         offset: How far to jump from the end of this operation; negative jumps back; or a label; bytes; label.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["JR_NEQF"].draft((left, right, offset), unchecked)
 
@@ -462,7 +462,7 @@ def jr_lteq8(left: Number, right: Number, offset: Jump, *, unchecked: bool = Fal
         left: Left side of the comparison; DATA8.
         right: Right side of the comparison; DATA8.
         offset: How far to jump from the end of this operation; negative jumps back; or a label; bytes; label.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["JR_LTEQ8"].draft((left, right, offset), unchecked)
 
@@ -474,7 +474,7 @@ def jr_lteq16(left: Number, right: Number, offset: Jump, *, unchecked: bool = Fa
         left: Left side of the comparison; DATA16.
         right: Right side of the comparison; DATA16.
         offset: How far to jump from the end of this operation; negative jumps back; or a label; bytes; label.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["JR_LTEQ16"].draft((left, right, offset), unchecked)
 
@@ -486,7 +486,7 @@ def jr_lteq32(left: Number, right: Number, offset: Jump, *, unchecked: bool = Fa
         left: Left side of the comparison; DATA32.
         right: Right side of the comparison; DATA32.
         offset: How far to jump from the end of this operation; negative jumps back; or a label; bytes; label.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["JR_LTEQ32"].draft((left, right, offset), unchecked)
 
@@ -498,7 +498,7 @@ def jr_lteqf(left: Real, right: Real, offset: Jump, *, unchecked: bool = False) 
         left: Left side of the comparison; DATAF.
         right: Right side of the comparison; DATAF.
         offset: How far to jump from the end of this operation; negative jumps back; or a label; bytes; label.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["JR_LTEQF"].draft((left, right, offset), unchecked)
 
@@ -510,7 +510,7 @@ def jr_gteq8(left: Number, right: Number, offset: Jump, *, unchecked: bool = Fal
         left: Left side of the comparison; DATA8.
         right: Right side of the comparison; DATA8.
         offset: How far to jump from the end of this operation; negative jumps back; or a label; bytes; label.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["JR_GTEQ8"].draft((left, right, offset), unchecked)
 
@@ -522,7 +522,7 @@ def jr_gteq16(left: Number, right: Number, offset: Jump, *, unchecked: bool = Fa
         left: Left side of the comparison; DATA16.
         right: Right side of the comparison; DATA16.
         offset: How far to jump from the end of this operation; negative jumps back; or a label; bytes; label.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["JR_GTEQ16"].draft((left, right, offset), unchecked)
 
@@ -534,7 +534,7 @@ def jr_gteq32(left: Number, right: Number, offset: Jump, *, unchecked: bool = Fa
         left: Left side of the comparison; DATA32.
         right: Right side of the comparison; DATA32.
         offset: How far to jump from the end of this operation; negative jumps back; or a label; bytes; label.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["JR_GTEQ32"].draft((left, right, offset), unchecked)
 
@@ -546,7 +546,7 @@ def jr_gteqf(left: Real, right: Real, offset: Jump, *, unchecked: bool = False) 
         left: Left side of the comparison; DATAF.
         right: Right side of the comparison; DATAF.
         offset: How far to jump from the end of this operation; negative jumps back; or a label; bytes; label.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["JR_GTEQF"].draft((left, right, offset), unchecked)
 
@@ -557,7 +557,7 @@ def com_ready(hardware: AnyHWTYPE, name: Text, *, unchecked: bool = False) -> Dr
     Args:
         hardware: Carrier to use; a member of HWTYPE; DATA8.
         name: Name of the other device, empty: the brick's own adapter; string.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_READY"].draft((hardware, name), unchecked)
 
@@ -577,7 +577,7 @@ def com_readdata(
         value2: Name of the other device, ignored; DATA8.
         value3: Number of bytes, ignored; bytes; DATA16.
         value4: The bytes, ignored; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_READDATA"].draft((value1, value2, value3, value4), unchecked)
 
@@ -597,7 +597,7 @@ def com_writedata(
         value2: Name of the other device, ignored; DATA8.
         value3: Number of bytes, ignored; bytes; DATA16.
         value4: The bytes, ignored; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_WRITEDATA"].draft((value1, value2, value3, value4), unchecked)
 
@@ -609,7 +609,7 @@ def com_test(hardware: AnyHWTYPE, name: Text, busy: Output = None, *, unchecked:
         hardware: Carrier to use; a member of HWTYPE; DATA8.
         name: Name of the other device, empty: the brick's own adapter; string.
         busy: Whether to wait; 0 to 1; 0: ready; 1: busy; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_TEST"].draft((hardware, name, busy), unchecked)
 
@@ -620,7 +620,7 @@ def com_remove(hardware: AnyHWTYPE, remote_name: Text, *, unchecked: bool = Fals
     Args:
         hardware: Carrier to use; a member of HWTYPE; DATA8.
         remote_name: Name of the other device or network; string.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_REMOVE"].draft((hardware, remote_name), unchecked)
 
@@ -640,7 +640,7 @@ def com_writefile(
         remote_name: Name of the other device or network; string.
         file_name: Path of the file or folder on this brick; string.
         file_type: TYPE_FOLDER for a folder, else a file; a member of FILETYPE; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_WRITEFILE"].draft((hardware, remote_name, file_name, file_type), unchecked)
 
@@ -662,7 +662,7 @@ def mailbox_open(
         types: Type of its values; a member of DATA_FORMAT; DATA8.
         fifosize: Depth of the queue, ignored by the firmware; DATA8.
         values: Number of values, ignored by the firmware; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MAILBOX_OPEN"].draft((no, boxname, types, fifosize, values), unchecked)
 
@@ -683,8 +683,8 @@ def mailbox_write(
         hardware: Read by the firmware and never used; 0: as compilers write; a member of HWTYPE; DATA8.
         boxname: Name of the mailbox; string.
         type: Type of the values; a member of DATA_FORMAT; DATA8.
-        values: Number of values of TYPE follow; exactly one for a string; a list, of the type that type says.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        values: Number of values of TYPE follow; exactly one for a string; a list, of the type in type.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MAILBOX_WRITE"].draft((brickname, hardware, boxname, type, values), unchecked)
 
@@ -695,9 +695,9 @@ def mailbox_read(no: Number, length: Number, values: Outputs = None, *, unchecke
     Args:
         no: Number of the mailbox on this brick; 0 to 29; DATA8.
         length: Maximum number of bytes to read, ignored by the firmware; bytes; DATA8.
-        values: Number of values follow, of the type given to MAILBOX_OPEN; a list of array-typed; an output for each: a
+        values: Number of values that follow, in the type of MAILBOX_OPEN; a list of array-typed; an output for each: a
             list of variables, or how many; one when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MAILBOX_READ"].draft((no, length, values), unchecked)
 
@@ -709,7 +709,7 @@ def mailbox_test(no: Number, busy: Output = None, *, unchecked: bool = False) ->
         no: Number of the mailbox on this brick; 0 to 29; DATA8.
         busy: Whether to wait; 0 to 1; 0: a new message is there; 1: nothing new; DATA8; an output, in global memory
             when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MAILBOX_TEST"].draft((no, busy), unchecked)
 
@@ -719,7 +719,7 @@ def mailbox_ready(no: Number, *, unchecked: bool = False) -> Draft:
 
     Args:
         no: Number of the mailbox on this brick; 0 to 29; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MAILBOX_READY"].draft((no,), unchecked)
 
@@ -729,7 +729,7 @@ def mailbox_close(no: Number, *, unchecked: bool = False) -> Draft:
 
     Args:
         no: Number of the mailbox on this brick; 0 to 29; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MAILBOX_CLOSE"].draft((no,), unchecked)
 
@@ -741,7 +741,7 @@ def cp_lt8(left: Number, right: Number, flag: Output = None, *, unchecked: bool 
         left: Left side of the comparison; DATA8.
         right: Right side of the comparison; DATA8.
         flag: Result of the comparison; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_LT8"].draft((left, right, flag), unchecked)
 
@@ -753,7 +753,7 @@ def cp_lt16(left: Number, right: Number, flag: Output = None, *, unchecked: bool
         left: Left side of the comparison; DATA16.
         right: Right side of the comparison; DATA16.
         flag: Result of the comparison; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_LT16"].draft((left, right, flag), unchecked)
 
@@ -765,7 +765,7 @@ def cp_lt32(left: Number, right: Number, flag: Output = None, *, unchecked: bool
         left: Left side of the comparison; DATA32.
         right: Right side of the comparison; DATA32.
         flag: Result of the comparison; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_LT32"].draft((left, right, flag), unchecked)
 
@@ -777,7 +777,7 @@ def cp_ltf(left: Real, right: Real, flag: Output = None, *, unchecked: bool = Fa
         left: Left side of the comparison; DATAF.
         right: Right side of the comparison; DATAF.
         flag: Result of the comparison; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_LTF"].draft((left, right, flag), unchecked)
 
@@ -789,7 +789,7 @@ def cp_gt8(left: Number, right: Number, flag: Output = None, *, unchecked: bool 
         left: Left side of the comparison; DATA8.
         right: Right side of the comparison; DATA8.
         flag: Result of the comparison; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_GT8"].draft((left, right, flag), unchecked)
 
@@ -801,7 +801,7 @@ def cp_gt16(left: Number, right: Number, flag: Output = None, *, unchecked: bool
         left: Left side of the comparison; DATA16.
         right: Right side of the comparison; DATA16.
         flag: Result of the comparison; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_GT16"].draft((left, right, flag), unchecked)
 
@@ -813,7 +813,7 @@ def cp_gt32(left: Number, right: Number, flag: Output = None, *, unchecked: bool
         left: Left side of the comparison; DATA32.
         right: Right side of the comparison; DATA32.
         flag: Result of the comparison; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_GT32"].draft((left, right, flag), unchecked)
 
@@ -825,7 +825,7 @@ def cp_gtf(left: Real, right: Real, flag: Output = None, *, unchecked: bool = Fa
         left: Left side of the comparison; DATAF.
         right: Right side of the comparison; DATAF.
         flag: Result of the comparison; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_GTF"].draft((left, right, flag), unchecked)
 
@@ -837,7 +837,7 @@ def cp_eq8(left: Number, right: Number, flag: Output = None, *, unchecked: bool 
         left: Left side of the comparison; DATA8.
         right: Right side of the comparison; DATA8.
         flag: Result of the comparison; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_EQ8"].draft((left, right, flag), unchecked)
 
@@ -849,7 +849,7 @@ def cp_eq16(left: Number, right: Number, flag: Output = None, *, unchecked: bool
         left: Left side of the comparison; DATA16.
         right: Right side of the comparison; DATA16.
         flag: Result of the comparison; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_EQ16"].draft((left, right, flag), unchecked)
 
@@ -861,7 +861,7 @@ def cp_eq32(left: Number, right: Number, flag: Output = None, *, unchecked: bool
         left: Left side of the comparison; DATA32.
         right: Right side of the comparison; DATA32.
         flag: Result of the comparison; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_EQ32"].draft((left, right, flag), unchecked)
 
@@ -873,7 +873,7 @@ def cp_eqf(left: Real, right: Real, flag: Output = None, *, unchecked: bool = Fa
         left: Left side of the comparison; DATAF.
         right: Right side of the comparison; DATAF.
         flag: Result of the comparison; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_EQF"].draft((left, right, flag), unchecked)
 
@@ -885,7 +885,7 @@ def cp_neq8(left: Number, right: Number, flag: Output = None, *, unchecked: bool
         left: Left side of the comparison; DATA8.
         right: Right side of the comparison; DATA8.
         flag: Result of the comparison; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_NEQ8"].draft((left, right, flag), unchecked)
 
@@ -897,7 +897,7 @@ def cp_neq16(left: Number, right: Number, flag: Output = None, *, unchecked: boo
         left: Left side of the comparison; DATA16.
         right: Right side of the comparison; DATA16.
         flag: Result of the comparison; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_NEQ16"].draft((left, right, flag), unchecked)
 
@@ -909,7 +909,7 @@ def cp_neq32(left: Number, right: Number, flag: Output = None, *, unchecked: boo
         left: Left side of the comparison; DATA32.
         right: Right side of the comparison; DATA32.
         flag: Result of the comparison; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_NEQ32"].draft((left, right, flag), unchecked)
 
@@ -921,7 +921,7 @@ def cp_neqf(left: Real, right: Real, flag: Output = None, *, unchecked: bool = F
         left: Left side of the comparison; DATAF.
         right: Right side of the comparison; DATAF.
         flag: Result of the comparison; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_NEQF"].draft((left, right, flag), unchecked)
 
@@ -933,7 +933,7 @@ def cp_lteq8(left: Number, right: Number, flag: Output = None, *, unchecked: boo
         left: Left side of the comparison; DATA8.
         right: Right side of the comparison; DATA8.
         flag: Result of the comparison; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_LTEQ8"].draft((left, right, flag), unchecked)
 
@@ -945,7 +945,7 @@ def cp_lteq16(left: Number, right: Number, flag: Output = None, *, unchecked: bo
         left: Left side of the comparison; DATA16.
         right: Right side of the comparison; DATA16.
         flag: Result of the comparison; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_LTEQ16"].draft((left, right, flag), unchecked)
 
@@ -957,7 +957,7 @@ def cp_lteq32(left: Number, right: Number, flag: Output = None, *, unchecked: bo
         left: Left side of the comparison; DATA32.
         right: Right side of the comparison; DATA32.
         flag: Result of the comparison; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_LTEQ32"].draft((left, right, flag), unchecked)
 
@@ -969,7 +969,7 @@ def cp_lteqf(left: Real, right: Real, flag: Output = None, *, unchecked: bool = 
         left: Left side of the comparison; DATAF.
         right: Right side of the comparison; DATAF.
         flag: Result of the comparison; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_LTEQF"].draft((left, right, flag), unchecked)
 
@@ -981,7 +981,7 @@ def cp_gteq8(left: Number, right: Number, flag: Output = None, *, unchecked: boo
         left: Left side of the comparison; DATA8.
         right: Right side of the comparison; DATA8.
         flag: Result of the comparison; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_GTEQ8"].draft((left, right, flag), unchecked)
 
@@ -993,7 +993,7 @@ def cp_gteq16(left: Number, right: Number, flag: Output = None, *, unchecked: bo
         left: Left side of the comparison; DATA16.
         right: Right side of the comparison; DATA16.
         flag: Result of the comparison; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_GTEQ16"].draft((left, right, flag), unchecked)
 
@@ -1005,7 +1005,7 @@ def cp_gteq32(left: Number, right: Number, flag: Output = None, *, unchecked: bo
         left: Left side of the comparison; DATA32.
         right: Right side of the comparison; DATA32.
         flag: Result of the comparison; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_GTEQ32"].draft((left, right, flag), unchecked)
 
@@ -1017,7 +1017,7 @@ def cp_gteqf(left: Real, right: Real, flag: Output = None, *, unchecked: bool = 
         left: Left side of the comparison; DATAF.
         right: Right side of the comparison; DATAF.
         flag: Result of the comparison; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_GTEQF"].draft((left, right, flag), unchecked)
 
@@ -1030,7 +1030,7 @@ def select8(flag: Number, source1: Number, source2: Number, result: Output = Non
         source1: Value selected if the flag is set; DATA8.
         source2: Value selected if the flag is 0; DATA8.
         result: The selected value; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["SELECT8"].draft((flag, source1, source2, result), unchecked)
 
@@ -1050,7 +1050,7 @@ def select16(
         source1: Value selected if the flag is set; DATA16.
         source2: Value selected if the flag is 0; DATA16.
         result: The selected value; DATA16; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["SELECT16"].draft((flag, source1, source2, result), unchecked)
 
@@ -1070,7 +1070,7 @@ def select32(
         source1: Value selected if the flag is set; DATA32.
         source2: Value selected if the flag is 0; DATA32.
         result: The selected value; DATA32; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["SELECT32"].draft((flag, source1, source2, result), unchecked)
 
@@ -1083,7 +1083,7 @@ def selectf(flag: Number, source1: Real, source2: Real, result: Output = None, *
         source1: Value selected if the flag is set; DATAF.
         source2: Value selected if the flag is 0; DATAF.
         result: The selected value; DATAF; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["SELECTF"].draft((flag, source1, source2, result), unchecked)
 
@@ -1112,7 +1112,7 @@ def input_sample(
         datasets: Index of the value to read from each device, from 0; as many values as SAMPLES says; DATA8.
         values: One value per device, NaN if there is none; as many values as SAMPLES says; DATAF; an output, in global
             memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_SAMPLE"].draft((time, samples, init, devices, types, modes, datasets, values), unchecked)
 
@@ -1132,7 +1132,7 @@ def input_device_list(
             memory when omitted.
         changed: Whether devices came or went since the last call; 0: no change; DATA8; an output, in global memory when
             omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_DEVICE_LIST"].draft((length, array, changed), unchecked)
 
@@ -1155,7 +1155,7 @@ def input_read(
         type: Type to set; 0: keep the type; a member of TYPE; DATA8.
         mode: Mode to set; 0 to 7; -1: keep the mode; DATA8.
         pct: Value, NaN if there is none; %; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_READ"].draft((layer, no, type, mode, pct), unchecked)
 
@@ -1168,7 +1168,7 @@ def input_test(layer: Number, no: Number, busy: Output = None, *, unchecked: boo
         no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1; 1: port 2; 2: port 3; 3: port 4; 16: motor
             port A; 17: motor port B; 18: motor port C; 19: motor port D; DATA8.
         busy: Whether to wait; 0 to 1; 0: ready; 1: busy; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_TEST"].draft((layer, no, busy), unchecked)
 
@@ -1180,7 +1180,7 @@ def input_ready(layer: Number, no: Number, *, unchecked: bool = False) -> Draft:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
         no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1; 1: port 2; 2: port 3; 3: port 4; 16: motor
             port A; 17: motor port B; 18: motor port C; 19: motor port D; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_READY"].draft((layer, no), unchecked)
 
@@ -1203,7 +1203,7 @@ def input_readsi(
         type: Type to set; 0: keep the type; a member of TYPE; DATA8.
         mode: Mode to set; 0 to 7; -1: keep the mode; DATA8.
         si: Value in the mode's unit, NaN if there is none; DATAF; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_READSI"].draft((layer, no, type, mode, si), unchecked)
 
@@ -1227,9 +1227,9 @@ def input_readext(
         type: Type to set; 0: keep the type; a member of TYPE; DATA8.
         mode: Mode to set; 0 to 7; -1: keep the mode; DATA8.
         format: DATA_PCT, DATA_RAW or DATA_SI; others give NaN; a member of DATA_FORMAT; DATA8.
-        values: Number of values follow, each in FORMAT; a list, of the type that format says; an output for each: a
-            list of variables, or how many; one when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        values: Number of values that follow, each in FORMAT; a list, of the type in format; an output for each: a list
+            of variables, or how many; one when omitted.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_READEXT"].draft((layer, no, type, mode, format, values), unchecked)
 
@@ -1242,7 +1242,7 @@ def input_write(layer: Number, no: Number, bytes: Number, data: Elements, *, unc
         no: Sensor port, counted from 0; 0 to 3; 0: port 1; 1: port 2; 2: port 3; 3: port 4; DATA8.
         bytes: Number of bytes to send; 1 to 32 bytes; DATA8.
         data: Bytes to send; as many values as BYTES says; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_WRITE"].draft((layer, no, bytes, data), unchecked)
 
@@ -1254,7 +1254,7 @@ def add8(source1: Number, source2: Number, destination: Output = None, *, unchec
         source1: First number; DATA8.
         source2: Second number; DATA8.
         destination: Their sum; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["ADD8"].draft((source1, source2, destination), unchecked)
 
@@ -1266,7 +1266,7 @@ def add16(source1: Number, source2: Number, destination: Output = None, *, unche
         source1: First number; DATA16.
         source2: Second number; DATA16.
         destination: Their sum; DATA16; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["ADD16"].draft((source1, source2, destination), unchecked)
 
@@ -1278,7 +1278,7 @@ def add32(source1: Number, source2: Number, destination: Output = None, *, unche
         source1: First number; DATA32.
         source2: Second number; DATA32.
         destination: Their sum; DATA32; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["ADD32"].draft((source1, source2, destination), unchecked)
 
@@ -1290,7 +1290,7 @@ def addf(source1: Real, source2: Real, destination: Output = None, *, unchecked:
         source1: First number; DATAF.
         source2: Second number; DATAF.
         destination: Their sum; DATAF; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["ADDF"].draft((source1, source2, destination), unchecked)
 
@@ -1302,7 +1302,7 @@ def sub8(source1: Number, source2: Number, destination: Output = None, *, unchec
         source1: Number to subtract from; DATA8.
         source2: Number to subtract; DATA8.
         destination: SOURCE1 less SOURCE2; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["SUB8"].draft((source1, source2, destination), unchecked)
 
@@ -1314,7 +1314,7 @@ def sub16(source1: Number, source2: Number, destination: Output = None, *, unche
         source1: Number to subtract from; DATA16.
         source2: Number to subtract; DATA16.
         destination: SOURCE1 less SOURCE2; DATA16; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["SUB16"].draft((source1, source2, destination), unchecked)
 
@@ -1326,7 +1326,7 @@ def sub32(source1: Number, source2: Number, destination: Output = None, *, unche
         source1: Number to subtract from; DATA32.
         source2: Number to subtract; DATA32.
         destination: SOURCE1 less SOURCE2; DATA32; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["SUB32"].draft((source1, source2, destination), unchecked)
 
@@ -1338,7 +1338,7 @@ def subf(source1: Real, source2: Real, destination: Output = None, *, unchecked:
         source1: Number to subtract from; DATAF.
         source2: Number to subtract; DATAF.
         destination: SOURCE1 less SOURCE2; DATAF; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["SUBF"].draft((source1, source2, destination), unchecked)
 
@@ -1350,7 +1350,7 @@ def mul8(source1: Number, source2: Number, destination: Output = None, *, unchec
         source1: First factor; DATA8.
         source2: Second factor; DATA8.
         destination: Their product; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MUL8"].draft((source1, source2, destination), unchecked)
 
@@ -1362,7 +1362,7 @@ def mul16(source1: Number, source2: Number, destination: Output = None, *, unche
         source1: First factor; DATA16.
         source2: Second factor; DATA16.
         destination: Their product; DATA16; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MUL16"].draft((source1, source2, destination), unchecked)
 
@@ -1374,7 +1374,7 @@ def mul32(source1: Number, source2: Number, destination: Output = None, *, unche
         source1: First factor; DATA32.
         source2: Second factor; DATA32.
         destination: Their product; DATA32; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MUL32"].draft((source1, source2, destination), unchecked)
 
@@ -1386,7 +1386,7 @@ def mulf(source1: Real, source2: Real, destination: Output = None, *, unchecked:
         source1: First factor; DATAF.
         source2: Second factor; DATAF.
         destination: Their product; DATAF; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MULF"].draft((source1, source2, destination), unchecked)
 
@@ -1398,7 +1398,7 @@ def div8(source1: Number, source2: Number, destination: Output = None, *, unchec
         source1: Number to divide; DATA8.
         source2: Number to divide by; DATA8.
         destination: Quotient, cut off towards zero (0 for 0 / 0); DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["DIV8"].draft((source1, source2, destination), unchecked)
 
@@ -1410,7 +1410,7 @@ def div16(source1: Number, source2: Number, destination: Output = None, *, unche
         source1: Number to divide; DATA16.
         source2: Number to divide by; DATA16.
         destination: Quotient, cut off towards zero (0 for 0 / 0); DATA16; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["DIV16"].draft((source1, source2, destination), unchecked)
 
@@ -1422,7 +1422,7 @@ def div32(source1: Number, source2: Number, destination: Output = None, *, unche
         source1: Number to divide; DATA32.
         source2: Number to divide by; DATA32.
         destination: Quotient, cut off towards zero (0 for 0 / 0); DATA32; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["DIV32"].draft((source1, source2, destination), unchecked)
 
@@ -1434,7 +1434,7 @@ def divf(source1: Real, source2: Real, destination: Output = None, *, unchecked:
         source1: Number to divide; DATAF.
         source2: Number to divide by; DATAF.
         destination: Quotient; DATAF; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["DIVF"].draft((source1, source2, destination), unchecked)
 
@@ -1446,7 +1446,7 @@ def or8(source1: Number, source2: Number, destination: Output = None, *, uncheck
         source1: First; DATA8.
         source2: Second; DATA8.
         destination: Bits set in either; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["OR8"].draft((source1, source2, destination), unchecked)
 
@@ -1458,7 +1458,7 @@ def or16(source1: Number, source2: Number, destination: Output = None, *, unchec
         source1: First; DATA16.
         source2: Second; DATA16.
         destination: Bits set in either; DATA16; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["OR16"].draft((source1, source2, destination), unchecked)
 
@@ -1470,7 +1470,7 @@ def or32(source1: Number, source2: Number, destination: Output = None, *, unchec
         source1: First; DATA32.
         source2: Second; DATA32.
         destination: Bits set in either; DATA32; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["OR32"].draft((source1, source2, destination), unchecked)
 
@@ -1482,7 +1482,7 @@ def and8(source1: Number, source2: Number, destination: Output = None, *, unchec
         source1: First; DATA8.
         source2: Second; DATA8.
         destination: Bits set in both; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["AND8"].draft((source1, source2, destination), unchecked)
 
@@ -1494,7 +1494,7 @@ def and16(source1: Number, source2: Number, destination: Output = None, *, unche
         source1: First; DATA16.
         source2: Second; DATA16.
         destination: Bits set in both; DATA16; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["AND16"].draft((source1, source2, destination), unchecked)
 
@@ -1506,7 +1506,7 @@ def and32(source1: Number, source2: Number, destination: Output = None, *, unche
         source1: First; DATA32.
         source2: Second; DATA32.
         destination: Bits set in both; DATA32; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["AND32"].draft((source1, source2, destination), unchecked)
 
@@ -1518,7 +1518,7 @@ def xor8(source1: Number, source2: Number, destination: Output = None, *, unchec
         source1: First; DATA8.
         source2: Second; DATA8.
         destination: Bits set in just one of the two; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["XOR8"].draft((source1, source2, destination), unchecked)
 
@@ -1530,7 +1530,7 @@ def xor16(source1: Number, source2: Number, destination: Output = None, *, unche
         source1: First; DATA16.
         source2: Second; DATA16.
         destination: Bits set in just one of the two; DATA16; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["XOR16"].draft((source1, source2, destination), unchecked)
 
@@ -1542,7 +1542,7 @@ def xor32(source1: Number, source2: Number, destination: Output = None, *, unche
         source1: First; DATA32.
         source2: Second; DATA32.
         destination: Bits set in just one of the two; DATA32; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["XOR32"].draft((source1, source2, destination), unchecked)
 
@@ -1554,7 +1554,7 @@ def rl8(source1: Number, source2: Number, destination: Output = None, *, uncheck
         source1: Value to shift; DATA8.
         source2: Number of places; bits; DATA8.
         destination: Shifted value, filled up with zero bits; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["RL8"].draft((source1, source2, destination), unchecked)
 
@@ -1566,7 +1566,7 @@ def rl16(source1: Number, source2: Number, destination: Output = None, *, unchec
         source1: Value to shift; DATA16.
         source2: Number of places; bits; DATA16.
         destination: Shifted value, filled up with zero bits; DATA16; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["RL16"].draft((source1, source2, destination), unchecked)
 
@@ -1578,7 +1578,7 @@ def rl32(source1: Number, source2: Number, destination: Output = None, *, unchec
         source1: Value to shift; DATA32.
         source2: Number of places; bits; DATA32.
         destination: Shifted value, filled up with zero bits; DATA32; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["RL32"].draft((source1, source2, destination), unchecked)
 
@@ -1590,7 +1590,7 @@ def random(min: Number, max: Number, value: Output = None, *, unchecked: bool = 
         min: Smallest number to draw; DATA16.
         max: Largest number to draw; DATA16.
         value: The number drawn, MIN to MAX, both included; DATA16; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["RANDOM"].draft((min, max, value), unchecked)
 
@@ -1612,7 +1612,7 @@ def memory_write(
         offset: First byte in that memory; 0 to 2147483647 bytes; DATA32.
         size: Number of bytes; 0 to 2147483647 bytes; DATA32.
         array: The bytes; those beyond the end of the memory are dropped; as many values as SIZE says; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MEMORY_WRITE"].draft((prgid, objid, offset, size, array), unchecked)
 
@@ -1635,7 +1635,7 @@ def memory_read(
         size: Number of bytes; 0 to 2147483647 bytes; DATA32.
         array: The bytes, zeros beyond the end of the memory; as many values as SIZE says; DATA8; an output, in global
             memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MEMORY_READ"].draft((prgid, objid, offset, size, array), unchecked)
 
@@ -1647,7 +1647,7 @@ def array_write(handle: Number, index: Number, value: Real, *, unchecked: bool =
         handle: The array; handle.
         index: Which element, the first is 0; 0 to 2147483647; DATA32.
         value: The value, of the array's type; array-typed.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["ARRAY_WRITE"].draft((handle, index, value), unchecked)
 
@@ -1659,7 +1659,7 @@ def array_read(handle: Number, index: Number, value: Output = None, *, unchecked
         handle: The array; handle.
         index: Which element, the first is 0; 0 to 2147483647; DATA32.
         value: The value, of the array's type; array-typed; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["ARRAY_READ"].draft((handle, index, value), unchecked)
 
@@ -1670,7 +1670,7 @@ def array_append(handle: Number, value: Real, *, unchecked: bool = False) -> Dra
     Args:
         handle: The array; handle.
         value: The value, of the array's type; array-typed.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["ARRAY_APPEND"].draft((handle, value), unchecked)
 
@@ -1681,7 +1681,7 @@ def memory_usage(total: Output = None, free: Output = None, *, unchecked: bool =
     Args:
         total: Total memory; KiB; DATA32; an output, in global memory when omitted.
         free: Free memory; KiB; DATA32; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MEMORY_USAGE"].draft((total, free), unchecked)
 
@@ -1717,9 +1717,9 @@ def init_bytes(
 
     Args:
         destination: First byte to fill; as many values as LENGTH says; DATA8; an output, in global memory when omitted.
-        length: Number of values follow; a negative count hangs the brick; bytes; DATA32; worked out when omitted.
+        length: Number of values that follow; a negative count hangs the brick; bytes; DATA32; computed when omitted.
         source: The values, one per byte; a list of DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INIT_BYTES"].draft((destination, length, source), unchecked)
 
@@ -1730,7 +1730,7 @@ def move8_8(source: Number, destination: Output = None, *, unchecked: bool = Fal
     Args:
         source: Value to copy; DATA8.
         destination: Copy of the value; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MOVE8_8"].draft((source, destination), unchecked)
 
@@ -1741,7 +1741,7 @@ def move8_16(source: Number, destination: Output = None, *, unchecked: bool = Fa
     Args:
         source: Value to copy; DATA8.
         destination: Copy of the value; DATA16; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MOVE8_16"].draft((source, destination), unchecked)
 
@@ -1752,7 +1752,7 @@ def move8_32(source: Number, destination: Output = None, *, unchecked: bool = Fa
     Args:
         source: Value to copy; DATA8.
         destination: Copy of the value; DATA32; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MOVE8_32"].draft((source, destination), unchecked)
 
@@ -1763,7 +1763,7 @@ def move8_f(source: Number, destination: Output = None, *, unchecked: bool = Fal
     Args:
         source: Value to copy; DATA8.
         destination: Copy of the value; DATAF; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MOVE8_F"].draft((source, destination), unchecked)
 
@@ -1774,7 +1774,7 @@ def move16_8(source: Number, destination: Output = None, *, unchecked: bool = Fa
     Args:
         source: Value to copy; DATA16.
         destination: Copy of the value; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MOVE16_8"].draft((source, destination), unchecked)
 
@@ -1785,7 +1785,7 @@ def move16_16(source: Number, destination: Output = None, *, unchecked: bool = F
     Args:
         source: Value to copy; DATA16.
         destination: Copy of the value; DATA16; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MOVE16_16"].draft((source, destination), unchecked)
 
@@ -1796,7 +1796,7 @@ def move16_32(source: Number, destination: Output = None, *, unchecked: bool = F
     Args:
         source: Value to copy; DATA16.
         destination: Copy of the value; DATA32; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MOVE16_32"].draft((source, destination), unchecked)
 
@@ -1807,7 +1807,7 @@ def move16_f(source: Number, destination: Output = None, *, unchecked: bool = Fa
     Args:
         source: Value to copy; DATA16.
         destination: Copy of the value; DATAF; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MOVE16_F"].draft((source, destination), unchecked)
 
@@ -1818,7 +1818,7 @@ def move32_8(source: Number, destination: Output = None, *, unchecked: bool = Fa
     Args:
         source: Value to copy; DATA32.
         destination: Copy of the value; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MOVE32_8"].draft((source, destination), unchecked)
 
@@ -1829,7 +1829,7 @@ def move32_16(source: Number, destination: Output = None, *, unchecked: bool = F
     Args:
         source: Value to copy; DATA32.
         destination: Copy of the value; DATA16; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MOVE32_16"].draft((source, destination), unchecked)
 
@@ -1840,7 +1840,7 @@ def move32_32(source: Number, destination: Output = None, *, unchecked: bool = F
     Args:
         source: Value to copy; DATA32.
         destination: Copy of the value; DATA32; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MOVE32_32"].draft((source, destination), unchecked)
 
@@ -1851,7 +1851,7 @@ def move32_f(source: Number, destination: Output = None, *, unchecked: bool = Fa
     Args:
         source: Value to copy; DATA32.
         destination: Copy of the value; DATAF; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MOVE32_F"].draft((source, destination), unchecked)
 
@@ -1862,7 +1862,7 @@ def movef_8(source: Real, destination: Output = None, *, unchecked: bool = False
     Args:
         source: Value to copy; DATAF.
         destination: Copy of the value; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MOVEF_8"].draft((source, destination), unchecked)
 
@@ -1873,7 +1873,7 @@ def movef_16(source: Real, destination: Output = None, *, unchecked: bool = Fals
     Args:
         source: Value to copy; DATAF.
         destination: Copy of the value; DATA16; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MOVEF_16"].draft((source, destination), unchecked)
 
@@ -1884,7 +1884,7 @@ def movef_32(source: Real, destination: Output = None, *, unchecked: bool = Fals
     Args:
         source: Value to copy; DATAF.
         destination: Copy of the value; DATA32; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MOVEF_32"].draft((source, destination), unchecked)
 
@@ -1895,7 +1895,7 @@ def movef_f(source: Real, destination: Output = None, *, unchecked: bool = False
     Args:
         source: Value to copy; DATAF.
         destination: Copy of the value; DATAF; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MOVEF_F"].draft((source, destination), unchecked)
 
@@ -1907,7 +1907,7 @@ def read8(source: Number, index: Number, destination: Output = None, *, unchecke
         source: First element of the array, as a variable; DATA8.
         index: Which element, counted from 0; the firmware does not check it; 0 to 127; DATA8.
         destination: The element's value; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["READ8"].draft((source, index, destination), unchecked)
 
@@ -1919,7 +1919,7 @@ def read16(source: Number, index: Number, destination: Output = None, *, uncheck
         source: First element of the array, as a variable; DATA16.
         index: Which element, counted from 0; the firmware does not check it; 0 to 127; DATA8.
         destination: The element's value; DATA16; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["READ16"].draft((source, index, destination), unchecked)
 
@@ -1931,7 +1931,7 @@ def read32(source: Number, index: Number, destination: Output = None, *, uncheck
         source: First element of the array, as a variable; DATA32.
         index: Which element, counted from 0; the firmware does not check it; 0 to 127; DATA8.
         destination: The element's value; DATA32; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["READ32"].draft((source, index, destination), unchecked)
 
@@ -1943,7 +1943,7 @@ def readf(source: Real, index: Number, destination: Output = None, *, unchecked:
         source: First element of the array, as a variable; DATAF.
         index: Which element, counted from 0; the firmware does not check it; 0 to 127; DATA8.
         destination: The element's value; DATAF; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["READF"].draft((source, index, destination), unchecked)
 
@@ -1955,7 +1955,7 @@ def write8(source: Number, index: Number, destination: Number, *, unchecked: boo
         source: Value to write; DATA8.
         index: Which element, counted from 0; the firmware does not check it; 0 to 127; DATA8.
         destination: First element of the array, as a variable; element INDEX is written; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["WRITE8"].draft((source, index, destination), unchecked)
 
@@ -1967,7 +1967,7 @@ def write16(source: Number, index: Number, destination: Number, *, unchecked: bo
         source: Value to write; DATA16.
         index: Which element, counted from 0; the firmware does not check it; 0 to 127; DATA8.
         destination: First element of the array, as a variable; element INDEX is written; DATA16.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["WRITE16"].draft((source, index, destination), unchecked)
 
@@ -1979,7 +1979,7 @@ def write32(source: Number, index: Number, destination: Number, *, unchecked: bo
         source: Value to write; DATA32.
         index: Which element, counted from 0; the firmware does not check it; 0 to 127; DATA8.
         destination: First element of the array, as a variable; element INDEX is written; DATA32.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["WRITE32"].draft((source, index, destination), unchecked)
 
@@ -1991,7 +1991,7 @@ def writef(source: Real, index: Number, destination: Real, *, unchecked: bool = 
         source: Value to write; DATAF.
         index: Which element, counted from 0; the firmware does not check it; 0 to 127; DATA8.
         destination: First element of the array, as a variable; element INDEX is written; DATAF.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["WRITEF"].draft((source, index, destination), unchecked)
 
@@ -2003,7 +2003,7 @@ def output_set_type(layer: Number, no: NamedNumber, type: AnyTYPE, *, unchecked:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
         no: Port, counted from 0; 0 to 3; 0: A; 1: B; 2: C; 3: D; DATA8.
         type: Type of the motor; a member of TYPE; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["OUTPUT_SET_TYPE"].draft((layer, no, type), unchecked)
 
@@ -2015,7 +2015,7 @@ def output_reset(layer: Number, nos: NamedNumber, *, unchecked: bool = False) ->
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
         nos: Ports as a bit mask: A 1, B 2, C 4, D 8; 0 to 15; 0: none; 1: A; 2: B; 3: A+B; 4: C; 5: A+C; 6: B+C; 7:
             A+B+C; 8: D; 9: A+D; 10: B+D; 11: A+B+D; 12: C+D; 13: A+C+D; 14: B+C+D; 15: A+B+C+D; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["OUTPUT_RESET"].draft((layer, nos), unchecked)
 
@@ -2028,7 +2028,7 @@ def output_stop(layer: Number, nos: NamedNumber, brake: Number, *, unchecked: bo
         nos: Ports as a bit mask: A 1, B 2, C 4, D 8; 0 to 15; 0: none; 1: A; 2: B; 3: A+B; 4: C; 5: A+C; 6: B+C; 7:
             A+B+C; 8: D; 9: A+D; 10: B+D; 11: A+B+D; 12: C+D; 13: A+C+D; 14: B+C+D; 15: A+B+C+D; DATA8.
         brake: What the motors do at the end; 0 to 1; 0: coast; 1: brake and hold; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["OUTPUT_STOP"].draft((layer, nos, brake), unchecked)
 
@@ -2041,7 +2041,7 @@ def output_power(layer: Number, nos: NamedNumber, power: Number, *, unchecked: b
         nos: Ports as a bit mask: A 1, B 2, C 4, D 8; 0 to 15; 0: none; 1: A; 2: B; 3: A+B; 4: C; 5: A+C; 6: B+C; 7:
             A+B+C; 8: D; 9: A+D; 10: B+D; 11: A+B+D; 12: C+D; 13: A+C+D; 14: B+C+D; 15: A+B+C+D; DATA8.
         power: Unregulated power; negative: backward; -100 to 100 %; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["OUTPUT_POWER"].draft((layer, nos, power), unchecked)
 
@@ -2054,7 +2054,7 @@ def output_speed(layer: Number, nos: NamedNumber, speed: Number, *, unchecked: b
         nos: Ports as a bit mask: A 1, B 2, C 4, D 8; 0 to 15; 0: none; 1: A; 2: B; 3: A+B; 4: C; 5: A+C; 6: B+C; 7:
             A+B+C; 8: D; 9: A+D; 10: B+D; 11: A+B+D; 12: C+D; 13: A+C+D; 14: B+C+D; 15: A+B+C+D; DATA8.
         speed: Regulated speed; negative: backward; -100 to 100 %; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["OUTPUT_SPEED"].draft((layer, nos, speed), unchecked)
 
@@ -2066,7 +2066,7 @@ def output_start(layer: Number, nos: NamedNumber, *, unchecked: bool = False) ->
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
         nos: Ports as a bit mask: A 1, B 2, C 4, D 8; 0 to 15; 0: none; 1: A; 2: B; 3: A+B; 4: C; 5: A+C; 6: B+C; 7:
             A+B+C; 8: D; 9: A+D; 10: B+D; 11: A+B+D; 12: C+D; 13: A+C+D; 14: B+C+D; 15: A+B+C+D; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["OUTPUT_START"].draft((layer, nos), unchecked)
 
@@ -2079,7 +2079,7 @@ def output_polarity(layer: Number, nos: NamedNumber, pol: Number, *, unchecked: 
         nos: Ports as a bit mask: A 1, B 2, C 4, D 8; 0 to 15; 0: none; 1: A; 2: B; 3: A+B; 4: C; 5: A+C; 6: B+C; 7:
             A+B+C; 8: D; 9: A+D; 10: B+D; 11: A+B+D; 12: C+D; 13: A+C+D; 14: B+C+D; 15: A+B+C+D; DATA8.
         pol: Direction; -1 to 1; -1: backward; 0: opposite of the current one; 1: forward; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["OUTPUT_POLARITY"].draft((layer, nos, pol), unchecked)
 
@@ -2099,7 +2099,7 @@ def output_read(
         no: Port, counted from 0; 0 to 3; 0: A; 1: B; 2: C; 3: D; DATA8.
         speed: Current speed; -100 to 100 %; DATA8; an output, in global memory when omitted.
         tacho: Angle since OUTPUT_RESET; degrees; DATA32; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["OUTPUT_READ"].draft((layer, no, speed, tacho), unchecked)
 
@@ -2112,7 +2112,7 @@ def output_test(layer: Number, nos: NamedNumber, busy: Output = None, *, uncheck
         nos: Ports as a bit mask: A 1, B 2, C 4, D 8; 0 to 15; 0: none; 1: A; 2: B; 3: A+B; 4: C; 5: A+C; 6: B+C; 7:
             A+B+C; 8: D; 9: A+D; 10: B+D; 11: A+B+D; 12: C+D; 13: A+C+D; 14: B+C+D; 15: A+B+C+D; DATA8.
         busy: Whether to wait; 0 to 1; 0: ready; 1: busy; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["OUTPUT_TEST"].draft((layer, nos, busy), unchecked)
 
@@ -2124,7 +2124,7 @@ def output_ready(layer: Number, nos: NamedNumber, *, unchecked: bool = False) ->
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
         nos: Ports as a bit mask: A 1, B 2, C 4, D 8; 0 to 15; 0: none; 1: A; 2: B; 3: A+B; 4: C; 5: A+C; 6: B+C; 7:
             A+B+C; 8: D; 9: A+D; 10: B+D; 11: A+B+D; 12: C+D; 13: A+C+D; 14: B+C+D; 15: A+B+C+D; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["OUTPUT_READY"].draft((layer, nos), unchecked)
 
@@ -2151,7 +2151,7 @@ def output_step_power(
         step2: Angle at constant drive; 0 to 2147483647 degrees; DATA32.
         step3: Angle of the ramp down; 0 to 2147483647 degrees; DATA32.
         brake: What the motors do at the end; 0 to 1; 0: coast; 1: brake and hold; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["OUTPUT_STEP_POWER"].draft((layer, nos, power, step1, step2, step3, brake), unchecked)
 
@@ -2178,7 +2178,7 @@ def output_time_power(
         time2: Time at constant drive; 0 to 2147483647 ms; DATA32.
         time3: Time of the ramp down; 0 to 2147483647 ms; DATA32.
         brake: What the motors do at the end; 0 to 1; 0: coast; 1: brake and hold; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["OUTPUT_TIME_POWER"].draft((layer, nos, power, time1, time2, time3, brake), unchecked)
 
@@ -2205,7 +2205,7 @@ def output_step_speed(
         step2: Angle at constant drive; 0 to 2147483647 degrees; DATA32.
         step3: Angle of the ramp down; 0 to 2147483647 degrees; DATA32.
         brake: What the motors do at the end; 0 to 1; 0: coast; 1: brake and hold; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["OUTPUT_STEP_SPEED"].draft((layer, nos, speed, step1, step2, step3, brake), unchecked)
 
@@ -2232,7 +2232,7 @@ def output_time_speed(
         time2: Time at constant drive; 0 to 2147483647 ms; DATA32.
         time3: Time of the ramp down; 0 to 2147483647 ms; DATA32.
         brake: What the motors do at the end; 0 to 1; 0: coast; 1: brake and hold; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["OUTPUT_TIME_SPEED"].draft((layer, nos, speed, time1, time2, time3, brake), unchecked)
 
@@ -2259,7 +2259,7 @@ def output_step_sync(
             higher port runs backward; DATA16.
         step: Angle of the faster motor; 0 to 2147483647 degrees; 0: endless; DATA32.
         brake: What the motors do at the end; 0 to 1; 0: coast; 1: brake and hold; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["OUTPUT_STEP_SYNC"].draft((layer, nos, speed, turn, step, brake), unchecked)
 
@@ -2286,7 +2286,7 @@ def output_time_sync(
             higher port runs backward; DATA16.
         time: How long to run; 0 to 2147483647 ms; 0: endless; DATA32.
         brake: What the motors do at the end; 0 to 1; 0: coast; 1: brake and hold; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["OUTPUT_TIME_SYNC"].draft((layer, nos, speed, turn, time, brake), unchecked)
 
@@ -2298,7 +2298,7 @@ def output_clr_count(layer: Number, nos: NamedNumber, *, unchecked: bool = False
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
         nos: Ports as a bit mask: A 1, B 2, C 4, D 8; 0 to 15; 0: none; 1: A; 2: B; 3: A+B; 4: C; 5: A+C; 6: B+C; 7:
             A+B+C; 8: D; 9: A+D; 10: B+D; 11: A+B+D; 12: C+D; 13: A+C+D; 14: B+C+D; 15: A+B+C+D; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["OUTPUT_CLR_COUNT"].draft((layer, nos), unchecked)
 
@@ -2310,7 +2310,7 @@ def output_get_count(layer: Number, nos: NamedNumber, tacho: Output = None, *, u
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
         nos: Port, counted from 0; 0 to 3; 0: A; 1: B; 2: C; 3: D; DATA8.
         tacho: Angle since OUTPUT_CLR_COUNT; degrees; DATA32; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["OUTPUT_GET_COUNT"].draft((layer, nos, tacho), unchecked)
 
@@ -2325,7 +2325,7 @@ def sound_test(busy: Output = None, *, unchecked: bool = False) -> Draft:
 
     Args:
         busy: Whether a sound is playing; 0 to 1; 0: ready; 1: busy; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["SOUND_TEST"].draft((busy,), unchecked)
 
@@ -2342,7 +2342,7 @@ def timer_wait(time: Number, timer: Output = None, *, unchecked: bool = False) -
         time: Duration of the wait; 0 to 2147483647 ms; DATA32.
         timer: Variable that gets the end of the wait, on the brick's millisecond clock; DATA32; an output, in global
             memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["TIMER_WAIT"].draft((time, timer), unchecked)
 
@@ -2352,7 +2352,7 @@ def timer_ready(timer: Number, *, unchecked: bool = False) -> Draft:
 
     Args:
         timer: Variable that TIMER_WAIT has set; DATA32.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["TIMER_READY"].draft((timer,), unchecked)
 
@@ -2362,7 +2362,7 @@ def timer_read(time: Output = None, *, unchecked: bool = False) -> Draft:
 
     Args:
         time: Time since the start; ms; DATA32; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["TIMER_READ"].draft((time,), unchecked)
 
@@ -2372,7 +2372,7 @@ def timer_read_us(time: Output = None, *, unchecked: bool = False) -> Draft:
 
     Args:
         time: Low 32 bits of the clock, wraps every 71.6 minutes; us; DATA32; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["TIMER_READ_US"].draft((time,), unchecked)
 
@@ -2387,7 +2387,7 @@ def keep_alive(minutes: Output = None, *, unchecked: bool = False) -> Draft:
 
     Args:
         minutes: Idle time before switching off; min; 0: never; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["KEEP_ALIVE"].draft((minutes,), unchecked)
 
@@ -2407,7 +2407,7 @@ def program_stop(prgid: AnySLOT, *, unchecked: bool = False) -> Draft:
 
     Args:
         prgid: Program slot to stop; 0: all programs; -1: the calling program; a member of SLOT; DATA16.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["PROGRAM_STOP"].draft((prgid,), unchecked)
 
@@ -2420,7 +2420,7 @@ def program_start(prgid: AnySLOT, size: Number, ip: Number, debug: Number, *, un
         size: Size of the image; read and ignored; bytes; DATA32.
         ip: Address of the image, as FILE.LOAD_IMAGE returned it; DATA32.
         debug: How to run it; 0 to 2; 0: run; 1: debug; 2: load, do not run; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["PROGRAM_START"].draft((prgid, size, ip, debug), unchecked)
 
@@ -2430,7 +2430,7 @@ def object_stop(objid: Number, *, unchecked: bool = False) -> Draft:
 
     Args:
         objid: Object of the program, counted from 1; DATA16.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["OBJECT_STOP"].draft((objid,), unchecked)
 
@@ -2440,7 +2440,7 @@ def object_start(objid: Number, *, unchecked: bool = False) -> Draft:
 
     Args:
         objid: Object of the program, counted from 1; DATA16.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["OBJECT_START"].draft((objid,), unchecked)
 
@@ -2450,7 +2450,7 @@ def object_trig(objid: Number, *, unchecked: bool = False) -> Draft:
 
     Args:
         objid: Object of the program, counted from 1; DATA16.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["OBJECT_TRIG"].draft((objid,), unchecked)
 
@@ -2460,7 +2460,7 @@ def object_wait(objid: Number, *, unchecked: bool = False) -> Draft:
 
     Args:
         objid: Object of the program, counted from 1; DATA16.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["OBJECT_WAIT"].draft((objid,), unchecked)
 
@@ -2476,7 +2476,7 @@ def call(objid: Number, parameters: Sequence[Untyped], *, unchecked: bool = Fals
     Args:
         objid: Object number of the subroutine, counted from 1; DATA16.
         parameters: Number of parameters follow; the subroutine declares their types and directions; a list of DATA32.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CALL"].draft((objid, parameters), unchecked)
 
@@ -2496,7 +2496,7 @@ def label(no: Number, *, unchecked: bool = False) -> Draft:
 
     Args:
         no: Number of the label; 0 to 31; label.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["LABEL"].draft((no,), unchecked)
 
@@ -2509,7 +2509,7 @@ def probe(prgid: AnySLOT, objid: Number, offset: Number, size: Number, *, unchec
         objid: Object whose local memory to print; 0: the global memory; DATA16.
         offset: First byte; bytes; DATA32.
         size: Number of bytes to print; 0 to 1024 bytes; 0: all, 1024 at most; DATA32.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["PROBE"].draft((prgid, objid, offset, size), unchecked)
 
@@ -2521,7 +2521,7 @@ def do(prgid: AnySLOT, image: Number, global_: Number, *, unchecked: bool = Fals
         prgid: Program slot; a member of SLOT; DATA16.
         image: Address of the byte code image; DATA32.
         global_: Address of the global memory it uses; DATA32.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["DO"].draft((prgid, image, global_), unchecked)
 
@@ -2533,7 +2533,7 @@ def system(command: Text, status: Output = None, *, unchecked: bool = False) -> 
         command: The command line; string.
         status: Wait status as C's system() gives it: 256 times the exit code; 0: success; -1: could not run; DATA32; an
             output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["SYSTEM"].draft((command, status), unchecked)
 
@@ -2554,7 +2554,7 @@ def port_cnv_output(
         bitfield: Motor ports as bits: A=1 B=2 C=4 D=8; 0 to 15; DATA8; an output, in global memory when omitted.
         inverted: Whether the first port comes after the second, as in CA; 0 to 1; 0: no; 1: yes; DATA8; an output, in
             global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["PORT_CNV_OUTPUT"].draft((portin, layer, bitfield, inverted), unchecked)
 
@@ -2566,7 +2566,7 @@ def port_cnv_input(portin: Number, layer: Output = None, portout: Output = None,
         portin: Three decimal digits: layer 1-4, any, port 1-4 (103: port 3); DATA32.
         layer: Position in the daisy chain; 0 to 3; 0: this brick; DATA8; an output, in global memory when omitted.
         portout: Sensor port minus one, as in INPUT_*; 0 to 3; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["PORT_CNV_INPUT"].draft((portin, layer, portout), unchecked)
 
@@ -2577,7 +2577,7 @@ def note_to_freq(note: Text, freq: Output = None, *, unchecked: bool = False) ->
     Args:
         note: C4 to B6, sharps as C#4; string.
         freq: Frequency; 440 for an unknown note; 262 to 1976 Hz; DATA16; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["NOTE_TO_FREQ"].draft((note, freq), unchecked)
 
@@ -2609,6 +2609,6 @@ def bp_set(prgid: AnySLOT, no: Number, address: Number, *, unchecked: bool = Fal
         prgid: Program slot; a member of SLOT; DATA16.
         no: Number of the breakpoint; 0 to 2; 3: pulse on test pin TP4, no stop; DATA8.
         address: Offset in the image; bytes; 0: remove the breakpoint; DATA32.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["BP_SET"].draft((prgid, no, address), unchecked)

@@ -39,7 +39,7 @@ def delete(handle: Number, *, unchecked: bool = False) -> Draft:
 
     Args:
         handle: The array; handle.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["ARRAY.DELETE"].draft((handle,), unchecked)
 
@@ -50,7 +50,7 @@ def create8(elements: Number, handle: Output = None, *, unchecked: bool = False)
     Args:
         elements: Initial number of elements; 0 to 2147483647; DATA32.
         handle: Handle of the new array; handle; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["ARRAY.CREATE8"].draft((elements, handle), unchecked)
 
@@ -61,7 +61,7 @@ def create16(elements: Number, handle: Output = None, *, unchecked: bool = False
     Args:
         elements: Initial number of elements; 0 to 2147483647; DATA32.
         handle: Handle of the new array; handle; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["ARRAY.CREATE16"].draft((elements, handle), unchecked)
 
@@ -72,7 +72,7 @@ def create32(elements: Number, handle: Output = None, *, unchecked: bool = False
     Args:
         elements: Initial number of elements; 0 to 2147483647; DATA32.
         handle: Handle of the new array; handle; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["ARRAY.CREATE32"].draft((elements, handle), unchecked)
 
@@ -83,7 +83,7 @@ def createf(elements: Number, handle: Output = None, *, unchecked: bool = False)
     Args:
         elements: Initial number of elements; 0 to 2147483647; DATA32.
         handle: Handle of the new array; handle; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["ARRAY.CREATEF"].draft((elements, handle), unchecked)
 
@@ -94,7 +94,7 @@ def resize(handle: Number, elements: Number, *, unchecked: bool = False) -> Draf
     Args:
         handle: The array; handle.
         elements: New number of elements; 0 to 2147483647; DATA32.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["ARRAY.RESIZE"].draft((handle, elements), unchecked)
 
@@ -105,7 +105,7 @@ def fill(handle: Number, value: Real, *, unchecked: bool = False) -> Draft:
     Args:
         handle: The array; handle.
         value: The value, of the array's type; array-typed.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["ARRAY.FILL"].draft((handle, value), unchecked)
 
@@ -116,7 +116,7 @@ def copy(hsource: Number, hdest: Number, *, unchecked: bool = False) -> Draft:
     Args:
         hsource: Array to copy from; handle.
         hdest: Array to copy into, which must exist; handle.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["ARRAY.COPY"].draft((hsource, hdest), unchecked)
 
@@ -156,9 +156,9 @@ def init8(
     Args:
         handle: The array; handle.
         index: First element to write, counted from 0; 0 to 2147483647; DATA32.
-        elements: Number of values follow; 0 to 2147483647; DATA32; worked out when omitted.
+        elements: Number of values that follow; 0 to 2147483647; DATA32; computed when omitted.
         values: The values, one parameter each; a list of DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["ARRAY.INIT8"].draft((handle, index, elements, values), unchecked)
 
@@ -198,9 +198,9 @@ def init16(
     Args:
         handle: The array; handle.
         index: First element to write, counted from 0; 0 to 2147483647; DATA32.
-        elements: Number of values follow; 0 to 2147483647; DATA32; worked out when omitted.
+        elements: Number of values that follow; 0 to 2147483647; DATA32; computed when omitted.
         values: The values, one parameter each; a list of DATA16.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["ARRAY.INIT16"].draft((handle, index, elements, values), unchecked)
 
@@ -240,9 +240,9 @@ def init32(
     Args:
         handle: The array; handle.
         index: First element to write, counted from 0; 0 to 2147483647; DATA32.
-        elements: Number of values follow; 0 to 2147483647; DATA32; worked out when omitted.
+        elements: Number of values that follow; 0 to 2147483647; DATA32; computed when omitted.
         values: The values, one parameter each; a list of DATA32.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["ARRAY.INIT32"].draft((handle, index, elements, values), unchecked)
 
@@ -282,9 +282,9 @@ def initf(
     Args:
         handle: The array; handle.
         index: First element to write, counted from 0; 0 to 2147483647; DATA32.
-        elements: Number of values follow; 0 to 2147483647; DATA32; worked out when omitted.
+        elements: Number of values that follow; 0 to 2147483647; DATA32; computed when omitted.
         values: The values, one parameter each; a list of DATAF.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["ARRAY.INITF"].draft((handle, index, elements, values), unchecked)
 
@@ -295,7 +295,7 @@ def size(handle: Number, elements: Output = None, *, unchecked: bool = False) ->
     Args:
         handle: The array; handle.
         elements: Number of elements, 0 if there is no such array; DATA32; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["ARRAY.SIZE"].draft((handle, elements), unchecked)
 
@@ -318,7 +318,7 @@ def read_content(
         bytes: Number of bytes; 0 to 2147483647 bytes; DATA32.
         array: The bytes, zeros beyond the end of the array; as many values as BYTES says; DATA8; an output, in global
             memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["ARRAY.READ_CONTENT"].draft((prgid, handle, index, bytes, array), unchecked)
 
@@ -340,7 +340,7 @@ def write_content(
         index: First byte in the array's content, whatever its elements; 0 to 2147483647; DATA32.
         bytes: Number of bytes; 0 to 2147483647 bytes; DATA32.
         array: The bytes; as many values as BYTES says; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["ARRAY.WRITE_CONTENT"].draft((prgid, handle, index, bytes, array), unchecked)
 
@@ -352,6 +352,6 @@ def read_size(prgid: AnySLOT, handle: Number, bytes: Output = None, *, unchecked
         prgid: Slot of the program that owns the array; a member of SLOT; DATA16.
         handle: The array; handle.
         bytes: Number of bytes, 0 if there is no such array; bytes; DATA32; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["ARRAY.READ_SIZE"].draft((prgid, handle, bytes), unchecked)

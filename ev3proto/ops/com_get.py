@@ -38,7 +38,7 @@ def get_on_off(hardware: AnyHWTYPE, active: Output = None, *, unchecked: bool = 
     Args:
         hardware: Carrier to use; a member of HWTYPE; DATA8.
         active: Whether it is on; 0 to 1; 0: off; 1: on; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_GET.GET_ON_OFF"].draft((hardware, active), unchecked)
 
@@ -49,7 +49,7 @@ def get_visible(hardware: AnyHWTYPE, visible: Output = None, *, unchecked: bool 
     Args:
         hardware: Carrier to use; a member of HWTYPE; DATA8.
         visible: Whether it is visible; 0 to 1; 0: no; 1: yes; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_GET.GET_VISIBLE"].draft((hardware, visible), unchecked)
 
@@ -61,7 +61,7 @@ def get_result(hardware: AnyHWTYPE, item: Number, result: Output = None, *, unch
         hardware: Carrier to use; a member of HWTYPE; DATA8.
         item: Place in the list, ignored by the firmware; DATA8.
         result: State of the request; a member of RESULT; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_GET.GET_RESULT"].draft((hardware, item, result), unchecked)
 
@@ -81,7 +81,7 @@ def get_pin(
         name: Name of the other device or network; string.
         length: Size of the PIN's buffer, including the zero; bytes; DATA8.
         pincode: The PIN; as many bytes as LENGTH says; string; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_GET.GET_PIN"].draft((hardware, name, length, pincode), unchecked)
 
@@ -92,7 +92,7 @@ def search_items(hardware: AnyHWTYPE, items: Output = None, *, unchecked: bool =
     Args:
         hardware: Carrier to use; a member of HWTYPE; DATA8.
         items: Number of entries in the list; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_GET.SEARCH_ITEMS"].draft((hardware, items), unchecked)
 
@@ -123,7 +123,7 @@ def search_item(
         type: Kind of device (Bluetooth) or encryption (WiFi); 0: WiFi, not encrypted; 1: WiFi, WPA2; a member of
             BTTYPE; DATA8; an output, in global memory when omitted.
         visible: Whether it is in range; 0 to 1; 0: no; 1: yes; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_GET.SEARCH_ITEM"].draft(
         (hardware, item, length, name, paired, connected, type, visible), unchecked
@@ -136,7 +136,7 @@ def favour_items(hardware: AnyHWTYPE, items: Output = None, *, unchecked: bool =
     Args:
         hardware: Carrier to use; a member of HWTYPE; DATA8.
         items: Number of entries in the list; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_GET.FAVOUR_ITEMS"].draft((hardware, items), unchecked)
 
@@ -165,7 +165,7 @@ def favour_item(
         connected: Whether it is connected; 0 to 1; 0: no; 1: yes; DATA8; an output, in global memory when omitted.
         type: Kind of device (Bluetooth) or encryption (WiFi); 0: WiFi, not encrypted; 1: WiFi, WPA2; a member of
             BTTYPE; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_GET.FAVOUR_ITEM"].draft((hardware, item, length, name, paired, connected, type), unchecked)
 
@@ -177,7 +177,7 @@ def get_id(hardware: AnyHWTYPE, length: Number, string: Output = None, *, unchec
         hardware: Carrier to use; a member of HWTYPE; DATA8.
         length: Size of the text buffer, including the zero; bytes; -1: unlimited (handles only); DATA8.
         string: 12 hex digits; as many bytes as LENGTH says; string; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_GET.GET_ID"].draft((hardware, length, string), unchecked)
 
@@ -188,7 +188,7 @@ def get_brickname(length: Number, name: Output = None, *, unchecked: bool = Fals
     Args:
         length: Size of the text buffer, including the zero; bytes; -1: unlimited (handles only); DATA8.
         name: Name of the brick; as many bytes as LENGTH says; string; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_GET.GET_BRICKNAME"].draft((length, name), unchecked)
 
@@ -213,7 +213,7 @@ def get_network(
             memory when omitted.
         ip: IP address of the brick, ?? when not connected; as many bytes as LENGTH says; string; an output, in global
             memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_GET.GET_NETWORK"].draft((hardware, length, name, mac, ip), unchecked)
 
@@ -224,7 +224,7 @@ def get_present(hardware: AnyHWTYPE, ok: Output = None, *, unchecked: bool = Fal
     Args:
         hardware: Carrier to use; a member of HWTYPE; DATA8.
         ok: Whether it is present; 0 to 1; 0: no; 1: yes; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_GET.GET_PRESENT"].draft((hardware, ok), unchecked)
 
@@ -237,7 +237,7 @@ def get_encrypt(hardware: AnyHWTYPE, item: Number, type: Output = None, *, unche
         item: Place in the list, counted from 0; DATA8.
         type: Kind of encryption; always none in the 2013 firmware; a member of ENCRYPT; DATA8; an output, in global
             memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_GET.GET_ENCRYPT"].draft((hardware, item, type), unchecked)
 
@@ -248,7 +248,7 @@ def connec_items(hardware: AnyHWTYPE, items: Output = None, *, unchecked: bool =
     Args:
         hardware: Carrier to use; a member of HWTYPE; DATA8.
         items: Number of entries in the list; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_GET.CONNEC_ITEMS"].draft((hardware, items), unchecked)
 
@@ -270,7 +270,7 @@ def connec_item(
         length: Size of the text buffer, including the zero; bytes; -1: unlimited (handles only); DATA8.
         name: Name of the device; as many bytes as LENGTH says; string; an output, in global memory when omitted.
         type: Kind of device; a member of BTTYPE; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_GET.CONNEC_ITEM"].draft((hardware, item, length, name, type), unchecked)
 
@@ -290,7 +290,7 @@ def get_incoming(
         length: Size of the text buffer, including the zero; bytes; -1: unlimited (handles only); DATA8.
         name: Name of the device; as many bytes as LENGTH says; string; an output, in global memory when omitted.
         type: Kind of device; a member of BTTYPE; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_GET.GET_INCOMING"].draft((hardware, length, name, type), unchecked)
 
@@ -301,6 +301,6 @@ def get_mode2(hardware: AnyHWTYPE, active: Output = None, *, unchecked: bool = F
     Args:
         hardware: Carrier to use; a member of HWTYPE; DATA8.
         active: Whether it is on; 0 to 1; 0: off; 1: on; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_GET.GET_MODE2"].draft((hardware, active), unchecked)

@@ -29,6 +29,6 @@ def command(
         image: Address of the code; DATA32; an output, in global memory when omitted.
         global_: Address of its global memory; DATA32; an output, in global memory when omitted.
         flag: Whether one is waiting; 0 to 1; 0: none; 1: ready to run; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_READ.COMMAND"].draft((length, image, global_, flag), unchecked)

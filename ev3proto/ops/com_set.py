@@ -33,7 +33,7 @@ def set_on_off(hardware: AnyHWTYPE, active: Number, *, unchecked: bool = False) 
     Args:
         hardware: Carrier to use; a member of HWTYPE; DATA8.
         active: Whether to switch it on; 0 to 1; 0: off; 1: on; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_SET.SET_ON_OFF"].draft((hardware, active), unchecked)
 
@@ -44,7 +44,7 @@ def set_visible(hardware: AnyHWTYPE, visible: Number, *, unchecked: bool = False
     Args:
         hardware: Carrier to use; a member of HWTYPE; DATA8.
         visible: Whether other devices can see it; 0 to 1; 0: invisible; 1: visible; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_SET.SET_VISIBLE"].draft((hardware, visible), unchecked)
 
@@ -55,7 +55,7 @@ def set_search(hardware: AnyHWTYPE, search: Number, *, unchecked: bool = False) 
     Args:
         hardware: Carrier to use; a member of HWTYPE; DATA8.
         search: Whether to search; 0 to 1; 0: stop (Bluetooth only); 1: start; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_SET.SET_SEARCH"].draft((hardware, search), unchecked)
 
@@ -67,7 +67,7 @@ def set_pin(hardware: AnyHWTYPE, name: Text, pincode: Text, *, unchecked: bool =
         hardware: Carrier to use; a member of HWTYPE; DATA8.
         name: Name of the other device or network; string.
         pincode: PIN or password; string.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_SET.SET_PIN"].draft((hardware, name, pincode), unchecked)
 
@@ -78,7 +78,7 @@ def set_passkey(hardware: AnyHWTYPE, accept: Number, *, unchecked: bool = False)
     Args:
         hardware: Carrier to use; a member of HWTYPE; DATA8.
         accept: The answer; 0 to 1; 0: reject; 1: accept; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_SET.SET_PASSKEY"].draft((hardware, accept), unchecked)
 
@@ -90,7 +90,7 @@ def set_connection(hardware: AnyHWTYPE, name: Text, connection: Number, *, unche
         hardware: Carrier to use; a member of HWTYPE; DATA8.
         name: Name of the other device or network; string.
         connection: What to do; 0 to 1; 0: disconnect; 1: connect; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_SET.SET_CONNECTION"].draft((hardware, name, connection), unchecked)
 
@@ -100,7 +100,7 @@ def set_brickname(name: Text, *, unchecked: bool = False) -> Draft:
 
     Args:
         name: New name, at most 118 characters, else refused; at most 118 characters; string.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_SET.SET_BRICKNAME"].draft((name,), unchecked)
 
@@ -111,7 +111,7 @@ def set_moveup(hardware: AnyHWTYPE, item: Number, *, unchecked: bool = False) ->
     Args:
         hardware: Carrier to use; a member of HWTYPE; DATA8.
         item: Place in the list, counted from 0; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_SET.SET_MOVEUP"].draft((hardware, item), unchecked)
 
@@ -122,7 +122,7 @@ def set_movedown(hardware: AnyHWTYPE, item: Number, *, unchecked: bool = False) 
     Args:
         hardware: Carrier to use; a member of HWTYPE; DATA8.
         item: Place in the list, counted from 0; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_SET.SET_MOVEDOWN"].draft((hardware, item), unchecked)
 
@@ -134,7 +134,7 @@ def set_encrypt(hardware: AnyHWTYPE, item: Text, encrypt: AnyENCRYPT, *, uncheck
         hardware: Carrier to use; a member of HWTYPE; DATA8.
         item: Name of the network; string.
         encrypt: Kind of encryption; a member of ENCRYPT; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_SET.SET_ENCRYPT"].draft((hardware, item, encrypt), unchecked)
 
@@ -145,7 +145,7 @@ def set_ssid(hardware: AnyHWTYPE, name: Text, *, unchecked: bool = False) -> Dra
     Args:
         hardware: Carrier to use; a member of HWTYPE; DATA8.
         name: Name of the network; string.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_SET.SET_SSID"].draft((hardware, name), unchecked)
 
@@ -156,6 +156,6 @@ def set_mode2(hardware: AnyHWTYPE, active: Number, *, unchecked: bool = False) -
     Args:
         hardware: Carrier to use; a member of HWTYPE; DATA8.
         active: Whether to switch it on; 0 to 1; 0: off; 1: on; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_SET.SET_MODE2"].draft((hardware, active), unchecked)

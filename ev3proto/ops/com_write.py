@@ -21,6 +21,6 @@ def reply(image: Number, global_: Number, status: AnyRESULT, *, unchecked: bool 
         image: Address of the code; DATA32.
         global_: Address of its global memory; DATA32.
         status: How it ended; all but OK give DIRECT_REPLY_ERROR; a member of RESULT; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_WRITE.REPLY"].draft((image, global_, status), unchecked)

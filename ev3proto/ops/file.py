@@ -52,7 +52,7 @@ def open_append(name: Text, handle: Output = None, *, unchecked: bool = False) -
     Args:
         name: Path of the file; a bare name is taken from the program's own folder; at most 119 characters; string.
         handle: Handle of the opened file; handle; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.OPEN_APPEND"].draft((name, handle), unchecked)
 
@@ -64,7 +64,7 @@ def open_read(name: Text, handle: Output = None, size: Output = None, *, uncheck
         name: Path of the file; a bare name is taken from the program's own folder; at most 119 characters; string.
         handle: Handle of the opened file; handle; an output, in global memory when omitted.
         size: Size of the file; bytes; 0: not found; DATA32; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.OPEN_READ"].draft((name, handle, size), unchecked)
 
@@ -75,7 +75,7 @@ def open_write(name: Text, handle: Output = None, *, unchecked: bool = False) ->
     Args:
         name: Path of the file; a bare name is taken from the program's own folder; at most 119 characters; string.
         handle: Handle of the opened file; handle; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.OPEN_WRITE"].draft((name, handle), unchecked)
 
@@ -87,7 +87,7 @@ def read_value(handle: Number, del_: AnyDEL, value: Output = None, *, unchecked:
         handle: The open file; handle.
         del_: Separator between two values in the file; a member of DEL; DATA8.
         value: The number, 0 if the text is not a number; DATAF; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.READ_VALUE"].draft((handle, del_, value), unchecked)
 
@@ -109,7 +109,7 @@ def write_value(
         value: The number; DATAF.
         figures: Minimum width in characters, including the decimal point; DATA8.
         decimals: Digits after the decimal point; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.WRITE_VALUE"].draft((handle, del_, value, figures, decimals), unchecked)
 
@@ -123,7 +123,7 @@ def read_text(handle: Number, del_: AnyDEL, length: Number, text: Output = None,
         length: Maximum number of bytes to read; LEGO's firmware keeps the low 8 bits, so 127; bytes; DATA16.
         text: The text, without a zero at its end if it fills the whole buffer; as many bytes as LENGTH says; string; an
             output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.READ_TEXT"].draft((handle, del_, length, text), unchecked)
 
@@ -135,7 +135,7 @@ def write_text(handle: Number, del_: AnyDEL, text: Text, *, unchecked: bool = Fa
         handle: The open file; handle.
         del_: Separator between two values in the file; a member of DEL; DATA8.
         text: The text; string.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.WRITE_TEXT"].draft((handle, del_, text), unchecked)
 
@@ -145,7 +145,7 @@ def close(handle: Number, *, unchecked: bool = False) -> Draft:
 
     Args:
         handle: The open file; handle.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.CLOSE"].draft((handle,), unchecked)
 
@@ -159,7 +159,7 @@ def load_image(prgid: AnySLOT, name: Text, size: Output = None, ip: Output = Non
             string.
         size: Size of the program; bytes; 0: not loaded; DATA32; an output, in global memory when omitted.
         ip: Where it was loaded, for PROGRAM_START; 0: not loaded; DATA32; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.LOAD_IMAGE"].draft((prgid, name, size, ip), unchecked)
 
@@ -172,7 +172,7 @@ def get_handle(name: Text, handle: Output = None, write: Output = None, *, unche
         handle: The open file; -1: not open; handle; an output, in global memory when omitted.
         write: Whether it is open for writing or appending; 0: no; 1: yes; DATA8; an output, in global memory when
             omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.GET_HANDLE"].draft((name, handle, write), unchecked)
 
@@ -183,7 +183,7 @@ def make_folder(name: Text, success: Output = None, *, unchecked: bool = False) 
     Args:
         name: Path of the folder, relative to /home/root/lms2012/sys; at most 119 characters; string.
         success: Whether the folder exists now; 0: no; 1: yes; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.MAKE_FOLDER"].draft((name, success), unchecked)
 
@@ -195,7 +195,7 @@ def get_pool(size: Number, handle: Output = None, ip: Output = None, *, unchecke
         size: How much memory; 0 to 2147483647 bytes; DATA32.
         handle: Handle of the block; handle; an output, in global memory when omitted.
         ip: Address of the block; DATA32; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.GET_POOL"].draft((size, handle, ip), unchecked)
 
@@ -206,7 +206,7 @@ def set_log_sync_time(time: Number, tick: Number, *, unchecked: bool = False) ->
     Args:
         time: The common time; DATA32.
         tick: The brick's tick at that time; DATA32.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.SET_LOG_SYNC_TIME"].draft((time, tick), unchecked)
 
@@ -217,7 +217,7 @@ def get_folders(name: Text, items: Output = None, *, unchecked: bool = False) ->
     Args:
         name: Path of the folder with its closing slash, such as ../prjs/; at most 119 characters; string.
         items: Number of entries; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.GET_FOLDERS"].draft((name, items), unchecked)
 
@@ -228,7 +228,7 @@ def get_log_sync_time(time: Output = None, tick: Output = None, *, unchecked: bo
     Args:
         time: The common time; DATA32; an output, in global memory when omitted.
         tick: The brick's tick at that time; DATA32; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.GET_LOG_SYNC_TIME"].draft((time, tick), unchecked)
 
@@ -249,7 +249,7 @@ def get_subfolder_name(
         length: Size of the string's buffer, including the zero; bytes; DATA8.
         string: Its name without extension, empty if there is no such entry; as many bytes as LENGTH says; string; an
             output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.GET_SUBFOLDER_NAME"].draft((name, item, length, string), unchecked)
 
@@ -262,7 +262,7 @@ def write_log(handle: Number, time: Number, items: Number, values: Elements, *, 
         time: Time of the samples since the log began; ms; DATA32.
         items: Number of samples; with 0 nothing is written; 0 to 127; DATA8.
         values: The samples, in one array; as many values as ITEMS says; DATAF.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.WRITE_LOG"].draft((handle, time, items, values), unchecked)
 
@@ -273,7 +273,7 @@ def close_log(handle: Number, name: Text, *, unchecked: bool = False) -> Draft:
     Args:
         handle: The open data log; handle.
         name: Path of the log as given to OPEN_LOG; .rdf may be omitted; string.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.CLOSE_LOG"].draft((handle, name), unchecked)
 
@@ -286,7 +286,7 @@ def get_image(name: Text, prgid: AnySLOT, item: Number, ip: Output = None, *, un
         prgid: Slot to load it into; a member of SLOT; DATA16.
         item: Which entry of the folder, the first is 1; 1 to 127; DATA8.
         ip: Where it was loaded; DATA32; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.GET_IMAGE"].draft((name, prgid, item, ip), unchecked)
 
@@ -299,7 +299,7 @@ def get_item(name: Text, string: Text, item: Output = None, *, unchecked: bool =
         string: Name to look for, without extension; string.
         item: Number of the entry; the first is 1; 1 to 127; 0: not found; DATA8; an output, in global memory when
             omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.GET_ITEM"].draft((name, string, item), unchecked)
 
@@ -309,7 +309,7 @@ def get_cache_files(items: Output = None, *, unchecked: bool = False) -> Draft:
 
     Args:
         items: Number of files, at most 10; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.GET_CACHE_FILES"].draft((items,), unchecked)
 
@@ -319,7 +319,7 @@ def put_cache_file(string: Text, *, unchecked: bool = False) -> Draft:
 
     Args:
         string: Path of the file; string.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.PUT_CACHE_FILE"].draft((string,), unchecked)
 
@@ -332,7 +332,7 @@ def get_cache_file(item: Number, length: Number, string: Output = None, *, unche
         length: Size of the string's buffer, including the zero; bytes; DATA8.
         string: Path of the file, empty if there is none; as many bytes as LENGTH says; string; an output, in global
             memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.GET_CACHE_FILE"].draft((item, length, string), unchecked)
 
@@ -342,7 +342,7 @@ def del_cache_file(string: Text, *, unchecked: bool = False) -> Draft:
 
     Args:
         string: Path of the file, as given to PUT_CACHE_FILE; string.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.DEL_CACHE_FILE"].draft((string,), unchecked)
 
@@ -353,7 +353,7 @@ def del_subfolder(name: Text, item: Number, *, unchecked: bool = False) -> Draft
     Args:
         name: Path of the folder with its closing slash, such as ../prjs/; at most 119 characters; string.
         item: Which entry of the folder, the first is 1; 1 to 127; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.DEL_SUBFOLDER"].draft((name, item), unchecked)
 
@@ -365,7 +365,7 @@ def get_log_name(length: Number, name: Output = None, *, unchecked: bool = False
         length: Size of the string's buffer, including the zero; bytes; DATA8.
         name: Path of the log, empty if none is open; as many bytes as LENGTH says; string; an output, in global memory
             when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.GET_LOG_NAME"].draft((length, name), unchecked)
 
@@ -393,7 +393,7 @@ def open_log(
         duration_in_ms: Duration of the log; ms; DATA32.
         sdata: Text that describes the sensors, copied into the header; string.
         handle: Handle of the log; handle; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.OPEN_LOG"].draft(
         (name, syncedtime, syncedtick, nowtick, sample_interval_in_ms, duration_in_ms, sdata, handle), unchecked
@@ -408,7 +408,7 @@ def read_bytes(handle: Number, bytes: Number, destination: Output = None, *, unc
         bytes: Number of bytes; 0 to 32767 bytes; DATA16.
         destination: The bytes; followed by a zero if the file ended early; as many values as BYTES says; DATA8; an
             output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.READ_BYTES"].draft((handle, bytes, destination), unchecked)
 
@@ -420,7 +420,7 @@ def write_bytes(handle: Number, bytes: Number, source: Elements, *, unchecked: b
         handle: The open file; handle.
         bytes: Number of bytes; 0 to 32767 bytes; DATA16.
         source: The bytes; as many values as BYTES says; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.WRITE_BYTES"].draft((handle, bytes, source), unchecked)
 
@@ -430,7 +430,7 @@ def remove(name: Text, *, unchecked: bool = False) -> Draft:
 
     Args:
         name: Path of the file; a bare name is taken from the program's own folder; at most 119 characters; string.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.REMOVE"].draft((name,), unchecked)
 
@@ -441,6 +441,6 @@ def move(source: Text, dest: Text, *, unchecked: bool = False) -> Draft:
     Args:
         source: Path to copy from; string.
         dest: Path to copy to; any existing one is deleted first; string.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.MOVE"].draft((source, dest), unchecked)

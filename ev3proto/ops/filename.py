@@ -20,7 +20,7 @@ def exist(name: Text, flag: Output = None, *, unchecked: bool = False) -> Draft:
     Args:
         name: Path of the file; a bare name is taken from the program's own folder; at most 119 characters; string.
         flag: Whether it exists; 0: no; 1: yes; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILENAME.EXIST"].draft((name, flag), unchecked)
 
@@ -32,7 +32,7 @@ def totalsize(name: Text, files: Output = None, size: Output = None, *, unchecke
         name: Path of the folder or file; string.
         files: Number of entries, including . and ..; 0 for a file; DATA32; an output, in global memory when omitted.
         size: Size of all of them, rounded up; KiB; DATA32; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILENAME.TOTALSIZE"].draft((name, files, size), unchecked)
 
@@ -56,7 +56,7 @@ def split(
         name: The name, without folder and extension; as many bytes as LENGTH says; string; an output, in global memory
             when omitted.
         ext: The extension with its dot; as many bytes as LENGTH says; string; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILENAME.SPLIT"].draft((filename, length, folder, name, ext), unchecked)
 
@@ -78,7 +78,7 @@ def merge(
         ext: The extension with its dot; string.
         length: Size of the string's buffer, including the zero; bytes; DATA8.
         filename: The path; as many bytes as LENGTH says; string; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILENAME.MERGE"].draft((folder, name, ext, length, filename), unchecked)
 
@@ -89,7 +89,7 @@ def check(filename: Text, ok: Output = None, *, unchecked: bool = False) -> Draf
     Args:
         filename: The path; string.
         ok: Whether the path can be used; 0: not allowed; 1: allowed; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILENAME.CHECK"].draft((filename, ok), unchecked)
 
@@ -99,7 +99,7 @@ def pack(filename: Text, *, unchecked: bool = False) -> Draft:
 
     Args:
         filename: Path of the file or folder; string.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILENAME.PACK"].draft((filename,), unchecked)
 
@@ -109,7 +109,7 @@ def unpack(filename: Text, *, unchecked: bool = False) -> Draft:
 
     Args:
         filename: Path of the archive; its extension is replaced by .raf; string.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILENAME.UNPACK"].draft((filename,), unchecked)
 
@@ -121,6 +121,6 @@ def get_foldername(length: Number, foldername: Output = None, *, unchecked: bool
         length: Size of the string's buffer, including the zero; bytes; DATA8.
         foldername: Path of the folder, without a slash at its end; as many bytes as LENGTH says; string; an output, in
             global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILENAME.GET_FOLDERNAME"].draft((length, foldername), unchecked)

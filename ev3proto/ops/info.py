@@ -19,7 +19,7 @@ def set_error(number: Number, *, unchecked: bool = False) -> Draft:
 
     Args:
         number: Number of the error; 0: nothing is logged; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INFO.SET_ERROR"].draft((number,), unchecked)
 
@@ -29,7 +29,7 @@ def get_error(number: Output = None, *, unchecked: bool = False) -> Draft:
 
     Args:
         number: Number of the error; 0: the log is empty; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INFO.GET_ERROR"].draft((number,), unchecked)
 
@@ -42,7 +42,7 @@ def errortext(number: Number, length: Number, destination: Output = None, *, unc
         length: Size of the text buffer, including the zero; bytes; -1: no limit; DATA8.
         destination: Name of the error, at most 31 characters; as many bytes as LENGTH says; string; an output, in
             global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INFO.ERRORTEXT"].draft((number, length, destination), unchecked)
 
@@ -52,7 +52,7 @@ def get_volume(value: Output = None, *, unchecked: bool = False) -> Draft:
 
     Args:
         value: Volume; 0 to 100 %; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INFO.GET_VOLUME"].draft((value,), unchecked)
 
@@ -62,7 +62,7 @@ def set_volume(value: Number, *, unchecked: bool = False) -> Draft:
 
     Args:
         value: Volume; 0 to 100 %; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INFO.SET_VOLUME"].draft((value,), unchecked)
 
@@ -72,7 +72,7 @@ def get_minutes(value: Output = None, *, unchecked: bool = False) -> Draft:
 
     Args:
         value: Idle time; 0 to 120 min; 0: never; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INFO.GET_MINUTES"].draft((value,), unchecked)
 
@@ -82,6 +82,6 @@ def set_minutes(value: Number, *, unchecked: bool = False) -> Draft:
 
     Args:
         value: Idle time; 0 to 120 min; 0: never; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INFO.SET_MINUTES"].draft((value,), unchecked)

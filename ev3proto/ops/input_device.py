@@ -48,7 +48,7 @@ def insert_type(typedata: Text, force: Number, error: Output = None, *, unchecke
         typedata: The line as in typedata.rcf, starting with the type's number; string.
         force: Whether to replace a known type; 0 to 1; 0: refuse a known type; 1: replace a known type; DATA8.
         error: Whether it failed; 0 to 1; 0: done; 1: failed or known; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_DEVICE.INSERT_TYPE"].draft((typedata, force, error), unchecked)
 
@@ -73,7 +73,7 @@ def get_format(
         format: Type of one raw value; 0 to 3; a member of DATA_FORMAT; DATA8; an output, in global memory when omitted.
         modes: Number of modes of the device; 1 to 8; DATA8; an output, in global memory when omitted.
         views: Number of modes shown to users; 1 to 8; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_DEVICE.GET_FORMAT"].draft((layer, no, datasets, format, modes, views), unchecked)
 
@@ -86,7 +86,7 @@ def cal_minmax(type: AnyTYPE, mode: Number, cal_min: Number, cal_max: Number, *,
         mode: Mode the calibration is for; 0 to 7; DATA8.
         cal_min: Raw value at the lower end; DATA32.
         cal_max: Raw value at full scale; DATA32.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_DEVICE.CAL_MINMAX"].draft((type, mode, cal_min, cal_max), unchecked)
 
@@ -97,7 +97,7 @@ def cal_default(type: AnyTYPE, mode: Number, *, unchecked: bool = False) -> Draf
     Args:
         type: Type of device the calibration is for; a member of TYPE; DATA8.
         mode: Mode the calibration is for; 0 to 7; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_DEVICE.CAL_DEFAULT"].draft((type, mode), unchecked)
 
@@ -118,7 +118,7 @@ def get_typemode(
             port A; 17: motor port B; 18: motor port C; 19: motor port D; DATA8.
         type: Type of the device; a member of TYPE; DATA8; an output, in global memory when omitted.
         mode: Mode the device is in; 0 to 7; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_DEVICE.GET_TYPEMODE"].draft((layer, no, type, mode), unchecked)
 
@@ -140,7 +140,7 @@ def get_symbol(
         length: Size of the text buffer, including the zero; bytes; -1: unlimited (handles only); DATA8.
         destination: Symbol, padded with blanks; as many bytes as LENGTH says; string; an output, in global memory when
             omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_DEVICE.GET_SYMBOL"].draft((layer, no, length, destination), unchecked)
 
@@ -152,7 +152,7 @@ def cal_min(type: AnyTYPE, mode: Number, cal_min: Number, *, unchecked: bool = F
         type: Type of device the calibration is for; a member of TYPE; DATA8.
         mode: Mode the calibration is for; 0 to 7; DATA8.
         cal_min: Value at the lower end, in SI units once calibrated; DATA32.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_DEVICE.CAL_MIN"].draft((type, mode, cal_min), unchecked)
 
@@ -164,7 +164,7 @@ def cal_max(type: AnyTYPE, mode: Number, cal_max: Number, *, unchecked: bool = F
         type: Type of device the calibration is for; a member of TYPE; DATA8.
         mode: Mode the calibration is for; 0 to 7; DATA8.
         cal_max: Value at full scale, in SI units once calibrated; DATA32.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_DEVICE.CAL_MAX"].draft((type, mode, cal_max), unchecked)
 
@@ -192,7 +192,7 @@ def setup(
         write_data: Bytes to write: I2C address, register, data; as many values as WRITE_LEN says; DATA8.
         read_len: Number of bytes to read, negative: in reverse order; -32 to 32 bytes; DATA8.
         read_data: Bytes read; as many values as READ_LEN says; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_DEVICE.SETUP"].draft(
         (layer, no, repeat, time, write_len, write_data, read_len, read_data), unchecked
@@ -204,7 +204,7 @@ def clr_all(layer: Number, *, unchecked: bool = False) -> Draft:
 
     Args:
         layer: Brick in the daisy chain; 0 to 3; -1: all layers; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_DEVICE.CLR_ALL"].draft((layer,), unchecked)
 
@@ -217,7 +217,7 @@ def get_raw(layer: Number, no: Number, value: Output = None, *, unchecked: bool 
         no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1; 1: port 2; 2: port 3; 3: port 4; 16: motor
             port A; 17: motor port B; 18: motor port C; 19: motor port D; DATA8.
         value: Raw value, NaN if there is none; DATA32; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_DEVICE.GET_RAW"].draft((layer, no, value), unchecked)
 
@@ -230,7 +230,7 @@ def get_connection(layer: Number, no: Number, conn: Output = None, *, unchecked:
         no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1; 1: port 2; 2: port 3; 3: port 4; 16: motor
             port A; 17: motor port B; 18: motor port C; 19: motor port D; DATA8.
         conn: Kind of connection; a member of CONN; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_DEVICE.GET_CONNECTION"].draft((layer, no, conn), unchecked)
 
@@ -240,7 +240,7 @@ def stop_all(layer: Number, *, unchecked: bool = False) -> Draft:
 
     Args:
         layer: Brick in the daisy chain; 0 to 3; -1: all layers; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_DEVICE.STOP_ALL"].draft((layer,), unchecked)
 
@@ -263,7 +263,7 @@ def set_typemode(
         newmode: New mode of the entry; 0 to 7; DATA8.
         error: Whether it failed; 0 to 1; 0: done; 1: failed or not found; DATA8; an output, in global memory when
             omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_DEVICE.SET_TYPEMODE"].draft((type, mode, newtype, newmode, error), unchecked)
 
@@ -289,7 +289,7 @@ def ready_iic(
         rdlng: Number of bytes to read, negative: in reverse order; -32 to 32 bytes; DATA8.
         rddata: Bytes read; as many values as RDLNG says; DATA8; an output, in global memory when omitted.
         result: How the transfer ended; a member of RESULT; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_DEVICE.READY_IIC"].draft((layer, no, wrlng, wrdata, rdlng, rddata, result), unchecked)
 
@@ -311,7 +311,7 @@ def get_name(
         length: Size of the text buffer, including the zero; bytes; -1: unlimited (handles only); DATA8.
         destination: Name, padded with blanks; as many bytes as LENGTH says; string; an output, in global memory when
             omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_DEVICE.GET_NAME"].draft((layer, no, length, destination), unchecked)
 
@@ -335,7 +335,7 @@ def get_modename(
         length: Size of the text buffer, including the zero; bytes; -1: unlimited (handles only); DATA8.
         destination: Name, padded with blanks; as many bytes as LENGTH says; string; an output, in global memory when
             omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_DEVICE.GET_MODENAME"].draft((layer, no, mode, length, destination), unchecked)
 
@@ -349,7 +349,7 @@ def set_raw(layer: Number, no: Number, type: AnyTYPE, value: Number, *, unchecke
             port A; 17: motor port B; 18: motor port C; 19: motor port D; DATA8.
         type: Type to set; 0: keep the type; a member of TYPE; DATA8.
         value: Raw value to simulate; DATA32.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_DEVICE.SET_RAW"].draft((layer, no, type, value), unchecked)
 
@@ -370,7 +370,7 @@ def get_figures(
             port A; 17: motor port B; 18: motor port C; 19: motor port D; DATA8.
         figures: Total number of characters, with point and decimals; DATA8; an output, in global memory when omitted.
         decimals: Digits after the point; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_DEVICE.GET_FIGURES"].draft((layer, no, figures, decimals), unchecked)
 
@@ -383,7 +383,7 @@ def get_changes(layer: Number, no: Number, value: Output = None, *, unchecked: b
         no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1; 1: port 2; 2: port 3; 3: port 4; 16: motor
             port A; 17: motor port B; 18: motor port C; 19: motor port D; DATA8.
         value: Number of changes, 0 for other sensors; DATAF; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_DEVICE.GET_CHANGES"].draft((layer, no, value), unchecked)
 
@@ -395,7 +395,7 @@ def clr_changes(layer: Number, no: Number, *, unchecked: bool = False) -> Draft:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
         no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1; 1: port 2; 2: port 3; 3: port 4; 16: motor
             port A; 17: motor port B; 18: motor port C; 19: motor port D; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_DEVICE.CLR_CHANGES"].draft((layer, no), unchecked)
 
@@ -417,9 +417,9 @@ def ready_pct(
             port A; 17: motor port B; 18: motor port C; 19: motor port D; DATA8.
         type: Type to set; 0: keep the type; a member of TYPE; DATA8.
         mode: Mode to set; 0 to 7; -1: keep the mode; DATA8.
-        values: Number of values follow, each in percent; a list of DATA8; an output for each: a list of variables, or
-            how many; one when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        values: Number of values that follow, each in percent; a list of DATA8; an output for each: a list of variables,
+            or how many; one when omitted.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_DEVICE.READY_PCT"].draft((layer, no, type, mode, values), unchecked)
 
@@ -441,9 +441,9 @@ def ready_raw(
             port A; 17: motor port B; 18: motor port C; 19: motor port D; DATA8.
         type: Type to set; 0: keep the type; a member of TYPE; DATA8.
         mode: Mode to set; 0 to 7; -1: keep the mode; DATA8.
-        values: Number of raw values follow; a list of DATA32; an output for each: a list of variables, or how many; one
-            when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        values: Number of raw values that follow; a list of DATA32; an output for each: a list of variables, or how
+            many; one when omitted.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_DEVICE.READY_RAW"].draft((layer, no, type, mode, values), unchecked)
 
@@ -465,9 +465,9 @@ def ready_si(
             port A; 17: motor port B; 18: motor port C; 19: motor port D; DATA8.
         type: Type to set; 0: keep the type; a member of TYPE; DATA8.
         mode: Mode to set; 0 to 7; -1: keep the mode; DATA8.
-        values: Number of values follow, each in SI units; a list of DATAF; an output for each: a list of variables, or
-            how many; one when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        values: Number of values that follow, each in SI units; a list of DATAF; an output for each: a list of
+            variables, or how many; one when omitted.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_DEVICE.READY_SI"].draft((layer, no, type, mode, values), unchecked)
 
@@ -481,7 +481,7 @@ def get_minmax(layer: Number, no: Number, min: Output = None, max: Output = None
             port A; 17: motor port B; 18: motor port C; 19: motor port D; DATA8.
         min: Smallest value in SI units; DATAF; an output, in global memory when omitted.
         max: Largest value in SI units; DATAF; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_DEVICE.GET_MINMAX"].draft((layer, no, min, max), unchecked)
 
@@ -494,6 +494,6 @@ def get_bumps(layer: Number, no: Number, value: Output = None, *, unchecked: boo
         no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1; 1: port 2; 2: port 3; 3: port 4; 16: motor
             port A; 17: motor port B; 18: motor port C; 19: motor port D; DATA8.
         value: Number of changes, 0 for other sensors; DATAF; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_DEVICE.GET_BUMPS"].draft((layer, no, value), unchecked)

@@ -42,7 +42,7 @@ def exp(x: Real, r: Output = None, *, unchecked: bool = False) -> Draft:
     Args:
         x: The power; DATAF.
         r: Result; DATAF; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MATH.EXP"].draft((x, r), unchecked)
 
@@ -54,7 +54,7 @@ def mod(x: Real, y: Real, r: Output = None, *, unchecked: bool = False) -> Draft
         x: Number to divide; DATAF.
         y: Number to divide by; DATAF.
         r: Remainder, with the sign of X; DATAF; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MATH.MOD"].draft((x, y, r), unchecked)
 
@@ -65,7 +65,7 @@ def floor(x: Real, r: Output = None, *, unchecked: bool = False) -> Draft:
     Args:
         x: Number to work on; DATAF.
         r: Result; DATAF; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MATH.FLOOR"].draft((x, r), unchecked)
 
@@ -76,7 +76,7 @@ def ceil(x: Real, r: Output = None, *, unchecked: bool = False) -> Draft:
     Args:
         x: Number to work on; DATAF.
         r: Result; DATAF; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MATH.CEIL"].draft((x, r), unchecked)
 
@@ -87,7 +87,7 @@ def round(x: Real, r: Output = None, *, unchecked: bool = False) -> Draft:
     Args:
         x: Number to work on; DATAF.
         r: Result; DATAF; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MATH.ROUND"].draft((x, r), unchecked)
 
@@ -98,7 +98,7 @@ def abs(x: Real, r: Output = None, *, unchecked: bool = False) -> Draft:
     Args:
         x: Number to work on; DATAF.
         r: Result; DATAF; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MATH.ABS"].draft((x, r), unchecked)
 
@@ -109,7 +109,7 @@ def negate(x: Real, r: Output = None, *, unchecked: bool = False) -> Draft:
     Args:
         x: Number to work on; DATAF.
         r: Result; DATAF; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MATH.NEGATE"].draft((x, r), unchecked)
 
@@ -120,7 +120,7 @@ def sqrt(x: Real, r: Output = None, *, unchecked: bool = False) -> Draft:
     Args:
         x: Number to work on, not negative; DATAF.
         r: Result; DATAF; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MATH.SQRT"].draft((x, r), unchecked)
 
@@ -131,7 +131,7 @@ def log(x: Real, r: Output = None, *, unchecked: bool = False) -> Draft:
     Args:
         x: Number to work on, above 0; DATAF.
         r: Result; DATAF; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MATH.LOG"].draft((x, r), unchecked)
 
@@ -142,7 +142,7 @@ def ln(x: Real, r: Output = None, *, unchecked: bool = False) -> Draft:
     Args:
         x: Number to work on, above 0; DATAF.
         r: Result; DATAF; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MATH.LN"].draft((x, r), unchecked)
 
@@ -153,7 +153,7 @@ def sin(x: Real, r: Output = None, *, unchecked: bool = False) -> Draft:
     Args:
         x: Angle; degrees; DATAF.
         r: Sine, -1 to 1; DATAF; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MATH.SIN"].draft((x, r), unchecked)
 
@@ -164,7 +164,7 @@ def cos(x: Real, r: Output = None, *, unchecked: bool = False) -> Draft:
     Args:
         x: Angle; degrees; DATAF.
         r: Cosine, -1 to 1; DATAF; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MATH.COS"].draft((x, r), unchecked)
 
@@ -175,7 +175,7 @@ def tan(x: Real, r: Output = None, *, unchecked: bool = False) -> Draft:
     Args:
         x: Angle; degrees; DATAF.
         r: Tangent; DATAF; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MATH.TAN"].draft((x, r), unchecked)
 
@@ -186,7 +186,7 @@ def asin(x: Real, r: Output = None, *, unchecked: bool = False) -> Draft:
     Args:
         x: Sine; -1 to 1; DATAF.
         r: Angle; degrees; DATAF; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MATH.ASIN"].draft((x, r), unchecked)
 
@@ -197,7 +197,7 @@ def acos(x: Real, r: Output = None, *, unchecked: bool = False) -> Draft:
     Args:
         x: Cosine; -1 to 1; DATAF.
         r: Angle; degrees; DATAF; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MATH.ACOS"].draft((x, r), unchecked)
 
@@ -208,7 +208,7 @@ def atan(x: Real, r: Output = None, *, unchecked: bool = False) -> Draft:
     Args:
         x: Tangent; DATAF.
         r: Angle; degrees; DATAF; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MATH.ATAN"].draft((x, r), unchecked)
 
@@ -220,7 +220,7 @@ def mod8(x: Number, y: Number, r: Output = None, *, unchecked: bool = False) -> 
         x: Number to divide; DATA8.
         y: Number to divide by, not 0; DATA8.
         r: Remainder, with the sign of X; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MATH.MOD8"].draft((x, y, r), unchecked)
 
@@ -232,7 +232,7 @@ def mod16(x: Number, y: Number, r: Output = None, *, unchecked: bool = False) ->
         x: Number to divide; DATA16.
         y: Number to divide by, not 0; DATA16.
         r: Remainder, with the sign of X; DATA16; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MATH.MOD16"].draft((x, y, r), unchecked)
 
@@ -244,7 +244,7 @@ def mod32(x: Number, y: Number, r: Output = None, *, unchecked: bool = False) ->
         x: Number to divide; DATA32.
         y: Number to divide by, not 0; DATA32.
         r: Remainder, with the sign of X; DATA32; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MATH.MOD32"].draft((x, y, r), unchecked)
 
@@ -256,7 +256,7 @@ def pow(x: Real, y: Real, r: Output = None, *, unchecked: bool = False) -> Draft
         x: Number to raise; DATAF.
         y: The power; DATAF.
         r: Result; DATAF; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MATH.POW"].draft((x, y, r), unchecked)
 
@@ -268,6 +268,6 @@ def trunc(x: Real, p: Number, r: Output = None, *, unchecked: bool = False) -> D
         x: Number to work on; DATAF.
         p: Number of decimals to keep (at most 6 are available); 0 to 9; DATA8.
         r: Result; DATAF; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MATH.TRUNC"].draft((x, p, r), unchecked)

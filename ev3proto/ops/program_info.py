@@ -20,7 +20,7 @@ def obj_stop(prgid: AnySLOT, objid: Number, *, unchecked: bool = False) -> Draft
     Args:
         prgid: Program slot; a member of SLOT; DATA16.
         objid: Object of the program, counted from 1; DATA16.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["PROGRAM_INFO.OBJ_STOP"].draft((prgid, objid), unchecked)
 
@@ -31,7 +31,7 @@ def obj_start(prgid: AnySLOT, objid: Number, *, unchecked: bool = False) -> Draf
     Args:
         prgid: Program slot; a member of SLOT; DATA16.
         objid: Object of the program, counted from 1; DATA16.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["PROGRAM_INFO.OBJ_START"].draft((prgid, objid), unchecked)
 
@@ -42,7 +42,7 @@ def get_status(prgid: AnySLOT, data: Output = None, *, unchecked: bool = False) 
     Args:
         prgid: Program slot; a member of SLOT; DATA16.
         data: State of the program; a member of OBJSTAT; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["PROGRAM_INFO.GET_STATUS"].draft((prgid, data), unchecked)
 
@@ -53,7 +53,7 @@ def get_speed(prgid: AnySLOT, data: Output = None, *, unchecked: bool = False) -
     Args:
         prgid: Program slot; a member of SLOT; DATA16.
         data: Speed since the program started; instructions/s; DATA32; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["PROGRAM_INFO.GET_SPEED"].draft((prgid, data), unchecked)
 
@@ -64,7 +64,7 @@ def get_prgresult(prgid: AnySLOT, data: Output = None, *, unchecked: bool = Fals
     Args:
         prgid: Program slot; a member of SLOT; DATA16.
         data: OK, BUSY (still running) or FAIL; a member of RESULT; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["PROGRAM_INFO.GET_PRGRESULT"].draft((prgid, data), unchecked)
 
@@ -74,6 +74,6 @@ def set_instr(prgid: AnySLOT, *, unchecked: bool = False) -> Draft:
 
     Args:
         prgid: Program slot; a member of SLOT; DATA16.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["PROGRAM_INFO.SET_INSTR"].draft((prgid,), unchecked)

@@ -26,7 +26,7 @@ def tone(volume: Number, frequency: Number, duration: Number, *, unchecked: bool
         volume: Volume; 0 to 100 %; 0: silent; DATA8.
         frequency: Pitch; the driver clamps it to the range; 250 to 10000 Hz; DATA16.
         duration: Duration, read unsigned (-1 is 65535); ms; 0: until BREAK or the next sound; DATA16.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["SOUND.TONE"].draft((volume, frequency, duration), unchecked)
 
@@ -38,7 +38,7 @@ def play(volume: Number, name: Text, *, unchecked: bool = False) -> Draft:
         volume: Volume; 0 to 100 %; 0: silent; DATA8.
         name: Sound file without its extension .rsf, absolute or relative to /home/root/lms2012/sys; at most 119
             characters; string.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["SOUND.PLAY"].draft((volume, name), unchecked)
 
@@ -50,7 +50,7 @@ def repeat(volume: Number, name: Text, *, unchecked: bool = False) -> Draft:
         volume: Volume; 0 to 100 %; 0: silent; DATA8.
         name: Sound file without its extension .rsf, absolute or relative to /home/root/lms2012/sys; at most 119
             characters; string.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["SOUND.REPEAT"].draft((volume, name), unchecked)
 

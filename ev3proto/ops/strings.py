@@ -32,7 +32,7 @@ def get_size(source1: Text, size: Output = None, *, unchecked: bool = False) -> 
     Args:
         source1: Text to work on; string.
         size: Its length, not including the zero; bytes; DATA16; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["STRINGS.GET_SIZE"].draft((source1, size), unchecked)
 
@@ -44,7 +44,7 @@ def add(source1: Text, source2: Text, destination: Output = None, *, unchecked: 
         source1: First part; string.
         source2: Second part; string.
         destination: Resulting text, zero-terminated; string; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["STRINGS.ADD"].draft((source1, source2, destination), unchecked)
 
@@ -57,7 +57,7 @@ def compare(source1: Text, source2: Text, result: Output = None, *, unchecked: b
         source2: The other text; string.
         result: Whether they are equal; 0 to 1; 0: different; 1: the same; DATA8; an output, in global memory when
             omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["STRINGS.COMPARE"].draft((source1, source2, result), unchecked)
 
@@ -68,7 +68,7 @@ def duplicate(source1: Text, destination: Output = None, *, unchecked: bool = Fa
     Args:
         source1: Text to work on; string.
         destination: Resulting text, zero-terminated; string; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["STRINGS.DUPLICATE"].draft((source1, destination), unchecked)
 
@@ -88,7 +88,7 @@ def value_to_string(
         figures: Width, including the point; negative aligns left; characters; DATA8.
         decimals: Digits after the point; DATA8.
         destination: Resulting text, zero-terminated; string; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["STRINGS.VALUE_TO_STRING"].draft((value, figures, decimals, destination), unchecked)
 
@@ -99,7 +99,7 @@ def string_to_value(source1: Text, destination: Output = None, *, unchecked: boo
     Args:
         source1: Text to read; a comma counts as decimal point; string.
         destination: The number; DATAF; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["STRINGS.STRING_TO_VALUE"].draft((source1, destination), unchecked)
 
@@ -110,7 +110,7 @@ def strip(source1: Text, destination: Output = None, *, unchecked: bool = False)
     Args:
         source1: Text to work on; string.
         destination: Resulting text, zero-terminated; string; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["STRINGS.STRIP"].draft((source1, destination), unchecked)
 
@@ -122,7 +122,7 @@ def number_to_string(value: Number, figures: Number, destination: Output = None,
         value: Number to write; DATA16.
         figures: Width of the text; characters; DATA8.
         destination: Resulting text, zero-terminated; string; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["STRINGS.NUMBER_TO_STRING"].draft((value, figures, destination), unchecked)
 
@@ -134,7 +134,7 @@ def sub(source1: Text, source2: Text, destination: Output = None, *, unchecked: 
         source1: Text to search; string.
         source2: Text to find; must occur; string.
         destination: Resulting text, zero-terminated; string; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["STRINGS.SUB"].draft((source1, source2, destination), unchecked)
 
@@ -154,7 +154,7 @@ def value_formatted(
         format: Format, such as %5.2f; string.
         size: Size of the text buffer, including the zero; bytes; DATA8.
         destination: Resulting text; as many bytes as SIZE says; string; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["STRINGS.VALUE_FORMATTED"].draft((value, format, size, destination), unchecked)
 
@@ -174,6 +174,6 @@ def number_formatted(
         format: Format, such as %05d or %X; string.
         size: Size of the text buffer, including the zero; bytes; DATA8.
         destination: Resulting text; as many bytes as SIZE says; string; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["STRINGS.NUMBER_FORMATTED"].draft((value, format, size, destination), unchecked)

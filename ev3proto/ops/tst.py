@@ -47,7 +47,7 @@ def tst_read_pins(port: Number, length: Number, string: Output = None, *, unchec
         length: Number of pins to read, usually 5; DATA8.
         string: One character per pin: 0 low, 1 high; as many values as LENGTH says; DATA8; an output, in global memory
             when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["TST.TST_READ_PINS"].draft((port, length, string), unchecked)
 
@@ -59,7 +59,7 @@ def tst_write_pins(port: Number, length: Number, string: Elements, *, unchecked:
         port: Connector: 0..3 are sensor ports 1-4, 16..19 are motor ports A-D; 0 to 19; DATA8.
         length: Number of pins to set, usually 5; DATA8.
         string: One character per pin: 0 low, 1 high, X floating, - unchanged; as many values as LENGTH says; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["TST.TST_WRITE_PINS"].draft((port, length, string), unchecked)
 
@@ -71,7 +71,7 @@ def tst_read_adc(index: Number, value: Output = None, *, unchecked: bool = False
         index: Channel: 0..3 pin 1 and 4..7 pin 6 of sensor ports, 8..11 pin 5 of motor ports; 0 to 15; 12: battery
             temperature; 13: motor current; 14: battery current; 15: battery voltage; DATA8.
         value: Raw reading; 0 to 4095 counts; DATA16; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["TST.TST_READ_ADC"].draft((index, value), unchecked)
 
@@ -83,7 +83,7 @@ def tst_write_uart(port: Number, length: Number, string: Elements, *, unchecked:
         port: Sensor port minus one; 0 to 3; DATA8.
         length: Number of bytes to send; 0 to 63 bytes; DATA8.
         string: The bytes; as many values as LENGTH says; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["TST.TST_WRITE_UART"].draft((port, length, string), unchecked)
 
@@ -96,7 +96,7 @@ def tst_read_uart(port: Number, length: Number, string: Output = None, *, unchec
         length: Number of bytes to read; 0 to 63 bytes; DATA8.
         string: The bytes, padded with zeros; as many values as LENGTH says; DATA8; an output, in global memory when
             omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["TST.TST_READ_UART"].draft((port, length, string), unchecked)
 
@@ -106,7 +106,7 @@ def tst_enable_uart(bitrate: Number, *, unchecked: bool = False) -> Draft:
 
     Args:
         bitrate: Speed of the line; 2400 to 115200 bit/s; DATA32.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["TST.TST_ENABLE_UART"].draft((bitrate,), unchecked)
 
@@ -122,7 +122,7 @@ def tst_accu_switch(active: Output = None, *, unchecked: bool = False) -> Draft:
     Args:
         active: State of the switch; 0 to 1; 0: other batteries; 1: rechargeable battery; DATA8; an output, in global
             memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["TST.TST_ACCU_SWITCH"].draft((active,), unchecked)
 
@@ -138,7 +138,7 @@ def tst_poll_mode2(status: Output = None, *, unchecked: bool = False) -> Draft:
     Args:
         status: OK, BUSY (still starting) or FAIL; 0 to 2; a member of RESULT; DATA8; an output, in global memory when
             omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["TST.TST_POLL_MODE2"].draft((status,), unchecked)
 
@@ -153,6 +153,6 @@ def tst_ram_check(status: Output = None, *, unchecked: bool = False) -> Draft:
 
     Args:
         status: OK or FAIL; 0 to 2; a member of RESULT; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["TST.TST_RAM_CHECK"].draft((status,), unchecked)

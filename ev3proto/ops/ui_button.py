@@ -36,7 +36,7 @@ def shortpress(button: AnyBUTTONTYPE, state: Output = None, *, unchecked: bool =
     Args:
         button: Which button; a member of BUTTONTYPE; DATA8.
         state: Whether the button was pressed; 0 to 1; 0: no; 1: yes; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_BUTTON.SHORTPRESS"].draft((button, state), unchecked)
 
@@ -48,7 +48,7 @@ def longpress(button: AnyBUTTONTYPE, state: Output = None, *, unchecked: bool = 
         button: Which button; a member of BUTTONTYPE; DATA8.
         state: Whether the button was held for 3 s; 0 to 1; 0: no; 1: yes; DATA8; an output, in global memory when
             omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_BUTTON.LONGPRESS"].draft((button, state), unchecked)
 
@@ -68,7 +68,7 @@ def press(button: AnyBUTTONTYPE, *, unchecked: bool = False) -> Draft:
 
     Args:
         button: Which button; a member of BUTTONTYPE; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_BUTTON.PRESS"].draft((button,), unchecked)
 
@@ -78,7 +78,7 @@ def release(button: AnyBUTTONTYPE, *, unchecked: bool = False) -> Draft:
 
     Args:
         button: Which button; a member of BUTTONTYPE; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_BUTTON.RELEASE"].draft((button,), unchecked)
 
@@ -88,7 +88,7 @@ def get_horz(value: Output = None, *, unchecked: bool = False) -> Draft:
 
     Args:
         value: Direction; -1 to 1; -1: left; 1: right; 0: not pressed; DATA16; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_BUTTON.GET_HORZ"].draft((value,), unchecked)
 
@@ -98,7 +98,7 @@ def get_vert(value: Output = None, *, unchecked: bool = False) -> Draft:
 
     Args:
         value: Direction; -1 to 1; -1: up; 1: down; 0: not pressed; DATA16; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_BUTTON.GET_VERT"].draft((value,), unchecked)
 
@@ -109,7 +109,7 @@ def pressed(button: AnyBUTTONTYPE, state: Output = None, *, unchecked: bool = Fa
     Args:
         button: Which button; a member of BUTTONTYPE; DATA8.
         state: Whether the button is down; 0 to 1; 0: no; 1: yes; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_BUTTON.PRESSED"].draft((button, state), unchecked)
 
@@ -119,7 +119,7 @@ def set_back_block(blocked: Number, *, unchecked: bool = False) -> Draft:
 
     Args:
         blocked: Whether the back button is blocked; 0 to 1; 0: not blocked; 1: blocked; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_BUTTON.SET_BACK_BLOCK"].draft((blocked,), unchecked)
 
@@ -130,7 +130,7 @@ def get_back_block(blocked: Output = None, *, unchecked: bool = False) -> Draft:
     Args:
         blocked: Whether the back button is blocked; 0 to 1; 0: not blocked; 1: blocked; DATA8; an output, in global
             memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_BUTTON.GET_BACK_BLOCK"].draft((blocked,), unchecked)
 
@@ -141,7 +141,7 @@ def testshortpress(button: AnyBUTTONTYPE, state: Output = None, *, unchecked: bo
     Args:
         button: Which button; a member of BUTTONTYPE; DATA8.
         state: Whether the button was pressed; 0 to 1; 0: no; 1: yes; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_BUTTON.TESTSHORTPRESS"].draft((button, state), unchecked)
 
@@ -153,7 +153,7 @@ def testlongpress(button: AnyBUTTONTYPE, state: Output = None, *, unchecked: boo
         button: Which button; a member of BUTTONTYPE; DATA8.
         state: Whether the button was held for 3 s; 0 to 1; 0: no; 1: yes; DATA8; an output, in global memory when
             omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_BUTTON.TESTLONGPRESS"].draft((button, state), unchecked)
 
@@ -165,7 +165,7 @@ def get_bumbed(button: AnyBUTTONTYPE, state: Output = None, *, unchecked: bool =
         button: Which button; a member of BUTTONTYPE; DATA8.
         state: Whether the button was pressed and released; 0 to 1; 0: no; 1: yes; DATA8; an output, in global memory
             when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_BUTTON.GET_BUMBED"].draft((button, state), unchecked)
 
@@ -175,6 +175,6 @@ def get_click(click: Output = None, *, unchecked: bool = False) -> Draft:
 
     Args:
         click: Whether a click is due; 0 to 1; 0: no; 1: yes; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_BUTTON.GET_CLICK"].draft((click,), unchecked)

@@ -79,7 +79,7 @@ def pixel(color: NamedNumber, x0: Number, y0: Number, *, unchecked: bool = False
         color: Colour to draw in; 0 to 1; 0: white; 1: black; DATA8.
         x0: Column; 0 to 177 px; DATA16.
         y0: Row; 0 to 127 px; DATA16.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_DRAW.PIXEL"].draft((color, x0, y0), unchecked)
 
@@ -93,7 +93,7 @@ def line(color: NamedNumber, x0: Number, y0: Number, x1: Number, y1: Number, *, 
         y0: Row of the start; 0 to 127 px; DATA16.
         x1: Column of the end; 0 to 178 px; DATA16.
         y1: Row of the end; 0 to 128 px; DATA16.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_DRAW.LINE"].draft((color, x0, y0, x1, y1), unchecked)
 
@@ -106,7 +106,7 @@ def circle(color: NamedNumber, x0: Number, y0: Number, r: Number, *, unchecked: 
         x0: Column of the centre; 0 to 177 px; DATA16.
         y0: Row of the centre; 0 to 127 px; DATA16.
         r: Radius; px; 0: draws nothing; DATA16.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_DRAW.CIRCLE"].draft((color, x0, y0, r), unchecked)
 
@@ -119,7 +119,7 @@ def text(color: NamedNumber, x0: Number, y0: Number, string: Text, *, unchecked:
         x0: Left edge; 0 to 177 px; DATA16.
         y0: Top edge; 0 to 127 px; DATA16.
         string: Text to draw; string.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_DRAW.TEXT"].draft((color, x0, y0, string), unchecked)
 
@@ -141,7 +141,7 @@ def icon(
         y0: Top edge; 0 to 127 px; DATA16.
         type: Set of icons; a member of ICONTYPE; DATA8.
         no: Number of the icon in its set; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_DRAW.ICON"].draft((color, x0, y0, type, no), unchecked)
 
@@ -154,7 +154,7 @@ def picture(color: NamedNumber, x0: Number, y0: Number, ip: Number, *, unchecked
         x0: Left edge; 0 to 177 px; DATA16.
         y0: Top edge; 0 to 127 px; DATA16.
         ip: Address of the picture; 0: draws nothing; DATA32.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_DRAW.PICTURE"].draft((color, x0, y0, ip), unchecked)
 
@@ -178,7 +178,7 @@ def value(
         value: Number to draw; DATAF.
         figures: Total number of characters, including the decimal point; negative aligns left; DATA8.
         decimals: Digits after the decimal point; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_DRAW.VALUE"].draft((color, x0, y0, value, figures, decimals), unchecked)
 
@@ -192,7 +192,7 @@ def fillrect(color: NamedNumber, x0: Number, y0: Number, x1: Number, y1: Number,
         y0: Top edge; 0 to 127 px; DATA16.
         x1: Width; 0 to 178 px; DATA16.
         y1: Height; 0 to 128 px; DATA16.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_DRAW.FILLRECT"].draft((color, x0, y0, x1, y1), unchecked)
 
@@ -206,7 +206,7 @@ def rect(color: NamedNumber, x0: Number, y0: Number, x1: Number, y1: Number, *, 
         y0: Top edge; 0 to 127 px; DATA16.
         x1: Width; 0 to 178 px; DATA16.
         y1: Height; 0 to 128 px; DATA16.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_DRAW.RECT"].draft((color, x0, y0, x1, y1), unchecked)
 
@@ -235,7 +235,7 @@ def notification(
         string: Text beside the icons; may be empty; string.
         state: Variable for the dialogue's progress; must be 0 at first; 0 to 1; 0: start, or done; 1: being shown;
             DATA8, a variable that is read and written.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_DRAW.NOTIFICATION"].draft((color, x0, y0, icon1, icon2, icon3, string, state), unchecked)
 
@@ -265,7 +265,7 @@ def question(
             DATA8, a variable that is read and written.
         ok: Answer; the variable's previous value is selected at first; -1 to 1; 0: no; 1: yes; -1: closed with the back
             button; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_DRAW.QUESTION"].draft((color, x0, y0, icon1, icon2, string, state, ok), unchecked)
 
@@ -296,7 +296,7 @@ def keyboard(
             that is read and written.
         string: Entered text; the variable's previous text is edited, the back button empties it; as many bytes as
             LENGTH says; string; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_DRAW.KEYBOARD"].draft((color, x0, y0, icon, length, default, charset, string), unchecked)
 
@@ -326,7 +326,7 @@ def browse(
             global memory when omitted.
         string: Path of the chosen entry; set the variable to the top folder first; as many bytes as LENGTH says;
             string; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_DRAW.BROWSE"].draft((type, x0, y0, x1, y1, length, item_type, string), unchecked)
 
@@ -354,7 +354,7 @@ def vertbar(
         min: Value at one end of the bar; DATA16.
         max: Value at the other end of the bar; DATA16.
         act: Value that the knob shows; DATA16.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_DRAW.VERTBAR"].draft((color, x0, y0, x1, y1, min, max, act), unchecked)
 
@@ -367,7 +367,7 @@ def inverserect(x0: Number, y0: Number, x1: Number, y1: Number, *, unchecked: bo
         y0: Top edge; 0 to 127 px; DATA16.
         x1: Width; 0 to 178 px; DATA16.
         y1: Height; 0 to 128 px; DATA16.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_DRAW.INVERSERECT"].draft((x0, y0, x1, y1), unchecked)
 
@@ -377,7 +377,7 @@ def select_font(type: AnyFONTTYPE, *, unchecked: bool = False) -> Draft:
 
     Args:
         type: Font; 0 to 3; a member of FONTTYPE; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_DRAW.SELECT_FONT"].draft((type,), unchecked)
 
@@ -387,7 +387,7 @@ def topline(enable: Number, *, unchecked: bool = False) -> Draft:
 
     Args:
         enable: Whether the status line is shown; 0 to 1; 0: disabled; 1: enabled; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_DRAW.TOPLINE"].draft((enable,), unchecked)
 
@@ -399,7 +399,7 @@ def fillwindow(color: NamedNumber, y0: Number, y1: Number, *, unchecked: bool = 
         color: Colour to fill with; any other value makes a test pattern; 0: white; 1: black; DATA8.
         y0: Top edge; 0 to 127 px; DATA16.
         y1: Height; nothing is filled if Y0 plus it is 128 or more; 0 to 127 px; 0: down to the bottom; DATA16.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_DRAW.FILLWINDOW"].draft((color, y0, y1), unchecked)
 
@@ -409,7 +409,7 @@ def scroll(y: Number, *, unchecked: bool = False) -> Draft:
 
     Args:
         y: Distance; 1 to 127 px; DATA16.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_DRAW.SCROLL"].draft((y,), unchecked)
 
@@ -435,7 +435,7 @@ def dotline(
         y1: Row of the end; 0 to 128 px; DATA16.
         on: Length of a dash; px; DATA16.
         off: Length of a gap; px; DATA16.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_DRAW.DOTLINE"].draft((color, x0, y0, x1, y1, on, off), unchecked)
 
@@ -459,7 +459,7 @@ def view_value(
         value: Number to draw; DATAF.
         figures: Total number of characters, including the decimal point; DATA8.
         decimals: Digits after the decimal point; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_DRAW.VIEW_VALUE"].draft((color, x0, y0, value, figures, decimals), unchecked)
 
@@ -487,7 +487,7 @@ def view_unit(
         decimals: Digits after the decimal point; DATA8.
         length: Maximum number of bytes of the unit, including the zero; 0 to 127 bytes; DATA8.
         string: Unit to draw after the number; string.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_DRAW.VIEW_UNIT"].draft((color, x0, y0, value, figures, decimals, length, string), unchecked)
 
@@ -500,7 +500,7 @@ def fillcircle(color: NamedNumber, x0: Number, y0: Number, r: Number, *, uncheck
         x0: Column of the centre; 0 to 177 px; DATA16.
         y0: Row of the centre; 0 to 127 px; DATA16.
         r: Radius; px; 0: draws nothing; DATA16.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_DRAW.FILLCIRCLE"].draft((color, x0, y0, r), unchecked)
 
@@ -510,7 +510,7 @@ def store(no: Number, *, unchecked: bool = False) -> Draft:
 
     Args:
         no: Slot for one screen; 0 holds the screen from before the program ran; 0 to 2; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_DRAW.STORE"].draft((no,), unchecked)
 
@@ -520,7 +520,7 @@ def restore(no: Number, *, unchecked: bool = False) -> Draft:
 
     Args:
         no: Slot for one screen; 0 holds the screen from before the program ran; 0 to 2; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_DRAW.RESTORE"].draft((no,), unchecked)
 
@@ -544,7 +544,7 @@ def icon_question(
             DATA8, a variable that is read and written.
         icons: Bit n is large icon n: first the icons to show, then the chosen one; 0: none: closed with the back
             button; DATA32, a variable that is read and written.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_DRAW.ICON_QUESTION"].draft((color, x0, y0, state, icons), unchecked)
 
@@ -557,7 +557,7 @@ def bmpfile(color: Number, x0: Number, y0: Number, name: Text, *, unchecked: boo
         x0: Left edge; 0 to 177 px; DATA16.
         y0: Top edge; 0 to 127 px; DATA16.
         name: File with extension .rgf, absolute or relative to /home/root/lms2012/sys; at most 119 characters; string.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_DRAW.BMPFILE"].draft((color, x0, y0, name), unchecked)
 
@@ -567,7 +567,7 @@ def popup(open: Number, *, unchecked: bool = False) -> Draft:
 
     Args:
         open: Action; 0 to 1; 0: close; 1: open; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_DRAW.POPUP"].draft((open,), unchecked)
 
@@ -595,7 +595,7 @@ def graph_setup(
         min: Value at the bottom of each curve; as many values as ITEMS says; DATAF.
         max: Value at the top of each curve; as many values as ITEMS says; DATAF.
         sample: Current value of each curve, read again at each GRAPH_SAMPLE; as many values as ITEMS says; DATAF.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_DRAW.GRAPH_SETUP"].draft((x0, x1, items, offset, span, min, max, sample), unchecked)
 
@@ -617,7 +617,7 @@ def graph_draw(
         lowest: Lowest value in the graph; DATAF; an output, in global memory when omitted.
         highest: Highest value in the graph; DATAF; an output, in global memory when omitted.
         average: Mean of the values in the graph; DATAF; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_DRAW.GRAPH_DRAW"].draft((view, actual, lowest, highest, average), unchecked)
 
@@ -646,6 +646,6 @@ def textbox(
         del_: What separates the lines; a member of DEL; DATA8.
         line: Variable, must be -1 at first; then the chosen line, counted from 1; -1: start, or closed with the back
             button; 0: being shown; DATA16, a variable that is read and written.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_DRAW.TEXTBOX"].draft((x0, y0, x1, y1, text, size, del_, line), unchecked)

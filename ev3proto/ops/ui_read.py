@@ -44,7 +44,7 @@ def get_vbatt(value: Output = None, *, unchecked: bool = False) -> Draft:
 
     Args:
         value: Voltage; V; DATAF; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_READ.GET_VBATT"].draft((value,), unchecked)
 
@@ -54,7 +54,7 @@ def get_ibatt(value: Output = None, *, unchecked: bool = False) -> Draft:
 
     Args:
         value: Current; A; DATAF; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_READ.GET_IBATT"].draft((value,), unchecked)
 
@@ -66,7 +66,7 @@ def get_os_vers(length: Number, destination: Output = None, *, unchecked: bool =
         length: Maximum number of bytes to return, including the zero; 0 to 127 bytes; -1: no limit; DATA8.
         destination: System and kernel release, such as Linux 2.6.33-rc4; as many bytes as LENGTH says; string; an
             output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_READ.GET_OS_VERS"].draft((length, destination), unchecked)
 
@@ -77,7 +77,7 @@ def get_event(event: Output = None, *, unchecked: bool = False) -> Draft:
     Args:
         event: What happened; 0: nothing; 1: Bluetooth asks for a PIN; 2: Bluetooth asks to confirm a connection; DATA8;
             an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_READ.GET_EVENT"].draft((event,), unchecked)
 
@@ -87,7 +87,7 @@ def get_tbatt(value: Output = None, *, unchecked: bool = False) -> Draft:
 
     Args:
         value: Estimated rise in temperature; °C; DATAF; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_READ.GET_TBATT"].draft((value,), unchecked)
 
@@ -97,7 +97,7 @@ def get_iint(iint: Output = None, *, unchecked: bool = False) -> Draft:
 
     Args:
         iint: Integrated current; A; DATAF; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_READ.GET_IINT"].draft((iint,), unchecked)
 
@@ -107,7 +107,7 @@ def get_imotor(value: Output = None, *, unchecked: bool = False) -> Draft:
 
     Args:
         value: Current; A; DATAF; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_READ.GET_IMOTOR"].draft((value,), unchecked)
 
@@ -118,7 +118,7 @@ def get_string(length: Number, destination: Output = None, *, unchecked: bool = 
     Args:
         length: Maximum number of bytes to return, not including the zero; 0 to 127 bytes; DATA8.
         destination: The line; as many bytes as LENGTH says; string; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_READ.GET_STRING"].draft((length, destination), unchecked)
 
@@ -130,7 +130,7 @@ def get_hw_vers(length: Number, destination: Output = None, *, unchecked: bool =
         length: Maximum number of bytes to return, including the zero; 0 to 127 bytes; -1: no limit; DATA8.
         destination: Hardware version, such as V0.60; as many bytes as LENGTH says; string; an output, in global memory
             when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_READ.GET_HW_VERS"].draft((length, destination), unchecked)
 
@@ -142,7 +142,7 @@ def get_fw_vers(length: Number, destination: Output = None, *, unchecked: bool =
         length: Maximum number of bytes to return, including the zero; 0 to 127 bytes; -1: no limit; DATA8.
         destination: Firmware version, such as V1.04H; as many bytes as LENGTH says; string; an output, in global memory
             when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_READ.GET_FW_VERS"].draft((length, destination), unchecked)
 
@@ -154,7 +154,7 @@ def get_fw_build(length: Number, destination: Output = None, *, unchecked: bool 
         length: Maximum number of bytes to return, including the zero; 0 to 127 bytes; -1: no limit; DATA8.
         destination: Build time as yymmddhhmm; as many bytes as LENGTH says; string; an output, in global memory when
             omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_READ.GET_FW_BUILD"].draft((length, destination), unchecked)
 
@@ -166,7 +166,7 @@ def get_os_build(length: Number, destination: Output = None, *, unchecked: bool 
         length: Maximum number of bytes to return, including the zero; 0 to 127 bytes; -1: no limit; DATA8.
         destination: Build time as yymmddhhmm; as many bytes as LENGTH says; string; an output, in global memory when
             omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_READ.GET_OS_BUILD"].draft((length, destination), unchecked)
 
@@ -176,7 +176,7 @@ def get_address(value: Output = None, *, unchecked: bool = False) -> Draft:
 
     Args:
         value: The number, meant as an address; DATA32; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_READ.GET_ADDRESS"].draft((value,), unchecked)
 
@@ -197,7 +197,7 @@ def get_code(
         global_: Address of the program's global variables; DATA32; an output, in global memory when omitted.
         flag: Whether the program can be started; 1 or unchanged; 1: ready; DATA8; an output, in global memory when
             omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_READ.GET_CODE"].draft((length, image, global_, flag), unchecked)
 
@@ -207,7 +207,7 @@ def key(value: Output = None, *, unchecked: bool = False) -> Draft:
 
     Args:
         value: Character code of the key; 0: no key; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_READ.KEY"].draft((value,), unchecked)
 
@@ -218,7 +218,7 @@ def get_shutdown(flag: Output = None, *, unchecked: bool = False) -> Draft:
     Args:
         flag: Whether the brick wants to shut down; 0 to 1; 0: no; 1: yes; DATA8; an output, in global memory when
             omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_READ.GET_SHUTDOWN"].draft((flag,), unchecked)
 
@@ -229,7 +229,7 @@ def get_warning(warnings: Output = None, *, unchecked: bool = False) -> Draft:
     Args:
         warnings: One bit for each warning; 0: none; a member of WARNING; DATA8; an output, in global memory when
             omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_READ.GET_WARNING"].draft((warnings,), unchecked)
 
@@ -239,7 +239,7 @@ def get_lbatt(pct: Output = None, *, unchecked: bool = False) -> Draft:
 
     Args:
         pct: Battery level; 0 to 100 %; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_READ.GET_LBATT"].draft((pct,), unchecked)
 
@@ -264,7 +264,7 @@ def textbox_read(
         line: Which line, counted from 1; DATA16.
         destination: The line, empty if there is no such line; as many bytes as LENGTH says; string; an output, in
             global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_READ.TEXTBOX_READ"].draft((text, size, del_, length, line, destination), unchecked)
 
@@ -276,7 +276,7 @@ def get_version(length: Number, destination: Output = None, *, unchecked: bool =
         length: Maximum number of bytes to return, including the zero; 0 to 127 bytes; -1: no limit; DATA8.
         destination: Such as LMS2012 V1.04H(Jul 26 2013 12:00:00); as many bytes as LENGTH says; string; an output, in
             global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_READ.GET_VERSION"].draft((length, destination), unchecked)
 
@@ -288,7 +288,7 @@ def get_ip(length: Number, destination: Output = None, *, unchecked: bool = Fals
         length: Maximum number of bytes to return, including the zero; 0 to 127 bytes; -1: no limit; DATA8.
         destination: Address in dotted notation; as many bytes as LENGTH says; string; an output, in global memory when
             omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_READ.GET_IP"].draft((length, destination), unchecked)
 
@@ -308,7 +308,7 @@ def get_power(
         ibatt: Battery current; A; DATAF; an output, in global memory when omitted.
         iint: Battery current smoothed over time; A; DATAF; an output, in global memory when omitted.
         imotor: Current of all motors together; A; DATAF; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_READ.GET_POWER"].draft((vbatt, ibatt, iint, imotor), unchecked)
 
@@ -320,7 +320,7 @@ def get_sdcard(state: Output = None, total: Output = None, free: Output = None, 
         state: Whether one is present; 0 to 1; 0: absent; 1: present; DATA8; an output, in global memory when omitted.
         total: Size; KiB; DATA32; an output, in global memory when omitted.
         free: Free space; KiB; DATA32; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_READ.GET_SDCARD"].draft((state, total, free), unchecked)
 
@@ -332,6 +332,6 @@ def get_usbstick(state: Output = None, total: Output = None, free: Output = None
         state: Whether one is present; 0 to 1; 0: absent; 1: present; DATA8; an output, in global memory when omitted.
         total: Size; KiB; DATA32; an output, in global memory when omitted.
         free: Free space; KiB; DATA32; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_READ.GET_USBSTICK"].draft((state, total, free), unchecked)

@@ -50,7 +50,7 @@ def floatvalue(value: Real, figures: Number, decimals: Number, *, unchecked: boo
         value: Number to write; DATAF.
         figures: Total number of characters, including the decimal point; negative aligns left; DATA8.
         decimals: Digits after the decimal point; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_WRITE.FLOATVALUE"].draft((value, figures, decimals), unchecked)
 
@@ -60,7 +60,7 @@ def stamp(value: Text, *, unchecked: bool = False) -> Draft:
 
     Args:
         value: Remark; string.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_WRITE.STAMP"].draft((value,), unchecked)
 
@@ -70,7 +70,7 @@ def put_string(string: Text, *, unchecked: bool = False) -> Draft:
 
     Args:
         string: Text to write; string.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_WRITE.PUT_STRING"].draft((string,), unchecked)
 
@@ -80,7 +80,7 @@ def value8(value: Number, *, unchecked: bool = False) -> Draft:
 
     Args:
         value: Number to write; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_WRITE.VALUE8"].draft((value,), unchecked)
 
@@ -90,7 +90,7 @@ def value16(value: Number, *, unchecked: bool = False) -> Draft:
 
     Args:
         value: Number to write; DATA16.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_WRITE.VALUE16"].draft((value,), unchecked)
 
@@ -100,7 +100,7 @@ def value32(value: Number, *, unchecked: bool = False) -> Draft:
 
     Args:
         value: Number to write; DATA32.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_WRITE.VALUE32"].draft((value,), unchecked)
 
@@ -110,7 +110,7 @@ def valuef(value: Real, *, unchecked: bool = False) -> Draft:
 
     Args:
         value: Number to write; DATAF.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_WRITE.VALUEF"].draft((value,), unchecked)
 
@@ -120,7 +120,7 @@ def address(value: Output = None, *, unchecked: bool = False) -> Draft:
 
     Args:
         value: Address; never written; DATA32; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_WRITE.ADDRESS"].draft((value,), unchecked)
 
@@ -131,7 +131,7 @@ def code(array: Number, length: Number, *, unchecked: bool = False) -> Draft:
     Args:
         array: Address of the bytes; DATA32.
         length: Number of bytes; bytes; DATA32.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_WRITE.CODE"].draft((array, length), unchecked)
 
@@ -146,7 +146,7 @@ def screen_block(status: Number, *, unchecked: bool = False) -> Draft:
 
     Args:
         status: Whether drawing is ignored; 0 to 1; 0: normal; 1: blocked; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_WRITE.SCREEN_BLOCK"].draft((status,), unchecked)
 
@@ -156,7 +156,7 @@ def allow_pulse(value: Number, *, unchecked: bool = False) -> Draft:
 
     Args:
         value: Sum of bits; 1: menu background; 2: browser; 4: key; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_WRITE.ALLOW_PULSE"].draft((value,), unchecked)
 
@@ -166,7 +166,7 @@ def set_pulse(value: Number, *, unchecked: bool = False) -> Draft:
 
     Args:
         value: Sum of bits; 1: menu background; 2: browser; 4: key; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_WRITE.SET_PULSE"].draft((value,), unchecked)
 
@@ -180,7 +180,7 @@ def textbox_append(text: AnyVariable, size: Number, del_: AnyDEL, source: Text, 
         size: Size of the box's text buffer, including the zero; bytes; DATA32.
         del_: What separates the lines; a member of DEL; DATA8.
         source: Line to append; string.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_WRITE.TEXTBOX_APPEND"].draft((text, size, del_, source), unchecked)
 
@@ -190,7 +190,7 @@ def set_busy(value: Number, *, unchecked: bool = False) -> Draft:
 
     Args:
         value: Whether the brick counts as busy; 0 to 1; 0: no; 1: yes; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_WRITE.SET_BUSY"].draft((value,), unchecked)
 
@@ -200,7 +200,7 @@ def set_testpin(state: Number, *, unchecked: bool = False) -> Draft:
 
     Args:
         state: Level of the pin; 0 to 1; 0: low; 1: high; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_WRITE.SET_TESTPIN"].draft((state,), unchecked)
 
@@ -220,7 +220,7 @@ def led(pattern: AnyLEDPATTERN, *, unchecked: bool = False) -> Draft:
 
     Args:
         pattern: Colour and rhythm; a member of LEDPATTERN; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_WRITE.LED"].draft((pattern,), unchecked)
 
@@ -230,7 +230,7 @@ def power(value: Number, *, unchecked: bool = False) -> Draft:
 
     Args:
         value: The flag; 0 to 1; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_WRITE.POWER"].draft((value,), unchecked)
 
@@ -245,6 +245,6 @@ def terminal(state: Number, *, unchecked: bool = False) -> Draft:
 
     Args:
         state: Whether the terminal is on; 0 to 1; 0: off; 1: on; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_WRITE.TERMINAL"].draft((state,), unchecked)

@@ -1,9 +1,9 @@
-"""Every system command as a function: `system.list_files("/home/root/lms2012/sys/")`, and files cut into
+"""Every system command as a function: `system.list_files("/home/root/lms2012/sys/")`, and files split into
 commands.
 
 Names are the firmware's in lower case; those of the bootloader are in `system.bootloader`. A path comes
-first, lengths are worked out, and as much is asked for at a time as a reply can carry. `download` and
-`pieces` are those that make several commands.
+first, lengths are computed, and replies are as long as possible by default. `download` and `pieces`
+make several commands each.
 
 Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate.
 """
@@ -51,8 +51,8 @@ def begin_download(
         path: Path of the file or folder, absolute or relative to /home/root/lms2012/sys.
         size: Bytes of the whole file; 0 to 4294967295.
         data: The first bytes of the file, usually none.
-        counter: Of the message, 0 to 65535.
-        reply: Whether the brick is to answer.
+        counter: The message counter, 0 to 65535.
+        reply: Whether the brick should answer.
     """
     return request(0x92, counter, reply, path=path, size=size, data=data)
 
@@ -63,8 +63,8 @@ def continue_download(handle: int, data: bytes, *, counter: int = 0, reply: bool
     Args:
         handle: The open file on the brick, as its reply to BEGIN_... gave it; 0 to 255.
         data: A piece of the file's contents.
-        counter: Of the message, 0 to 65535.
-        reply: Whether the brick is to answer.
+        counter: The message counter, 0 to 65535.
+        reply: Whether the brick should answer.
     """
     return request(0x93, counter, reply, handle=handle, data=data)
 
@@ -75,8 +75,8 @@ def begin_upload(path: str, max_bytes: int = 1012, *, counter: int = 0, reply: b
     Args:
         path: Path of the file or folder, absolute or relative to /home/root/lms2012/sys.
         max_bytes: Maximum number of content bytes in the reply; 0 to 65535.
-        counter: Of the message, 0 to 65535.
-        reply: Whether the brick is to answer.
+        counter: The message counter, 0 to 65535.
+        reply: Whether the brick should answer.
     """
     return request(0x94, counter, reply, path=path, max_bytes=max_bytes)
 
@@ -87,8 +87,8 @@ def continue_upload(handle: int, max_bytes: int = 1016, *, counter: int = 0, rep
     Args:
         handle: The open file on the brick, as its reply to BEGIN_... gave it; 0 to 255.
         max_bytes: Maximum number of content bytes in the reply; 0 to 65535.
-        counter: Of the message, 0 to 65535.
-        reply: Whether the brick is to answer.
+        counter: The message counter, 0 to 65535.
+        reply: Whether the brick should answer.
     """
     return request(0x95, counter, reply, handle=handle, max_bytes=max_bytes)
 
@@ -99,8 +99,8 @@ def begin_getfile(path: str, max_bytes: int = 1012, *, counter: int = 0, reply: 
     Args:
         path: Path of the file or folder, absolute or relative to /home/root/lms2012/sys.
         max_bytes: Maximum number of content bytes in the reply; 0 to 65535.
-        counter: Of the message, 0 to 65535.
-        reply: Whether the brick is to answer.
+        counter: The message counter, 0 to 65535.
+        reply: Whether the brick should answer.
     """
     return request(0x96, counter, reply, path=path, max_bytes=max_bytes)
 
@@ -111,8 +111,8 @@ def continue_getfile(handle: int, max_bytes: int = 1012, *, counter: int = 0, re
     Args:
         handle: The open file on the brick, as its reply to BEGIN_... gave it; 0 to 255.
         max_bytes: Maximum number of content bytes in the reply; 0 to 65535.
-        counter: Of the message, 0 to 65535.
-        reply: Whether the brick is to answer.
+        counter: The message counter, 0 to 65535.
+        reply: Whether the brick should answer.
     """
     return request(0x97, counter, reply, handle=handle, max_bytes=max_bytes)
 
@@ -123,8 +123,8 @@ def close_filehandle(handle: int, hash: bytes | None = None, *, counter: int = 0
     Args:
         handle: The open file on the brick, as its reply to BEGIN_... gave it; 0 to 255.
         hash: MD5 of the file, often omitted; at most 16 bytes.
-        counter: Of the message, 0 to 65535.
-        reply: Whether the brick is to answer.
+        counter: The message counter, 0 to 65535.
+        reply: Whether the brick should answer.
     """
     return request(0x98, counter, reply, handle=handle, hash=hash)
 
@@ -135,8 +135,8 @@ def list_files(path: str, max_bytes: int = 1012, *, counter: int = 0, reply: boo
     Args:
         path: Path of the file or folder, absolute or relative to /home/root/lms2012/sys.
         max_bytes: Maximum number of content bytes in the reply; 0 to 65535.
-        counter: Of the message, 0 to 65535.
-        reply: Whether the brick is to answer.
+        counter: The message counter, 0 to 65535.
+        reply: Whether the brick should answer.
     """
     return request(0x99, counter, reply, path=path, max_bytes=max_bytes)
 
@@ -147,8 +147,8 @@ def continue_list_files(handle: int, max_bytes: int = 1016, *, counter: int = 0,
     Args:
         handle: The open file on the brick, as its reply to BEGIN_... gave it; 0 to 255.
         max_bytes: Maximum number of content bytes in the reply; 0 to 65535.
-        counter: Of the message, 0 to 65535.
-        reply: Whether the brick is to answer.
+        counter: The message counter, 0 to 65535.
+        reply: Whether the brick should answer.
     """
     return request(0x9A, counter, reply, handle=handle, max_bytes=max_bytes)
 
@@ -158,8 +158,8 @@ def create_dir(path: str, *, counter: int = 0, reply: bool = True) -> SystemComm
 
     Args:
         path: Path of the file or folder, absolute or relative to /home/root/lms2012/sys.
-        counter: Of the message, 0 to 65535.
-        reply: Whether the brick is to answer.
+        counter: The message counter, 0 to 65535.
+        reply: Whether the brick should answer.
     """
     return request(0x9B, counter, reply, path=path)
 
@@ -169,8 +169,8 @@ def delete_file(path: str, *, counter: int = 0, reply: bool = True) -> SystemCom
 
     Args:
         path: Path of the file or folder, absolute or relative to /home/root/lms2012/sys.
-        counter: Of the message, 0 to 65535.
-        reply: Whether the brick is to answer.
+        counter: The message counter, 0 to 65535.
+        reply: Whether the brick should answer.
     """
     return request(0x9C, counter, reply, path=path)
 
@@ -179,8 +179,8 @@ def list_open_handles(*, counter: int = 0, reply: bool = True) -> SystemCommand:
     """Asks which file handles are in use.
 
     Args:
-        counter: Of the message, 0 to 65535.
-        reply: Whether the brick is to answer.
+        counter: The message counter, 0 to 65535.
+        reply: Whether the brick should answer.
     """
     return request(0x9D, counter, reply)
 
@@ -199,10 +199,10 @@ def writemailbox(
     Args:
         name: The mailbox.
         payload: The message: a text (with its zero), a number (a single), a logic value (one byte), or other bytes.
-        name_length: Bytes of the name, with or without its zero; 0 to 255; worked out from name when omitted.
-        payload_length: Bytes of the message; 0 to 65535; worked out from payload when omitted.
-        counter: Of the message, 0 to 65535.
-        reply: Whether the brick is to answer; it never answers this one.
+        name_length: Bytes of the name, with or without its zero; 0 to 255; computed from name when omitted.
+        payload_length: Bytes of the message; 0 to 65535; computed from payload when omitted.
+        counter: The message counter, 0 to 65535.
+        reply: Whether the brick should answer; it never answers this command.
     """
     return request(
         0x9E,
@@ -229,10 +229,10 @@ def bluetoothpin(
     Args:
         mac: MAC address of the other device, in hex.
         pin: The PIN.
-        mac_length: Bytes of the MAC address; 0 to 255; worked out from mac when omitted.
-        pin_length: Bytes of the PIN; 0 to 255; worked out from pin when omitted.
-        counter: Of the message, 0 to 65535.
-        reply: Whether the brick is to answer.
+        mac_length: Bytes of the MAC address; 0 to 255; computed from mac when omitted.
+        pin_length: Bytes of the PIN; 0 to 255; computed from pin when omitted.
+        counter: The message counter, 0 to 65535.
+        reply: Whether the brick should answer.
     """
     return request(0x9F, counter, reply, mac=mac, pin=pin, mac_length=mac_length, pin_length=pin_length)
 
@@ -241,8 +241,8 @@ def enterfwupdate(*, counter: int = 0, reply: bool = False) -> SystemCommand:
     """Restarts the brick into its firmware updater.
 
     Args:
-        counter: Of the message, 0 to 65535.
-        reply: Whether the brick is to answer; it never answers this one.
+        counter: The message counter, 0 to 65535.
+        reply: Whether the brick should answer; it never answers this command.
     """
     return request(0xA0, counter, reply)
 
@@ -252,8 +252,8 @@ def setbundleid(id: str, *, counter: int = 0, reply: bool = True) -> SystemComma
 
     Args:
         id: The identifier; at most 24 bytes with its zero.
-        counter: Of the message, 0 to 65535.
-        reply: Whether the brick is to answer.
+        counter: The message counter, 0 to 65535.
+        reply: Whether the brick should answer.
     """
     return request(0xA1, counter, reply, id=id)
 
@@ -263,7 +263,7 @@ def setbundleseedid(id: str, *, counter: int = 0, reply: bool = True) -> SystemC
 
     Args:
         id: The identifier; at most 11 bytes with its zero.
-        counter: Of the message, 0 to 65535.
-        reply: Whether the brick is to answer.
+        counter: The message counter, 0 to 65535.
+        reply: Whether the brick should answer.
     """
     return request(0xA2, counter, reply, id=id)

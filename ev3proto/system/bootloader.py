@@ -23,8 +23,8 @@ def begin_download_with_erase(address: int, image_size: int, *, counter: int = 0
     Args:
         address: Address of the first byte in flash memory; 0 to 4294967295.
         image_size: Bytes of the image or region; 0 to 4294967295.
-        counter: Of the message, 0 to 65535.
-        reply: Whether the brick is to answer.
+        counter: The message counter, 0 to 65535.
+        reply: Whether the brick should answer.
     """
     return request(0xF0, counter, reply, address=address, image_size=image_size)
 
@@ -35,8 +35,8 @@ def begin_download(address: int, image_size: int, *, counter: int = 0, reply: bo
     Args:
         address: Address of the first byte in flash memory; 0 to 4294967295.
         image_size: Bytes of the image or region; 0 to 4294967295.
-        counter: Of the message, 0 to 65535.
-        reply: Whether the brick is to answer.
+        counter: The message counter, 0 to 65535.
+        reply: Whether the brick should answer.
     """
     return request(0xF1, counter, reply, address=address, image_size=image_size)
 
@@ -46,8 +46,8 @@ def download_data(data: bytes, *, counter: int = 0, reply: bool = True) -> Syste
 
     Args:
         data: A piece of the image; at most 1018 bytes.
-        counter: Of the message, 0 to 65535.
-        reply: Whether the brick is to answer.
+        counter: The message counter, 0 to 65535.
+        reply: Whether the brick should answer.
     """
     return request(0xF2, counter, reply, data=data)
 
@@ -56,8 +56,8 @@ def chip_erase(*, counter: int = 0, reply: bool = True) -> SystemCommand:
     """Erases the whole flash memory.
 
     Args:
-        counter: Of the message, 0 to 65535.
-        reply: Whether the brick is to answer.
+        counter: The message counter, 0 to 65535.
+        reply: Whether the brick should answer.
     """
     return request(0xF3, counter, reply)
 
@@ -66,8 +66,8 @@ def start_app(*, counter: int = 0, reply: bool = True) -> SystemCommand:
     """Leaves the updater and starts the firmware.
 
     Args:
-        counter: Of the message, 0 to 65535.
-        reply: Whether the brick is to answer.
+        counter: The message counter, 0 to 65535.
+        reply: Whether the brick should answer.
     """
     return request(0xF4, counter, reply)
 
@@ -78,8 +78,8 @@ def get_checksum(address: int, image_size: int, *, counter: int = 0, reply: bool
     Args:
         address: Address of the first byte in flash memory; 0 to 4294967295.
         image_size: Bytes of the image or region; 0 to 4294967295.
-        counter: Of the message, 0 to 65535.
-        reply: Whether the brick is to answer.
+        counter: The message counter, 0 to 65535.
+        reply: Whether the brick should answer.
     """
     return request(0xF5, counter, reply, address=address, image_size=image_size)
 
@@ -88,7 +88,7 @@ def get_version(*, counter: int = 0, reply: bool = True) -> SystemCommand:
     """Asks for the versions of hardware and firmware.
 
     Args:
-        counter: Of the message, 0 to 65535.
-        reply: Whether the brick is to answer.
+        counter: The message counter, 0 to 65535.
+        reply: Whether the brick should answer.
     """
     return request(0xF6, counter, reply)

@@ -30,7 +30,7 @@ def download(
         data: Its contents.
         handle: What the brick is expected to give, 0 to 255.
         counter: Of the first message, 0 to 65535; the others count up from it.
-        reply: Whether the brick is to answer each.
+        reply: Whether the brick should answer each.
         piece: Bytes of the file in one command, 1 to 1017.
 
     Returns:
@@ -55,7 +55,7 @@ def pieces(
         handle: As the brick's reply to BEGIN_DOWNLOAD gave it, 0 to 255.
         data: The contents.
         counter: Of the first message, 0 to 65535; the others count up from it.
-        reply: Whether the brick is to answer each.
+        reply: Whether the brick should answer each.
         piece: Bytes of the file in one command, 1 to 1017.
 
     Returns:

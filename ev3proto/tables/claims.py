@@ -33,7 +33,7 @@ NEVER_SENT = "ERROR"
 """The opcode of a fault. Its number is zero, which is common in other data."""
 
 NOT_TELLING = ("PROGRAM_STOP", "PROGRAM_START", "PROGRAM_INFO")
-"""Opcodes of commands with small numbers: alone they are no evidence."""
+"""Opcodes of commands with small numbers, which alone do not count as evidence."""
 
 ONLY_IN_PROGRAMS = (
     *("OBJECT_STOP", "OBJECT_START", "OBJECT_TRIG", "OBJECT_WAIT", "RETURN", "CALL", "OBJECT_END", "SLEEP"),

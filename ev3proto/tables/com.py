@@ -493,7 +493,7 @@ COM = (
         (
             BOX_NO,
             In("LENGTH", DATA8, "maximum number of bytes to read, ignored by the firmware", unit="bytes"),
-            Count("VALUES", "number of values follow, of the type given to MAILBOX_OPEN", ARRAY_TYPED, Direction.OUT),
+            Count("VALUES", "number of values that follow, in the type of MAILBOX_OPEN", ARRAY_TYPED, Direction.OUT),
         ),
         effects=(Effect.VARIES,),
     ),

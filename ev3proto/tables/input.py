@@ -312,7 +312,7 @@ INPUT = (
                     NO,
                     TYPE_TO_SET,
                     MODE_TO_SET,
-                    Count("VALUES", "number of values follow, each in percent", DATA8, Direction.OUT),
+                    Count("VALUES", "number of values that follow, each in percent", DATA8, Direction.OUT),
                 ),
                 effects=(
                     Effect.WAITS,
@@ -328,7 +328,7 @@ INPUT = (
                     NO,
                     TYPE_TO_SET,
                     MODE_TO_SET,
-                    Count("VALUES", "number of raw values follow", DATA32, Direction.OUT),
+                    Count("VALUES", "number of raw values that follow", DATA32, Direction.OUT),
                 ),
                 effects=(
                     Effect.WAITS,
@@ -344,7 +344,7 @@ INPUT = (
                     NO,
                     TYPE_TO_SET,
                     MODE_TO_SET,
-                    Count("VALUES", "number of values follow, each in SI units", DATAF, Direction.OUT),
+                    Count("VALUES", "number of values that follow, each in SI units", DATAF, Direction.OUT),
                 ),
                 effects=(
                     Effect.WAITS,
@@ -404,7 +404,7 @@ INPUT = (
             TYPE_TO_SET,
             MODE_TO_SET,
             In("FORMAT", DATA8, "DATA_PCT, DATA_RAW or DATA_SI; others give NaN", enum=DATA_FORMAT),
-            Count("VALUES", "number of values follow, each in FORMAT", "FORMAT", Direction.OUT),
+            Count("VALUES", "number of values that follow, each in FORMAT", "FORMAT", Direction.OUT),
         ),
         effects=(Effect.VARIES,),
     ),

@@ -76,7 +76,7 @@ def _init(number: int, name: str, element: Type) -> Command:
             ARRAY_HANDLE,
             In("INDEX", DATA32, "first element to write, counted from 0", range=NOT_NEGATIVE),
             # A negative count sends the firmware's validator into an endless loop.
-            In("ELEMENTS", DATA32, "number of values follow", range=NOT_NEGATIVE),
+            In("ELEMENTS", DATA32, "number of values that follow", range=NOT_NEGATIVE),
             Values("VALUES", "the values, one parameter each", element),
         ),
     )

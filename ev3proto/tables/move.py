@@ -86,7 +86,7 @@ MOVE = (
         "Fills consecutive bytes of memory with constant values",
         (
             Out("DESTINATION", DATA8, "first byte to fill", length="LENGTH"),
-            In("LENGTH", DATA32, "number of values follow; a negative count hangs the brick", unit="bytes"),
+            In("LENGTH", DATA32, "number of values that follow; a negative count hangs the brick", unit="bytes"),
             Values("SOURCE", "the values, one per byte", DATA8),
         ),
     ),

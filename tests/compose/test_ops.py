@@ -230,7 +230,7 @@ def test_the_help_of_a_function() -> None:
         "    volume: Volume; 0 to 100 %; 0: silent; DATA8.\n"
         "    frequency: Pitch; the driver clamps it to the range; 250 to 10000 Hz; DATA16.\n"
         "    duration: Duration, read unsigned (-1 is 65535); ms; 0: until BREAK or the next sound; DATA16.\n"
-        "    unchecked: Let values through that mean nothing to the brick, as far as they can be encoded."
+        "    unchecked: Accept values that mean nothing to the brick, as far as they can be encoded."
     )
     assert "in global memory when omitted" in (inspect.getdoc(ops.ui_read.get_vbatt) or "")
     assert str(inspect.signature(ops.init_bytes)).startswith(

@@ -14,14 +14,14 @@ GAP = r"(?:[^\S\n]|\n\s*(?:#|--|//|>)?[^\S\n]*)+"
 """Between two words of a phrase: blanks, or the end of a line with the sign of a comment on the next one."""
 
 PHRASES = {
-    r"is (?-i:none)": "does not exist, has none, is not one",
+    r"(?<!there\s)is (?-i:none)": "does not exist, has none, is not one",
     r"(?<!there\s)(?:is|are) no(?! longer| more)": "not an X, unknown X ('there is no X' and 'is no longer' are right)",
     r"whoever": "the caller, the client, the reader",
     r"(?<!`)nobody": "not ... by anyone; or the passive",
     r"somebody": "a user, a client; or the passive",
     r"so many": "this number of",
     r"that which": "what",
-    r"stands?(?! for)": "is, has ('stands for' is right)",
+    r"stands?(?! for| still|-in)": "is, has ('stands for' and 'stands still' are right)",
 }
 """Regular expressions, each with what to write instead."""
 

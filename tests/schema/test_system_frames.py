@@ -66,7 +66,7 @@ def test_the_help_of_a_function() -> None:
     assert str(inspect.signature(system.list_files)).startswith(
         "(path: str, max_bytes: int = 1012, *, counter: int = 0, reply: bool"
     )
-    assert "name_length: Bytes of the name, with or without its zero; 0 to 255; worked out from name when omitted." in (
+    assert "name_length: Bytes of the name, with or without its zero; 0 to 255; computed from name when omitted." in (
         inspect.getdoc(system.writemailbox) or ""
     )
 

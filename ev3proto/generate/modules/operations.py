@@ -238,7 +238,7 @@ def _function(declaration: Declaration) -> Iterator[str]:
         for each, parameter, may in zip(names, declaration.parameters, optional, strict=True)
     ]
     if names:
-        texts.append(("unchecked", "Let values through that mean nothing to the brick, as far as they can be encoded."))
+        texts.append(("unchecked", "Accept values that mean nothing to the brick, as far as they can be encoded."))
     yield from indented(described(declaration.text, texts, INDENT))
     values = f"({', '.join(names)}{',' if len(names) == 1 else ''})"
     line = f'return _OPERATIONS["{declaration.name}"].draft({values}, unchecked)'
@@ -264,7 +264,7 @@ def _pieces(parameter: Parameter, *, is_optional: bool) -> Iterator[str]:
     elif parameter.direction is Direction.OUT:
         yield "an output, in global memory when omitted"
     elif is_optional:
-        yield "worked out when omitted"
+        yield "computed when omitted"
 
 
 def _type(parameter: Parameter) -> str:
@@ -272,7 +272,7 @@ def _type(parameter: Parameter) -> str:
     if parameter.type in LISTS:
         element = parameter.element
         if isinstance(element, str):
-            return f"a list, of the type that {element.lower()} says"
+            return f"a list, of the type in {element.lower()}"
         return f"a list of {element.label}" if isinstance(element, Type) else "a list"
     if parameter.direction is Direction.INOUT:
         return f"{parameter.type.label}, a variable that is read and written"

@@ -41,12 +41,12 @@ def _system() -> Iterator[str]:
     entries = [entry for entry in SYSTEM if not entry.bootloader]
     yield from docstring(
         [
-            'Every system command as a function: `system.list_files("/home/root/lms2012/sys/")`, and files cut into',
+            'Every system command as a function: `system.list_files("/home/root/lms2012/sys/")`, and files split into',
             "commands.",
             "",
             "Names are the firmware's in lower case; those of the bootloader are in `system.bootloader`. A path comes",
-            "first, lengths are worked out, and as much is asked for at a time as a reply can carry. `download` and",
-            "`pieces` are those that make several commands.",
+            "first, lengths are computed, and replies are as long as possible by default. `download` and `pieces`",
+            "make several commands each.",
             "",
             MARK,
         ]
@@ -83,9 +83,9 @@ def _function(entry: SystemCommand) -> Iterator[str]:
     parameters = [*(_parameter(entry, field) for field in fields), *always]
     yield from bracketed(f"def {entry.name.lower()}(", parameters, ") -> SystemCommand:")
     texts = [(field.name, sentence(*_pieces(field))) for field in fields]
-    texts.append(("counter", "Of the message, 0 to 65535."))
+    texts.append(("counter", "The message counter, 0 to 65535."))
     texts.append(
-        ("reply", "Whether the brick is to answer" + ("." if entry.answered else "; it never answers this one."))
+        ("reply", "Whether the brick should answer" + ("." if entry.answered else "; it never answers this command."))
     )
     yield from indented(described(entry.text, texts, INDENT))
     values = [f"0x{entry.number:02X}", "counter", "reply", *(f"{field.name}={field.name}" for field in fields)]
@@ -121,4 +121,4 @@ def _pieces(field: Field) -> Iterator[str]:
     if field.most is not None:
         yield f"at most {field.most} bytes{' with its zero' if field.kind is Kind.TEXT else ''}"
     if field.counts is not None:
-        yield f"worked out from {field.counts} when omitted"
+        yield f"computed from {field.counts} when omitted"

@@ -58,6 +58,6 @@ def list_state(hardware: AnyHWTYPE, state: Output = None, *, unchecked: bool = F
     Args:
         hardware: Carrier to use; a member of HWTYPE; DATA8.
         state: Number to compare with the one of the last call; DATA16; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_GET.LIST_STATE"].draft((hardware, state), unchecked)

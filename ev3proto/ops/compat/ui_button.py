@@ -53,6 +53,6 @@ def get_bumped(button: AnyBUTTONTYPE, state: Output = None, *, unchecked: bool =
         button: Which button; a member of BUTTONTYPE; DATA8.
         state: Whether the button was pressed and released; 0 to 1; 0: no; 1: yes; DATA8; an output, in global memory
             when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_BUTTON.GET_BUMPED"].draft((button, state), unchecked)

@@ -41,7 +41,7 @@ def mailbox_size(no: Number, size: Output = None, *, unchecked: bool = False) ->
     Args:
         no: Number of the mailbox on this brick; 0 to 29; DATA8.
         size: Size of the content; bytes; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MAILBOX_SIZE"].draft((no, size), unchecked)
 
@@ -53,7 +53,7 @@ def input_set_conn(layer: Number, no: Number, conn: AnyCONN, *, unchecked: bool 
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
         no: Sensor port, counted from 0; 0 to 3; 0: port 1; 1: port 2; 2: port 3; 3: port 4; DATA8.
         conn: CONN_NXT_IIC, CONN_NXT_DUMB, CONN_INPUT_DUMB or CONN_NONE; a member of CONN; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_SET_CONN"].draft((layer, no, conn), unchecked)
 
@@ -75,7 +75,7 @@ def input_iic_read(
         rdlng: Number of bytes to read; 0 to 32 bytes; DATA8.
         rddata: Bytes read; as many values as RDLNG says; DATA8; an output, in global memory when omitted.
         result: OK or FAIL; a member of RESULT; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_IIC_READ"].draft((layer, no, rdlng, rddata, result), unchecked)
 
@@ -87,7 +87,7 @@ def input_iic_status(layer: Number, no: Number, result: Output = None, *, unchec
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
         no: Sensor port, counted from 0; 0 to 3; 0: port 1; 1: port 2; 2: port 3; 3: port 4; DATA8.
         result: State of the bus; a member of RESULT; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_IIC_STATUS"].draft((layer, no, result), unchecked)
 
@@ -111,7 +111,7 @@ def input_iic_write(
         wrdata: Bytes to write: I2C address, register, data; as many values as WRLNG says; DATA8.
         rdlng: Number of bytes in the sensor's answer; 0 to 32 bytes; DATA8.
         result: State of the bus after the request; a member of RESULT; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_IIC_WRITE"].draft((layer, no, wrlng, wrdata, rdlng, result), unchecked)
 
@@ -123,7 +123,7 @@ def input_set_autoid(layer: Number, no: Number, enable: Number, *, unchecked: bo
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
         no: Sensor port, counted from 0; 0 to 3; 0: port 1; 1: port 2; 2: port 3; 3: port 4; DATA8.
         enable: Whether to detect; 0 to 1; 0: off; 1: on; DATA8.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_SET_AUTOID"].draft((layer, no, enable), unchecked)
 
@@ -135,7 +135,7 @@ def file_md5sum(name: Text, md5sum: Output = None, success: Output = None, *, un
         name: Path of the file; string.
         md5sum: The digest, as 16 bytes; 16 values; DATA8; an output, in global memory when omitted.
         success: Whether the file could be read; 0: no; 1: yes; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE_MD5SUM"].draft((name, md5sum, success), unchecked)
 
@@ -146,7 +146,7 @@ def dynload_vmload(vmindex: Number, result: Output = None, *, unchecked: bool = 
     Args:
         vmindex: Which one; 0 to 1; 0: RobotC; 1: LabVIEW; DATA8.
         result: OK or FAIL; a member of RESULT; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["DYNLOAD_VMLOAD"].draft((vmindex, result), unchecked)
 
@@ -172,7 +172,7 @@ def dynload_entry_0(
         length_out: Number of elements returned; DATA16; an output, in global memory when omitted.
         value: The returned elements; their type depends on CMD; as many values as LENGTH_OUT says; array-typed; an
             output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["DYNLOAD_ENTRY_0"].draft((cmd, length_in, length_out, value), unchecked)
 
@@ -193,7 +193,7 @@ def dynload_entry_1(
         length_out: Number of elements returned; DATA16; an output, in global memory when omitted.
         value: The returned elements; their type depends on CMD; as many values as LENGTH_OUT says; array-typed; an
             output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["DYNLOAD_ENTRY_1"].draft((cmd, length_in, length_out, value), unchecked)
 
@@ -214,7 +214,7 @@ def dynload_entry_2(
         length_out: Number of elements returned; DATA16; an output, in global memory when omitted.
         value: The returned elements; their type depends on CMD; as many values as LENGTH_OUT says; array-typed; an
             output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["DYNLOAD_ENTRY_2"].draft((cmd, length_in, length_out, value), unchecked)
 
@@ -235,7 +235,7 @@ def dynload_entry_3(
         length_out: Number of elements returned; DATA16; an output, in global memory when omitted.
         value: The returned elements; their type depends on CMD; as many values as LENGTH_OUT says; array-typed; an
             output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["DYNLOAD_ENTRY_3"].draft((cmd, length_in, length_out, value), unchecked)
 
@@ -256,7 +256,7 @@ def dynload_entry_4(
         length_out: Number of elements returned; DATA16; an output, in global memory when omitted.
         value: The returned elements; their type depends on CMD; as many values as LENGTH_OUT says; array-typed; an
             output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["DYNLOAD_ENTRY_4"].draft((cmd, length_in, length_out, value), unchecked)
 
@@ -277,7 +277,7 @@ def dynload_entry_5(
         length_out: Number of elements returned; DATA16; an output, in global memory when omitted.
         value: The returned elements; their type depends on CMD; as many values as LENGTH_OUT says; array-typed; an
             output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["DYNLOAD_ENTRY_5"].draft((cmd, length_in, length_out, value), unchecked)
 
@@ -298,7 +298,7 @@ def dynload_entry_6(
         length_out: Number of elements returned; DATA16; an output, in global memory when omitted.
         value: The returned elements; their type depends on CMD; as many values as LENGTH_OUT says; array-typed; an
             output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["DYNLOAD_ENTRY_6"].draft((cmd, length_in, length_out, value), unchecked)
 
@@ -319,7 +319,7 @@ def dynload_entry_7(
         length_out: Number of elements returned; DATA16; an output, in global memory when omitted.
         value: The returned elements; their type depends on CMD; as many values as LENGTH_OUT says; array-typed; an
             output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["DYNLOAD_ENTRY_7"].draft((cmd, length_in, length_out, value), unchecked)
 
@@ -340,7 +340,7 @@ def dynload_entry_8(
         length_out: Number of elements returned; DATA16; an output, in global memory when omitted.
         value: The returned elements; their type depends on CMD; as many values as LENGTH_OUT says; array-typed; an
             output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["DYNLOAD_ENTRY_8"].draft((cmd, length_in, length_out, value), unchecked)
 
@@ -361,7 +361,7 @@ def dynload_entry_9(
         length_out: Number of elements returned; DATA16; an output, in global memory when omitted.
         value: The returned elements; their type depends on CMD; as many values as LENGTH_OUT says; array-typed; an
             output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["DYNLOAD_ENTRY_9"].draft((cmd, length_in, length_out, value), unchecked)
 
@@ -371,6 +371,6 @@ def dynload_get_vm(result: Output = None, *, unchecked: bool = False) -> Draft:
 
     Args:
         result: Which one; 0 to 1; -1: none; 0: RobotC; 1: LabVIEW; DATA8; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["DYNLOAD_GET_VM"].draft((result,), unchecked)

@@ -52,7 +52,7 @@ def destroy(handle: Number, *, unchecked: bool = False) -> Draft:
 
     Args:
         handle: The array; handle.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["ARRAY.DESTROY"].draft((handle,), unchecked)
 
@@ -63,6 +63,6 @@ def set_size(handle: Number, elements: Output = None, *, unchecked: bool = False
     Args:
         handle: The array; handle.
         elements: Number of elements, 0 if there is no such array; DATA32; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["ARRAY.SET_SIZE"].draft((handle, elements), unchecked)

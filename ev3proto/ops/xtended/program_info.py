@@ -21,6 +21,6 @@ def get_prgname(prgid: AnySLOT, name: Output = None, *, unchecked: bool = False)
     Args:
         prgid: Program slot; a member of SLOT; DATA16.
         name: Name of the program, zero-terminated; string; an output, in global memory when omitted.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["PROGRAM_INFO.GET_PRGNAME"].draft((prgid, name), unchecked)

@@ -91,6 +91,6 @@ def rectangle(color: NamedNumber, x0: Number, y0: Number, x1: Number, y1: Number
         y0: Top edge; 0 to 127 px; DATA16.
         x1: Width; 0 to 178 px; DATA16.
         y1: Height; 0 to 128 px; DATA16.
-        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+        unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_DRAW.RECTANGLE"].draft((color, x0, y0, x1, y1), unchecked)

@@ -1,4 +1,4 @@
-"""Assembly text to messages: which statement belongs to which message, and what of it is wrong."""
+"""Turns assembly text into messages: groups statements into messages, and collects errors."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ from ev3proto.text.assembly.syntax import (
 from ev3proto.text.assembly.values import Encoder
 
 MAX_TEXT = 1 << 24
-"""Characters of a text that is assembled."""
+"""Maximum characters of a text."""
 
 
 def assembled(
@@ -39,7 +39,7 @@ def assembled(
 ) -> Iterator[Message]:
     """Yields the messages of a text, one after the other; parameters and errors as for `assemble`.
 
-    Where something is wrong, the messages in front of it are given, and then all errors are raised as one.
+    If there are mistakes, the messages before the first one are yielded, then all errors are raised as one.
     """
     if len(text) > MAX_TEXT:
         raise AssemblyError(1, 1, f"the text has {len(text)} characters; at most {MAX_TEXT} can be assembled at once")
@@ -59,7 +59,7 @@ def assembled(
 
 
 class _Work:
-    """Takes statement after statement and gives the messages that are complete."""
+    """Takes one statement after the other, and yields complete messages."""
 
     def __init__(
         self, dialect: str, counter: int, reply: bool | None, warnings: list[tuple[int, str]], *, is_checked: bool
@@ -83,7 +83,7 @@ class _Work:
         self._memory = {scope: Memory(scope, MACROS, most) for scope, most in MOST_MEMORY.items()}
 
     def take(self, statement: Statement) -> Iterator[Message]:
-        """Yields what is complete when a statement came. Errors are kept."""
+        """Adds a statement; yields messages that are complete. Errors are kept."""
         try:
             if isinstance(statement, Header | RawFrame):
                 yield from self.finish()
@@ -105,7 +105,7 @@ class _Work:
         if self._thread is not None:
             self.errors.append(SourceError(self._thread.at, "the thread that begins here has no } at its end"))
             self._thread = None
-        # With an error in the text, a message lacks what was wrong: more errors would only follow from that.
+        # After an error, a message is incomplete: further errors would only follow from that.
         if pending is not None and not self.errors:
             sizes = {scope: memory.size for scope, memory in self._memory.items()}
             try:
@@ -118,13 +118,13 @@ class _Work:
         self._begin()
 
     def _system_alone(self, call: Call) -> SystemCommand | None:
-        """Returns the system command that is a message of its own: no header waits for it."""
+        """Returns a system command without a header, which is a complete message."""
         pending = self._pending
         is_awaited = pending is not None and pending.carries_system and not pending.parts
         return None if is_awaited else find_command(call.name)
 
     def _add(self, statement: Statement) -> None:
-        """A statement of the message that is read. Raises SourceError."""
+        """Adds a statement to the current message. Raises SourceError."""
         match statement:
             case Define():
                 self._define(statement)
@@ -151,7 +151,7 @@ class _Work:
                 self._call(statement)
 
     def _define(self, define: Define) -> None:
-        """A name for a constant or an argument, which is worked out here and now."""
+        """Defines a name for a constant or an argument, which is evaluated now."""
         names, before = self._names, self._names.defines.get(define.name)
         meaning = names.defined(define, names.local)
         if before is not None:
@@ -168,7 +168,7 @@ class _Work:
                 raise SourceError(at, f"{name} is declared already, as {kind}")
 
     def _opened(self, at: int) -> PendingMessage:
-        """Returns the message that is read; a direct command begins where there is none."""
+        """Returns the current message; without one, a direct command begins."""
         if self._pending is None:
             self._pending = PendingMessage(at)
         return self._pending

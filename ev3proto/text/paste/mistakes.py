@@ -201,7 +201,7 @@ def _whole(line: str, start: int, *, is_sure: bool) -> Iterator[Found]:
             return
         found = found._replace(is_marked=is_slip)
     elif found.problem is None and "-" not in line[first:stop] and is_nearly(found.data):
-        # Nothing else is in the line: a frame that somebody made by hand, with a wrong length.
+        # Nothing else is in the line: a frame made by hand, with a wrong length.
         found = found._replace(is_marked=True)
     if groups:
         yield found

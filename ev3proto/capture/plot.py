@@ -1,4 +1,4 @@
-"""A picture of values over time: a panel for each unit, a line for each value."""
+"""A chart of values over time: a panel for each unit, a line for each value."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _DASHES = ([1, 0], [6, 3], [2, 2], [8, 3, 2, 3], [12, 4])
 
 
 def draw(found: Series, suffix: str, title: str, start_ns: int) -> bytes:
-    """Draws the numbers among values.
+    """Draws a chart of the numbers among values.
 
     Args:
         found: The values.

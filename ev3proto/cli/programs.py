@@ -27,7 +27,7 @@ from ev3proto.text.phrases import NOTATIONS, spaced_hex
 from ev3proto.text.spans import Line, Role
 
 SOURCE_CODE = "source"
-"""What stands in place of a code where a source cannot be assembled, or is assembled with a warning."""
+"""The code of a source that cannot be assembled, or is assembled with a warning."""
 
 _MOST_WARNINGS = 20
 _TEXT_WIDTH = 100

@@ -24,7 +24,7 @@ from ev3proto.errors import counted
 from ev3proto.text.spans import visible
 
 MOST_SHOWN = 50
-"""Columns of a table, lines of a picture: nobody reads more."""
+"""Maximum number of columns of a table, and of lines of a chart."""
 
 MOST_PRINTED = 100_000
 """Cells of a table, each of which takes a kilobyte until all are printed."""

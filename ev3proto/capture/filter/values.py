@@ -71,7 +71,7 @@ class Word:
     length: int = 0
 
     def error(self, reason: str, position: int | None = None) -> FilterError:
-        """Returns the error that underlines the word, or its text from a position on."""
+        """Returns the error that marks the word, or its text from a position on."""
         length = self.length or len(self.text)
         start = 0 if position is None else min(position + self.opening, length - 1)
         return FilterError(self.column + start, reason, length - start)

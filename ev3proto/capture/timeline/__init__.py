@@ -1,4 +1,4 @@
-"""Timelines: a picture of a dialogue over time, with lanes by brick and kind, latencies, errors and files.
+"""Timelines: a chart of a dialogue over time, with lanes by brick and kind, latencies, errors and files.
 
     with ev3proto.capture.read("robot.pcapng") as capture:
         timeline = collect(capture.events())

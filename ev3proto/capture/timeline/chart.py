@@ -1,4 +1,4 @@
-"""The chart: one Vega-Lite specification with its data, from which page, SVG and PNG are made."""
+"""The chart: a Vega-Lite specification with its data, from which page, SVG and PNG are made."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from ev3proto.capture.timeline.collecting import clock
 from ev3proto.capture.timeline.marks import OTHERS, TROUBLES, Cell, Lane, LaneKind, Mark, MarkState, Tally, Timeline
 
 VERSION = "6.1"
-"""The version of Vega-Lite that it is written in."""
+"""The version of Vega-Lite."""
 
 WIDTH = 960
 """Default width of the time axis, in pixels."""

@@ -23,7 +23,7 @@ MOST_TITLE = 100
 """Maximum length of the title in letters: a long one would make the picture wider."""
 
 PNG_SCALE = 2.0
-"""Pixels of the PNG for one of the chart: letters stay sharp when it is printed or projected."""
+"""Pixels of the PNG per pixel of the chart, so that letters are sharp in print."""
 
 
 class Form(Enum):
@@ -49,14 +49,14 @@ class Form(Enum):
 
 
 class MissingLibraryError(ImportError):
-    """The library that draws is not installed."""
+    """The drawing library is not installed."""
 
 
 def require_library() -> None:
     """Checks that the library that draws is installed, without importing it.
 
     Raises:
-        MissingLibraryError: It is not installed.
+        MissingLibraryError: The drawing library is not installed.
     """
     if find_spec(LIBRARY) is None:
         raise MissingLibraryError(
@@ -70,10 +70,10 @@ def render(timeline: Timeline, form: Form, title: str) -> bytes:
     Args:
         timeline: What to draw.
         form: The form of the file.
-        title: Text above the picture: the name of the capture.
+        title: The text above the chart: the name of the capture.
 
     Returns:
-        The contents of a file: the same bytes for the same timeline and title.
+        The contents of the file: the same bytes for the same timeline and title.
 
     Raises:
         MissingLibraryError: The library that draws is not installed.

@@ -1,6 +1,6 @@
-"""From events to marks, in memory that does not grow with the capture.
+"""Turns events into marks, in memory that does not grow with the capture.
 
-Up to MOST_MARKS, everything has a mark of its own. Beyond that, marks are counted in bins of time, and only troubles
+Up to MOST_MARKS, everything has its own mark. Beyond that, marks are counted in bins of time, and only troubles
 are kept one by one, up to MOST_TROUBLES.
 """
 

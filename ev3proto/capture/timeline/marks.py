@@ -83,7 +83,7 @@ class Mark:
 
 @dataclass(slots=True)
 class Cell:
-    """The marks of one lane in one bin of time, counted; `slowest` is the packet of the command that waited longest."""
+    """The counts of one lane in one bin of time; `slowest` is the packet of the command with the longest latency."""
 
     count: int = 0
     troubles: Counter[MarkState] = field(default_factory=Counter)
@@ -154,7 +154,7 @@ class Tally:
 
 @dataclass(slots=True)
 class Timeline:
-    """All that is drawn.
+    """A timeline to draw.
 
     origin_ns  time of the capture's first event, in nanoseconds since 1970-01-01 UTC: 0 on the axis
     begin      start of the picture, in seconds since then

@@ -1,7 +1,6 @@
-"""A virtual brick that answers as the firmware does: `Brick` is the brick, without any sockets, on a virtual clock.
+"""A virtual brick that answers like the firmware: `Brick` is the brick, without sockets, on a virtual clock.
 
-The facts it goes by are those of the firmware of 2013, version 1.04H. How operations are added is said at the head of
-`ev3proto.brick.handlers`.
+It follows the firmware of 2013, version 1.04H. `ev3proto.brick.handlers` explains how to add operations.
 """
 
 from ev3proto.brick.brick import Brick

@@ -87,12 +87,12 @@ class Addressed(NamedTuple):
 class Brick(Equipment):
     """A brick that has just been switched on.
 
-    root     the folder that serves as /home/root/lms2012; None: no files
+    root     the folder that serves as /home/root/lms2012; None for no files
     dialect  the firmware whose instruction set it has. ValueError for an unknown one.
-    stretch  seconds of this computer's processor after which a call returns though a direct command could go on; the
-             next call continues it. None: only when it ends or waits
+    stretch  CPU seconds of this computer after which a call returns even if a direct command is still running; the
+             next call continues it. None: a call returns when the command ends or waits
 
-    `is_computing` says whether a direct command could go on; `has_ended_command`, whether one was ended by a limit.
+    `is_computing`: a direct command is ready to continue. `has_ended_command`: a limit has ended a direct command.
     """
 
     def __init__(
@@ -135,13 +135,13 @@ class Brick(Equipment):
         count: int | None = None,
         speed: int | None = None,
     ) -> None:
-        """Plugs a sensor or a motor in, or gives the one that is there other readings.
+        """Plugs in a sensor or motor, or changes the readings of the one on the port.
 
         Args:
             port: 1 to 4 for sensors, "A" to "D" for motors.
-            type: Type of the device; TYPE_NONE unplugs what is there.
+            type: Type of the device; TYPE_NONE unplugs it.
             readings: Raw readings of a sensor by mode, one for each dataset.
-            tacho: Degrees that OUTPUT_READ returns. With any of these three the motor is held until a command moves it.
+            tacho: Degrees that OUTPUT_READ returns. With `tacho`, `count` or `speed`, only commands move the motor.
             count: Degrees that OUTPUT_GET_COUNT returns.
             speed: Percent.
 
@@ -200,7 +200,7 @@ class Brick(Equipment):
         return [reply.frame for reply in self.receive_from(None, frame)]
 
     def advance(self, seconds: float) -> list[bytes]:
-        """Lets time pass.
+        """Advances the clock.
 
         Args:
             seconds: 0 to 1000000000000, counted in whole microseconds.

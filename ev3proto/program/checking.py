@@ -25,16 +25,16 @@ _HANDLE_SIZE = 2
 
 
 def check_program(image: bytes | bytearray | memoryview, *, dialect: str = "official") -> ProgramReport:
-    """Checks a program image, and whether the brick starts it. Never raises for what is in an image.
+    """Checks a program image, and whether the brick starts it. The contents of an image never make it raise.
 
     Args:
-        image: From its sign to its last byte.
-        dialect: "official", "xtended" or "compat": the firmware whose instruction set to read by.
+        image: The image from its sign to its last byte.
+        dialect: "official", "xtended" or "compat": the firmware whose instruction set to use.
 
     Returns:
         The findings, and the verdict: `rejected_at` is the offset of the first operation that the firmware's validator
-        objects to, 4 where that is the header. Of an image older than the release of 2013 it is 8, the offset of its
-        version: the firmware objects to that, and accepts it.
+        rejects, 4 for the header. For an image older than the release of 2013 it is 8, the offset of its version: the
+        firmware complains about that, but accepts the image.
     """
     image = as_bytes(image, "an image")
     try:

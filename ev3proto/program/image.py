@@ -29,7 +29,7 @@ _COUNT_AT = len(SIGN) + Int32ul.sizeof() + Int16ul.sizeof()
 
 _OBJECT_END = "OBJECT_END"
 _JUMPS = "JR"
-"""What the names of jumps start with."""
+"""The prefix of the names of jumps."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -39,7 +39,7 @@ class Program:
     version      100 times the version of the byte code, 0 to 65535; the machine does not depend on it
     global_size  bytes of global memory, 0 to 4294967295
     objects      threads, subcalls and blocks, numbered from 1; the first is started with the program
-    defects      what the image has beside that; NO_DEFECTS for nearly all
+    defects      irregularities of the image; NO_DEFECTS for almost all
     """
 
     version: int = DEFAULT_VERSION
@@ -49,13 +49,13 @@ class Program:
 
     @property
     def faults(self) -> tuple[Fault, ...]:
-        """Everything that is wrong with the image, in the order of the offsets."""
+        """All faults of the image, in the order of offsets."""
         found = [*self.defects.faults, *(part.fault for part in self.objects if part.fault is not None)]
         return tuple(sorted(set(found)))
 
     @property
     def fault(self) -> Fault | None:
-        """The first of them, None when nothing is wrong."""
+        """The first fault, or None."""
         return next(iter(self.faults), None)
 
     def build(self) -> bytes:
@@ -317,7 +317,7 @@ def parse(image: bytes | bytearray | memoryview, *, strict: bool = True, dialect
         image: The image from its sign to its last byte, at most 32 MiB.
         strict: False: nothing after the header raises; `program.faults` says what is wrong and where, and what could be
             read is there.
-        dialect: "official", "xtended" or "compat": the firmware whose instruction set to read by.
+        dialect: "official", "xtended" or "compat": the firmware whose instruction set to use.
 
     Returns:
         The program; its `build()` gives the same bytes again.
@@ -334,7 +334,7 @@ def parse(image: bytes | bytearray | memoryview, *, strict: bool = True, dialect
 
 
 def build(program: Program) -> bytes:
-    """Returns the image of a program, each code laid where its writer had it, or else one after the other.
+    """Returns the image of a program. Codes keep their places if it was parsed, and else follow one another.
 
     Args:
         program: The program.
@@ -343,7 +343,7 @@ def build(program: Program) -> bytes:
         The image.
 
     Raises:
-        BuildError: No image can carry the program. The sentence names the field.
+        BuildError: No image can carry the program. The message names the field.
         TypeError: It is not a Program.
     """
     if not isinstance(program, Program):

@@ -29,8 +29,8 @@ class CodeObject:
     parameters  what a subcall declares
     operations  its code, the last OBJECT_END included; offsets are those in the image
     offset      of its code in the image
-    shares      number of the earlier object whose code it uses; None where the code is its own
-    flaw        what is wrong with it, and the bytes that could not be read; NO_FLAW for nearly all
+    shares      number of the earlier object whose code it uses, or None
+    flaw        its fault, and the bytes that could not be read; NO_FLAW for almost all
     """
 
     number: int = 0
@@ -50,7 +50,7 @@ class CodeObject:
 
     @property
     def fault(self) -> Fault | None:
-        """What is wrong with it, None when nothing is."""
+        """Its fault, or None."""
         return self.flaw.fault
 
     @property
@@ -68,7 +68,7 @@ class CodeObject:
 
     @property
     def places(self) -> tuple[ParameterPlace, ...]:
-        """Where its parameters lie in local memory: they are its first locals."""
+        """The places of its parameters in local memory: they are its first locals."""
         found = []
         end = 0
         for parameter in self.parameters:
@@ -79,14 +79,14 @@ class CodeObject:
 
 
 class Defects(NamedTuple):
-    """What is kept of an image that is not as every writer makes it, so that it builds back byte for byte.
+    """The irregularities of an image, which are kept so that it builds to the same bytes.
 
-    faults        what is wrong with the image as a whole; what is wrong with an object is at the object
-    stated_size   the field of the size, where it does not say what the image has
-    stated_count  the field of the number of objects, where the table is cut off
-    offsets       of every object's code, where they are not in their order without gaps
-    gaps          offset and bytes of what belongs to no object
-    headers       the offsets that the headers say, where the firmware takes others: for 0 it takes the next code
+    faults        faults of the image as a whole; those of an object are at the object
+    stated_size   the size field, if it is wrong
+    stated_count  the number of objects in the header, if the table is cut off
+    offsets       the offset of every object's code, if they are not in order without gaps
+    gaps          offset and bytes of parts that belong to no object
+    headers       the offsets in the headers, if the firmware uses others: for 0 it uses the next code
     """
 
     faults: tuple[Fault, ...] = ()

@@ -61,12 +61,12 @@ class ProgramParameter:
 
     @property
     def direction(self) -> Direction:
-        """Which way it carries its value; IN for a code that says neither."""
+        """The direction of its value; IN for a code with neither direction."""
         return direction_of(self.code)
 
     @property
     def bytes(self) -> int:
-        """Bytes that it takes in local memory; of a string of 256 bytes or more, what is left modulo 256."""
+        """Its bytes in local memory; modulo 256 for a string of 256 bytes or more."""
         return self.type.size if self.size is None else self.size
 
 

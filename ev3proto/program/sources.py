@@ -31,7 +31,7 @@ _SIGNS_OF_BASIC = re.compile(
 
 
 class SourceDialect(StrEnum):
-    """How a source is written: as lmsasm has it, as LEGO's own assembler, or as EV3 Basic's compiler writes it."""
+    """The dialects of sources: that of lmsasm, of LEGO's own assembler, and of EV3 Basic's compiler."""
 
     STRICT = "strict"
     LEGO = "lego"
@@ -43,11 +43,11 @@ _NOTATIONS = {SourceDialect.STRICT: STRICT, SourceDialect.LEGO: LEGO, SourceDial
 
 @dataclass(frozen=True, slots=True)
 class Assembled:
-    """What a source became.
+    """The result of assembling a source.
 
     image     the bytes of the .rbf file
-    dialect   the one it was read in
-    warnings  what assembles and may not be meant, in the order of the text
+    dialect   the dialect of the source
+    warnings  what assembles but may be a mistake, in the order of the text
     """
 
     image: bytes
@@ -63,22 +63,22 @@ class Assembled:
 def assemble(
     source: str | bytes, *, dialect: str | None = None, version: int | None = None, shortest: bool = False
 ) -> Assembled:
-    """Makes the image of a program's source.
+    """Assembles the source of a program.
 
     Args:
         source: The text, or the bytes of a file in UTF-8 or ISO-8859-1.
-        dialect: "strict", "lego" or "basic"; None: EV3 Basic's where the text has what only that has, else strict, or
-            LEGO's where it is not that.
-        version: The version of the image, 0 to 65535; None: what the source says, or 0x6D (0x68 for EV3 Basic).
-        shortest: The rules of EV3-G: labels as short as they can be, floats always in four bytes, equal objects share
+        dialect: "strict", "lego" or "basic"; None: EV3 Basic's if the text has names that only that has, else strict,
+            or LEGO's if the text is not strict.
+        version: The version of the image, 0 to 65535; None: that of the source, or 0x6D (0x68 for EV3 Basic).
+        shortest: Use the rules of EV3-G: labels are as short as possible, floats have four bytes, equal objects share
             code.
 
     Returns:
-        The image, the dialect by which the source was read, and the warnings.
+        The image, the dialect of the source, and the warnings.
 
     Raises:
-        AssemblyError: The source cannot be assembled. The error has line, column, the line's text, and in `others` what
-            else is wrong.
+        AssemblyError: The source cannot be assembled. The error has line, column, the text of the line, and in `others`
+            the other mistakes.
         ValueError: The dialect is unknown.
         TypeError: The source is neither text nor bytes.
     """

@@ -1,4 +1,4 @@
-"""What the subcommands that read captures share: options, complaints, progress bar."""
+"""Shared by the subcommands that read captures: options, error messages, progress bar."""
 
 from __future__ import annotations
 
@@ -25,14 +25,14 @@ from ev3proto.errors import counted
 from ev3proto.text.paste import Pasted
 
 MOST_COMPLAINTS = 10
-"""Places in a capture that are complained about one by one; of the others, only their number is given."""
+"""Maximum number of errors in a capture that are printed one by one; the rest is counted."""
 
 
 class CaptureSource:
-    """A capture, or a text as one, that was named on the command line. What cannot be read is complained about.
+    """A capture, or a text read as one, from the command line. Errors are printed on standard error.
 
     label   its name in messages
-    status  exit status so far: 1 once anything was at fault
+    status  exit status so far: 1 after any error
     """
 
     def __init__(
@@ -44,13 +44,13 @@ class CaptureSource:
         *,
         is_quiet: bool = True,
     ) -> None:
-        """Reads nothing yet.
+        """Prepares reading.
 
         Args:
             name: Path, or - for standard input.
             options: How to read it.
             file: The file, if it is open already.
-            found: What it is, if that is known already.
+            found: The kind of the file, if that is known already.
             is_quiet: Nothing is printed while it is read, so that a progress bar may be drawn.
         """
         self._source = Source(name)
@@ -65,16 +65,16 @@ class CaptureSource:
 
     @property
     def account(self) -> Account:
-        """Where the captured bytes went, so far."""
+        """The account of the captured bytes so far."""
         if self._capture is not None:
             return self._capture.account
         return Account()
 
     def events(self) -> Iterator[Event]:
-        """Reads the capture. What cannot be read is complained about; nothing is raised.
+        """Reads the capture. Errors are printed; nothing is raised.
 
         Yields:
-            All events, or with a filter the frames that it lets through and nothing else.
+            All events, or with a filter the frames that match it.
         """
         chosen = self._options.filter
         if chosen is None:
@@ -98,7 +98,7 @@ class CaptureSource:
         """Reads the capture in the same way.
 
         Yields:
-            Each command with its reply, as far as the filter lets the two of them through.
+            Each command with its reply, if the filter matches the two of them.
         """
         chosen = self._options.filter
         for pair in dialogues(self._all_events()):
@@ -106,7 +106,7 @@ class CaptureSource:
                 yield pair
 
     def expect_frames(self) -> None:
-        """Complains of what was read to its end where nothing of a brick is in it, whatever the filter lets through."""
+        """Reports that nothing of a brick was in it, whatever the filter."""
         account = self.account
         if self._capture is not None and not (self.status or account.frames or account.texts):
             self._complain(
@@ -128,7 +128,7 @@ class CaptureSource:
             self._complain(f"cannot be read: {error.strerror or error}")
 
     def _bar(self, capture: Capture) -> AbstractContextManager[Callable[[], None]]:
-        """What shows how far reading is; of a text, how many of its lines were read."""
+        """Shows the progress of reading; for a text, the number of lines read."""
         file = self._file if self._is_text else None
         return progress_bar(
             lambda: capture.progress if file is None else file.progress, self.label, is_quiet=self._is_quiet
@@ -162,7 +162,7 @@ class CaptureSource:
         return self._capture
 
     def _pieces(self, found: Input) -> Iterator[Pasted]:
-        """Yields the pieces of a text, and complains about what cannot be read of it."""
+        """Yields the pieces of a text, and reports what cannot be read of it."""
         yield from found.frames
         lines = advancing(found.lines, lambda: self._advance())
         for pasted in pieces(lines, self._options.missing, self._complain):
@@ -176,7 +176,7 @@ class CaptureSource:
 
     @property
     def unit(self) -> str:
-        """What the numbers of its records count: packets, or the lines of a text."""
+        """The unit of its records' numbers: packets, or the lines of a text."""
         return "line" if self._is_text else "packet"
 
     def carrier(self, record: Record) -> str | None:
@@ -185,12 +185,12 @@ class CaptureSource:
 
     @property
     def extent(self) -> str:
-        """How much of it was read, for messages."""
+        """The part of it that was read, for messages."""
         return counted(self.account.packets, "frame" if self._is_text else "packet")
 
     @property
     def passed_over(self) -> str:
-        """What to say besides where nothing was found: why packets may have frames all the same, empty if none may."""
+        """Returns why packets may nevertheless have frames if none were found; empty if they may not."""
         account = self.account
         said = ""
         if account.packed:
@@ -205,13 +205,13 @@ class CaptureSource:
         return said
 
     def _read(self, capture: Capture) -> Iterator[Event]:
-        """The events; skipped bytes are complained about."""
+        """Yields the events; skipped bytes are reported."""
         chosen = self._options.filter
         is_begun = False
         places = lost = 0
         for event in capture.events():
             if chosen is not None and not is_begun:
-                # From the first packet on, as the times that are shown.
+                # Relative to the first packet, like the times that are shown.
                 chosen.begin(event.time_ns if capture.account.first_ns is None else capture.account.first_ns)
                 is_begun = True
             if isinstance(event, Skipped):

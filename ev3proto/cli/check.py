@@ -33,28 +33,28 @@ if TYPE_CHECKING:
     from ev3proto.cli.annotations import Annotations
     from ev3proto.cli.captures import CaptureSource
 
-# Captures and programs are loaded where they are needed: a frame is checked 40 ms sooner.
+# Captures and programs are imported when needed: a frame is checked 40 ms sooner.
 
 FORMATS = ("text", "json", "sarif", "github")
-"""How findings are printed."""
+"""The formats of findings."""
 
 SEVERITIES = ("error", "warning", "hint")
-"""What is counted, the worst first."""
+"""The severities, the worst first."""
 
 _BUT_ERRORS = frozenset(SEVERITIES[1:])
 
 ALL_CODES = "all"
-"""What --explain takes instead of a code."""
+"""The argument of --explain instead of a code."""
 
 
 @dataclass(frozen=True, slots=True)
 class CheckOptions:
-    """What is asked for.
+    """The options of a check.
 
     style    one of FORMATS
-    fixes    print the fixed frame and what is left of the findings
+    fixes    print the fixed frame and the remaining findings
     strict   warnings count as errors for the exit status
-    carrier  what is to carry the frames, None for what the capture says, or any
+    carrier  the carrier of the frames; None for that of the capture, or any
     hidden   severities that are not shown
     quiet    only the summary is printed
     """
@@ -68,11 +68,11 @@ class CheckOptions:
 
     @property
     def as_json(self) -> bool:
-        """Whether it is one object a line."""
+        """Whether the output is one object a line."""
         return self.style == "json"
 
     def leaves_out(self, report: Report, *, is_alone: bool) -> bool:
-        """Whether nothing is printed of a frame: among many, one without an error when only these were asked for."""
+        """Whether to print nothing about a frame: among many, one without errors if only errors are wanted."""
         if not self.hidden >= _BUT_ERRORS or is_alone:
             return self.quiet
         return self.quiet or (report.accepted and not report.errors)
@@ -85,11 +85,11 @@ class CheckOptions:
 
 
 class Place(NamedTuple):
-    """Where a frame comes from.
+    """The origin of a frame.
 
-    label     in front of every offset, such as `robot.log, line 3`; empty where there is but one frame
+    label     the prefix of every offset, such as `robot.log, line 3`; empty for a single frame
     facts     the same for other tools
-    is_among  it is one frame of the many that a text or a capture has
+    is_among  it is one of the frames in a text or capture
     """
 
     label: str
@@ -98,7 +98,7 @@ class Place(NamedTuple):
 
 
 class Checking(SourceReader):
-    """Checks the frames of the sources, one after the other, and counts what is found."""
+    """Checks the frames of the sources one after the other, and counts the findings."""
 
     wanted = "command"
 
@@ -133,7 +133,7 @@ class Checking(SourceReader):
             self._frame(frame, Place(source.where(pasted), facts, is_among=True), self._options.carrier)
 
     def text(self, source: Source, lines: Iterator[str]) -> None:
-        """A text. Its first line that is neither empty nor a comment says whether it is assembly."""
+        """A text. Its first line that is neither empty nor a comment decides whether it is assembly."""
         first = list(introduction(lines))
         whole = chain(first, lines)
         if first and self.reading.missing is None and looks_like_assembly(first[-1]):
@@ -142,8 +142,8 @@ class Checking(SourceReader):
             super().text(source, whole)
 
     def assembly(self, source: Source, lines: Iterator[str]) -> None:
-        """Assembly, as `encode` and `send` take it; its values are left to the check."""
-        from ev3proto.cli.assembly import assembled_messages  # takes 5 ms, which frames have no use for
+        """Assembly, as for `encode` and `send`, but its values are left to the check."""
+        from ev3proto.cli.assembly import assembled_messages  # takes 5 ms, which frames do not need
 
         self._is_empty = False
         dialect = self.reading.dialect
@@ -162,7 +162,7 @@ class Checking(SourceReader):
         self._frame(frame, Place("" if self._is_single else f"frame {self.frames + 1}", {}), self._options.carrier)
 
     def capture(self, capture: CaptureSource) -> int:
-        """The commands in a capture, each as what carried it takes it."""
+        """The commands in a capture, each checked for its carrier."""
         before = self.frames
         for record in capture.records():
             if _is_reply(record):
@@ -177,7 +177,7 @@ class Checking(SourceReader):
         return self.frames - before
 
     def read(self, source: Source) -> None:
-        """Reads everything in a source; one that ends in .lms is that of a program."""
+        """Reads everything in a source; one that ends in .lms is the source of a program."""
         if not source.is_frame and source.name.lower().endswith(SOURCE_SUFFIX):
             self._is_empty = False
             self._source(source)
@@ -189,8 +189,8 @@ class Checking(SourceReader):
         self._image(source, image, [])
 
     def _image(self, source: Source, image: bytes, warnings: list[dict[str, Any]]) -> None:
-        """A program image, and what its source was warned of."""
-        from ev3proto.program import check_program  # takes 30 ms, which frames have no use for
+        """A program image, and the warnings about its source."""
+        from ev3proto.program import check_program  # takes 30 ms, which frames do not need
         from ev3proto.program.report import program_findings  # the same
 
         if self._options.fixes:
@@ -205,8 +205,8 @@ class Checking(SourceReader):
         self._count(report)
 
     def _source(self, source: Source) -> None:
-        """The source of a program: what is wrong with it, or else with the image that it becomes."""
-        # They take 30 ms, which frames have no use for.
+        """The source of a program: reports its errors, or else those of its image."""
+        # They take 30 ms, which frames do not need.
         from ev3proto.cli.assembly import show_errors
         from ev3proto.cli.programs import complain_of_warnings, read_source, source_findings
         from ev3proto.program import assemble
@@ -239,13 +239,13 @@ class Checking(SourceReader):
         self._image(source, made.image, source_findings(warnings=made.warnings))
 
     def complain(self, sentence: str) -> None:
-        """Prints a sentence about input that is at fault, also where a workflow shows it."""
+        """Prints a message about wrong input, also in the format of a workflow."""
         super().complain(sentence)
         if self._annotations is not None:
             self._annotations.complaint(sentence)
 
     def summary(self) -> None:
-        """How many frames there were and what was found, where there was more than one."""
+        """Prints the numbers of frames and findings, if there is more than one frame."""
         if self._annotations is not None:
             self._annotations.end()
         elif self._options.as_json and self._options.quiet:
@@ -307,7 +307,7 @@ class Checking(SourceReader):
         is_file: bool = False,
         warnings: Sequence[dict[str, Any]] = (),
     ) -> bool:
-        """Shows what was found in any form but as text; says whether nothing is left to be shown."""
+        """Shows findings in any format except text; returns whether nothing is left to show."""
         if self._options.leaves_out(report, is_alone=self._is_single and not place.is_among):
             return True
         if self._annotations is not None:
@@ -331,14 +331,14 @@ class Checking(SourceReader):
         self._printer.lines(lines)
 
     def _stand_apart(self, is_long: bool) -> None:
-        """Sets what is printed next apart from what is around it, where either has several lines."""
+        """Separates the next output from its neighbours, if either has several lines."""
         if self._was_long or (is_long and self._was_long is not None):
             self._printer.text("")
         self._was_long = is_long
 
 
 def _annotations(style: str, printer: Printer) -> Annotations | None:
-    """What shows findings to a workflow; None where they are for people, or for other tools."""
+    """The writer of findings for a workflow; None for other formats."""
     if style not in ("github", "sarif"):
         return None
     from ev3proto.cli.annotations import Annotations  # takes 30 ms: sources of programs have findings, too
@@ -347,7 +347,7 @@ def _annotations(style: str, printer: Printer) -> Annotations | None:
 
 
 def _is_reply(record: Record) -> bool:
-    """Whether a frame comes from the brick, as the capture says, or else its type."""
+    """Whether a frame comes from the brick, by the capture or else by its type."""
     if record.direction is not None:
         return record.direction == "received"
     return record.message.type is not None and not record.message.type.is_command
@@ -436,7 +436,7 @@ def check(
 
 
 def _explain(name: str, *, as_json: bool, dialect: str) -> None:
-    """Prints what a code means, or the list of all. Raises click.BadParameter for one that there is not."""
+    """Prints what a code means, or the list of all. Raises click.BadParameter for an unknown code."""
     known = PROGRAM_CODES | CODES
     found = list(known.values()) if name == ALL_CODES else [known[name.upper()]] if name.upper() in known else []
     if not found:
@@ -451,7 +451,7 @@ def _explain(name: str, *, as_json: bool, dialect: str) -> None:
                 [[(f"{code.code}  ", Role.OPERATION), (f"{code.severity!s:8} ", Role.ASIDE), (code.title, Role.PLAIN)]]
             )
         elif code.code in PROGRAM_CODES:
-            from ev3proto.cli.programs import program_explanation  # takes 30 ms, which codes of frames have no use for
+            from ev3proto.cli.programs import program_explanation  # takes 30 ms, which codes of frames do not need
 
             printer.lines(program_explanation(code, dialect))
         else:

@@ -23,7 +23,7 @@ from ev3proto.version import VERSION
 
 
 class Group(click.Group):
-    """A group that shows the first sentence of each subcommand whole, and suggests one for a misspelt name."""
+    """A group that shows the first sentence of each subcommand in full, and suggests one for a misspelt name."""
 
     def resolve_command(
         self, ctx: click.Context, args: list[str]
@@ -51,7 +51,7 @@ class Group(click.Group):
 
 
 def first_sentence(command: click.Command) -> str:
-    """The first sentence of a command's help, without its full stop."""
+    """Returns the first sentence of a command's help, without its full stop."""
     paragraph = " ".join((command.help or "").partition("\n\n")[0].split())
     return paragraph.partition(". ")[0].removesuffix(".")
 
@@ -78,18 +78,18 @@ SUBCOMMANDS = {
     "timeline": "Draws a timeline of messages, latencies, files and faults",
     "values": "Shows values over time: battery, sensors, motors, latencies, mailbox messages",
 }
-"""The subcommands, each with the first sentence of its help. Each is a module of its own, which is imported when its
-command is used: to import all of them takes 300 ms."""
+"""The subcommands, each with the first sentence of its help. Each is a separate module, which is imported when the
+command is used: importing all of them takes 300 ms."""
 
 INTERNAL_ERROR = 70
-"""Exit status where ev3proto itself is at fault, as sysexits.h has it."""
+"""The exit status of a bug in ev3proto, as in sysexits.h."""
 
 DEBUG = "EV3PROTO_DEBUG"
 """The environment variable that shows where an internal error comes from."""
 
 
 class Commands(Group):
-    """The subcommands, and how everything ends: with an exit status, and never with a traceback."""
+    """The subcommands. Every end has an exit status, and never a traceback."""
 
     def list_commands(self, _context: click.Context) -> list[str]:
         """Returns the names of all subcommands, in order."""
@@ -113,7 +113,7 @@ class Commands(Group):
             return super().make_context(*args, **extra)
 
     def invoke(self, context: click.Context) -> Any:
-        """Runs the subcommand. What it printed is written, unless a signal ended it: the reader may have stopped."""
+        """Runs the subcommand. Its output is written, unless a signal ended it: the reader may have stopped."""
         with _printing_help():
             try:
                 return super().invoke(context)
@@ -130,7 +130,7 @@ class Commands(Group):
         """
         extra["standalone_mode"] = False
         if isinstance(sys.stdout, TextIOWrapper):
-            # What the terminal's character set does not have is written as an escape, too.
+            # Characters that the terminal's character set lacks are written as escapes, too.
             sys.stdout.reconfigure(errors="backslashreplace")
         try:
             status = super().main(args, prog_name, **extra)
@@ -164,11 +164,11 @@ class Commands(Group):
 
 @contextmanager
 def _printing_help() -> Iterator[None]:
-    """Takes errors of standard output for what they are. Click prints help and versions, and knows none of them."""
+    """Recognises errors of standard output. Click prints help and versions, and does not."""
     try:
         yield
     except click.exceptions.Exit:
-        # Into a stream that is closed, click prints nothing and says nothing.
+        # Into a closed stream, click silently prints nothing.
         if sys.stdout is None:
             raise OutputError(None, "standard output is closed") from None
         raise
@@ -179,12 +179,12 @@ def _printing_help() -> Iterator[None]:
 
 
 def _is_of_click(error: OSError) -> bool:
-    """Whether an error comes from what click printed, and not from anything that was read."""
+    """Whether an error comes from click's output, and not from reading."""
     return any(frame.f_code is click.echo.__code__ for frame, _ in walk_tb(error.__traceback__))
 
 
 def _forget_unwritten() -> None:
-    """Lets what could not be written to the standard streams go; what there is to say of it was said."""
+    """Drops unwritten output of the standard streams; its errors were reported already."""
     for stream in (sys.stdout, sys.stderr):
         if stream is not None:
             try:
@@ -194,7 +194,7 @@ def _forget_unwritten() -> None:
 
 
 def _forget(stream: TextIO | None) -> None:
-    """Lets what could not be written go: Python would try once more at its end, and report that it cannot."""
+    """Drops unwritten output: at its end, Python would try again, and report the error."""
     if stream is None:
         return
     with suppress(OSError, ValueError), Path(os.devnull).open("wb") as nowhere:

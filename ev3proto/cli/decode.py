@@ -22,11 +22,11 @@ if TYPE_CHECKING:
 
 
 PROGRAM_FORMATS = ("listing",)
-"""The formats that there are for programs only."""
+"""The formats for programs only."""
 
 
 class Decoding(SourceReader):
-    """Shows what the sources have, one after the other, and remembers whether any was at fault."""
+    """Shows the contents of the sources one after the other, and remembers whether any was faulty."""
 
     def __init__(self, show: Show, reading: CaptureOptions, *, as_dialogues: bool, as_programs: bool) -> None:
         super().__init__(reading)
@@ -39,12 +39,12 @@ class Decoding(SourceReader):
 
     @property
     def wants_records(self) -> bool:
-        """--dialogues and --programs read the frames of a text as a capture, too."""
+        """--dialogues and --programs read the frames of a text like a capture."""
         return self._as_dialogues or self._as_programs or super().wants_records
 
     def capture(self, capture: CaptureSource) -> int:
-        """Its frames and texts, or its dialogues, or the programs that it moves."""
-        from ev3proto.cli.recorded import moved_programs, show_capture  # takes 30 ms, which frames have no use for
+        """Shows its frames and texts, or its dialogues, or the programs that it transfers."""
+        from ev3proto.cli.recorded import moved_programs, show_capture  # takes 30 ms, which frames do not need
 
         before = self._show.count
         if self._as_programs:
@@ -58,14 +58,14 @@ class Decoding(SourceReader):
         return self._show.count - before
 
     def program(self, source: Source, image: bytes) -> None:
-        """A program image, in the format that was asked for."""
+        """Shows a program image, in the requested format."""
         if self._as_programs:
             raise click.UsageError(f"--programs is for captures, but {source.label[:60]} is a program itself")
         self._shown(source.label, None, image)
 
     def _shown(self, label: str, origin: str | None, image: bytes) -> None:
-        """A program: what complaints call it, and where it comes from if that is to be shown."""
-        from ev3proto.cli.programs import read_program  # takes 60 ms, which frames have no use for
+        """Shows a program, with its name for messages, and its origin if that is to be shown."""
+        from ev3proto.cli.programs import read_program  # takes 60 ms, which frames do not need
 
         program = read_program(label, image, self.reading.dialect)
         if program is None:
@@ -76,7 +76,7 @@ class Decoding(SourceReader):
             self.complain(f"{label}: fault at {fault}")
 
     def piece(self, piece: Piece, pasted: Pasted, source: Source) -> None:
-        """A frame of a text."""
+        """Shows a frame of a text."""
         fault = piece.message.fault
         cut = pasted.cut and fault is not None and fault.truncated
         seen = Seen(pasted.direction, pasted.time, cut)
@@ -85,7 +85,7 @@ class Decoding(SourceReader):
             self.complain(f"{source.where(pasted)}: fault at {fault}")
 
     def say_what_was_given_up(self) -> None:
-        """Complains where commands of a text waited for their replies no longer."""
+        """Reports commands of a text that were dropped before their replies came."""
         if self._dialogue.forgotten:
             complain(given_up("the input", self._dialogue.forgotten, self.reading.memory))
 

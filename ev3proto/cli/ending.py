@@ -1,7 +1,7 @@
-"""How the command line ends where it is not by itself: Ctrl-C, being asked to terminate, a reader that went away.
+"""How the command line ends early: Ctrl-C, a request to terminate, a reader that has gone.
 
-All of that is silent. A signal unwinds the program like any other end, so that temporary folders are removed and other
-programs are stopped; the exit status is 128 and the number of the signal, as shells have it: 130 for Ctrl-C.
+All of that is silent. A signal unwinds the program like any other end, so that temporary folders are removed and child
+processes stopped; the exit status is 128 plus the number of the signal, as in shells: 130 for Ctrl-C.
 """
 
 from __future__ import annotations
@@ -17,15 +17,15 @@ from contextlib import contextmanager, suppress
 _NAMES = ("SIGINT", "SIGTERM", "SIGHUP")
 
 _SIGNALLED = 128
-"""What is added to a signal's number in the exit status."""
+"""Added to a signal's number for the exit status."""
 
 _SAME = 1.0
-"""Seconds within which signals are one: the terminal and the program that started this one may both send it."""
+"""Seconds within which signals count as one: the terminal and the parent process may both send it."""
 
 _SOON = 0.01
 
 PATIENCE = 5.0
-"""Seconds that something gets to stop in order: it may have more to show than anybody waits for, or no reader."""
+"""Shutdown grace period, in seconds: the program may have much left to print, or no reader."""
 
 Handler = Callable[[int, object], object]
 
@@ -39,13 +39,13 @@ class Ended(SystemExit):
 
 
 def ended_behind(error: BaseException | None) -> Ended | None:
-    """Looks whether an error is the end by a signal.
+    """Returns whether an error is the end by a signal.
 
     Args:
-        error: Any, or None. While a class is made, Python 3.11 makes a RuntimeError of whatever is raised.
+        error: Any, or None. While a class is created, Python 3.11 turns every exception into a RuntimeError.
 
     Returns:
-        The end from which the error comes, None where it comes from none.
+        The end that caused the error, or None.
 
     """
     cause = error
@@ -68,7 +68,7 @@ def _numbers(*, also_ignored: bool = False) -> list[signal.Signals]:
 
 @contextmanager
 def _handled_by(handler: Handler, numbers: list[signal.Signals]) -> Iterator[None]:
-    """While it lasts, a function is called in place of what signals do otherwise."""
+    """In this block, a function is called instead of the usual effect of signals."""
     if threading.current_thread() is not threading.main_thread():
         yield
         return
@@ -82,12 +82,12 @@ def _handled_by(handler: Handler, numbers: list[signal.Signals]) -> Iterator[Non
 
 @contextmanager
 def stopped_by_signals(stop: Callable[[], object]) -> Iterator[None]:
-    """While it lasts, the first signal stops something in order; the next does what it did before.
+    """In this block, the first signal stops something cleanly; the next one has its earlier effect.
 
-    Where it takes longer than PATIENCE to stop, the signal comes once more by itself, until all of it has ended.
+    If stopping takes longer than PATIENCE, the signal is sent again, until everything has ended.
 
     Args:
-        stop: Is called once, between any two steps of the program.
+        stop: Called once, between any two steps of the program.
     """
     numbers = _numbers(also_ignored=True)
     before = {number: signal.getsignal(number) for number in numbers}
@@ -131,7 +131,7 @@ def _let_go_of_output() -> None:
 
 @contextmanager
 def ended_by_signals() -> Iterator[None]:
-    """While it lasts, a signal ends the program by an exception, and another one somewhat later ends it at once."""
+    """In this block, a signal ends the program by an exception, and a later second one ends it at once."""
     first: float | None = None
 
     def end(number: int, _frame: object) -> None:

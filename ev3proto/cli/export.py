@@ -136,7 +136,7 @@ def everything(folder: Path, check: bool) -> None:
 
 
 class _Carrying(SourceReader):
-    """Hands the frames of all sources on to a capture, and complains about those that cannot be carried."""
+    """Adds the frames of all sources to a capture, and reports those that cannot be carried."""
 
     is_quiet = True
 
@@ -147,7 +147,7 @@ class _Carrying(SourceReader):
         self._has_times: bool | None = None
 
     def piece(self, piece: Piece, pasted: Pasted, source: Source) -> None:
-        """A frame of a text, at its time; without one it goes on from the frame before."""
+        """Adds a frame of a text, at its time; without one, at the next time after the frame before."""
         frame = piece.message.build()
         if self._has_times is None:
             self._has_times = pasted.time is not None
@@ -155,7 +155,7 @@ class _Carrying(SourceReader):
         self._add(timed, source.where(pasted))
 
     def capture(self, capture: CaptureSource) -> int:
-        """The frames of a capture, at their times."""
+        """Adds the frames of a capture, at their times."""
         before = self._writer.count
         for record in capture.records():
             self._add(TimedFrame(record.frame, record.time_ns), f"{capture.label}, {capture.unit} {record.number}")
@@ -204,7 +204,7 @@ def pcapng(names: tuple[str, ...], output: Path | None, carrier: str, interval: 
         carrying = _Carrying(writer, reading)
         carrying.read_all(sources(names))
         if not writer.count:
-            # Nothing was written yet, and what was there before stays.
+            # Nothing was written yet, and an existing file stays.
             sys.exit(1)
         writer.close()
     sys.exit(1 if carrying.at_fault else 0)

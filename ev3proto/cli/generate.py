@@ -1,6 +1,6 @@
-"""`python -m ev3proto.generate` writes all files that are generated and checked in.
+"""`python -m ev3proto.generate` writes all generated files that are checked in.
 
-With `--check` it writes nothing and exits with status 1 if a file is not what would be written.
+With `--check` it writes nothing, and exits with status 1 if a file is out of date.
 """
 
 from __future__ import annotations

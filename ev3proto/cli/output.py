@@ -1,8 +1,8 @@
-"""What people and other programs are shown. Everything that is printed goes through here.
+"""Output for users and other programs. Everything that is printed goes through here.
 
-What was printed is written before anything goes to standard error, and before more input is waited for. No control
-character gets through, wherever it comes from. Standard output and standard error may both be closed, full, or a pipe
-without a reader.
+Printed lines are written before anything goes to standard error, and before waiting for more input. Control
+characters never get through, wherever they come from. Standard output and standard error may both be closed, full, or
+a pipe without a reader.
 """
 
 from __future__ import annotations
@@ -39,9 +39,9 @@ STYLES: dict[str, dict[str, Any]] = {
 
 
 class OutputError(Exception):
-    """Standard output cannot be written. It is not an OSError, so it is never taken for one about what is read.
+    """Standard output cannot be written. It is not an OSError, so it is never mistaken for an error of the input.
 
-    number  the number of the error (errno), None where there is none
+    number  the number of the error (errno), or None
     reason  a few words
     """
 
@@ -51,13 +51,13 @@ class OutputError(Exception):
 
     @classmethod
     def of(cls, error: OSError) -> OutputError:
-        """What an error of the operating system means where it comes from standard output."""
+        """Turns an operating system error of standard output into an OutputError."""
         return cls(error.errno, error.strerror or str(error))
 
 
 @contextmanager
 def writing_output() -> Iterator[TextIO]:
-    """Standard output. Raises OutputError for what goes wrong with it."""
+    """Standard output. Raises OutputError for its errors."""
     if sys.stdout is None:
         raise OutputError(None, "standard output is closed")
     try:
@@ -74,16 +74,16 @@ def _write(text: str, *, at_once: bool = False) -> None:
 
 
 def flush() -> None:
-    """Writes what waits to be written to standard output. Raises OutputError where that is not possible."""
+    """Flushes standard output. Raises OutputError."""
     if sys.stdout is not None:
         with writing_output() as stream:
             stream.flush()
 
 
 class Printer:
-    """Prints lines: coloured on a terminal, plain into a pipe and where NO_COLOR is set.
+    """Prints lines: coloured on a terminal, plain into a pipe or if NO_COLOR is set.
 
-    at_once  what is printed is to be seen at once, because it may take long until more comes
+    at_once  output is flushed at once, because the next may come late
     """
 
     def __init__(self, *, at_once: bool = False) -> None:
@@ -101,7 +101,7 @@ class Printer:
 
 
 def _painted(line: Line) -> str:
-    """A line with the sequences that colour it."""
+    """Returns a line with the sequences that colour it."""
     return "".join(
         click.style(visible(text), **STYLES[role]) if role in STYLES else visible(text) for text, role in line
     )
@@ -113,14 +113,14 @@ def say(text: str = "") -> None:
 
 
 def draw(lines: Iterable[str]) -> None:
-    """Prints lines as they are: they have colours of ours in them, and only `visible` texts beside these."""
+    """Prints lines unchanged: they contain our colours, and otherwise only `visible` texts."""
     _write("".join(f"{line}\n" for line in lines))
 
 
 def complain(sentence: str) -> None:
-    """Prints a sentence to standard error, after all that was printed before it.
+    """Prints a message on standard error, after all earlier output.
 
-    Where standard error cannot be written, only the exit status is left to tell.
+    If standard error cannot be written, only the exit status remains.
     """
     flush()
     if sys.stderr is not None:
@@ -130,16 +130,16 @@ def complain(sentence: str) -> None:
 
 
 class Failure(click.ClickException):
-    """The input is at fault: a sentence on standard error, and exit status 1."""
+    """An error of the input: a message on standard error, and exit status 1."""
 
     def show(self, file: object = None) -> None:  # noqa: ARG002 - click's signature
-        """Prints the sentence."""
+        """Prints the message."""
         complain(self.message)
 
 
 @contextmanager
 def failing_on(*kinds: type[Exception]) -> Iterator[None]:
-    """Ends the program where an error of these kinds is raised, with its sentence."""
+    """Exits with the message of an error of these kinds."""
     try:
         yield
     except kinds as error:
@@ -148,7 +148,7 @@ def failing_on(*kinds: type[Exception]) -> Iterator[None]:
 
 @contextmanager
 def failing_to(do: str, path: object) -> Iterator[None]:
-    """Ends the program where an OSError is raised: `PATH: cannot be DONE: REASON`. The error may name another path."""
+    """Exits for an OSError: `PATH: cannot be DONE: REASON`. The error may name another path."""
     try:
         yield
     except OSError as error:
@@ -161,21 +161,21 @@ def is_terminal() -> bool:
 
 
 class _Bytes:
-    """Standard output for bytes, whose errors are not taken for those of what is read."""
+    """Standard output for bytes, whose errors are not mistaken for errors of the input."""
 
     def write(self, data: bytes) -> int:
-        """Writes bytes, now or with what follows them. Raises OutputError."""
+        """Writes bytes, now or together with the next ones. Raises OutputError."""
         with writing_output() as stream:
             return stream.buffer.write(data)
 
     def flush(self) -> None:
-        """Writes what waits. Raises OutputError."""
+        """Flushes. Raises OutputError."""
         flush()
 
 
 @contextmanager
 def binary_output() -> Iterator[BinaryIO]:
-    """Standard output for bytes, after all that was printed before, and written when the `with` ends.
+    """Standard output for bytes, after all earlier output, and flushed at the end of the `with`.
 
     Raises:
         OutputError: It cannot be written.
@@ -187,7 +187,7 @@ def binary_output() -> Iterator[BinaryIO]:
 
 
 def put(data: bytes, path: Path | None, *, check: bool = False) -> bool:
-    """Writes what a file is to have: whole, or not at all. Complains where that fails.
+    """Writes the contents of a file completely, or not at all. Reports errors.
 
     Args:
         data: Its contents.
@@ -195,7 +195,7 @@ def put(data: bytes, path: Path | None, *, check: bool = False) -> bool:
         check: Write nothing, and compare.
 
     Returns:
-        Whether the file has them now.
+        Whether the file has these contents now.
 
     Raises:
         OutputError: Standard output cannot be written.
@@ -204,7 +204,7 @@ def put(data: bytes, path: Path | None, *, check: bool = False) -> bool:
         with binary_output() as stream:
             stream.write(data)
         return True
-    from ev3proto.whole_files import write_whole  # takes 2 ms, which commands that print have no use for
+    from ev3proto.whole_files import write_whole  # takes 2 ms, which commands that only print do not need
 
     try:
         if not check:
@@ -229,7 +229,7 @@ def output_options(command: F) -> F:
 
 
 def write_text(text: str, output: Path | None, *, check: bool) -> None:
-    """Writes the text of a file, or checks whether it has that text. Ends the program with status 1 where not."""
+    """Writes the text of a file, or checks whether it has that text. Exits with status 1 if not."""
     if check and output is None:
         raise click.UsageError("--check needs -o")
     if not put(text.encode(), output, check=check):
@@ -237,10 +237,10 @@ def write_text(text: str, output: Path | None, *, check: bool) -> None:
 
 
 class Awaited(io.RawIOBase):
-    """Input that may come slowly: what was printed is written before more of it is waited for.
+    """Input that may come slowly: earlier output is written before waiting for more.
 
-    stream   what is read
-    is_ours  closing this closes the stream, too
+    stream   the input
+    is_ours  closing this also closes the stream
     """
 
     def __init__(self, stream: io.RawIOBase | io.BytesIO, *, is_ours: bool = False) -> None:
@@ -249,7 +249,7 @@ class Awaited(io.RawIOBase):
         self._is_ours = is_ours
 
     def close(self) -> None:
-        """Nothing more is read."""
+        """Ends reading."""
         if self._is_ours and not self.closed:
             self._stream.close()
         super().close()
@@ -263,28 +263,28 @@ class Awaited(io.RawIOBase):
         return self._stream.fileno()
 
     def readinto(self, buffer: WriteableBuffer, /) -> int | None:
-        """Reads what there is, at least a byte, or nothing at the end."""
+        """Reads the available bytes, at least one, or nothing at the end."""
         flush()
         return self._stream.readinto(buffer)
 
 
 EVERY = 2048
-"""Lines or frames after which the bar is drawn again."""
+"""Lines or frames between updates of the bar."""
 
 PATIENCE = 1.0
-"""Seconds of reading after which there is a bar."""
+"""Seconds of reading before a bar appears."""
 
 _STEPS = 1000
-"""Into how many steps a bar divides the input."""
+"""The number of steps of a bar."""
 
 
 @contextmanager
 def progress_bar(done: Callable[[], float | None], name: str, *, is_quiet: bool) -> Iterator[Callable[[], None]]:
-    """A bar, drawn once reading takes long, where a terminal watches and nothing else is printed on it.
+    """A bar, drawn if reading takes long, on a terminal on which nothing else is printed.
 
     Args:
-        done: The part of the input that was read, 0 to 1; None where its size is not known.
-        name: What is read.
+        done: The part of the input that was read, 0 to 1; None if its size is unknown.
+        name: The name of the input.
         is_quiet: Nothing is printed on standard output while it is read.
 
     Yields:
@@ -311,7 +311,7 @@ def progress_bar(done: Callable[[], float | None], name: str, *, is_quiet: bool)
 
 
 def advancing(lines: Iterable[str], advance: Callable[[], None]) -> Iterator[str]:
-    """The lines, with a call now and then that draws the bar."""
+    """Yields the lines, and draws the bar now and then."""
     for count, line in enumerate(lines):
         if count % EVERY == 0:
             advance()

@@ -1,6 +1,6 @@
-"""How input is read: the options of subcommands, the lines of texts, and what a file is by its first bytes.
+"""How input is read: the options of subcommands, the lines of texts, and the kind of a file by its first bytes.
 
-Nothing here loads a part that reads captures: a frame needs this, too.
+Nothing here imports a part that reads captures: single frames need this, too.
 """
 
 from __future__ import annotations
@@ -28,20 +28,20 @@ BUILTIN = "builtin"
 """The engine that needs no other program."""
 
 MIB = 1 << 20
-"""Bytes in which --memory counts."""
+"""Bytes in the unit of --memory."""
 
 
 @dataclass
 class CaptureOptions:
-    """How captures are to be read.
+    """How to read captures.
 
-    dialect  the firmware whose instruction set to read by
+    dialect  the firmware whose instruction set to use
     ports    TCP ports on which bricks listen
     engine   builtin or wireshark
     tshark   path of the tshark for that engine
-    filter   which records to show, None for all
-    missing  what the bytes in a text lack in front of them to be frames
-    memory   MiB that all that waits may take
+    filter   the filter of records to show, or None
+    missing  the bytes before each frame that a text lacks
+    memory   memory limit in MiB for everything pending
     """
 
     dialect: str = DIALECTS[0]
@@ -54,12 +54,12 @@ class CaptureOptions:
 
 
 def given_up(label: str, count: int, memory: int) -> str:
-    """What to say where too much waited.
+    """Returns the message about dropped data.
 
     Args:
         label: What was read.
         count: How many things had to go.
-        memory: MiB that all that waits may take.
+        memory: Memory limit in MiB for everything pending.
     """
     return (
         f"{label}: {count} parts of frames, transfers and commands without a reply were given up: what waits may take"
@@ -79,11 +79,11 @@ def _compiled(_context: click.Context, _parameter: click.Parameter, text: str | 
 
 
 _WINDOW = 60
-"""Characters of a filter that are shown on either side of what is wrong in it."""
+"""Characters of a filter that are shown on either side of a mistake."""
 
 
 def _underlined(text: str, error: FilterError) -> str:
-    """Two lines: the filter, and below it what is wrong in it."""
+    """Returns two lines: the filter, and below it a mark at the mistake."""
     at = error.column - 1
     start, end = max(at - _WINDOW, 0), at + _WINDOW
     shown = "".join(character if character.isprintable() else " " for character in text[start:end])
@@ -160,7 +160,7 @@ _OPTIONS = (
 
 
 def reading_options(command: F) -> F:
-    """Adds the options on how to read captures to a command, which gets them as one argument, `reading`."""
+    """Adds the options for reading captures to a command, which gets them as one argument, `reading`."""
 
     @functools.wraps(command)
     def called(*arguments: Any, no_length: bool, only_operations: bool, **others: Any) -> Any:

@@ -1,4 +1,4 @@
-"""What a capture has to standard output: its frames, the texts around them, its dialogues."""
+"""Prints the contents of a capture: frames, texts around them, dialogues."""
 
 from __future__ import annotations
 
@@ -38,19 +38,19 @@ def show_capture(show: Show, capture: CaptureSource, *, as_dialogues: bool) -> I
 
 
 def moved_programs(capture: CaptureSource, complain: Callable[[str], None]) -> Iterator[tuple[str, bytes]]:
-    """The programs that a capture moves to or from the brick, as far as they were captured.
+    """Returns the programs that a capture transfers, as far as they were captured.
 
     Args:
         capture: The capture.
-        complain: Is called with a sentence on what goes wrong.
+        complain: Called with a message about each error.
 
     Yields:
-        Where each comes from, and its image.
+        The origin of each, and its image.
     """
     with temporary_folder() as folder:
         found: list[RecoveredFile] = []
         try:
-            # One by one, so that what was found stays when the capture ends early.
+            # One by one, so that programs that were found remain if the capture ends early.
             found += recover(capture.events(), folder)
         except CaptureError as error:
             complain(f"{capture.label}: {error}")
@@ -63,7 +63,7 @@ def moved_programs(capture: CaptureSource, complain: Callable[[str], None]) -> I
 
 
 def _show_record(show: Show, record: Record, start_ns: int) -> None:
-    """Shows a frame of a capture that began then."""
+    """Shows a frame of a capture; its start is the base of times."""
     if show.is_json:
         show.entry(_record(record))
         return
@@ -74,7 +74,7 @@ def _show_record(show: Show, record: Record, start_ns: int) -> None:
 
 
 def show_announcement(show: Show, announcement: Announcement, start_ns: int) -> None:
-    """Shows a text of a capture that began then."""
+    """Shows a text of a capture; its start is the base of times."""
     facts = announcement.facts
     if show.is_json:
         show.entry(
@@ -128,7 +128,7 @@ def _seen(event: Record | Announcement, start_ns: int, answers: int | None = Non
 
 
 def _record(record: Record) -> dict[str, Any]:
-    """A frame with what a capture knows of it, for other tools."""
+    """Returns a frame with the facts from the capture, for other tools."""
     entry = message_record(record.exchange, Seen(direction=record.direction, frame=record.frame)) | _place(record)
     if record.request is not None:
         entry |= {"answers": record.request.number, "latency": record.latency}

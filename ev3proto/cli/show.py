@@ -1,4 +1,4 @@
-"""Messages to standard output, in the format asked for."""
+"""Prints messages in the requested format."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from ev3proto.text.tree import tree
 if TYPE_CHECKING:
     from ev3proto.program import Program
 
-# Assembly and programs are loaded when they are asked for: a tree is there 20 ms sooner.
+# Assembly and programs are imported on request: a tree is shown 20 ms sooner.
 
 FORMATS = ("tree", "table", *NOTATIONS, "json")
 
@@ -39,7 +39,7 @@ class Show:
         self.count = 0
 
     def exchange(self, exchange: Exchange, seen: Seen, padding: int = 0) -> None:
-        """A message, and how many bytes of padding followed it."""
+        """Shows a message, and the number of padding bytes after it."""
         if self.is_json:
             self.entry(record(exchange, seen))
             return
@@ -47,7 +47,7 @@ class Show:
             self._printer.text("")
         self.count += 1
         if self._style in NOTATIONS:
-            from ev3proto.text.assembly.disassembly import assembly  # takes 18 ms, which other formats have no use for
+            from ev3proto.text.assembly.disassembly import assembly  # takes 18 ms, which other formats do not need
 
             for line in assembly(exchange, plain_text(heading(exchange, seen)), self._style):
                 self._printer.text(line)
@@ -77,8 +77,8 @@ class Show:
             self._printer.lines([line])
 
     def program(self, program: Program, image: bytes, origin: str | None = None) -> None:
-        """A program and its image, and where it comes from if that is not plain."""
-        from ev3proto.cli.programs import show_program  # takes 60 ms, which frames have no use for
+        """Shows a program and its image, and its origin if that is not obvious."""
+        from ev3proto.cli.programs import show_program  # takes 60 ms, which frames do not need
 
         if self.count and self._program_style != "json":
             self._printer.text("")

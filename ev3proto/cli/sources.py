@@ -1,4 +1,4 @@
-"""Subcommands that take frames read all of their sources here: arguments, texts, captures, standard input."""
+"""Reads the sources of all subcommands that take frames: arguments, texts, captures, standard input."""
 
 from __future__ import annotations
 
@@ -37,23 +37,23 @@ _HOW_FRAMES_ARE_MADE = "`ev3proto encode` makes frames of it"
 
 
 def looks_like_assembly(line: str) -> bool:
-    """Whether a line that has no frame is assembly; one with nothing but a label may as well be a heading."""
-    from ev3proto.text.assembly.recognising import is_assembly  # takes 11 ms, which frames have no use for
+    """Whether a line without a frame is assembly; a line with nothing but a label may be a heading."""
+    from ev3proto.text.assembly.recognising import is_assembly  # takes 11 ms, which frames do not need
 
     return not line.rstrip().endswith(":") and is_assembly(line)
 
 
 class SourceReader(ABC):
-    """Reads sources one after the other, and remembers whether any was at fault.
+    """Reads sources one after the other, and remembers whether any was faulty.
 
-    A subclass says what becomes of the frames of a text and of a capture. What cannot be read is complained about.
+    A subclass handles the frames of a text and of a capture. Unreadable input is reported.
     """
 
     wanted = "frame"
-    """What is looked for in captures, as complaints call it."""
+    """The things to find in captures, for messages."""
 
     arguments = "nor a frame"
-    """What an argument may be besides a file, as complaints call it."""
+    """What an argument may be besides a file, for messages."""
 
     accepted = CAPTURES
     """What can be read, for messages about anything else."""
@@ -76,12 +76,12 @@ class SourceReader(ABC):
         """Takes the events of a capture.
 
         Returns:
-            How many there were of what is wanted.
+            The number of wanted ones.
         """
 
     @property
     def wants_records(self) -> bool:
-        """Whether the frames of a text are to be read as those of a capture: with their replies and times."""
+        """Whether the frames of a text are read like those of a capture, with replies and times."""
         return self.reading.filter is not None
 
     def argument(self, source: Source) -> None:
@@ -100,13 +100,13 @@ class SourceReader(ABC):
         self.complain(f"{source.name[:60]!r} is assembly, not a frame; {_HOW_FRAMES_ARE_MADE}")
 
     def text(self, source: Source, lines: Iterator[str]) -> None:
-        """Takes the lines of a text, and complains about those that look like frames and are none."""
+        """Takes the lines of a text, and reports those that look like frames but are not."""
         lines = self._noting_the_first(lines)
         for pasted in pieces(lines, self.reading.missing, lambda unread: self.complain(f"{source.label}: {unread}")):
             self._pasted(pasted, source)
 
     def read_all(self, found: Sequence[Source]) -> None:
-        """Reads everything in all sources, and complains about each that has no frame."""
+        """Reads everything in all sources, and reports each that has no frame."""
         for source in found:
             self._is_empty, self._first_line = True, ""
             self.read(source)
@@ -114,7 +114,7 @@ class SourceReader(ABC):
                 self.complain(self._nothing_in(source))
 
     def _nothing_in(self, source: Source) -> str:
-        """What to say of a source without a frame."""
+        """Returns the message about a source without a frame."""
         if source.name.lower().endswith(SOURCE_SUFFIX):
             more = ", but the source of a program; `ev3proto encode -o FILE.rbf` makes its image"
         elif looks_like_assembly(self._first_line):
@@ -124,14 +124,14 @@ class SourceReader(ABC):
         return f"{source.label}: no frame found{more}"
 
     def _noting_the_first(self, lines: Iterator[str]) -> Iterator[str]:
-        """The same lines, of which the first that is neither empty nor a comment is kept."""
+        """Yields the same lines; the first that is neither empty nor a comment is kept."""
         for line in introduction(lines):
             self._first_line = line
             yield line
         yield from lines
 
     def read(self, source: Source) -> None:
-        """Reads everything in a source, and complains if it cannot be read."""
+        """Reads everything in a source, and reports errors."""
         if source.is_frame and self.wants_records:
             self._recorded(source, Input(Kind.TEXT, lines=[source.name]))
         elif source.is_frame:
@@ -185,7 +185,7 @@ class SourceReader(ABC):
         self.at_fault |= bool(capture.status)
 
     def _wrong(self, pasted: Pasted, problem: str, source: Source) -> None:
-        """Complains about a piece of text that is not, or not whole, a frame."""
+        """Reports a piece of text that is not a complete frame."""
         if not source.is_frame:
             self.complain(f"{source.where(pasted)}: {problem}")
         elif not pasted.data and source.looks_like_a_path:

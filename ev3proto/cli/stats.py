@@ -56,16 +56,16 @@ def stats(files: tuple[str, ...], reading: CaptureOptions, as_json: bool) -> Non
 
 
 class _Page:
-    """What there is to say, in sections."""
+    """The statistics, in sections."""
 
     def __init__(self, summary: Summary, unit: str) -> None:
         self._summary = summary
         self._unit = unit
-        # Which brick it is goes without saying where there is only one.
+        # The brick is obvious if there is only one.
         self._tables = Tables(hidden=() if summary.peers else ("brick",))
 
     def show(self) -> None:
-        """Everything that there is; nothing of what there is not."""
+        """All parts that are not empty."""
         summary = self._summary
         self._peer(summary.whole, "")
         for peer in summary.peers:
@@ -144,7 +144,7 @@ class _Page:
         self._section(f"Captured bytes, in {many}", ("part", "bytes", "share"), rows)
 
     def _section(self, heading: str, titles: Sequence[str], rows: Sequence[Sequence[str]], more: int = 0) -> None:
-        """A table with its heading, and how many rows it lacks; nothing where it has no rows."""
+        """A table with its heading, and the number of omitted rows; nothing if it is empty."""
         if rows:
             self._tables.heading(heading)
             self._tables.table(titles, rows)

@@ -1,4 +1,4 @@
-"""Tables for people: as wide as they are into a pipe, on a terminal as wide as that, where their numbers fit."""
+"""Tables for people: at full width into a pipe, on a terminal folded to its width if the numbers fit."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class Tables:
     """
 
     def __init__(self, hidden: Collection[str] = ()) -> None:
-        from rich.console import Console  # takes 30 ms, which only terminals have a use for
+        from rich.console import Console  # takes 30 ms, which only terminals need
 
         self._console = Console(highlight=False, markup=False, emoji=False)
         self._size = self._console.size
@@ -41,14 +41,14 @@ class Tables:
         Printer().lines([[(text, Role.HEADING)]])
 
     def table(self, titles: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
-        """A table. Its cells may come from the network: nothing in them is markup, nothing moves the cursor."""
+        """Prints a table. Its cells may come from the network: they cannot contain markup or move the cursor."""
         shown = [title not in self._hidden for title in titles]
-        # Everything is made fit to be shown here, before there are colours.
+        # Everything is made printable here, before it is coloured.
         cells = [[visible(cell) for cell in compress(row, shown)] for row in (titles, *rows)]
         draw(self._on_screen(*cells) if self._on_terminal else _plain(cells))
 
     def _on_screen(self, titles: list[str], *rows: list[str]) -> list[str]:
-        """The lines of a table in colours, folded where the terminal is not as wide."""
+        """The lines of a table in colours, folded to the width of the terminal."""
         from rich.console import ConsoleDimensions  # as above
         from rich.table import Table
         from rich.text import Text
@@ -59,9 +59,9 @@ class Tables:
             table.add_column(title, justify="left" if is_text else "right", overflow="fold", no_wrap=not is_text)
         for row in rows:
             table.add_row(*map(Text, row))
-        # Rich would cut numbers and omit columns. A line that is wider than the terminal goes on in its next one.
+        # Rich would cut numbers and omit columns. A line that is wider than the terminal continues in the next one.
         width, height = self._size
-        # Of a terminal that it does not know, Rich takes a width only with a height.
+        # If it does not know the terminal, Rich only accepts a width together with a height.
         self._console.size = ConsoleDimensions(max(width, _least_width([titles, *rows])), height)
         with self._console.capture() as captured:
             self._console.print(table)
@@ -69,14 +69,14 @@ class Tables:
 
 
 def _widths(rows: list[list[str]]) -> list[int]:
-    """How wide the columns are where nothing is folded, in cells of a terminal."""
+    """The widths of the columns without folding, in cells of a terminal."""
     from rich.cells import cell_len  # as above
 
     return [max(map(cell_len, column)) for column in zip(*rows, strict=True)]
 
 
 def _least_width(rows: list[list[str]]) -> int:
-    """How wide a table is at least: its numbers as they are, its texts folded."""
+    """The minimum width of a table: numbers in full, texts folded."""
     widths = [
         min(width, LEAST_TEXT) if title in TEXTS else width for title, width in zip(rows[0], _widths(rows), strict=True)
     ]
@@ -84,7 +84,7 @@ def _least_width(rows: list[list[str]]) -> int:
 
 
 def _plain(rows: list[list[str]]) -> list[str]:
-    """The same lines without colours, as wide as they are. Rich would take a kilobyte and more for each cell."""
+    """The same lines without colours, at full width. Rich would take a kilobyte and more for each cell."""
     from rich.cells import cell_len  # as above
 
     widths = _widths(rows)

@@ -1,4 +1,4 @@
-"""`ev3proto values`: the values in replies over time, as a table, CSV, JSON or a picture."""
+"""`ev3proto values`: the values in replies over time, as a table, CSV, JSON or a chart."""
 
 from __future__ import annotations
 
@@ -27,13 +27,13 @@ MOST_SHOWN = 50
 """Maximum number of columns of a table, and of lines of a chart."""
 
 MOST_PRINTED = 100_000
-"""Cells of a table, each of which takes a kilobyte until all are printed."""
+"""Maximum cells of a table, each of which takes a kilobyte until all are printed."""
 
 _CELL = 150
-"""Characters that take as much in a table as a cell itself."""
+"""Characters that take as much memory as a cell."""
 
 MOST_COLUMNS = {None: MOST_SHOWN, "csv": 1_000, "json": None}
-"""Columns by form. JSON has only the values that there are, so it needs no limit."""
+"""Columns by format. JSON has only existing values, so it needs no limit."""
 
 
 @click.command()
@@ -154,7 +154,7 @@ def _print_json(found: Series) -> None:
 
 
 def _records(found: Series) -> Iterator[dict[str, Any]]:
-    """The rows for other programs. A row has the name of its file where they are of several."""
+    """The rows for other programs. With several files, a row has the name of its file."""
     is_of_several = _is_of_several(found)
     for row in found.rows:
         file = {"file": row.file} if is_of_several else {}

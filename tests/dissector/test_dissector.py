@@ -1,4 +1,4 @@
-"""The output of the dissector: info column, fields for filters, replies read through their commands, transferred files.
+"""The output of the dissector: info column and tree. Values, links and files are compared in test_dissector_agreement.py.
 
 All tests use the real tshark; packet numbers are those of the captures in the repository.
 """
@@ -6,7 +6,6 @@ All tests use the real tshark; packet numbers are those of the captures in the r
 from __future__ import annotations
 
 import struct
-from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -20,28 +19,6 @@ import ev3proto
 
 CAPTURES = Path(__file__).parents[2] / "captures"
 WIFI = CAPTURES / "wifi.pcapng"
-
-Ask = Callable[..., list[str]]
-
-
-@pytest.fixture
-def ask(tshark: Tshark) -> Ask:
-    """The values of a field in the packets that match a filter, a line per packet."""
-
-    def asked(display_filter: str, *fields: str, capture: Path = WIFI, passes: int = 2) -> list[str]:
-        words = ["-T", "fields", "-Y", display_filter]
-        for field in fields:
-            words += ["-e", field]
-        if passes == 2:
-            words.append("-2")
-        return tshark.run(capture, *words).splitlines()
-
-    return asked
-
-
-def info(ask: Ask, packet: int, capture: Path = WIFI) -> str:
-    (line,) = ask(f"frame.number == {packet}", "_ws.col.Info", capture=capture)
-    return line
 
 
 # The info column
@@ -91,45 +68,6 @@ def test_the_protocol_column_and_one_line_output_need_no_tree(tshark: Tshark) ->
 # Fields
 
 
-FILTERS = {
-    "ev3.sound.tone.frequency > 400": [11],
-    "ev3.ui_write.led.pattern == LED_ORANGE_PULSE": [17],
-    "ev3.output_speed.speed": [17],
-    'ev3.cmd == "INPUT_DEVICE.READY_SI"': [15],
-    "ev3.op == OUTPUT_GET_COUNT": [20],
-    "ev3.globals > 20": [13, 25],
-    'ev3.argument.variable == "GV(24)"': [13],
-    "ev3.msg_num == 5 && ev3.cmd_type == 0": [17],
-    "ev3.sys_cmd == WRITEMAILBOX": [52],
-    "ev3.reply_status == 6": [51],
-    "ev3.file_len == 2500": [41],
-    'ev3.path_name contains "log"': [31],
-    "ev3.max_bytes == 900 && ev3.file_name": [35],
-    "ev3.list_size == 112": [32],
-    "ev3.list": [32, 34],
-    'ev3.mailbox == "abc"': [52],
-    'ev3.beacon.name == "myEV3"': [1, 2],
-}
-"""Filters, and the packets that match."""
-
-
-@pytest.fixture(scope="module")
-def filtered(tshark: Tshark) -> dict[str, list[int]]:
-    return tshark.matches(WIFI, list(FILTERS), "-2")
-
-
-@pytest.mark.parametrize("display_filter", FILTERS)
-def test_everything_is_a_field(filtered: dict[str, list[int]], display_filter: str) -> None:
-    assert filtered[display_filter] == FILTERS[display_filter]
-
-
-def test_the_bootloader_has_fields_too(ask: Ask) -> None:
-    capture = CAPTURES / "usb-bootloader.pcapng"
-    assert ask("ev3.address == 0 && ev3.image_size == 2500", "ev3.sys_cmd", capture=capture) == ["0xf0", "0xf5"]
-    assert ask("ev3.hw_id", "ev3.hw_id", "ev3.fw_id", capture=capture) == ["0x0000b67f\t0x00000600"]
-    assert ask("ev3.checksum", "ev3.checksum", capture=capture) == ["0xdace64d3"]
-
-
 def test_a_command_in_the_tree(tshark: Tshark) -> None:
     text = tshark.run(WIFI, "-V", "-Y", "frame.number == 11")
     assert text[text.index("EV3: ") :].rstrip().splitlines() == [
@@ -161,7 +99,7 @@ def test_values_have_names_flags_and_meanings(tshark: Tshark) -> None:
     assert "TYPE: TYPE_KEEP (0) (keep the type)\n" in text
 
 
-def test_the_firmware_whose_instruction_set_is_meant_is_a_preference(tshark: Tshark, ask: Ask) -> None:
+def test_the_firmware_whose_instruction_set_is_meant_is_a_preference(tshark: Tshark) -> None:
     # DYNLOAD_VMLOAD is not an opcode of LEGO's firmware.
     frame = bytes.fromhex("08 00 01 00 00 01 00 f0 00 60")
     capture = one_segment(tshark.folder / "dynload.pcap", frame)
@@ -175,69 +113,12 @@ def test_the_firmware_whose_instruction_set_is_meant_is_a_preference(tshark: Tsh
 # Dialogues
 
 
-def test_request_and_reply_point_at_each_other(ask: Ask) -> None:
-    assert ask("ev3.response_in == 18", "frame.number") == ["17"]
-    assert ask("ev3.request_in == 17", "frame.number", "ev3.response_time") == ["18\t0.004300000"]
-    # Two commands went out before two replies came back in one segment.
-    assert ask("frame.number == 27", "ev3.request_in", "ev3.response_time") == ["24,25\t0.005100000,0.004800000"]
-    assert ask("frame.number in {24, 25}", "ev3.response_in") == ["27", "27"]
-
-
-def test_a_reply_is_read_through_its_command(ask: Ask) -> None:
-    assert ask("ev3.ui_read.get_vbatt.value > 7.9", "frame.number") == ["14", "18"]
-    (line,) = ask("frame.number == 18", "ev3.ui_read.get_vbatt.value", "ev3.answers")
-    value, operation = line.split("\t")
-    assert float(value) == pytest.approx(7.92)
-    assert operation == "UI_READ.GET_VBATT"
-    assert ask("frame.number == 14", "ev3.input_device_list.array", "ev3.input_device.get_name.destination") == [
-        "16,32,29,126\tCOL-REFLECT    "
-    ]
-    assert ask("frame.number == 16", "ev3.input_device.ready_si.values.item") == ["-12,3"]
-    assert ask("frame.number == 23", "ev3.output_get_count.tacho") == ["421,-17"]
-
-
-def test_one_pass_reads_replies_too(ask: Ask) -> None:
-    fields = ("frame.number", "ev3.request_in", "ev3.transfer.done", "ev3.ui_read.get_vbatt.value", "ev3.answers")
-    assert ask("ev3", *fields, passes=1) == ask("ev3", *fields, passes=2)
-
-
-def test_commands_without_a_reply_are_said_so_when_all_is_read(ask: Ask) -> None:
-    assert ask("ev3.expert.unanswered", "frame.number") == ["54"]
-    assert ask("ev3.expert.unanswered", "frame.number", passes=1) == []
-
-
 def test_replies_whose_command_is_not_in_the_capture_are_said_so(tshark: Tshark) -> None:
     # Two replies in a row show that a connection is a brick's.
     frames = bytes.fromhex("07 00 01 00 02 a4 70 fd 40") + bytes.fromhex("07 00 02 00 02 a4 70 fd 40")
     capture = one_segment(tshark.folder / "orphan.pcap", frames, from_brick=True)
     assert "the command that this reply answers was not seen" in tshark.run(capture, "-V")
     assert "reply: 4 bytes, command not seen" in tshark.run(capture)
-
-
-def test_every_piece_of_a_file_tells_which_file_and_how_far_it_is(ask: Ask) -> None:
-    fields = ("frame.number", "ev3.transfer.path", "ev3.transfer.done", "ev3.transfer.size")
-    assert ask("ev3.sys_cmd in {0x92, 0x93} && frame.number < 50", *fields) == [
-        "41\t../prjs/log/first.rbf\t0\t2500",
-        "42\t../prjs/log/first.rbf\t0\t2500",
-        "43\t../prjs/log/first.rbf\t1017\t2500",
-        "44\t../prjs/log/first.rbf\t2034\t2500",
-        "46\t../prjs/log/first.rbf\t2034\t2500",
-        "47\t../prjs/log/first.rbf\t2034\t2500",
-        "48\t../prjs/log/first.rbf\t2500\t2500",
-        "49\t../prjs/log/first.rbf\t2500\t2500",
-    ]
-    path = "../prjs/log/values.rtf"
-    assert ask("ev3.sys_cmd == 0x95", *fields) == [
-        f"37\t{path},{path},{path}\t900,900,900\t2710,2710,2710",
-        f"38\t{path}\t1800\t2710",
-        f"39\t{path},{path}\t2700,2710\t2710,2710",
-    ]
-
-
-def test_error_replies_and_failures_are_expert_information(ask: Ask) -> None:
-    assert ask("ev3.expert.error_reply", "frame.number") == ["29"]
-    assert ask("ev3.expert.failed", "frame.number", "_ws.expert.message") == ["51\tthe command failed: ILLEGAL_PATH"]
-    assert ask("ev3.expert.misaligned", "frame.number") == ["28"]
 
 
 def one_segment(path: Path, frame: bytes, *, from_brick: bool = False) -> Path:

@@ -15,29 +15,6 @@ from ev3proto.text.assembly import AssemblyError
 _TYPES = (Type.DATA8, Type.DATA16, Type.DATA32, Type.DATAF, Type.HANDLE, Type.STRING)
 
 
-def test_every_place_that_is_used_gets_a_variable_of_its_type() -> None:
-    found = declared(0, 20, {0: Type.DATA8, 4: Type.DATAF, 8: Type.STRING, 16: Type.DATA16})
-    assert [(it.index, it.word, it.count) for it in found] == [
-        (0, "DATA8", None),
-        (1, "ARRAY8", 3),
-        (4, "DATAF", None),
-        (8, "DATAS", 8),
-        (16, "DATA16", None),
-        (18, "ARRAY8", 2),
-    ]
-
-
-def test_a_place_that_no_declaration_of_its_type_would_get_is_a_byte() -> None:
-    found = declared(0, 8, {1: Type.DATA32, 6: Type.STRING})
-    assert [(it.index, it.word, it.count) for it in found] == [
-        (0, "DATA8", None),
-        (1, "DATA8", None),
-        (2, "DATA8", None),
-        (3, "ARRAY8", 3),
-        (6, "DATAS", 2),
-    ]
-
-
 @given(
     st.integers(0, 60), st.integers(0, 60), st.dictionaries(st.integers(0, 70), st.sampled_from(_TYPES), max_size=12)
 )

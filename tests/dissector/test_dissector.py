@@ -1,4 +1,4 @@
-"""The output of the dissector: info column and tree. Values, links and files are compared in test_dissector_agreement.py.
+"""The output of the dissector: info column and tree. test_dissector_agreement.py compares values, links and files.
 
 All tests use the real tshark; packet numbers are those of the captures in the repository.
 """

@@ -1,4 +1,4 @@
-"""Jumps: always, by a flag, by comparing two numbers. Where nothing is jumped, the offset is not looked at."""
+"""Jumps: always, by a flag, by comparing two numbers. The offset of a jump that is not taken is not read."""
 
 from __future__ import annotations
 

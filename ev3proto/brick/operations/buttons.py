@@ -21,7 +21,7 @@ computes(
         "UI_BUTTON.PRESS": lambda vm, button: _buttons(vm).touch(button, True, vm.program, vm.microseconds),
         "UI_BUTTON.RELEASE": lambda vm, button: _buttons(vm).touch(button, False, vm.program, vm.microseconds),
         "UI_BUTTON.PRESSED": lambda vm, button: _buttons(vm).is_down(button),
-        # What is asked for is forgotten, except by the TEST commands.
+        # Asking forgets the press, except by the TEST commands.
         "UI_BUTTON.SHORTPRESS": lambda vm, button: _buttons(vm).short_press(button),
         "UI_BUTTON.TESTSHORTPRESS": lambda vm, button: _buttons(vm).short_press(button, forget=False),
         "UI_BUTTON.LONGPRESS": lambda vm, button: _buttons(vm).long_press(button),

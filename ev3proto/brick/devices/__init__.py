@@ -1,1 +1,1 @@
-"""Models of what a brick is made of beside its machine: motors, sensors, display, buttons, loudspeaker, terminal."""
+"""Models of a brick's parts besides its machine: motors, sensors, display, buttons, loudspeaker, terminal."""

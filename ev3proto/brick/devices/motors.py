@@ -69,7 +69,7 @@ class Motor:
     wanted       what POWER or SPEED asked for last, -100 to 100, without polarity
     polarity     1 or -1
     is_running   whether START made it run for ever
-    phases       what is left of a move; the first is under way
+    phases       the remaining phases of a move; the first is in progress
     owner        object whose move is under way; 0 without one
     is_held      its values are as they were plugged in, until a command moves it
     """
@@ -93,7 +93,7 @@ class Motor:
         self._phase_time = 0.0
         self._held = (0, 0, 0)
 
-    # What is seen
+    # Readings
 
     @property
     def speed_now(self) -> int:
@@ -162,7 +162,7 @@ class Motor:
         self._speed = 0.0
 
     def _leave(self) -> None:
-        """Gives up what it is doing; the other motor of a synchronous move floats."""
+        """Ends the present move; the other motor of a synchronous move floats."""
         partner, self.partner = self.partner, None
         if partner is not None:
             partner.partner = None
@@ -258,7 +258,7 @@ class Motor:
     # Time
 
     def advance(self, seconds: float) -> None:
-        """Lets the motor turn for a while."""
+        """Advances the motor by a time in seconds."""
         while seconds > 0.0 and (self.phases or self.is_running):
             phase = self.phases[0] if self.phases else None
             if phase is not None:

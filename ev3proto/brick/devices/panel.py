@@ -23,7 +23,7 @@ _SHOWN = (WARNING.end[1] if WARNING.end else 0) | _BATTERY_LOW
 
 @dataclass(frozen=True)
 class Versions:
-    """What the brick says it is. The real one prints the day of its build."""
+    """The brick's versions. A real one has the day of its build in them."""
 
     hardware: bytes = b"V0.60"
     firmware: bytes = b"V1.04H"
@@ -63,7 +63,7 @@ class Panel(Part):
 
     @property
     def light(self) -> int:
-        """The light's pattern as it is seen, 0 to 9: colours are orange while a warning is pending."""
+        """The visible pattern of the light, 0 to 9; its colour is orange while a warning is pending."""
         return _ORANGE.get(self.pattern, self.pattern) if self.warnings & _SHOWN else self.pattern
 
     def set_light(self, pattern: int) -> None:

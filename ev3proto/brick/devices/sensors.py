@@ -1,4 +1,4 @@
-"""Inputs: the sensors on the four ports, and the motors as far as they are read as sensors.
+"""Inputs: the sensors on the four ports, and the motors, which can be read as sensors.
 
 A sensor is a model with raw readings for each mode, which stay as they are until a script or a person changes them.
 What programs see of it is what the firmware makes of raw readings: percent, values in a unit, edges counted.
@@ -144,7 +144,7 @@ def _are_readings(readings: object) -> bool:
 
 
 class Inputs(Part):
-    """The inputs of a brick to which nothing is plugged in but the motors of its outputs."""
+    """The inputs of a brick; at first only the motors of its outputs are plugged in."""
 
     def __init__(self, outputs: Outputs) -> None:
         self._outputs = outputs
@@ -161,7 +161,7 @@ class Inputs(Part):
         Args:
             port: 1 to 4, or "A" to "D".
             type: The type's number; one that the tables do not have counts as unknown.
-            readings: Raw readings by mode; what is not given is 0.
+            readings: Raw readings by mode; missing ones are 0.
 
         Raises:
             ValueError: Unknown port, mode unknown to the type, or readings that are not numbers by mode.
@@ -333,7 +333,7 @@ class Inputs(Part):
 
 
 _NOTHING = Device()
-"""What is on the ports of bricks that are not there."""
+"""The empty ports of missing bricks of the daisy chain."""
 
 
 def _scaled(raw: float, source: Range, target: Range) -> float:

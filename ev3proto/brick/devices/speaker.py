@@ -1,4 +1,4 @@
-"""The loudspeaker: what it plays, and when it will be silent again. Nothing is heard; a page may play it."""
+"""The loudspeaker: what it plays, and until when. This computer makes no sound; a page may play it."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _MICROSECONDS = 1_000_000
 
 @dataclass(frozen=True)
 class Playing:
-    """What is played.
+    """A tone or file that is played.
 
     volume     percent, in steps of 8
     frequency  of a tone, in hertz; 0 for a file
@@ -44,7 +44,7 @@ class Sound(Part):
         self.playing: Playing | None = None
 
     def tone(self, volume: int, frequency: int, duration: int, now: int) -> None:
-        """Plays a tone instead of what is played.
+        """Plays a tone in place of the present sound.
 
         Args:
             volume: Percent.
@@ -56,7 +56,7 @@ class Sound(Part):
         self.playing = Playing(_loudness(volume), frequency, b"", now, now + duration * 1000 if duration else None)
 
     def play(self, volume: int, file: bytes, is_repeated: bool, now: int) -> None:
-        """Plays a sound file, once or for ever, instead of what is played.
+        """Plays a sound file, once or repeatedly, in place of the present sound.
 
         Args:
             volume: Percent.

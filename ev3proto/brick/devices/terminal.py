@@ -6,15 +6,15 @@ ROOM = 255
 """Bytes that the buffer holds; it is flushed when it is full."""
 
 _MOST_PRINTED = 1 << 16
-"""Bytes that are kept of what was printed: the last ones."""
+"""The number of last printed bytes that are kept."""
 
 
 class Terminal:
     """A terminal without a user.
 
     text     what was written since the last flush
-    printed  what was flushed while the terminal was on, the end of it
-    is_on    whether what is flushed is printed
+    printed  the last part of what was flushed while the terminal was on
+    is_on    whether flushing prints
     typed    what was typed and not read by a program
     """
 

@@ -25,7 +25,7 @@ _LONGEST_WALK = 1 << 15
 """Steps after which a line ends whose 16-bit error sum overflowed; it would never end on a brick."""
 
 REVERSED = bytes(int(f"{byte:08b}"[::-1], 2) for byte in range(256))
-"""A byte with its bits turned round: the firmware's pictures and frame buffer have the leftmost pixel lowest."""
+"""Each byte with its bits reversed: in the firmware's pictures the leftmost pixel is the lowest bit."""
 
 
 def span(left: int, right: int) -> int:
@@ -203,7 +203,7 @@ class Canvas:
     # Opaque cells: characters, icons, pictures
 
     def cell(self, x: int, y: int, width: int, cell_rows: list[int]) -> None:
-        """Draws a cell of given pixels over what is there, clipped at the edges.
+        """Draws a cell of given pixels over the present ones, clipped at the edges.
 
         Args:
             x: Left column.

@@ -38,7 +38,7 @@ TOP_LINE_PERIOD = 400_000
 class Display(Part):
     """The display of a brick that was just switched on: everything is clear.
 
-    canvas       what is drawn on
+    canvas       the canvas of all drawing operations
     font         number of the selected font
     is_headed    whether there is a line at the top
     graph        what GRAPH_SETUP set up
@@ -236,7 +236,7 @@ class Display(Part):
         self.canvas.byte_cell(x & ~7, y, icons.width, rows)
 
     def picture(self, color: int, x: int, y: int, picture: Picture) -> None:
-        """Draws a picture over what is there, clipped at the edges; colour 0 turns its pixels over."""
+        """Draws a picture over the canvas, clipped at the edges; colour 0 inverts its pixels."""
         solid = (1 << picture.width) - 1
         self.canvas.cell(x, y, picture.width, [row if color else row ^ solid for row in picture.rows])
 

@@ -75,7 +75,7 @@ class Graph:
                 at the bottom.
 
         Returns:
-            The last, lowest and highest sample and their mean; of all items nothing.
+            The last, lowest and highest sample and their mean; NaN if all items are drawn.
         """
         if 0 <= view < len(self.items):
             self._draw_item(canvas, view, self.x, skips=True)

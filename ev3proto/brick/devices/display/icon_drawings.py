@@ -1,4 +1,4 @@
-"""Icons as they are drawn on the display: our own drawings, in the sizes of the firmware's icons.
+"""The icons of the display: this project's own drawings, in the sizes of the firmware's icons.
 
 A drawing is a line of words, each a letter with its numbers, drawn one over the other on a clear cell:
 

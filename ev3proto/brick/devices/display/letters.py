@@ -1,4 +1,4 @@
-"""Letters as they are drawn on the display: our own, in the sizes of the firmware's character cells.
+"""The letters of the display: this project's own, in the sizes of the firmware's character cells.
 
 Each drawing shows the sixteen characters of one column of the ASCII table, 0x20 to 0x7F, side by side: `#` is a pixel.
 The fonts are made of these two sets, see fonts.py.

@@ -24,7 +24,7 @@ def read_picture(data: bytes) -> Picture:
     """Reads an .rgf file.
 
     Args:
-        data: The file's bytes; what is missing at the end counts as clear pixels, what is left over is ignored.
+        data: The file's bytes; missing bytes at the end count as clear pixels, further ones are ignored.
 
     Returns:
         The picture; one without pixels where even the size is missing.

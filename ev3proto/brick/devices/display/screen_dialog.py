@@ -1,4 +1,4 @@
-"""Dialogues: windows that wait for a button. Their look is our own; what they ask and answer is the firmware's."""
+"""Dialogues: windows that wait for a button. They work as the firmware's, and look different."""
 
 from __future__ import annotations
 
@@ -21,10 +21,10 @@ _CHARACTERS = b" ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_
 class ScreenDialog:
     """A window over what was drawn before.
 
-    display  what it is shown on
+    display  the display that shows it
     owner    the program that asks
     choice   which of several things is selected, counted from 0
-    text     what is typed
+    text     the text typed so far
     """
 
     display: Display
@@ -37,7 +37,7 @@ class ScreenDialog:
         self._before = self.display.canvas.copy()
 
     def close(self) -> None:
-        """Shows what was there before."""
+        """Closes the window and shows what it covered."""
         self.display.canvas = self._before
         self.display.update()
 
@@ -65,13 +65,13 @@ class ScreenDialog:
             self.display.text(1, _LEFT + _MARGIN, top + line * _LINE.height, part, NORMAL)
 
     def show_message(self, icons: Sequence[int], text: bytes) -> None:
-        """Icons with a text under them."""
+        """Shows icons with a text below."""
         self._window()
         self._text(text, self._icons(icons, None))
         self.display.update()
 
     def show_choice(self, icons: Sequence[int]) -> None:
-        """Icons of which one is selected."""
+        """Shows icons, one of them selected."""
         self._window()
         self._icons(icons, self.choice)
         self.display.update()
@@ -85,7 +85,7 @@ class ScreenDialog:
         self.display.update()
 
     def show_list(self, x: int, y: int, width: int, height: int, lines: Sequence[bytes]) -> None:
-        """Lines in a rectangle of their own, the selected one inverted."""
+        """Shows lines in a rectangle, the selected one inverted."""
         canvas = self.display.canvas
         canvas.fillrect(0, x, y, width, height)
         fit = max(height // _LINE.height, 1)

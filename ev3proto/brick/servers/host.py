@@ -264,7 +264,7 @@ class Host:
                 self._report_end(connection)
 
     def _report_end(self, connection: Connection) -> None:
-        """Tells observers that a connection is over, and what is left of an unfinished frame."""
+        """Tells observers that a connection has ended, and the bytes of an unfinished frame."""
         if left := connection.left:
             reason = (len(left) >= LENGTH_FIELD and out_of_step(left)) or _unfinished(left)
             self.say_once(f"{connection.name}: {reason}")
@@ -375,7 +375,7 @@ class Host:
         return any(other.is_ready for other in self.connections if other is not connection)
 
     def _advance(self) -> None:
-        """Lets the brick's clock follow the real one."""
+        """Advances the brick's clock to the real one."""
         brick = self.brick
         now = int((self._loop.time() - self._begin) * _MICROSECONDS)
         self._now = max(self._now, now - _MOST_BEHIND)

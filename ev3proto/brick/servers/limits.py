@@ -16,7 +16,7 @@ MOST_DELAYED = 64
 """Replies to one client that are held back by `--delay` before its next frame waits."""
 
 MOST_QUEUED = 64
-"""Connections that may wait for one of the clients to go; further ones are closed at once."""
+"""Connections that may wait until a client disconnects; further ones are closed at once."""
 
 UNLOCK_TIME = 30.0
 """Seconds in which a client has to send the unlock text."""

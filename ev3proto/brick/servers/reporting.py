@@ -101,15 +101,15 @@ class Reporter:
         place["seconds"] = round(time.monotonic() - self._begin, 6)
         return place
 
-    # What was found
+    # Findings
 
     @property
     def has_errors(self) -> bool:
-        """Whether any frame has an error, or a client sent what is not a frame."""
+        """Whether any frame has an error, or a client sent bytes that are not a frame."""
         return bool(self._broken) or any(kind.finding.severity is Severity.ERROR for kind in self._sorted(True))
 
     def lines(self, *, errors_only: bool = False) -> Iterator[Line]:
-        """Yields what was found, for people: each kind of finding with its count and the first frame that has it."""
+        """Yields the findings for people: each kind with its count and the first frame that has it."""
         many = f"{counted(self.frames, 'frame')} from clients"
         kind_of_finding = "error" if errors_only else "finding"
         kinds = self._sorted(errors_only)

@@ -1,4 +1,4 @@
-"""`--script`: what is plugged into a brick, and what happens to it in time, written down as TOML.
+"""`--script`: what is plugged into a brick, and what happens to it over time, as TOML.
 
 name = "EV3"
 voltage = 7.9               # volt
@@ -140,7 +140,7 @@ def read_script(path: Path) -> Script:
         return _Reading().script(_parsed(text))
     except ScriptError:
         raise
-    except ValueError:  # Python writes no number of more than 4300 digits, not even to say what is wrong with it
+    except ValueError:  # Python refuses numbers of more than 4300 digits, even in its own error message
         raise ScriptError("it has a number that is too large") from None
 
 

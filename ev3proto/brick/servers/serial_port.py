@@ -28,7 +28,7 @@ class SerialPort:
 
         Args:
             host: What drives the brick.
-            path: Where the link is to be; nothing may be there.
+            path: The path of the link, which must not exist yet.
 
         Raises:
             ServerError: There is something, or the link cannot be made.

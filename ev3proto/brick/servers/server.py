@@ -38,12 +38,12 @@ NETWORK = "ev3proto"
 
 @dataclass(frozen=True)
 class Options:
-    """What is wanted around a brick.
+    """The options of a brick's server.
 
     address     where clients connect; loopback unless another one is named
     port        TCP port of WiFi, 0 for any that is free; None: no WiFi
     beacon      whether it says that it is there
-    clients     served at once
+    clients     number of clients that are served at once
     serial      where the link to a serial port is to be; None: no such port
     page        TCP port of the page, 0 for any that is free; None: no page
     faults      what happens to replies
@@ -51,7 +51,7 @@ class Options:
     report      whether clients' frames are checked
     screenshot  file for a picture of the display at the end
     script      what is plugged in, and what happens
-    serial_number  12 hexadecimal digits that the brick shows as its own; None: those it always has
+    serial_number  12 hexadecimal digits; None: the usual ones
     dialect     the firmware's instruction set
     """
 
@@ -78,7 +78,7 @@ class Running:
     host      what drives it
     address   where WiFi listens
     port      of WiFi; 0 without WiFi
-    link      where the page is, with its token; empty without a page
+    link      the page's address with its token; empty without a page
     looked    set when the page was opened
     reporter  what has checked the frames so far; None where that was not asked for
     """
@@ -97,7 +97,7 @@ async def running(options: Options, root: Path, say: Say) -> AsyncIterator[Runni
     """Switches a brick on, and off at the end.
 
     Args:
-        options: What is wanted.
+        options: The options.
         root: The folder of its files.
         say: Is called with what its user should know, in sentences.
 
@@ -155,7 +155,7 @@ def _beacon(brick: Brick, port: int) -> Beacon:
 
 
 def _make_usual_folders(root: Path) -> None:
-    """Makes the folders that LEGO's bricks have, where programs look for what is not there."""
+    """Creates the folders of LEGO's bricks, in which programs look for files."""
     for name in USUAL_FOLDERS:
         with contextlib.suppress(OSError):
             (root / name).mkdir(parents=True, exist_ok=True)
@@ -188,7 +188,7 @@ def _save_screenshot(brick: Brick, path: Path, say: Say) -> None:
 
 
 def _expect_place(path: Path) -> None:
-    """Says at once that a file can have no place there, and not when all is over. ServerError where that is so."""
+    """Raises ServerError at once, not at the end, where a file cannot be written."""
     if not os.access(path.parent, os.W_OK):
         reason = "Permission denied" if path.parent.exists() else "No such file or directory"
         raise ServerError(f"{path}: cannot be written: {reason}")

@@ -26,7 +26,7 @@ _EVERYBODY = "255.255.255.255"
 class Unlocking:
     """Finds the unlock text.
 
-    said   what the client said, its last bytes up to the end of what was read with the text
+    said   the last bytes from the client, up to the end of the read that has the text
     extra  whether the client sent something right behind the text that is lost with it
     """
 

@@ -54,7 +54,7 @@ class Wifi:
 
         Args:
             host: What serves the clients.
-            clients: How many are served at once; further ones wait until one of them disconnects.
+            clients: Number of clients served at once; further ones wait until one disconnects.
             only_from: The address that clients must have; None for any.
         """
         self.address = ""
@@ -86,7 +86,7 @@ class Wifi:
         self.address, self.port = self._server.sockets[0].getsockname()[:2]
 
     def announce(self, beacon: Callable[[], Beacon], port: int = BEACON_PORT) -> None:
-        """Begins to send beacons to a UDP port; what they say is asked for each time."""
+        """Begins to send beacons to a UDP port; `beacon` is called for each."""
         self._beacon = asyncio.create_task(self._announce(beacon, port))
 
     async def close(self) -> None:

@@ -13,7 +13,7 @@ MOST_MEMBERS = 1000
 """Files and folders of one archive."""
 
 _HEADS = 2 * MOST_MEMBERS * tarfile.BLOCKSIZE
-"""Bytes of an archive beside the contents of its files."""
+"""Largest overhead of an archive, in bytes besides the contents of its files."""
 
 _GZIP = 16
 """For zlib: the data has the head of a gzip file."""
@@ -36,7 +36,7 @@ def pack(storage: Storage, path: bytes, archive: bytes) -> bool:
 
 
 def _members(storage: Storage, folder: bytes, name: bytes, depth: int) -> Iterator[tuple[bytes, bytes | None]]:
-    """Names and contents, None for those of a folder."""
+    """Yields names and contents; the contents of a folder are None."""
     if storage.is_folder(folder + name):
         yield name, None
         for entry in storage.shown(folder + name) if depth else ():

@@ -12,7 +12,7 @@ class Mailbox:
     """One mailbox.
 
     name     what senders call it
-    type     one of DATA_FORMAT: of its values
+    type     the type of its values, one of DATA_FORMAT
     is_open  whether a program has opened it
     content  room for a message: the latest one overwrites the start of earlier ones; there is no queue
     size     bytes of the latest message

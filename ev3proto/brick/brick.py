@@ -217,7 +217,7 @@ class Brick(Equipment):
         """Does the same as `receive` for a brick with several connections.
 
         Args:
-            channel: Names the connection; every reply says to which it goes.
+            channel: Names the connection; every reply has the name of its own.
             frame: One whole frame.
         """
         if type(frame) is not bytes:
@@ -237,7 +237,7 @@ class Brick(Equipment):
         target = self.microseconds + round(seconds * 1_000_000)
         self._deadline = thread_time() + self._stretch
         while self.microseconds < target:
-            # Whole ticks while anything runs, so that what is seen does not depend on how time is cut into pieces.
+            # Whole ticks while anything runs, so that results do not depend on the size of the steps.
             step = TICK - self.microseconds % TICK if self._is_running() else target - self.microseconds
             self.microseconds = min(target, self.microseconds + step)
             for part in self.parts:
@@ -354,13 +354,13 @@ class Brick(Equipment):
             if now > self._deadline or (is_waiting and has_waited):
                 self.is_computing = not is_waiting
                 return False
-            # Once more at once: some operations wait only for what they have changed themselves.
+            # Repeated once immediately: some operations wait only for what they have changed themselves.
             has_waited = is_waiting
         self._command = None
         self.is_computing = False
         if not self.is_dead:
             self._answer(command)
-        # A real brick takes some milliseconds for a frame, in which its programs continue.
+        # A real brick takes some milliseconds for a frame, during which its programs continue.
         self._turn_programs()
         return True
 
@@ -401,7 +401,7 @@ class Brick(Equipment):
             if program is None or slot == CMD_SLOT:
                 continue
             left, waiting = OPERATIONS_PER_TICK, 0
-            # Once round without an object that does not wait, nothing more can happen before the next tick.
+            # When all objects in turn have waited, nothing more can happen before the next tick.
             while left > 0 and program.status == RUNNING and waiting <= len(program.objects):
                 executed, is_waiting = self.machine.turn(program, min(left, OPERATIONS_PER_TURN))
                 left -= max(executed, 1)

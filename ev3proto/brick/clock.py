@@ -19,7 +19,7 @@ FIRST_STRETCH, LONGEST_STRETCH = 8, 128
 longer than others, and twice as many each time while they are quick."""
 
 LONG_STRETCH = 0.002
-"""Seconds of this computer's processor from which on a stretch is too long."""
+"""Seconds of this computer's processor after which a stretch is too long."""
 
 MOST_OPERATIONS = 3_000_000
 """Operations after which a direct command is ended: the firmware would execute it for ever."""

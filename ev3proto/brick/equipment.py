@@ -1,4 +1,4 @@
-"""What a brick is made of besides its machine: clock, files, display, buttons, motors, sensors, ..."""
+"""A brick's parts besides its machine: clock, files, display, buttons, motors, sensors, ..."""
 
 from __future__ import annotations
 

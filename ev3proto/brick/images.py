@@ -1,6 +1,6 @@
 """Program images in the brick's memory: what LOAD_IMAGE loads, and the programs that PROGRAM_START makes of it.
 
-Addresses mean nothing here but to find the image again.
+Addresses serve only to find the image again.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ MOST_IMAGES = 64
 """Images that are kept; the oldest is forgotten."""
 
 _ZEROS = bytes(8)
-"""What is read after an image, by an operation that is cut short."""
+"""The bytes after an image, which an incomplete operation reads."""
 
 
 class Image(NamedTuple):
@@ -37,7 +37,7 @@ class Image(NamedTuple):
 
 
 class Images:
-    """What is in memory, by its address."""
+    """The images in memory, by address."""
 
     def __init__(self) -> None:
         self._images: Bounded[int, Image] = Bounded(MOST_IMAGES)

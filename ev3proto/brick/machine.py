@@ -31,7 +31,7 @@ _Form = tuple[int, int, _Unpack | None, int]
 
 
 def _forms() -> tuple[_Form, ...]:
-    """Returns what each identification byte announces, as far as it is read at once.
+    """Returns the meaning of each identification byte, for values that are read at once.
 
     The kind; of a short form its value; of a long constant how its number is unpacked, and its bytes in all.
     """
@@ -89,11 +89,11 @@ def _integer(
 class Machine:
     """The machine with its five slots.
 
-    brick     what it is part of
+    brick     the brick that it is part of
     slots     the programs, by slot; None where there has been none
     program   the one that runs at this moment, `object` its object that does
     images    program images in memory
-    code, ip  its code, and the offset of what is read next
+    code, ip  its code, and the offset of the next byte to read
     global_memory, local_memory  its variables
     """
 
@@ -278,7 +278,7 @@ class Machine:
         if encoding.handle:
             return self._element(place)
         if encoding.address:
-            # An address of the real brick's memory means nothing here.
+            # Addresses of the real brick's memory do not exist here.
             raise WildAccess
         return place
 
@@ -310,7 +310,7 @@ class Machine:
         return self.slots[slot] if 0 <= slot < SLOTS else None
 
     def release(self, program: Program, handle: int) -> bool:
-        """Frees a handle of a program and closes what it named. Returns whether it named anything."""
+        """Frees a handle of a program, and closes its file. Returns whether the handle was in use."""
         entry = program.handles.remove(handle)
         if isinstance(entry, OpenFile):
             with suppress(OSError):
@@ -333,7 +333,7 @@ class Machine:
     def write_limited(self, destination: Place, text: bytes, length: int) -> None:
         """Writes a text cut to `length` with its zero: 0 writes nothing, a negative length does not cut.
 
-        An array gets `length` elements, or fewer where the text needs fewer, or what it needs where it is -1.
+        An array gets `length` elements, or fewer where the text needs fewer, or as many as the text needs for -1.
         """
         needed = len(text) + 1
         if destination.handle >= 0:

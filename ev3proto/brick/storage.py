@@ -28,7 +28,7 @@ QUOTA = 6000 * 1024
 """Bytes that files may take, as much as the real brick has for its user."""
 
 MOST_ENTRIES = 10_000
-"""Files and folders that may be made; a full folder keeps what is there."""
+"""Files and folders that may be created; existing ones are kept in any case."""
 
 MOST_DEPTH = 32
 """Folders within folders that copying, counting and packing follow."""
@@ -128,7 +128,7 @@ class Storage:
             return file.readall()
 
     def listing(self, path: bytes) -> bytes | None:
-        """Returns a folder as LIST_FILES shows it: in the reverse of its own order, every line for one entry.
+        """Returns a folder as LIST_FILES shows it: in reverse order, one line an entry.
 
         None for an unknown folder. Anything but files, folders and links is omitted.
         """
@@ -320,7 +320,7 @@ class Storage:
 
 
 class StoredFile(io.FileIO):
-    """An open file, whose bytes count for as long as they are on the disk."""
+    """An open file, whose bytes count while they are on the disk."""
 
     def __init__(self, storage: Storage, descriptor: int, mode: str) -> None:
         """Takes a descriptor over."""
@@ -372,7 +372,7 @@ def _walk(place: Path, depth: int) -> Iterator[os.stat_result]:
 
 
 def _entries(place: Path) -> Iterator[tuple[str, os.stat_result]]:
-    """Yields the entries of a folder in its own order, links as what they are; nothing where it cannot be read."""
+    """Yields the entries of a folder in its own order, without following links; none if it cannot be read."""
     try:
         entries = list(place.iterdir())
     except OSError:

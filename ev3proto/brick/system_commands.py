@@ -96,7 +96,7 @@ class Transfer:
     channel  the connection that began it
     command  the command that began it
     stream   where it is written to or read from
-    size     bytes of all of it
+    size     its bytes in all
     place    of the file, to see which program has it open; None for a listing
     done     bytes that have been moved
     """

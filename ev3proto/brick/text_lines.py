@@ -44,7 +44,7 @@ def line_of(text: bytes, delimiter: bytes, number: int) -> bytes:
 
     Args:
         text: The lines, each with the delimiter after it.
-        delimiter: What ends a line. An empty one ends every line at once, as in the firmware.
+        delimiter: The end of a line. An empty one ends every line at once, as in the firmware.
         number: Which line, counted from 1.
 
     Returns:
@@ -65,8 +65,8 @@ def with_line(text: bytes, line: bytes, delimiter: bytes, font: int, size: int) 
     """Returns a text with a line appended to it, as the bytes that the firmware writes.
 
     Args:
-        text: What is there.
-        line: What is added.
+        text: The present text.
+        line: The line to append.
         delimiter: What ends the line.
         font: The font that the line is shown in; any but 0 is written before it as one byte.
         size: Size of the memory in bytes; what does not fit is omitted.

@@ -44,9 +44,9 @@ def known_timeout(seconds: float | None) -> float | None:
 class Ticket:
     """A command on its way, and the place where its reply will be.
 
-    prepared  what was asked for; None where a whole frame was given
+    prepared  the command as prepared; None where a whole frame was given
     request   the command that it became
-    reply     becomes the frame of its reply; done at once where it wants none
+    reply     the future frame of its reply; done at once where it wants none
     """
 
     __slots__ = ("prepared", "reply", "request")

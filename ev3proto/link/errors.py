@@ -13,11 +13,11 @@ class LinkError(Exception):
 
 
 class NoBrickError(LinkError):
-    """No brick can be reached: none is there, or this computer does not let the program at it."""
+    """No brick can be reached: none is there, or the program lacks permission."""
 
 
 class PortInUseError(LinkError):
-    """Another program has what is needed: the UDP port of the beacon, or the serial port."""
+    """Another program uses the UDP port of the beacon, or the serial port."""
 
 
 class NoAnswerError(LinkError, TimeoutError):

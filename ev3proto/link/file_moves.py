@@ -28,7 +28,7 @@ from ev3proto.tables.system import SystemStatus
 
 T = TypeVar("T")
 Task = Generator[SystemCommand, SystemReply, T]
-"""Yields commands and is sent the reply to each. What it returns is the result."""
+"""Yields commands, receives the reply to each, and returns the result."""
 
 Progress = Callable[[int, int], None]
 """Called with the bytes moved so far and their total."""
@@ -132,7 +132,7 @@ def read_listing(data: bytes) -> Listing:
     """Reads a listing as the brick sends it. Lines that make no sense are omitted.
 
     Args:
-        data: All of it.
+        data: The whole listing.
     """
     folders, files = [], []
     for line in data.decode(STRING_CODING).split("\n"):

@@ -127,7 +127,7 @@ def running(message: DirectCommand | DaisyCommand, dialect: str) -> tuple[Iterab
 def _may_rewrite_code(operation: Operation) -> bool:
     """Returns whether an operation may write code that runs later.
 
-    A text is in the code. So are variables outside the memory, of which the firmware checks no index.
+    A text is in the code. So are variables outside the memory: the firmware does not check their index.
     """
     for argument in operation.arguments:
         parameter = argument.parameter

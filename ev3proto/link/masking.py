@@ -1,6 +1,6 @@
-"""Names, addresses and PINs in frames, written over: for recordings that are given to others.
+"""Masks names, addresses and PINs in frames, for recordings that are given to others.
 
-What is not known to be harmless is written over. Lengths stay, so a masked frame is a frame with the same operations.
+Anything not known to be harmless is overwritten. Lengths stay, so a masked frame has the same operations.
 """
 
 from __future__ import annotations
@@ -95,7 +95,7 @@ def _is_hidden(message: DirectCommand | DaisyCommand, dialect: str) -> bool:
 
 
 def _code(frame: bytes, operations: tuple[Operation, ...], start: int) -> bytes:
-    """Returns a command of which opcodes, CMDs, variables and lengths stay."""
+    """Masks a command except opcodes, CMDs, variables and lengths."""
     hidden = bytearray(_written_over(frame, start))
     for operation in operations:
         end = operation.offset + operation.length
@@ -127,7 +127,7 @@ def _argument(argument: Argument) -> bytes:
 
 
 def _memory(frame: bytes, reply: DirectReply, asked: Message | None, dialect: str) -> bytes:
-    """Returns a direct reply of which only the values of a harmless command stay.
+    """Masks a direct reply except the values of a harmless command.
 
     What no output of the command covers, the end of a text among it, may be left over from an earlier command.
     """
@@ -147,7 +147,7 @@ def _memory(frame: bytes, reply: DirectReply, asked: Message | None, dialect: st
 
 
 def _texts(frame: bytes, message: SystemCommand | SystemReply) -> bytes:
-    """Returns a system message of which number, status and lengths stay."""
+    """Masks a system message except number, status and lengths."""
     is_reply = isinstance(message, SystemReply)
     declared = (REPLIES if is_reply else REQUESTS)[message.number]
     begin = HEADER_SIZE + (2 if is_reply else 1)

@@ -1,4 +1,4 @@
-"""What is logged of each frame, and what a program with `verbosity` prints, byte for byte as the lessons show it."""
+"""The log line of each frame, and the output for `verbosity`, byte for byte as in the lessons."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ LOGGER = logging.getLogger("ev3proto.link")
 """Has each frame at the level DEBUG."""
 
 VERBOSITIES = (0, 1, 2)
-"""Nothing is printed; frames are; frames are, and what they say."""
+"""Print nothing; frames; frames and their meaning."""
 
 _HEADER_GROUPS = 4
 """`0x`, length, counter, type."""
@@ -35,7 +35,7 @@ def known_verbosity(value: int) -> int:
 
 
 def frame_printer(direction: str, level: int, request: bytes | None, dialect: str) -> Callable[[bytes], None] | None:
-    """Returns what logs a frame and prints it, and at level 2 what it says; None where nothing is logged or printed.
+    """Returns a function that logs a frame and prints it, at level 2 with its meaning; None where neither is done.
 
     Args:
         direction: SENT or RECEIVED.

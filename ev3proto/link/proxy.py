@@ -101,11 +101,11 @@ class Proxy:
 
         Args:
             wire: The brick.
-            peer: The brick's name in what is shown.
+            peer: The brick's name in the output.
             options: The options.
-            show: Receives what goes through.
-            say: Receives messages about what is odd.
-            recording: Receives what goes through, too.
+            show: Receives each command with its reply.
+            say: Receives messages for the user.
+            recording: Receives all frames, too.
 
         Raises:
             PortInUseError: The port cannot be opened.
@@ -174,7 +174,7 @@ class Proxy:
     # The client
 
     def open(self, line: Line, name: str, carrier: str, ends: Ends, opening: Sequence[tuple[bytes, bool]]) -> _Client:
-        """Begins to serve a client. Records the beginning of its connection, except what is to be hidden."""
+        """Begins to serve a client. Records the beginning of its connection, without what is masked."""
         self._client = _Client(self, line, name, Decoder(strict=False, dialect=self._options.dialect))
         host, proxy = ends
         if self._options.is_masked:
@@ -186,7 +186,7 @@ class Proxy:
         return self._client
 
     def queued(self) -> None:
-        """Says nothing: a client that waits for another one sees that itself."""
+        """Does nothing: the waiting client notices it by itself."""
 
     def forward(self, client: _Client, data: bytes) -> None:
         """Forwards what a client sends; bytes that are not frames end its connection."""

@@ -35,7 +35,7 @@ class Step:
 
     command  as it was recorded
     reply    the recorded reply, None where there was none
-    harms    why it is omitted: what it may do, and the operation that does it; empty where it is sent
+    harms    the reasons to omit it, each with its operation; empty where it is sent
     """
 
     command: Record
@@ -56,7 +56,7 @@ def steps(pairs: Iterable[RequestReply], allowed: frozenset[str], dialect: str =
 
     Args:
         pairs: Its commands with their replies, in any order.
-        allowed: What is sent although it changes the brick: groups of `Harm`, names of operations.
+        allowed: Allowed changes of the brick: groups of `Harm`, names of operations.
         dialect: The firmware whose instruction set to read by.
     """
     found = [
@@ -128,7 +128,7 @@ def compare(step: Step, frame: bytes, reply: bytes | None, dialect: str) -> tupl
     more = f" and {len(changed) - _MOST_DIFFERENCES} more" if len(changed) > _MOST_DIFFERENCES else ""
     shown = ", ".join(f"{was.name}={value_text(was)}" for was in changed[:_MOST_DIFFERENCES])
     if values and len(values) == len(step.reply.values) and all(map(_varies, changed)):
-        # Besides, there may be other handles, and memory that nothing was written to.
+        # Handles, and memory that was not written to, may also differ.
         return Likeness.SAME, f"recorded: {shown}{more}" if shown else ""
     return Likeness.VALUES, f"recorded: {shown or 'other bytes'}{more}"
 

@@ -42,12 +42,12 @@ class ReplyStream:
 
     @property
     def pending(self) -> bytes:
-        """The bytes of the frame that is not complete yet."""
+        """The bytes of the incomplete frame."""
         return bytes(self._buffer)
 
     @property
     def missing(self) -> int:
-        """Bytes that the frame which is not complete yet still lacks, as far as is known."""
+        """Missing bytes of the incomplete frame, as far as is known."""
         buffer = self._buffer
         if len(buffer) < LENGTH_FIELD:
             return HEADER_SIZE - len(buffer) if buffer else 0

@@ -40,7 +40,7 @@ class Request:
 
 
 class Oddity(Enum):
-    """What a frame is that answers nothing which is waited for. The value completes "a frame that ..."."""
+    """The kinds of unexpected frames. The value completes "a frame that ..."."""
 
     LATE = "answers a command that was given up on"
     FOREIGN = "answers no waiting command"
@@ -57,7 +57,7 @@ class Answered:
 
 @dataclass(frozen=True, slots=True)
 class Stray:
-    """A frame that answers nothing that is waited for."""
+    """An unexpected frame."""
 
     oddity: Oddity
     frame: bytes
@@ -157,7 +157,7 @@ class Session:
             data: The bytes.
 
         Returns:
-            What they are, in their order.
+            The events, in order.
         """
         return [part if isinstance(part, Garbage) else self._taken(part) for part in self._stream.feed(data)]
 

@@ -143,7 +143,7 @@ def chosen_target(
         target: The brick in one piece, in place of the others.
 
     Raises:
-        ValueError: Nothing says which brick, or two things do.
+        ValueError: No brick is named, or two are.
     """
     overriding = target_from_environment()
     if overriding is not None:

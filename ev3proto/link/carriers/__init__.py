@@ -1,6 +1,6 @@
 """What brings bytes to a brick and back: one module for each carrier, and one that opens the right one.
 
-They know nothing of commands and replies. Packages that only one of them needs are imported by it alone.
+They do not know commands and replies. Packages that only one carrier needs are imported by it alone.
 """
 
 from ev3proto.link.carriers.opening import open_wire

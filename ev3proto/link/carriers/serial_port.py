@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     import serial
 
 _TURN = 0.1
-"""Seconds after which a read that got nothing looks whether the port was closed."""
+"""Seconds after which a read without data checks whether the port was closed."""
 
 
 class SerialWire:

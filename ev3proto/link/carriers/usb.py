@@ -14,7 +14,7 @@ from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME
 UDEV_RULE = (
     f'SUBSYSTEMS=="usb", ATTRS{{idVendor}}=="{USB_VENDOR:04x}", ATTRS{{idProduct}}=="{USB_PRODUCT:04x}", MODE="0666"'
 )
-"""What lets all users of a Linux computer talk to a brick."""
+"""The rule that lets all users of a Linux computer talk to a brick."""
 
 _REPORT_ID = b"\0"
 """What hidapi wants in front of a report of a device without report numbers. It is not sent."""
@@ -42,7 +42,7 @@ class UsbWire:
             raise self._gone()
 
     def receive(self, timeout: float) -> bytes:
-        """Waits for a report, and gives what is in it without the padding. Raises ConnectionLostError."""
+        """Waits for a report, and returns its frame without the padding. Raises ConnectionLostError."""
         try:
             report = bytes(self._device.read(MAX_FRAME, round(timeout * _MILLISECONDS)))
         except (OSError, ValueError):

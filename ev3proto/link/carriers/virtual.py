@@ -82,7 +82,7 @@ def open_virtual(target: Target) -> VirtualWire:
     """Switches a virtual brick on.
 
     Args:
-        target: The host is the folder of its files; None: a new one, which is gone at the end.
+        target: The host is the folder of its files; None: a new one, which is deleted at the end.
 
     Raises:
         NoBrickError: The folder does not exist.

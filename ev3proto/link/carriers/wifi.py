@@ -18,10 +18,10 @@ from ev3proto.tables.carriers import Carrier
 from ev3proto.tables.discovery import ACCEPT, BEACON_PORT, TCP_PORT
 
 _ANY_SERIAL = "0" * 12
-"""What is sent where the serial number is not known: the brick does not compare it."""
+"""The serial number that is sent where it is not known: the brick does not compare it."""
 
 _ANSWER = b"ev3proto"
-"""What is answered to a beacon; any datagram will do."""
+"""The answer to a beacon; any datagram will do."""
 
 _MOST_BEACON = 1 << 10
 _MOST_TEXT = 64

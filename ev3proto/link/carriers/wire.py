@@ -30,7 +30,7 @@ class Wire(Protocol):
             timeout: Seconds to wait at most.
 
         Returns:
-            What came; nothing where nothing came in time.
+            The bytes; none if nothing came in time.
 
         Raises:
             ConnectionLostError: Nothing more will come.

@@ -12,7 +12,6 @@ warning[W303]: FREQUENCY is 200 Hz, outside of 250 to 10000 Hz
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import groupby, pairwise
 from operator import attrgetter
@@ -195,8 +194,8 @@ def _verdict(report: Report) -> str:
 
 def tally(findings: Iterable[Finding]) -> str:
     """Returns `2 errors, 1 hint`, or `no findings`."""
-    counts = Counter(finding.severity for finding in findings)
-    return ", ".join(counted(counts[one], one) for one in Severity if counts[one]) or "no findings"
+    found = [finding.severity for finding in findings]
+    return ", ".join([counted(found.count(one), one) for one in _WORST if one in found]) or "no findings"
 
 
 def diagnostics(
@@ -313,18 +312,14 @@ def _cuts(message: Message, size: int) -> list[int]:
 
 def _without_repetitions(findings: Sequence[Finding]) -> tuple[list[Finding], list[list[Finding]]]:
     """Splits findings into those to show, and, by code, those that repeat earlier ones often enough."""
-    counts = Counter(finding.code for finding in findings)
-    seen: Counter[str] = Counter()
-    kept: list[Finding] = []
-    left: dict[str, list[Finding]] = {}
+    by_code: dict[str, list[Finding]] = {}
     for finding in findings:
-        seen[finding.code] += 1
-        # A single leftover finding is shown: a line that says there is one more would be as long.
-        if seen[finding.code] <= MOST_ALIKE or counts[finding.code] <= MOST_ALIKE + 1:
-            kept.append(finding)
-        else:
-            left.setdefault(finding.code, []).append(finding)
-    return kept, list(left.values())
+        by_code.setdefault(finding.code, []).append(finding)
+    # A single leftover finding is shown: a line that says there is one more would be as long.
+    left = [alike[MOST_ALIKE:] for alike in by_code.values() if len(alike) > MOST_ALIKE + 1]
+    repeated = {id(finding) for alike in left for finding in alike}
+    kept = [finding for finding in findings if id(finding) not in repeated]
+    return kept, sorted(left, key=lambda alike: alike[0].offset)
 
 
 def _on_one_span(findings: list[Finding], excerpt: Excerpt, place: str) -> list[Line]:

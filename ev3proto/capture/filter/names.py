@@ -148,11 +148,7 @@ def _one_of(
 
 
 def _known(
-    kind: Kind,
-    read: Callable[[Record], Iterable[Any]],
-    text: str = "",
-    example: str = "",
-    looks_ahead: bool = False,
+    kind: Kind, read: Callable[[Record], Iterable[Any]], text: str = "", example: str = "", looks_ahead: bool = False
 ) -> Name:
     unit = next(iter(kind.units), None)
     return Name(kind, lambda record: [Held(value, None, unit) for value in read(record)], text, example, looks_ahead)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from construct import Const, Construct, Int8ul, Int16ul, Int32ul, Struct
+from construct import Construct, Int8ul, Int16ul, Int32ul, Struct
 
 from ev3proto.capture.carriers.usb.requests import CONTROL, IN, INTERRUPT, USBMON
 from ev3proto.capture.record import NANOSECONDS
@@ -19,50 +19,7 @@ LANGUAGES = bytes((4, STRING)) + ENGLISH.to_bytes(2, "little")
 """The string descriptor with the product's name."""
 
 
-def _descriptor(kind: int, **fields: Construct) -> Struct:
-    size = 2 + sum(field.sizeof() for field in fields.values())
-    heads = ("length" / Const(size, Int8ul), "kind" / Const(kind, Int8ul))
-    return Struct(*heads, *(name / field for name, field in fields.items()))
-
-
-OF_DEVICE = _descriptor(
-    DEVICE_DESCRIPTOR,
-    usb=Int16ul,
-    device_class=Int8ul,
-    subclass=Int8ul,
-    protocol=Int8ul,
-    packet_size=Int8ul,
-    vendor=Int16ul,
-    product=Int16ul,
-    version=Int16ul,
-    maker_name=Int8ul,
-    product_name=Int8ul,
-    serial_number=Int8ul,
-    configurations=Int8ul,
-)
-OF_CONFIGURATION = _descriptor(
-    CONFIGURATION,
-    total=Int16ul,
-    interfaces=Int8ul,
-    number=Int8ul,
-    name=Int8ul,
-    attributes=Int8ul,
-    power=Int8ul,
-)
-OF_INTERFACE = _descriptor(
-    INTERFACE,
-    number=Int8ul,
-    alternative=Int8ul,
-    endpoints=Int8ul,
-    interface_class=Int8ul,
-    subclass=Int8ul,
-    protocol=Int8ul,
-    name=Int8ul,
-)
-OF_HID = _descriptor(HID, version=Int16ul, country=Int8ul, descriptors=Int8ul, kind_of_it=Int8ul, size=Int16ul)
-OF_ENDPOINT = _descriptor(ENDPOINT, address=Int8ul, attributes=Int8ul, size=Int16ul, interval=Int8ul)
-
-CONFIGURATION_SIZE: int = OF_CONFIGURATION.sizeof()
+CONFIGURATION_SIZE = 9
 """Bytes of a configuration descriptor without those inside it; a host asks for these first."""
 
 _COUNT = MAX_FRAME.to_bytes(2, "little")
@@ -78,39 +35,68 @@ REPORT = (
 """The report descriptor of the brick."""
 
 
+def _descriptor(kind: int, **fields: tuple[Construct, int]) -> bytes:
+    """Builds a descriptor from the type and value of each field."""
+    data = b"".join(type_.build(value) for type_, value in fields.values())
+    return bytes((2 + len(data), kind)) + data
+
+
 def device(product: int = USB_PRODUCT) -> bytes:
     """Builds the device descriptor of a brick; `product` differs while its firmware is updated."""
-    fields = {
-        "usb": 0x0200,
-        "device_class": 0,
-        "subclass": 0,
-        "protocol": 0,
-        "packet_size": 64,
-        "vendor": USB_VENDOR,
-        "product": product,
-        "version": 0x0100,
-        "maker_name": 1,
-        "product_name": 2,
-        "serial_number": 3,
-        "configurations": 1,
-    }
-    return bytes(OF_DEVICE.build(fields))
+    return _descriptor(
+        DEVICE_DESCRIPTOR,
+        usb=(Int16ul, 0x0200),
+        device_class=(Int8ul, 0),
+        subclass=(Int8ul, 0),
+        protocol=(Int8ul, 0),
+        packet_size=(Int8ul, 64),
+        vendor=(Int16ul, USB_VENDOR),
+        product=(Int16ul, product),
+        version=(Int16ul, 0x0100),
+        maker_name=(Int8ul, 1),
+        product_name=(Int8ul, 2),
+        serial_number=(Int8ul, 3),
+        configurations=(Int8ul, 1),
+    )
 
 
 def configuration() -> bytes:
     """Builds the descriptor of the only configuration: a HID interface with an endpoint in each direction."""
-    interface = {"number": 0, "alternative": 0, "endpoints": 2, "interface_class": 3}
-    hid = {"version": 0x0110, "country": 0, "descriptors": 1, "kind_of_it": HID_REPORT, "size": len(REPORT)}
-    endpoint = {"attributes": 3, "size": MAX_FRAME, "interval": 4}
-    pieces = (
-        OF_INTERFACE.build(interface | {"subclass": 0, "protocol": 0, "name": 0}),
-        OF_HID.build(hid),
-        OF_ENDPOINT.build(endpoint | {"address": USB_ENDPOINT_IN}),
-        OF_ENDPOINT.build(endpoint | {"address": USB_ENDPOINT_OUT}),
+    interface = _descriptor(
+        INTERFACE,
+        number=(Int8ul, 0),
+        alternative=(Int8ul, 0),
+        endpoints=(Int8ul, 2),
+        interface_class=(Int8ul, 3),
+        subclass=(Int8ul, 0),
+        protocol=(Int8ul, 0),
+        name=(Int8ul, 0),
     )
-    inside = b"".join(pieces)
-    head = {"total": CONFIGURATION_SIZE + len(inside), "interfaces": 1, "number": 1, "name": 0}
-    return bytes(OF_CONFIGURATION.build(head | {"attributes": 0xC0, "power": 1})) + inside
+    hid = _descriptor(
+        HID,
+        version=(Int16ul, 0x0110),
+        country=(Int8ul, 0),
+        descriptors=(Int8ul, 1),
+        kind_of_it=(Int8ul, HID_REPORT),
+        size=(Int16ul, len(REPORT)),
+    )
+    inside = interface + hid + _endpoint(USB_ENDPOINT_IN) + _endpoint(USB_ENDPOINT_OUT)
+    head = _descriptor(
+        CONFIGURATION,
+        total=(Int16ul, CONFIGURATION_SIZE + len(inside)),
+        interfaces=(Int8ul, 1),
+        number=(Int8ul, 1),
+        name=(Int8ul, 0),
+        attributes=(Int8ul, 0xC0),
+        power=(Int8ul, 1),
+    )
+    return head + inside
+
+
+def _endpoint(address: int) -> bytes:
+    return _descriptor(
+        ENDPOINT, address=(Int8ul, address), attributes=(Int8ul, 3), size=(Int16ul, MAX_FRAME), interval=(Int8ul, 4)
+    )
 
 
 def string(text: str) -> bytes:

@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import json
-import os
-import pty
-import select
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
 from support.cli import run_ev3proto_text
+from support.terminal import on_a_terminal
 
 ROOT = Path(__file__).parents[2]
 LESSON = ROOT / "captures" / "lesson-02.log"
@@ -154,14 +152,11 @@ def test_formats() -> None:
     ("words", "status", "complaint"),
     [
         (("decode", "no-such-file"), 1, "is neither a file nor a frame"),
-        (("decode", "0e002"), 1, "odd"),
         (("decode", "."), 1, "cannot be read"),
-        (("decode", ""), 1, "is neither a file nor a frame"),
         (("decode", "--format", "xml", TONE), 2, "xml"),
         (("decode", "--dialect", "lejos", TONE), 2, "lejos"),
         (("ops", "toen"), 1, "did you mean SOUND.TONE"),
         (("ops", "battry"), 1, "did you mean battery"),
-        (("nonsense",), 2, "nonsense"),
     ],
 )
 def test_complaints(words: tuple[str, ...], status: int, complaint: str) -> None:
@@ -174,26 +169,16 @@ def test_complaints(words: tuple[str, ...], status: int, complaint: str) -> None
 @pytest.mark.parametrize(
     ("words", "options"),
     [
-        (f"decode --json --format asm {TONE}", ("--json", "--format asm")),
         (f"decode --dialogues --format tree {TONE}", ("--dialogues", "--format tree")),
-        (f"decode --dialogues --programs {TONE}", ("--dialogues", "--programs")),
-        (f"decode --no-length --operations {TONE}", ("--no-length", "--operations")),
-        (f"check --fix --format sarif {TONE}", ("--fix", "--format sarif")),
-        (f"check --strict --errors-only {TONE}", ("--strict", "--errors-only")),
-        (f"check --quiet --format github {TONE}", ("--quiet", "--format github")),
         ("check --explain E101 --fix", ("--explain", "--fix")),
         ("check --explain E101 --strict --carrier usb", ("--explain", "--strict", "--carrier")),
         ("check --explain E101 --format sarif", ("--explain", "--format sarif")),
-        ("encode --to rbf -o x.rbf --counter 5 x.lms", ("--counter", "--to rbf")),
         ("encode -o x.rbf --no-reply x.lms", ("--no-reply", "-o FILE.rbf")),
         ("encode --to rbf -o x.rbf --unchecked --filter op==NOP x.lms", ("--unchecked", "--filter", "--to rbf")),
-        ("encode --to hex --shortest NOP()", ("--shortest", "--to rbf")),
         ("values --csv --json captures/wifi.pcapng", ("--csv", "--json")),
         ("values --plot no/x.svg --csv captures/wifi.pcapng", ("--plot", "--csv")),
         ("proxy --to serial:/no/port --json --record -", ("--json", "--record -")),
-        ("brick --no-wifi --serial x --root /dev/null/x --port 5556", ("--no-wifi", "--port")),
         ("brick --no-wifi --serial x --root /dev/null/x --beacon", ("--no-wifi", "--beacon")),
-        ("run x.lms --http --limit 5", ("--http", "--limit")),
     ],
 )
 def test_options_that_contradict_each_other(words: str, options: tuple[str, ...]) -> None:
@@ -229,28 +214,6 @@ def test_a_line_without_an_end(tmp_path: Path) -> None:
     assert len(done.stderr.splitlines()) == 1
     assert "line 1" in done.stderr
     assert json.loads(done.stdout)["hex"] == TONE_BYTES
-
-
-def test_input_without_a_frame() -> None:
-    done = run("decode", stdin="hello world\n\xff\xfe\n")
-    assert (done.returncode, done.stdout) == (1, "")
-    assert "no frame found" in done.stderr
-
-
-def test_decode_suggests_encode_for_assembly(tmp_path: Path) -> None:
-    file = tmp_path / "tone.txt"
-    file.write_text("// a tone\n\nSOUND(TONE, 1, 440, 1000)\n")
-    advice = "`ev3proto encode` makes frames of it"
-    done = run("decode", "SOUND(TONE, 1, 440, 1000)")
-    said = "'SOUND(TONE, 1, 440, 1000)' is assembly, not a frame"
-    assert (done.returncode, done.stdout, done.stderr) == (1, "", f"{said}; {advice}\n")
-    said = f"{file}: no frame found, but assembly"
-    for words in ((str(file),), (str(file), TONE)):
-        done = run("decode", *words)
-        assert (done.returncode, done.stderr) == (1, f"{said}; {advice}\n")
-    file.write_text("Results:\n")
-    assert "assembly" not in run("decode", str(file)).stderr
-    assert "assembly" not in run("decode", "--format", "asm", TONE).stderr
 
 
 def test_a_reader_that_goes_away() -> None:
@@ -294,38 +257,9 @@ def test_ops_lists_searches_and_shows() -> None:
     assert "list_size" in run("ops", "LIST_FILES").stdout
 
 
-def on_a_terminal(**env: str) -> str:
-    """Returns the output of `decode` on a terminal."""
-    ours, theirs = pty.openpty()
-    process = subprocess.Popen(
-        [sys.executable, "-m", "ev3proto", "decode", TONE],
-        stdout=theirs,
-        cwd=ROOT,
-        env={**{k: v for k, v in os.environ.items() if k != "NO_COLOR"}, "TERM": "xterm-256color", **env},
-    )
-    os.close(theirs)
-    shown = b""
-    while select.select([ours], [], [], 30)[0]:
-        try:
-            piece = os.read(ours, 4096)
-        except OSError:
-            break
-        if not piece:
-            break
-        shown += piece
-    process.wait(30)
-    os.close(ours)
-    return shown.decode()
-
-
-def test_colours_on_a_terminal_only() -> None:
-    assert "\x1b[" in on_a_terminal()
-    assert "\x1b[" not in on_a_terminal(NO_COLOR="1")
+def test_colours_on_a_terminal_only(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("NO_COLOR", raising=False)
+    assert "\x1b[" in on_a_terminal("decode", TONE)[1]
+    monkeypatch.setenv("NO_COLOR", "1")
+    assert "\x1b[" not in on_a_terminal("decode", TONE)[1]
     assert "\x1b[" not in run("decode", TONE).stdout
-
-
-def test_help_everywhere() -> None:
-    for words in ((), ("decode",), ("ops",)):
-        done = run(*words, "--help")
-        assert done.returncode == 0
-        assert "Usage:" in done.stdout

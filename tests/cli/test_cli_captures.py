@@ -344,19 +344,6 @@ def test_files_around_the_ev3_are_named(name: str, tmp_path: Path) -> None:
         assert len(done.stderr.splitlines()) == 1
 
 
-def test_programs_of_captures_in_a_program(tmp_path: Path) -> None:
-    image = tmp_path / "x.rbf"
-    image.write_bytes(b"LEGO" + bytes(12))
-    done = run("decode", "--programs", str(image))
-    assert done.returncode == 2
-    assert b"--programs is for captures" in done.stderr
-
-
-def test_a_folder(tmp_path: Path) -> None:
-    done = run("decode", str(tmp_path))
-    assert (done.returncode, done.stderr.decode()) == (1, f"{tmp_path}: cannot be read: Is a directory\n")
-
-
 def test_a_reader_that_goes_away() -> None:
     command = f"{sys.executable} -m ev3proto decode {CAPTURES / 'wifi.pcapng'} | head -n 1"
     done = subprocess.run(command, shell=True, capture_output=True, check=False, cwd=ROOT, timeout=60)

@@ -202,9 +202,7 @@ def test_bad_assembly_is_shown_with_its_place(tmp_path: Path) -> None:
             "",
             "standard input: nothing to encode; expected assembly such as SOUND(",
         ),
-        ("// nothing\n", "standard input: nothing to encode"),
         ("define A 1\n", "standard input: nothing to encode; expected assembly such as"),
-        ("some words\n", "standard input: nothing to encode"),
         ('{"kind": "beacon", "hex": "00"}\n', "standard input: nothing to encode"),
         ('{"kind": 1}\n', "standard input, line 1: not a message: the object has neither type nor hex"),
         ('{"kind": 1\n', "standard input, line 1, column 11: invalid JSON: Expecting ',' delimiter"),
@@ -221,12 +219,6 @@ def test_input_at_fault(text: str, sentence: str) -> None:
     done = pipe("encode", stdin=text.encode())
     assert done.returncode == 1
     assert done.stderr.decode().startswith(sentence)
-
-
-def test_a_name_that_is_nothing() -> None:
-    done = pipe("encode", "tone.lms")
-    assert done.returncode == 1
-    assert done.stderr.decode().startswith("tone.lms: cannot be read: ")
 
 
 # JSON

@@ -114,11 +114,6 @@ class Cutter:
         return True
 
     @property
-    def is_in_step(self) -> bool:
-        """Whether the next frame begins where the last one ended."""
-        return self._in_step
-
-    @property
     def passed(self) -> int:
         """The number of pending bytes that are in no frame."""
         return self._passed
@@ -172,8 +167,7 @@ class Cutter:
 
     def _is_sure_of_frame(self) -> bool:
         """Returns whether the pending bytes are certainly a frame, with its header."""
-        is_in_step = self._in_step and not self._rest and not self._trials and not self._may_gap
-        return is_in_step and len(self._buffer) >= HEADER_SIZE and not self._is_in_text()
+        return self._is_sure() and not self._rest and len(self._buffer) >= HEADER_SIZE and not self._is_in_text()
 
     def leave_hole(self, missing: int) -> list[StreamPart]:
         """Leaves a gap of missing bytes, 0 if their number is unknown. Gives up the pending bytes."""
@@ -212,8 +206,11 @@ class Cutter:
 
     def _give_up(self) -> list[StreamPart]:
         """Returns the pieces of the pending bytes, if no more will come."""
-        is_sure = self._in_step and not self._trials and not self._may_gap
-        return [] if is_sure else self._cut(is_last=True)
+        return [] if self._is_sure() else self._cut(is_last=True)
+
+    def _is_sure(self) -> bool:
+        """Returns whether the pending bytes certainly begin where the last frame ended."""
+        return self._in_step and not self._trials and not self._may_gap
 
     def _is_in_text(self) -> bool:
         """Returns whether the pending bytes are the beginning of a text."""

@@ -6,11 +6,12 @@ from collections import deque
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from enum import StrEnum
-from typing import NamedTuple, Protocol
+from typing import NamedTuple
 
 from ev3proto.dialogue import Exchange, Transfer, Value, values_of
 from ev3proto.messages import Message
 from ev3proto.schema.discovery import Beacon, Unlock
+from ev3proto.schema.frame import FrameSchema
 from ev3proto.tables.carriers import Carrier
 
 NANOSECONDS = 1_000_000_000
@@ -67,13 +68,6 @@ class Answered(NamedTuple):
     failed: bool
 
 
-class FrameReader(Protocol):
-    """The part of the schema of frames that a record needs."""
-
-    def read_frame(self, frame: bytes, *, strict: bool = True) -> Message:
-        """Returns the message in a frame, with `strict=False` also of a faulty one."""
-
-
 class Record:
     """A frame in a capture. Its message and values are parsed on access.
 
@@ -108,7 +102,7 @@ class Record:
         numbers: tuple[int, ...],
         time_ns: int,
         route: Route,
-        reader: FrameReader,
+        reader: FrameSchema,
         request: Record | None = None,
         transfer: Transfer | None = None,
         note: str | None = None,

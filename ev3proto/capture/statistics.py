@@ -14,7 +14,6 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Iterable
 from dataclasses import asdict, dataclass, field
-from functools import cache
 from typing import Any, NamedTuple
 
 from ev3proto.capture.byte_account import Account
@@ -426,15 +425,9 @@ def _carried(message: Message) -> dict[OperationName, int]:
         found[OperationName("daisy", message.command or f"0x{message.number:02X}")] = 1
     if isinstance(message, DirectCommand | DaisyCommand):
         for operation in message.operations:
-            key = _direct(operation.full_name)
+            key = OperationName("direct", operation.full_name)
             found[key] = found.get(key, 0) + 1
     return found
-
-
-@cache
-def _direct(name: str) -> OperationName:
-    """Returns the name of an operation, one object for each."""
-    return OperationName("direct", name)
 
 
 def _system_name(number: int) -> str:

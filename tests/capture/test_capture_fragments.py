@@ -6,7 +6,7 @@ import io
 import random
 import struct
 from collections.abc import Callable
-from itertools import chain, permutations
+from itertools import chain
 
 import pytest
 from support.packets import BRICK, EVERYBODY, HOST, RAW_IP, Capture, Connection, datagram, fragments
@@ -90,30 +90,6 @@ def test_both_engines_put_parts_together(
     assert [event.route for event in theirs] == [event.route for event in events]
     assert isinstance(events[2], Record)
     assert events[2].request is events[1]
-
-
-def test_a_frame_in_parts_of_several_segments(tshark: Tshark, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("tempfile.tempdir", str(tshark.folder))
-    capture = Capture(RAW_IP)
-    talk = Connection(capture)
-    for identity, data in enumerate((VOLTAGE, TONE[:9], TONE[9:] + VOLTAGE, TONE)):
-        for packet in fragments(talk.segment(True, data), 24, identity):
-            capture.add(packet)
-    events, _ = ours(capture)
-    theirs = read_by_tshark(tshark.place(capture.data(), "split.pcap"), tshark=str(tshark.path))
-    assert [record.frame for record in theirs] == [data for data, _, _ in found(events)]
-    assert [data for data, _, _ in found(events)] == [VOLTAGE, TONE, VOLTAGE, TONE]
-
-
-@pytest.mark.parametrize("order", list(permutations(range(3))))
-def test_the_order_of_parts_does_not_matter(order: tuple[int, ...]) -> None:
-    capture = Capture(RAW_IP)
-    parts = fragments(Connection(capture).segment(True, TONE), 16)
-    for index in order:
-        capture.add(parts[index])
-    events, captured = ours(capture)
-    assert found(events) == [(TONE, (3,), 2_000_000)]
-    assert captured.account.frames == len(TONE)
 
 
 def test_parts_of_several_packets_at_once() -> None:

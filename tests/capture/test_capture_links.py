@@ -215,11 +215,6 @@ def test_other_things_on_ethernet_are_passed_over(kind: int) -> None:
     assert capture.account.other == sum(map(len, packets))
 
 
-def test_other_ports_can_be_named() -> None:
-    packet = segment(True, 1, COMMAND, brick_port=4711)
-    assert [record.target for record in records(pcap(101, timed([packet])), ports=(5555, 4711))] == ["192.0.2.10:4711"]
-
-
 @pytest.mark.parametrize(
     "packets",
     [
@@ -465,10 +460,3 @@ def test_bluetooth_as_scapy_builds_it() -> None:
     packets = [struct.pack(">I", received) + bytes(packet) for received, packet in made]
     (record,) = records(pcap(201, timed(packets)))
     assert (record.frame, record.target) == (COMMAND, "00:16:53:0f:0f:0f")
-
-
-def test_a_connection_begins_with_the_right_numbers() -> None:
-    """SYN takes a sequence number: the first byte has the next one."""
-    packets = [segment(True, 99, flags=SYN), segment(True, 100, COMMAND)]
-    (record,) = records(pcap(101, timed(packets)))
-    assert record.frame == COMMAND

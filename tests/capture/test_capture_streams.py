@@ -591,9 +591,6 @@ def test_a_frame_at_fault_is_a_frame_all_the_same() -> None:
     assert frames(events) == [(voltage(1), (2,)), (faulty, (3,)), (voltage(2), (4,))]
 
 
-# Bounds
-
-
 # RFCOMM
 
 

@@ -134,13 +134,11 @@ def packets(stream: BinaryIO) -> Iterator[Packet]:
     trouble: CaptureError | None = None
     number, position = 0, 0
     while head := stream.read(8):
-        if len(head) < 8:
+        is_section = head.startswith(_MAGIC)
+        mark = stream.read(4) if is_section else b""
+        if len(head) < 8 or (is_section and len(mark) < 4):
             raise CaptureError(f"the file is cut off in a block's header, at offset {position}")
-        mark = b""
-        if head.startswith(_MAGIC):
-            mark = stream.read(4)
-            if len(mark) < 4:
-                raise CaptureError(f"the file is cut off in a block's header, at offset {position}")
+        if is_section:
             if mark not in _ORDERS:
                 raise CaptureError(f"the file is damaged at offset {position + 8}: a section has no byte order mark")
             section = _Section(_ORDERS[mark])

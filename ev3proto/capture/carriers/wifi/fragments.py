@@ -84,26 +84,19 @@ class _Waiting:
             self.protocol = part.protocol
         self._data.extend(bytes(max(part.end - len(self._data), 0)))
         first, count = part.at // _UNIT, -(-len(part.data) // _UNIT)
-        units = ((1 << count) - 1) << first
-        if not units & self._seen:
-            self._data[part.at : part.end] = part.data
-        else:
-            self._fill(part, first, count)
-        self._seen |= units
+        for unit in range(first, first + count):
+            # Of overlapping bytes, those captured first count.
+            if not self._seen >> unit & 1:
+                at = unit * _UNIT
+                data = part.data[at - part.at : at - part.at + _UNIT]
+                self._data[at : at + len(data)] = data
+        self._seen |= ((1 << count) - 1) << first
 
     def whole(self) -> bytes | None:
         """Returns the payload, once it is complete."""
         if self._size is None or self._seen != (1 << -(-self._size // _UNIT)) - 1:
             return None
         return bytes(self._data)
-
-    def _fill(self, part: Fragment, first: int, count: int) -> None:
-        """Takes the new bytes of a fragment that overlaps others. Those captured first count."""
-        for unit in range(first, first + count):
-            if not self._seen >> unit & 1:
-                at = unit * _UNIT
-                data = part.data[at - part.at : at - part.at + _UNIT]
-                self._data[at : at + len(data)] = data
 
 
 class Fragments:

@@ -150,7 +150,7 @@ def test_the_calls_of_the_examples_give_their_frames() -> None:
 
 def test_every_name_of_filters_is_on_their_page() -> None:
     text = (DOCS / "reference" / "filters.md").read_text(encoding="utf-8")
-    every_frame = text.partition("## Of every frame\n")[2].partition("\n## ")[0]
+    every_frame = text.partition("## Every frame\n")[2].partition("\n## ")[0]
     assert re.findall(r"^\| `(\w+)` \|", every_frame, re.MULTILINE) == [*NAMES]
     listed = re.findall(r"^\| `(\w+)` \|", text.partition("## All parameters and fields\n")[2], re.MULTILINE)
     assert listed == list(places_of())

@@ -34,21 +34,21 @@ COMPARISONS = (
     Entry("==", "some value is equal; also eq", "FREQUENCY == 440"),
     Entry("!=", "the frame has values, and none is equal; also ne", "FREQUENCY != 440"),
     Entry("< <= > >=", "some value is less, ... ; also lt le gt ge", "FREQUENCY >= 440"),
-    Entry("contains", "some text or data has it in it", 'path contains "prjs"'),
+    Entry("contains", "some text or data contains it", 'path contains "prjs"'),
     Entry("like", "some text is like a pattern: * any characters, ? one, [abc] one of these", 'path like "*.rbf"'),
     Entry("matches", "a regular expression is found in some text, in any case", r'path matches r"\.r[bt]f$"'),
     Entry("in { }", "some value is equal to one of these, or in a range; also not in", "FREQUENCY in {262, 400..880}"),
     Entry("!", "it does not hold; also not", "!error"),
     Entry("&&", "both hold; also and", "op == SOUND.TONE && FREQUENCY > 400"),
     Entry("||", "one holds or both do; also or", "error || fault"),
-    Entry("( )", "what belongs together", "op == SOUND.TONE && (VOLUME > 50 || DURATION > 100)"),
+    Entry("( )", "grouping", "op == SOUND.TONE && (VOLUME > 50 || DURATION > 100)"),
 )
 """Comparisons of names and values, and joined conditions."""
 
 VALUES = (
     Entry("440, 0x1b8", "a number, also 7.92 and 1e3", "FREQUENCY == 0x1b8"),
     Entry("4ms, 7.9V", "a quantity: ns, us, ms, s and min for times, or the parameter's own unit", "VALUE > 7.9V"),
-    Entry("SOUND.TONE", "a name from the tables, in any case of its letters", "PATTERN == LED_ORANGE_PULSE"),
+    Entry("SOUND.TONE", "a name from the tables, in any case", "PATTERN == LED_ORANGE_PULSE"),
     Entry(
         '"text"', "a text; also 'text', and r\"text\" without escapes such as \\n or \\x41", "STRING contains 'world'"
     ),
@@ -58,10 +58,10 @@ VALUES = (
 """Notations of values."""
 
 PARAMETERS = (
-    Entry("FREQUENCY", "a parameter of any operation, in any case of its letters", "frequency > 400"),
+    Entry("FREQUENCY", "a parameter of any operation, in any case", "frequency > 400"),
     Entry("SOUND.TONE.FREQUENCY", "the parameter of one operation", "SOUND.TONE.FREQUENCY > 400"),
     Entry("VALUES[1]", "one element of a list", "VALUES[0] < 0"),
-    Entry("path", "a field of system messages; the path holds for all messages of a transfer", 'path like "*.rtf"'),
+    Entry("path", "a field of system messages; all messages of a transfer have its path", 'path like "*.rtf"'),
     Entry("TYPE, arg.type", "a parameter that has the name of something above", "TYPE == TYPE_GYRO"),
 )
 """Names of parameters and fields."""
@@ -71,7 +71,7 @@ def sections() -> dict[str, tuple[Entry, ...]]:
     """Returns all elements by the titles of their sections."""
     names = (Entry(name, known.text, known.example) for name, known in NAMES.items())
     return {
-        "Of every frame": tuple(names),
+        "Every frame": tuple(names),
         "Parameters and fields": PARAMETERS,
         "Comparisons": COMPARISONS,
         "Values": VALUES,
@@ -90,12 +90,11 @@ def _shown(entry: Entry) -> Iterator[str]:
 
 def manual() -> Iterator[str]:
     """Yields the lines that `--help-filter` prints."""
-    yield "A filter says which frames are wanted:"
+    yield "A filter selects frames:"
     yield ""
     yield "  ev3proto decode --filter 'op == SOUND.TONE && FREQUENCY > 400' robot.pcapng"
     yield ""
-    yield "Only frames for which it is true are let through. With --dialogues it is about a command together"
-    yield "with its reply."
+    yield "With --dialogues, it applies to a command together with its reply."
     for title, listed in sections().items():
         yield ""
         yield f"{title}:"
@@ -103,6 +102,6 @@ def manual() -> Iterator[str]:
         for entry in listed:
             yield from _shown(entry)
     yield ""
-    yield "All parameters and fields, of which `ev3proto ops NAME` says more:"
+    yield "All parameters and fields, which `ev3proto ops NAME` explains:"
     yield ""
     yield from textwrap.wrap(" ".join(places_of()), _WIDTH, initial_indent="  ", subsequent_indent="  ")

@@ -176,13 +176,13 @@ NAMES = {
     "op": _known(
         _one_of("operation", operation_names(), _meant, number=True),
         _operations,
-        "operation by its full name, its family's, or the opcode's number; of a reply: that of its command",
+        "operation by full name, family or opcode; for a reply, that of its command",
         "op == SOUND.TONE",
     ),
     "command": _known(
         _one_of("command", command_names(), _meant),
         _commands,
-        "name of the CMD, or of the system or daisy command; of a reply: that of its command",
+        "name of the CMD, system command or daisy command; for a reply, that of its command",
         "command == LIST_FILES",
     ),
     "type": _known(
@@ -205,10 +205,10 @@ NAMES = {
     ),
     "error": _flag(
         lambda record: is_error(record.message) or record.message.fault is not None,
-        "a reply that says that its command failed, or a frame with a fault",
+        "a reply that reports a failed command, or a frame with a fault",
         "error",
     ),
-    "failed": _flag(_failed, "a command that failed, as its reply says, and that reply", "failed && op", True),
+    "failed": _flag(_failed, "a command that failed, and its reply", "failed && op", True),
     "late": _flag(_late, f"a reply that came more than {LATE_MS} ms after its command, and that command", "late", True),
     "unanswered": _flag(
         _unanswered, "a command that wants a reply and got none before the capture ended", "unanswered", True
@@ -216,13 +216,11 @@ NAMES = {
     "fault": _known(
         Kind("a text", text=True),
         lambda record: _text(record.message.fault and record.message.fault.reason),
-        "what is wrong with the frame, as a sentence",
+        "the fault of the frame, as a sentence",
         'fault contains "opcode"',
     ),
-    "orphan": _flag(lambda record: record.exchange.is_orphan, "a reply whose command was not seen", "orphan"),
-    "wants_reply": _flag(
-        lambda record: record.message.wants_reply, "a command that the brick is to answer", "wants_reply"
-    ),
+    "orphan": _flag(lambda record: record.exchange.is_orphan, "a reply whose command was not captured", "orphan"),
+    "wants_reply": _flag(lambda record: record.message.wants_reply, "a command that wants a reply", "wants_reply"),
     "counter": _known(
         _NUMBER,
         lambda record: () if record.message.type is None else (record.message.counter,),
@@ -233,7 +231,7 @@ NAMES = {
     "packet": _known(
         _NUMBER,
         lambda record: record.numbers,
-        "number of each packet that carried it, from 1 on; of a text: its line",
+        "numbers of the packets that carried it, from 1; in a text, its line",
         "packet in {10..20}",
     ),
     "latency": _known(
@@ -245,12 +243,12 @@ NAMES = {
     TIME: _known(
         _DURATION,
         lambda record: (record.time,),
-        "time since the capture began, as it is shown before each frame",
+        "time since the capture began, as shown before each frame",
         "time < 1.5s",
     ),
-    "peer": _address("peer", "address of the brick; on WiFi with its port or without", "peer == 192.0.2.10"),
-    "source": _address("source", "address of the sender, in the same way", 'source like "192.0.2.*"'),
-    "target": _address("target", "address of the receiver, in the same way", "target == 192.0.2.10:5555"),
+    "peer": _address("peer", "address of the brick; on WiFi with or without the port", "peer == 192.0.2.10"),
+    "source": _address("source", "address of the sender, likewise", 'source like "192.0.2.*"'),
+    "target": _address("target", "address of the receiver, likewise", "target == 192.0.2.10:5555"),
     "carrier": _known(
         _one_of("carrier", Carrier),
         lambda record: _text(record.carrier),
@@ -260,7 +258,7 @@ NAMES = {
     "direction": _known(
         _one_of("direction", Direction),
         lambda record: _text(record.direction),
-        f"one of {', '.join(Direction)}, where the capture says so",
+        f"one of {', '.join(Direction)}, if known",
         "direction == received",
     ),
     "interface": _known(

@@ -23,7 +23,7 @@ OTHERS = {
 
 def blocks() -> Iterator[str]:
     """Yields what the page has below its title."""
-    yield "All of this is drawn from the tables and from the program itself."
+    yield "This reference is generated from the tables of ev3proto and from the program itself."
     yield "## The instruction set"
     rows = (
         (f"[{AREA_TITLES[area]}]({area}.md)", f"`{area}`", str(len(list(declarations(opcodes)))), _first(area))
@@ -34,20 +34,19 @@ def blocks() -> Iterator[str]:
     yield listed(f"[{title}]({name})" for name, title in OTHERS.items())
     yield "## How to read an entry"
     yield (
-        "Names are the firmware's. A parameter is `in` where the operation reads it, `out` where it writes to a"
-        " variable, `inout` where it does both. `DATA8`, `DATA16` and `DATA32` are signed numbers of 1, 2 and 4"
-        " bytes, `DATAF` is a"
-        ' float of 4 bytes; the lowest number of each type means "not a number". A range, where there is one, is what'
-        " makes sense to the brick."
+        "Names are the firmware's. A parameter is `in` if the operation reads it, `out` if the operation writes it to"
+        " a variable, `inout` if it does both. `DATA8`, `DATA16` and `DATA32` are signed numbers of 1, 2 and 4 bytes,"
+        ' `DATAF` is a float of 4 bytes; the lowest number of each type means "not a number". A range has the values'
+        " that make sense to the brick."
     )
     yield (
         "The Python call needs `import ev3proto` and `from ev3proto import ops, system`; operations of other firmwares"
         " need `from ev3proto.ops import xtended, compat`; variables such as `LV(0)` and `Global()` are attributes of"
-        " `ev3proto`. Outputs that a call omits get a place in global memory. Below the call is its frame, byte by"
-        " byte, in hexadecimal. The last word of a line is the encoding."
+        " `ev3proto`. Outputs that a call omits get a place in global memory. Below the call is its frame in"
+        " hexadecimal, a line per part. The last word of a line is the encoding."
     )
     yield (
-        "The fields of Wireshark are those of the dissector; `ev3.op` is every opcode, `ev3.cmd` every operation by"
+        "The fields of Wireshark are those of the dissector; `ev3.op` has every opcode, `ev3.cmd` every operation by"
         " name."
     )
     yield block("{toctree}", [":hidden:", "", *(f"{area}" for area in AREAS), *(each[:-3] for each in OTHERS)])

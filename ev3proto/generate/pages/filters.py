@@ -15,7 +15,7 @@ _MOST_PLACES = 4
 def blocks() -> Iterator[str]:
     """Yields what the page has below its title."""
     yield (
-        "All that can be written after `--filter`. [How to use filters](../filters.md) shows it on captures;"
+        "This page lists everything that `--filter` accepts. [Filters](../filters.md) shows filters on captures;"
         " `ev3proto decode --help-filter` prints this list."
     )
     for title, entries in sections().items():

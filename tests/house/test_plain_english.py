@@ -10,7 +10,7 @@ import pytest
 
 ROOT = Path(__file__).parents[2]
 
-GAP = r"(?:[^\S\n]|\n\s*(?:#|--|//|>)?[^\S\n]*)+"
+GAP = r"(?:[^\S\n]|\n\s*(?:#|--|//|>|\*)?[^\S\n]*)+"
 """Between two words of a phrase: blanks, or the end of a line with the sign of a comment on the next one."""
 
 PHRASES = {
@@ -32,8 +32,20 @@ RIGHT = (
 )
 """Longer phrases that are plain English."""
 
-FOLDERS = ("docs", "captures", "benchmarks", "fuzz", "bin", "ev3proto", "tests", "dissector")
-SUFFIXES = {".md", ".html", ".js", ".lua", ".py", ""}
+FOLDERS = (
+    ".ci",
+    ".github",
+    "benchmarks",
+    "bin",
+    "captures",
+    "dissector",
+    "docs",
+    "ev3proto",
+    "exports",
+    "fuzz",
+    "tests",
+)
+SUFFIXES = {"", ".css", ".h", ".html", ".js", ".ksy", ".lua", ".md", ".py", ".toml", ".yml"}
 NOT_READ = {"tests/house/test_plain_english.py"}
 
 _PHRASE = re.compile(
@@ -51,10 +63,10 @@ def _found(text: str) -> Iterator[tuple[int, str, str]]:
 
 def _files() -> Iterator[tuple[str, str]]:
     inside = (path for folder in FOLDERS for path in (ROOT / folder).rglob("*") if path.suffix in SUFFIXES)
-    for path in [*ROOT.glob("*.md"), *inside]:
+    for path in [*ROOT.glob("*.md"), ROOT / "pyproject.toml", *inside]:
         name = path.relative_to(ROOT).as_posix()
-        if path.is_file() and name not in NOT_READ and "dissector" not in name:
-            yield name, path.read_text(encoding="utf-8")
+        if path.is_file() and name not in NOT_READ:
+            yield name, path.read_text(encoding="utf-8", errors="replace")
 
 
 @pytest.mark.parametrize(

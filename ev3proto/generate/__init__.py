@@ -1,1 +1,1 @@
-"""The protocol in other tools' forms: dissector, headers, descriptions, and captures made from frames."""
+"""The protocol in the formats of other tools: dissector, headers, descriptions, and captures made from frames."""

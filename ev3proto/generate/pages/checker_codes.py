@@ -13,13 +13,12 @@ from ev3proto.generate.pages.markdown import block, link, plain, table
 def blocks() -> Iterator[str]:
     """Yields what the page has below its title."""
     yield (
-        "`ev3proto check` and `ev3proto.check` report what they find with a code, which never changes its meaning."
-        " `E` is an error: it will not do what was meant. `W` is a warning: it may not. `H` is a hint: it could be"
-        " done better. The first digit tells what it is about: 0 a program file, 1 the frame, 2 operations, 3 values,"
-        " 4 memory, 5 texts and arrays, 6 the way through the code, 7 sounds, drawings and moves, 8 system messages,"
-        " 9 encodings."
+        "Each finding of `ev3proto check` and `ev3proto.check` has a code, whose meaning never changes. `E` is an"
+        " error: the command will not do what was meant. `W` is a warning: it may not. `H` is a hint: something could"
+        " be done better. The first digit is the topic: 0 program files, 1 the frame, 2 operations, 3 values, 4 memory, 5 texts"
+        " and arrays, 6 the way through the code, 7 sounds, drawings and moves, 8 system messages, 9 encodings."
     )
-    yield "`ev3proto check --explain E205` prints one of these."
+    yield "`ev3proto check --explain E205` prints the explanation of a code."
     codes = {**PROGRAM_CODES, **CODES}
     yield table(("code", "what it is"), ((link(it.code, it.code), plain(it.title)) for it in codes.values()))
     for entry in codes.values():

@@ -15,8 +15,9 @@ def blocks() -> Iterator[str]:
     yield (
         "Each finding of `ev3proto check` and `ev3proto.check` has a code, whose meaning never changes. `E` is an"
         " error: the command will not do what was meant. `W` is a warning: it may not. `H` is a hint: something could"
-        " be done better. The first digit is the topic: 0 program files, 1 the frame, 2 operations, 3 values, 4 memory, 5 texts"
-        " and arrays, 6 the way through the code, 7 sounds, drawings and moves, 8 system messages, 9 encodings."
+        " be done better. The first digit is the topic: 0 program files, 1 the frame, 2 operations, 3 values, 4"
+        " memory, 5 texts and arrays, 6 the way through the code, 7 sounds, drawings and moves, 8 system"
+        " messages, 9 encodings."
     )
     yield "`ev3proto check --explain E205` prints the explanation of a code."
     codes = {**PROGRAM_CODES, **CODES}

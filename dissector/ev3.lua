@@ -5455,7 +5455,7 @@ local CARRIERS = {
 --
 -- The texts before the first frame.
 
--- The text that unlocks the brick over WiFi, and its answer. No frame starts like one of them, by its length.
+-- The text that unlocks the brick over WiFi, and its answer. By their lengths, frames start differently.
 local UNLOCK = {
     patterns = {
         "^GET /target%?sn=([%w_:]*) ?VMTP1%.0(\r?\n)Protocol: ?EV3()",
@@ -5847,7 +5847,7 @@ local instructions = INSTRUCTION_SETS[dialect]
 --
 -- The places of messages, and memory.
 
-local free_unused, place_of, number_of, new_notes
+local storage = {}
 do
     -- Items and ranges of a tree are garbage after their packet. Lua collects garbage when its memory has doubled, long
     -- after the garbage has left the processor's cache. If it is collected soon, tshark -V takes 2.75 times as long as
@@ -5857,7 +5857,7 @@ do
         local GROWTH, MOST_KILOBYTES = 1.15, 32 * 1024
         local limit = 0
 
-        function free_unused()
+        function storage.free_unused()
             local size = collectgarbage("count")
             if size < limit or size > MOST_KILOBYTES then return end
             -- Finalizers of other scripts may raise errors.
@@ -5869,11 +5869,11 @@ do
     -- The place of a message: the number of its packet and its offset there, in one number.
     local OFFSETS = 0x100000
 
-    function place_of(number, offset)
+    function storage.place_of(number, offset)
         return number * OFFSETS + offset
     end
 
-    function number_of(place)
+    function storage.number_of(place)
         return floor(place / OFFSETS)
     end
 
@@ -5884,7 +5884,7 @@ do
     local PAGE = 256 * OFFSETS
     local pack, unpack = Struct.pack, Struct.unpack
 
-    function new_notes()
+    function storage.new_notes()
         local pages, open, open_number, late = {}, {}, 0, {}
         local last, last_number
         local notes = {}
@@ -6316,7 +6316,7 @@ do
     local conversations
 
     function dialogues.forget()
-        replies, requests, transfers, conversations = new_notes(), new_notes(), {}, {}
+        replies, requests, transfers, conversations = storage.new_notes(), storage.new_notes(), {}, {}
     end
     dialogues.forget()
 
@@ -6471,7 +6471,7 @@ do
                 local text = request.message.text
                 request.delay, message.request = pinfo.rel_ts - request.time, request
                 conversation.is_answered = conversation.is_answered or is_proof(message, request)
-                replies.put(request.place, format("%d", number_of(place)))
+                replies.put(request.place, format("%d", storage.number_of(place)))
                 -- The number of a system command is enough.
                 if message.command then text = sub(text, 1, HEADER_SIZE + 1) end
                 requests.put(place, Struct.pack("dd", request.place, request.delay) .. text)
@@ -6489,11 +6489,11 @@ end
 -- A reply to a direct command is just memory. The output parameters of the command that name global variables tell what
 -- is where in it.
 
-local stated_length, tells_length, read_output
+local reply_values = {}
 do
     -- Returns the number of bytes or elements of a parameter, by its length parameter, else `most`. `lengths` has the
     -- constants that were given for length parameters.
-    function stated_length(parameter, lengths, most)
+    function reply_values.stated_length(parameter, lengths, most)
         local length = parameter.length
         if type(length) == "string" then length = lengths[length] end
         if not length then return most end
@@ -6503,7 +6503,7 @@ do
     end
 
     -- Tells whether an argument is a constant that is the length of another parameter.
-    function tells_length(parameter, encoding)
+    function reply_values.tells_length(parameter, encoding)
         return parameter.tells_length and encoding.kind == CONSTANT and not encoding.handle and not encoding.address
     end
 
@@ -6518,11 +6518,11 @@ do
     end
 
     -- Reads the `value` of an output, which may be a list, and its `size`. Returns false if the memory ends before it.
-    function read_output(output, outputs, memory)
+    function reply_values.read(output, outputs, memory)
         local parameter, start, lengths = output.parameter, output.index, output.lengths
         local kind = output.is_handle and HANDLE or parameter.type
         if kind == STRING then
-            local stop = math.min(start + stated_length(parameter, lengths, #memory), #memory)
+            local stop = math.min(start + reply_values.stated_length(parameter, lengths, #memory), #memory)
             output.value = sub(memory, start + 1, stop):match("^[^\0]*")
             output.size = #output.value
             return start < #memory
@@ -6536,7 +6536,7 @@ do
             return output.value ~= nil
         end
         local room = floor((#memory - start) / size)
-        local count = math.min(stated_length(parameter, lengths, room), room)
+        local count = math.min(reply_values.stated_length(parameter, lengths, room), room)
         if count < 1 then return false end
         local list = {}
         for index = 1, count do
@@ -6608,7 +6608,7 @@ do
         local asked = is_global and globals or locals
         if not asked or is_beyond and not item then return end
         if parameter.length and parameter.is_output and not encoding.handle then
-            size = size * stated_length(parameter, lengths, 1)
+            size = size * reply_values.stated_length(parameter, lengths, 1)
         end
         if index + size <= asked then return end
         is_beyond = true
@@ -6655,7 +6655,7 @@ do
             if outputs and encoding.kind == GLOBAL and parameter.is_output and not encoding.address then
                 note_output(parameter, encoding, value)
             end
-        elseif parameter.tells_length and tells_length(parameter, encoding) then
+        elseif parameter.tells_length and reply_values.tells_length(parameter, encoding) then
             lengths[parameter.name] = value
         end
         if item then add(item, ENCODING, range, encoding.label) end
@@ -6721,7 +6721,7 @@ do
         end
         local memory, found = sub(reply.text, HEADER_SIZE + 1), {}
         for _, output in ipairs(outputs) do
-            if read_output(output, outputs, memory) then found[#found + 1] = output end
+            if reply_values.read(output, outputs, memory) then found[#found + 1] = output end
         end
         return found
     end
@@ -7043,7 +7043,7 @@ do
                 complain(target, "orphan", "the command that this reply answers was not seen")
             elseif item then
                 local delay, seconds = request.delay, floor(request.delay)
-                set_generated(add(item, field.request_in, number_of(request.place)))
+                set_generated(add(item, field.request_in, storage.number_of(request.place)))
                 local time = NSTime.new(seconds, floor((delay - seconds) * 1e9 + 0.5))
                 set_generated(add(item, field.response_time, time))
             end
@@ -7236,21 +7236,12 @@ end
 -- Claims ------------------------------------------------------------------------------------------------------------
 --
 -- Which conversations are ours: other protocols use the same ports and channels as bricks. The rule is in ev3proto's
--- tables; here it is applied, and frames are found in streams. Decisions are made in the first pass, and kept.
+-- tables; here it is applied. Decisions are made in the first pass, and kept.
 
 -- What data turn out to be: OURS; PART if more is needed to decide; nil if they are not ours.
 local OURS, PART = "ours", "part"
 
 do
-    -- Maximum number of places in one piece of a stream where a frame is tried.
-    local MOST_TRIALS = 64
-
-    -- Maximum number of following headers that are checked.
-    local MOST_FOLLOWING = 2
-
-    -- Bytes of a truncated command that must be captured, so that it can be recognised.
-    local LEAST_CUT = COMMAND_HEADER_SIZE + 2
-
     -- Calls a function with each firmware's instructions, the preferred one's first, until it returns true.
     local function by_any(says, ...)
         local said, preferred = says(...), instructions
@@ -7265,7 +7256,7 @@ do
 
     -- Reads operations from an offset on. `judge` gets the opcode of each, `visit` each argument. Returns nil, or the
     -- kind of the fault that ends them, and its operation.
-    local function scan(text, at, stop, judge, visit)
+    function claiming.scan(text, at, stop, judge, visit)
         while at < stop do
             local code = byte(text, at + 1)
             if code == CLAIMS.never_sent then return "fault" end
@@ -7277,7 +7268,7 @@ do
     end
 
     -- Tells whether a frame has no fault and a meaning: empty commands and impossible layers have none.
-    local function is_sensible(message)
+    function claiming.is_sensible(message)
         local type, text = message.type, message.text
         if not type or message.stop < message.size or message.fault then return false end
         if type.carries == "daisy" then
@@ -7290,9 +7281,8 @@ do
             return to ~= nil and from <= DAISY.most_layers and to <= DAISY.most_layers
         end
         if type.carries ~= "direct" or not type.is_command then return true end
-        return message.stop > COMMAND_HEADER_SIZE and not scan(text, COMMAND_HEADER_SIZE, message.stop)
+        return message.stop > COMMAND_HEADER_SIZE and not claiming.scan(text, COMMAND_HEADER_SIZE, message.stop)
     end
-    claiming.is_sensible = is_sensible
 
     -- Tells whether an argument has a kind and range that its parameter accepts; `sizes` is the requested memory, by
     -- scope.
@@ -7320,13 +7310,13 @@ do
             if CLAIMS.only_in_programs[code] or is_cut and code < CLAIMS.first_of_devices then is_right = false end
             if not CLAIMS.not_telling[code] then is_telling = true end
         end
-        local kind = scan(text, COMMAND_HEADER_SIZE, stop, judge, visit)
+        local kind = claiming.scan(text, COMMAND_HEADER_SIZE, stop, judge, visit)
         return is_right and is_telling and (not kind or is_cut and kind == "cut_off")
     end
 
     -- Tells whether a message is a plausible command by the instructions of some firmware. With `is_cut` the capture
     -- has only its beginning, which then counts.
-    local function is_plausible(message, is_cut)
+    function claiming.is_plausible(message, is_cut)
         local type, stop = message.type, message.stop
         if not type or not type.is_command then return false end
         if not is_cut and (stop < message.size or message.fault) then return false end
@@ -7334,11 +7324,10 @@ do
             return stop >= COMMAND_HEADER_SIZE and by_any(fits, message.text, stop, is_cut)
         end
         if is_cut then return false end
-        if type.carries == "daisy" then return is_sensible(message) end
+        if type.carries == "daisy" then return claiming.is_sensible(message) end
         local counter = message.counter
         return counter ~= CLAIMS.nxt_write and counter - CLAIMS.nxt_flag ~= CLAIMS.nxt_write
     end
-    claiming.is_plausible = is_plausible
 
     -- Counts the complete, non-empty replies in a text; 0 if it contains anything else.
     function claiming.count_replies(text)
@@ -7366,7 +7355,7 @@ do
     function claiming.note(conversation, message)
         if not conversation.is_claimed or conversation.is_sure then return end
         conversation.has_frame = true
-        conversation.is_good = conversation.is_good or not conversation.is_answered and is_sensible(message)
+        conversation.is_good = conversation.is_good or not conversation.is_answered and claiming.is_sensible(message)
     end
 
     -- Counts a packet of a claimed conversation; `size` is the number of its bytes outside of frames. Returns whether
@@ -7390,9 +7379,26 @@ do
         end
         return not is_over
     end
+end
+
+-- Finding -----------------------------------------------------------------------------------------------------------
+--
+-- Frames in streams that are not claimed yet, or out of step after a gap: a header alone is often a coincidence, so a
+-- frame is also judged by its contents and by what follows it.
+
+local finding = {}
+do
+    -- Maximum number of places in one piece of a stream where a frame is tried.
+    local MOST_TRIALS = 64
+
+    -- Maximum number of following headers that are checked.
+    local MOST_FOLLOWING = 2
+
+    -- Bytes of a truncated command that must be captured, so that it can be recognised.
+    local LEAST_CUT = COMMAND_HEADER_SIZE + 2
 
     -- Tells whether an incomplete frame at an offset may turn out to have no fault.
-    local function may_become(text, at, accepts)
+    function finding.may_become(text, at, accepts)
         if not may_start(text, at) then return false end
         local code, number = byte(text, at + HEADER_SIZE, at + HEADER_SIZE + 1)
         local type = MESSAGE_TYPES[code]
@@ -7400,11 +7406,10 @@ do
         if not accepts(type) then return false end
         if type.carries == "system" then return not number or SYSTEM_COMMANDS[number] ~= nil end
         if type.carries ~= "direct" or not type.is_command then return true end
-        local kind, operation = scan(text, at + COMMAND_HEADER_SIZE, #text)
+        local kind, operation = claiming.scan(text, at + COMMAND_HEADER_SIZE, #text)
         -- A list that continues in the next packet has the fault of being too long.
         return not kind or kind == "cut_off" or kind == "fault" and operation ~= nil and operation.list ~= nil
     end
-    claiming.may_become = may_become
 
     -- Bytes 1 to 4 of a header, as a pattern. No message type is a special character of patterns.
     local codes = {}
@@ -7441,7 +7446,7 @@ do
 
     -- Returns the first place from an offset on where an incomplete header may start at the end of a text, nil if there
     -- is none.
-    function claiming.header_at_end(text, at)
+    function finding.header_at_end(text, at)
         for place = math.max(#text - HEADER_SIZE + 1, at), #text - 1 do
             if may_start(text, place) then return place end
         end
@@ -7450,8 +7455,8 @@ do
     -- Returns the first place with a plausible command, and true; else the first with what may become one (or nil), and
     -- false. Packets begin at 0 and at `joint`: anything may follow a command there, elsewhere only another frame. A
     -- truncated command counts as whole if it ends at `reported`, where the packet did.
-    function claiming.find_command(text, joint, accepts, reported)
-        local open = claiming.header_at_end(text, 0)
+    function finding.find_command(text, joint, accepts, reported)
+        local open = finding.header_at_end(text, 0)
         for place, stop, type in each_start(text, 0, accepts) do
             local is_cut = reported > #text and stop == reported and #text - place >= LEAST_CUT
             local is_whole = stop <= #text or is_cut
@@ -7460,9 +7465,9 @@ do
             if type.carries == "daisy" or is_chance then
                 -- This proves nothing.
             elseif not is_whole then
-                if not (open and open < place) and may_become(text, place, accepts) then open = place end
+                if not (open and open < place) and finding.may_become(text, place, accepts) then open = place end
             elseif place == 0 or place == joint or stop >= #text or may_start(text, stop) then
-                if is_plausible(messages.read(sub(text, place + 1, stop)), is_cut) then return place, true end
+                if claiming.is_plausible(messages.read(sub(text, place + 1, stop)), is_cut) then return place, true end
             end
         end
         return open, false
@@ -7470,7 +7475,7 @@ do
 
     -- Counts the headers that follow each other from an offset on; nil if none can start there. A few are enough: the
     -- next gap may come soon.
-    local function follow(text, at)
+    function finding.follow(text, at)
         local size, count = #text, 0
         while at < size and count < MOST_FOLLOWING do
             at = after_polls(text, at)
@@ -7481,20 +7486,19 @@ do
         return count
     end
 
-    claiming.follow = follow
 
     -- Finds where a stream that is out of step continues, from an offset on. Returns the place of a complete frame
     -- without a fault, and the number of headers after it, at least `least`; else the place of an incomplete frame that
     -- may have no fault; else nil. Packets start at `first` and `second`: a frame there may have faults, or be followed
     -- by anything.
-    function claiming.find_step(text, at, accepts, least, first, second)
+    function finding.find_step(text, at, accepts, least, first, second)
         local open, single, begun
         for place, stop in each_start(text, at, accepts) do
-            local following, is_begin = stop <= #text and follow(text, stop), place == first or place == second
+            local following, is_begin = stop <= #text and finding.follow(text, stop), place == first or place == second
             if stop > #text then
-                if not open and may_become(text, place, accepts) then open = place end
+                if not open and finding.may_become(text, place, accepts) then open = place end
             elseif (following or is_begin) and (following or 0) >= least then
-                local is_sound = is_sensible(messages.read(sub(text, place + 1, stop)))
+                local is_sound = claiming.is_sensible(messages.read(sub(text, place + 1, stop)))
                 if is_sound and following and following > 0 then return place, following end
                 if is_sound and following then
                     single = single or place
@@ -7509,21 +7513,21 @@ do
 
     -- Judges a frame that seems to come in several packets, between which packets may be missing: OURS, PART, or nil.
     -- The newest packet starts at `joint`.
-    function claiming.judge_split(text, at, accepts, joint, is_last)
+    function finding.judge_split(text, at, accepts, joint, is_last)
         local stop = stop_of(text, at)
         if stop > #text then
-            if may_become(text, at, accepts) then return PART end
-            local _, following = claiming.find_step(text, at + 1, accepts, 0)
+            if finding.may_become(text, at, accepts) then return PART end
+            local _, following = finding.find_step(text, at + 1, accepts, 0)
             return not following and PART or nil
         end
-        local message, following = messages.read(sub(text, at + 1, stop)), follow(text, stop)
+        local message, following = messages.read(sub(text, at + 1, stop)), finding.follow(text, stop)
         local type = message.type
-        local is_sound = type and accepts(type) and is_sensible(message)
+        local is_sound = type and accepts(type) and claiming.is_sensible(message)
         if not following then return nil end
         -- Few random bytes are operations.
         if is_sound and (following > 0 or type.is_command and type.carries == "direct") then return OURS end
         -- After a gap between two packets, frames start in the newer one.
-        local inside, following_inside = claiming.find_step(text, is_sound and joint or at + 1, accepts, 0, joint)
+        local inside, following_inside = finding.find_step(text, is_sound and joint or at + 1, accepts, 0, joint)
         local is_inside = inside and inside < stop
         if is_inside and following_inside then return nil end
         return not is_last and following == 0 and (is_inside or not is_sound) and PART or OURS
@@ -7626,10 +7630,10 @@ do
     -- more is needed to decide. The last bytes may be the start of a header if there are at least `least`; nil if
     -- nothing more comes.
     local function next_step(text, at, accepts, least, first, second)
-        local place, following = claiming.find_step(text, at, accepts, 0, first, second)
+        local place, following = finding.find_step(text, at, accepts, 0, first, second)
         local is_open = least and place ~= nil and not following
         if not place and least then
-            place = claiming.header_at_end(text, at) or #text
+            place = finding.header_at_end(text, at) or #text
             is_open = place <= #text - least
         end
         if not following and not is_open then place = #text end
@@ -7645,11 +7649,11 @@ do
     local function is_misleading(text, at, stop, accepts)
         local type = MESSAGE_TYPES[byte(text, at + HEADER_SIZE)]
         local is_whole, is_known = stop <= #text, type and accepts(type)
-        local is_chained = not is_whole or claiming.follow(text, stop)
+        local is_chained = not is_whole or finding.follow(text, stop)
         if is_chained and at > 0 then return false end
         if is_known and is_whole and claiming.is_sensible(messages.read(sub(text, at + 1, stop))) then return false end
-        local is_likely = is_chained and (is_whole or claiming.may_become(text, at, accepts))
-        local place, following = claiming.find_step(text, at + 1, accepts, is_likely and 1 or 0)
+        local is_likely = is_chained and (is_whole or finding.may_become(text, at, accepts))
+        local place, following = finding.find_step(text, at + 1, accepts, is_likely and 1 or 0)
         return following ~= nil and place < stop
     end
 
@@ -7659,7 +7663,7 @@ do
         local code, stop = byte(text, at + HEADER_SIZE), stop_of(text, at)
         if step == "lost" or stop and not is_length(text, at) then return nil end
         if code and at < stream.joint and stream.may_gap then
-            local verdict = claiming.judge_split(text, at, stream.accepts, stream.joint, stream.is_last)
+            local verdict = finding.judge_split(text, at, stream.accepts, stream.joint, stream.is_last)
             if not verdict then return nil end
             if verdict == PART and stop <= #text then return PART, nil, step end
         elseif code and step == "likely" and stop ~= #text then
@@ -7709,7 +7713,7 @@ do
             elseif verdict == OURS then
                 after = math.min(stop_of(text, at), captured)
                 local frame = at == 0 and after == captured and text or sub(text, at + 1, after)
-                local place = place_of(number, start + at)
+                local place = storage.place_of(number, start + at)
                 said = dissect_message(tvb, at, messages.read(frame), conversation, place, pinfo, tree, is_shown)
             elseif not said then
                 after = step ~= "lost" and end_of_text(text, at)
@@ -7801,7 +7805,7 @@ do
         end
         local stop, conversation = message.stop, not pinfo.visited and dialogues.conversation_of(device)
         brick = is_shown and device
-        local place = place_of(number, offset)
+        local place = storage.place_of(number, offset)
         local said, item = dissect_message(tvb, 0, message, conversation, place, pinfo, tree, is_shown, line)
         if line then
             local reason = "a known fault of the EV3's bootloader on USB 3 ports: the reply to %s with the request"
@@ -7883,7 +7887,7 @@ do
         dissect_report(tvb, message, device, pinfo, tree)
         local conversation = not pinfo.visited and dialogues.conversation_of(device)
         if conversation and conversation.is_claimed then claiming.count(conversation, 0, number) end
-        if has_tree(tree) then free_unused() end
+        if has_tree(tree) then storage.free_unused() end
         return true
     end
 
@@ -7981,7 +7985,7 @@ do
     local function claim(conversation, stream, piece, missing, number)
         local left = stream.left
         local text = left .. piece
-        local place, is_whole = claiming.find_command(text, #left, is_command, #text + missing)
+        local place, is_whole = finding.find_command(text, #left, is_command, #text + missing)
         if not place then
             clear(stream)
             return nil
@@ -8012,9 +8016,9 @@ do
             -- A frame that comes byte by byte is not examined at each byte.
             stream.look_at = floor(#text * 1.25) + 1
             if not is_length(text, 0) then return false end
-            return claiming.judge_split(text, 0, accepts, joint) == PART
+            return finding.judge_split(text, 0, accepts, joint) == PART
         end
-        local place, following = claiming.find_step(text, 0, accepts, 0, 0)
+        local place, following = finding.find_step(text, 0, accepts, 0, 0)
         return place == 0 and not following
     end
 
@@ -8247,7 +8251,7 @@ do
 
         -- The same in any pass; `known`, the direction, is given in the first pass only.
         local function step_of(known, text, offset, number, start)
-            local place, usual = place_of(number, offset), offset == 0 and "sure" or "likely"
+            local place, usual = storage.place_of(number, offset), offset == 0 and "sure" or "likely"
             if not known then
                 local buffer = buffers[place]
                 return buffer and buffer.step or usual, 0, buffer and buffer.done or 0
@@ -8276,7 +8280,7 @@ do
             local lost = 0
             if step ~= "lost" and done == 0 and MESSAGE_TYPES[byte(text, HEADER_SIZE)]
                 and stop_of(text, 0) == captured and is_usual_length(captured - LENGTH_FIELD) then
-                local place = place_of(number, offset)
+                local place = storage.place_of(number, offset)
                 say((dissect_message(tvb, 0, messages.read(text), conversation, place, pinfo, tree, is_shown)))
             else
                 local reported = tvb:reported_len()
@@ -8359,7 +8363,7 @@ do
                 claiming.begin(conversation, true)
             elseif to_brick then
                 local is_whole
-                place, is_whole = claiming.find_command(text, joint, is_command, reported)
+                place, is_whole = finding.find_command(text, joint, is_command, reported)
                 -- Other dissectors get their packets at once, unless one may begin with a command.
                 local is_waited = place and not is_whole and (conversation.has_ended or place == 0 or place == joint)
                 if not is_whole then return is_waited and PART or nil, place end
@@ -8388,7 +8392,7 @@ do
         function dissect_first(tvb, text, pinfo, tree, number)
             local conversation, known = connection_of(pinfo)
             -- Wireshark may offer a declined buffer again, for the port of the other end.
-            local place = place_of(number, offset_of(tvb))
+            local place = storage.place_of(number, offset_of(tvb))
             if buffers[place] == DECLINED then return 0 end
             local port = pinfo.match_uint
             if not conversation.name and not ports[port] then
@@ -8418,7 +8422,7 @@ do
     local function dissect_tcp(tvb, pinfo, tree)
         local text, number = bytes_of(tvb), pinfo.number
         if not pinfo.visited then return dissect_first(tvb, text, pinfo, tree, number) end
-        local buffer = buffers[place_of(number, offset_of(tvb))]
+        local buffer = buffers[storage.place_of(number, offset_of(tvb))]
         if buffer == DECLINED then return 0 end
         if buffer and buffer.asked then
             pinfo.desegment_offset, pinfo.desegment_len = buffer.asked, DESEGMENT_ONE_MORE_SEGMENT
@@ -8597,7 +8601,7 @@ do
     function ev3.dissector(tvb, pinfo, tree)
         local dissect = dissectors[pinfo.port_type]
         local taken = dissect and dissect(tvb, pinfo, tree) or 0
-        if has_tree(tree) then free_unused() end
+        if has_tree(tree) then storage.free_unused() end
         return taken
     end
 

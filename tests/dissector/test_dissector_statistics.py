@@ -28,7 +28,7 @@ def test_statistics_at_the_end_of_a_run(tshark: Tshark) -> None:
     assert rows["OUTPUT_START"][1:] == ["1", "1", "15", "0"]  # the second operation of its command
     assert rows["192.0.2.10:5555"][1] == "42"
     assert rows["../prjs/log/first.rbf"][1:] == ["2500", "2500"]
-    assert "without a reply: 1 of 19 commands that requested one" in said
+    assert "Without a reply: 1 of 19 commands that requested one" in said
 
 
 def test_statistics_fit_in_a_window(tshark: Tshark) -> None:

@@ -23,6 +23,7 @@ RUNTIME = (
     "message",
     "frames",
     "claims",
+    "finding",
     "streams",
     *CARRIERS,
     "registration",

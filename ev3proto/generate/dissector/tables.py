@@ -352,8 +352,7 @@ def _unlock() -> Iterator[str]:
         "answer": discovery.ACCEPT.decode("ascii"),
         "starts": Table(named=first),
     }
-    yield "-- The text that unlocks the brick over WiFi, and its answer. "
-    yield "No frame starts like one of them, by its length.\n"
+    yield "-- The text that unlocks the brick over WiFi, and its answer. By their lengths, frames start differently.\n"
     yield _assign("UNLOCK", Table(named=texts))
     yield "\n"
 

@@ -81,7 +81,7 @@ do
     local function claim(conversation, stream, piece, missing, number)
         local left = stream.left
         local text = left .. piece
-        local place, is_whole = claiming.find_command(text, #left, is_command, #text + missing)
+        local place, is_whole = finding.find_command(text, #left, is_command, #text + missing)
         if not place then
             clear(stream)
             return nil
@@ -112,9 +112,9 @@ do
             -- A frame that comes byte by byte is not examined at each byte.
             stream.look_at = floor(#text * 1.25) + 1
             if not is_length(text, 0) then return false end
-            return claiming.judge_split(text, 0, accepts, joint) == PART
+            return finding.judge_split(text, 0, accepts, joint) == PART
         end
-        local place, following = claiming.find_step(text, 0, accepts, 0, 0)
+        local place, following = finding.find_step(text, 0, accepts, 0, 0)
         return place == 0 and not following
     end
 

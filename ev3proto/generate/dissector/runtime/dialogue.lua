@@ -22,7 +22,7 @@ do
     local conversations
 
     function dialogues.forget()
-        replies, requests, transfers, conversations = new_notes(), new_notes(), {}, {}
+        replies, requests, transfers, conversations = storage.new_notes(), storage.new_notes(), {}, {}
     end
     dialogues.forget()
 
@@ -177,7 +177,7 @@ do
                 local text = request.message.text
                 request.delay, message.request = pinfo.rel_ts - request.time, request
                 conversation.is_answered = conversation.is_answered or is_proof(message, request)
-                replies.put(request.place, format("%d", number_of(place)))
+                replies.put(request.place, format("%d", storage.number_of(place)))
                 -- The number of a system command is enough.
                 if message.command then text = sub(text, 1, HEADER_SIZE + 1) end
                 requests.put(place, Struct.pack("dd", request.place, request.delay) .. text)

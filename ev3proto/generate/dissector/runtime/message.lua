@@ -314,7 +314,7 @@ do
                 complain(target, "orphan", "the command that this reply answers was not seen")
             elseif item then
                 local delay, seconds = request.delay, floor(request.delay)
-                set_generated(add(item, field.request_in, number_of(request.place)))
+                set_generated(add(item, field.request_in, storage.number_of(request.place)))
                 local time = NSTime.new(seconds, floor((delay - seconds) * 1e9 + 0.5))
                 set_generated(add(item, field.response_time, time))
             end

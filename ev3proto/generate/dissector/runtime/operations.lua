@@ -59,7 +59,7 @@ do
         local asked = is_global and globals or locals
         if not asked or is_beyond and not item then return end
         if parameter.length and parameter.is_output and not encoding.handle then
-            size = size * stated_length(parameter, lengths, 1)
+            size = size * reply_values.stated_length(parameter, lengths, 1)
         end
         if index + size <= asked then return end
         is_beyond = true
@@ -106,7 +106,7 @@ do
             if outputs and encoding.kind == GLOBAL and parameter.is_output and not encoding.address then
                 note_output(parameter, encoding, value)
             end
-        elseif parameter.tells_length and tells_length(parameter, encoding) then
+        elseif parameter.tells_length and reply_values.tells_length(parameter, encoding) then
             lengths[parameter.name] = value
         end
         if item then add(item, ENCODING, range, encoding.label) end
@@ -172,7 +172,7 @@ do
         end
         local memory, found = sub(reply.text, HEADER_SIZE + 1), {}
         for _, output in ipairs(outputs) do
-            if read_output(output, outputs, memory) then found[#found + 1] = output end
+            if reply_values.read(output, outputs, memory) then found[#found + 1] = output end
         end
         return found
     end

@@ -15,7 +15,7 @@ do
     function ev3.dissector(tvb, pinfo, tree)
         local dissect = dissectors[pinfo.port_type]
         local taken = dissect and dissect(tvb, pinfo, tree) or 0
-        if has_tree(tree) then free_unused() end
+        if has_tree(tree) then storage.free_unused() end
         return taken
     end
 

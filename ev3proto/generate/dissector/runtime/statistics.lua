@@ -241,7 +241,7 @@ local function survey_text(survey)
     return concat({
         table_text("Operation", survey.operations, true), "", table_text("Brick", survey.bricks), "",
         files_text(survey), "",
-        format("without a reply: %d of %s that requested one", unanswered, plural(survey.wanted, "command")),
+        format("Without a reply: %d of %s that requested one", unanswered, plural(survey.wanted, "command")),
     }, "\n") .. "\n"
 end
 

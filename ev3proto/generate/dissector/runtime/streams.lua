@@ -94,10 +94,10 @@ do
     -- more is needed to decide. The last bytes may be the start of a header if there are at least `least`; nil if
     -- nothing more comes.
     local function next_step(text, at, accepts, least, first, second)
-        local place, following = claiming.find_step(text, at, accepts, 0, first, second)
+        local place, following = finding.find_step(text, at, accepts, 0, first, second)
         local is_open = least and place ~= nil and not following
         if not place and least then
-            place = claiming.header_at_end(text, at) or #text
+            place = finding.header_at_end(text, at) or #text
             is_open = place <= #text - least
         end
         if not following and not is_open then place = #text end
@@ -113,11 +113,11 @@ do
     local function is_misleading(text, at, stop, accepts)
         local type = MESSAGE_TYPES[byte(text, at + HEADER_SIZE)]
         local is_whole, is_known = stop <= #text, type and accepts(type)
-        local is_chained = not is_whole or claiming.follow(text, stop)
+        local is_chained = not is_whole or finding.follow(text, stop)
         if is_chained and at > 0 then return false end
         if is_known and is_whole and claiming.is_sensible(messages.read(sub(text, at + 1, stop))) then return false end
-        local is_likely = is_chained and (is_whole or claiming.may_become(text, at, accepts))
-        local place, following = claiming.find_step(text, at + 1, accepts, is_likely and 1 or 0)
+        local is_likely = is_chained and (is_whole or finding.may_become(text, at, accepts))
+        local place, following = finding.find_step(text, at + 1, accepts, is_likely and 1 or 0)
         return following ~= nil and place < stop
     end
 
@@ -127,7 +127,7 @@ do
         local code, stop = byte(text, at + HEADER_SIZE), stop_of(text, at)
         if step == "lost" or stop and not is_length(text, at) then return nil end
         if code and at < stream.joint and stream.may_gap then
-            local verdict = claiming.judge_split(text, at, stream.accepts, stream.joint, stream.is_last)
+            local verdict = finding.judge_split(text, at, stream.accepts, stream.joint, stream.is_last)
             if not verdict then return nil end
             if verdict == PART and stop <= #text then return PART, nil, step end
         elseif code and step == "likely" and stop ~= #text then
@@ -177,7 +177,7 @@ do
             elseif verdict == OURS then
                 after = math.min(stop_of(text, at), captured)
                 local frame = at == 0 and after == captured and text or sub(text, at + 1, after)
-                local place = place_of(number, start + at)
+                local place = storage.place_of(number, start + at)
                 said = dissect_message(tvb, at, messages.read(frame), conversation, place, pinfo, tree, is_shown)
             elseif not said then
                 after = step ~= "lost" and end_of_text(text, at)

@@ -55,7 +55,7 @@ do
         end
         local stop, conversation = message.stop, not pinfo.visited and dialogues.conversation_of(device)
         brick = is_shown and device
-        local place = place_of(number, offset)
+        local place = storage.place_of(number, offset)
         local said, item = dissect_message(tvb, 0, message, conversation, place, pinfo, tree, is_shown, line)
         if line then
             local reason = "a known fault of the EV3's bootloader on USB 3 ports: the reply to %s with the request"
@@ -137,7 +137,7 @@ do
         dissect_report(tvb, message, device, pinfo, tree)
         local conversation = not pinfo.visited and dialogues.conversation_of(device)
         if conversation and conversation.is_claimed then claiming.count(conversation, 0, number) end
-        if has_tree(tree) then free_unused() end
+        if has_tree(tree) then storage.free_unused() end
         return true
     end
 

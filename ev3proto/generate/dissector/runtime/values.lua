@@ -3,11 +3,11 @@
 -- A reply to a direct command is just memory. The output parameters of the command that name global variables tell what
 -- is where in it.
 
-local stated_length, tells_length, read_output
+local reply_values = {}
 do
     -- Returns the number of bytes or elements of a parameter, by its length parameter, else `most`. `lengths` has the
     -- constants that were given for length parameters.
-    function stated_length(parameter, lengths, most)
+    function reply_values.stated_length(parameter, lengths, most)
         local length = parameter.length
         if type(length) == "string" then length = lengths[length] end
         if not length then return most end
@@ -17,7 +17,7 @@ do
     end
 
     -- Tells whether an argument is a constant that is the length of another parameter.
-    function tells_length(parameter, encoding)
+    function reply_values.tells_length(parameter, encoding)
         return parameter.tells_length and encoding.kind == CONSTANT and not encoding.handle and not encoding.address
     end
 
@@ -32,11 +32,11 @@ do
     end
 
     -- Reads the `value` of an output, which may be a list, and its `size`. Returns false if the memory ends before it.
-    function read_output(output, outputs, memory)
+    function reply_values.read(output, outputs, memory)
         local parameter, start, lengths = output.parameter, output.index, output.lengths
         local kind = output.is_handle and HANDLE or parameter.type
         if kind == STRING then
-            local stop = math.min(start + stated_length(parameter, lengths, #memory), #memory)
+            local stop = math.min(start + reply_values.stated_length(parameter, lengths, #memory), #memory)
             output.value = sub(memory, start + 1, stop):match("^[^\0]*")
             output.size = #output.value
             return start < #memory
@@ -50,7 +50,7 @@ do
             return output.value ~= nil
         end
         local room = floor((#memory - start) / size)
-        local count = math.min(stated_length(parameter, lengths, room), room)
+        local count = math.min(reply_values.stated_length(parameter, lengths, room), room)
         if count < 1 then return false end
         local list = {}
         for index = 1, count do

@@ -118,7 +118,7 @@ do
 
         -- The same in any pass; `known`, the direction, is given in the first pass only.
         local function step_of(known, text, offset, number, start)
-            local place, usual = place_of(number, offset), offset == 0 and "sure" or "likely"
+            local place, usual = storage.place_of(number, offset), offset == 0 and "sure" or "likely"
             if not known then
                 local buffer = buffers[place]
                 return buffer and buffer.step or usual, 0, buffer and buffer.done or 0
@@ -147,7 +147,7 @@ do
             local lost = 0
             if step ~= "lost" and done == 0 and MESSAGE_TYPES[byte(text, HEADER_SIZE)]
                 and stop_of(text, 0) == captured and is_usual_length(captured - LENGTH_FIELD) then
-                local place = place_of(number, offset)
+                local place = storage.place_of(number, offset)
                 say((dissect_message(tvb, 0, messages.read(text), conversation, place, pinfo, tree, is_shown)))
             else
                 local reported = tvb:reported_len()
@@ -230,7 +230,7 @@ do
                 claiming.begin(conversation, true)
             elseif to_brick then
                 local is_whole
-                place, is_whole = claiming.find_command(text, joint, is_command, reported)
+                place, is_whole = finding.find_command(text, joint, is_command, reported)
                 -- Other dissectors get their packets at once, unless one may begin with a command.
                 local is_waited = place and not is_whole and (conversation.has_ended or place == 0 or place == joint)
                 if not is_whole then return is_waited and PART or nil, place end
@@ -259,7 +259,7 @@ do
         function dissect_first(tvb, text, pinfo, tree, number)
             local conversation, known = connection_of(pinfo)
             -- Wireshark may offer a declined buffer again, for the port of the other end.
-            local place = place_of(number, offset_of(tvb))
+            local place = storage.place_of(number, offset_of(tvb))
             if buffers[place] == DECLINED then return 0 end
             local port = pinfo.match_uint
             if not conversation.name and not ports[port] then
@@ -289,7 +289,7 @@ do
     local function dissect_tcp(tvb, pinfo, tree)
         local text, number = bytes_of(tvb), pinfo.number
         if not pinfo.visited then return dissect_first(tvb, text, pinfo, tree, number) end
-        local buffer = buffers[place_of(number, offset_of(tvb))]
+        local buffer = buffers[storage.place_of(number, offset_of(tvb))]
         if buffer == DECLINED then return 0 end
         if buffer and buffer.asked then
             pinfo.desegment_offset, pinfo.desegment_len = buffer.asked, DESEGMENT_ONE_MORE_SEGMENT

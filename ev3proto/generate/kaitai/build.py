@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from ev3proto.generate.kaitai.messages import enumerations, message_types
 from ev3proto.generate.kaitai.naming import family_type, identifier, operation_type, parameter_name
 from ev3proto.generate.kaitai.yaml import Block, Hexadecimal, Value, written
@@ -34,29 +32,27 @@ def opcode_enum(dialect: str) -> Mapping:
     }
 
 
-def operation_types(dialect: str) -> Iterator[tuple[str, Value]]:
+def operation_types(dialect: str) -> Mapping:
     """Returns the types of operations: the switch, families, operations with parameters."""
     cases: Mapping = {}
-    for opcode in opcodes(dialect):
-        if opcode.is_family:
-            cases[f"opcode::{identifier(opcode.name)}"] = family_type(opcode.name)
-        elif opcode.parameters:
-            cases[f"opcode::{identifier(opcode.name)}"] = operation_type(Declaration(opcode))
-    yield (
-        "operation",
-        {
+    found: Mapping = {
+        "operation": {
             "seq": [
                 {"id": "opcode", "type": "u1", "enum": "opcode", "valid": {"in-enum": True}},
                 {"id": "arguments", "type": {"switch-on": "opcode", "cases": cases}},
             ]
-        },
-    )
+        }
+    }
     for opcode in opcodes(dialect):
         if opcode.is_family:
-            yield family_type(opcode.name), _family(opcode, dialect)
+            cases[f"opcode::{identifier(opcode.name)}"] = family_type(opcode.name)
+            found[family_type(opcode.name)] = _family(opcode, dialect)
+        elif opcode.parameters:
+            cases[f"opcode::{identifier(opcode.name)}"] = operation_type(Declaration(opcode))
     for declaration in operations(dialect).values():
         if declaration.parameters:
-            yield operation_type(declaration), _operation(declaration)
+            found[operation_type(declaration)] = _operation(declaration)
+    return found
 
 
 def used_enumerations(dialect: str) -> list[Enumeration]:
@@ -163,9 +159,9 @@ def description(dialect: str = DIALECTS[0]) -> dict[str | int, Value]:
         },
         "doc": Block(DOC.format(dialect=dialect, version=VERSION)),
         "seq": [{"id": "frames", "type": "frame", "repeat": "eos"}],
-        "types": {**dict(message_types()), **dict(operation_types(dialect))},
+        "types": {**message_types(), **operation_types(dialect)},
         "enums": {
-            **dict(enumerations()),
+            **enumerations(),
             "opcode": opcode_enum(dialect),
             **{identifier(enum.name): _members(enum) for enum in used_enumerations(dialect)},
         },

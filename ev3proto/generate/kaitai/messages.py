@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from construct import Bytes, GreedyBytes
 
 from ev3proto.generate.kaitai.naming import field_name, identifier, system_name
@@ -20,32 +18,25 @@ _REQUEST, _REPLY = "request", "reply"
 _REST: Mapping = {"size-eos": True}
 
 
-def message_types() -> Iterator[tuple[str, Value]]:
+def message_types() -> Mapping:
     """Returns all types except those of operations."""
-    yield (
-        "frame",
-        {
+    bodies: Mapping = {f"message_type::{member.name.lower()}": member.kind.replace("-", "_") for member in MessageType}
+    return {
+        "frame": {
             "doc": "A length that counts what follows it, then as many bytes.",
             "seq": [
                 {"id": "length", "type": "u2", "valid": {"min": MIN_LENGTH, "max": MAX_LENGTH}},
                 {"id": "message", "type": "message", "size": "length"},
             ],
         },
-    )
-    bodies: Mapping = {f"message_type::{member.name.lower()}": member.kind.replace("-", "_") for member in MessageType}
-    yield (
-        "message",
-        {
+        "message": {
             "seq": [
                 {"id": "counter", "type": "u2", "doc": "Of the sender; the reply has the same."},
                 {"id": "kind", "type": "u1", "enum": "message_type", "valid": {"in-enum": True}},
                 {"id": "body", "type": {"switch-on": "kind", "cases": bodies}},
             ]
         },
-    )
-    yield (
-        "direct_command",
-        {
+        "direct_command": {
             "seq": [
                 {"id": "memory", "type": "u2"},
                 {"id": "operations", "type": "operation", "repeat": "eos"},
@@ -55,68 +46,60 @@ def message_types() -> Iterator[tuple[str, Value]]:
                 "local_size": {"value": f"memory >> {GLOBAL_BITS}", "doc": "Bytes of local memory."},
             },
         },
-    )
-    yield (
-        "direct_reply",
-        {
+        "direct_reply": {
             "doc": "What the bytes mean only the command tells, by its outputs in global memory.",
             "seq": [{"id": "memory", **_REST}],
         },
-    )
-    yield from _system()
-    yield from _daisy()
-    yield "argument", _argument()
+        **_system(),
+        **_daisy(),
+        "argument": _argument(),
+    }
 
 
-def enumerations() -> Iterator[tuple[str, Value]]:
+def enumerations() -> Mapping:
     """Returns the enumerations of the numbers before fields and operations."""
-    yield "message_type", {Hexadecimal(member.value): member.name.lower() for member in MessageType}
-    yield (
-        "system_code",
-        {Hexadecimal(entry.number): {"id": system_name(entry), "doc": entry.text} for entry in SYSTEM},
-    )
-    yield "system_status", {status.value: status.name.lower() for status in SystemStatus}
-    yield (
-        "daisy_code",
-        {
+    return {
+        "message_type": {Hexadecimal(member.value): member.name.lower() for member in MessageType},
+        "system_code": {Hexadecimal(entry.number): {"id": system_name(entry), "doc": entry.text} for entry in SYSTEM},
+        "system_status": {status.value: status.name.lower() for status in SystemStatus},
+        "daisy_code": {
             Hexadecimal(entry.value): {"id": entry.name.lower(), "doc": daisy.TEXTS[entry]}
             for entry in daisy.DaisyCommand
         },
-    )
+    }
 
 
 # System commands
 
 
-def _system() -> Iterator[tuple[str, Value]]:
+def _system() -> Mapping:
     number: Mapping = {"id": "command", "type": "u1", "enum": "system_code", "valid": {"in-enum": True}}
     status: Mapping = {"id": "status", "type": "u1", "enum": "system_status"}
-    fields: Mapping = {"id": "fields", "type": {"switch-on": "command", "cases": _cases(_REQUEST)}}
-    yield "system_command", {"seq": [number, fields]}
-    fields = {"id": "fields", "type": {"switch-on": "command", "cases": _cases(_REPLY)}, "if": "not _io.eof"}
-    yield "system_reply", {"doc": "A failed one may end before any field.", "seq": [number, status, fields]}
+    request: Mapping = {"id": "fields", "type": {"switch-on": "command", "cases": _cases(_REQUEST)}}
+    reply: Mapping = {"id": "fields", "type": {"switch-on": "command", "cases": _cases(_REPLY)}, "if": "not _io.eof"}
+    found: Mapping = {
+        "system_command": {"seq": [number, request]},
+        "system_reply": {"doc": "A failed one may end before any field.", "seq": [number, status, reply]},
+    }
     for entry in SYSTEM:
-        for side, fields_of_it in ((_REQUEST, entry.request), (_REPLY, entry.reply)):
-            if fields_of_it:
-                seq: list[Value] = [_field(field, fields_of_it, is_reply=side == _REPLY) for field in fields_of_it]
-                yield _type(entry, side), {"doc": entry.text, "seq": seq}
-    yield (
-        "counted_text",
-        {
-            "doc": "A text preceded by its length. Some senders count its zero, some do not; the zero is always there.",
-            "params": [{"id": "length", "type": "u1"}],
-            "seq": [
-                {"id": "bytes", "size": "length"},
-                {"id": "zero", "type": "u1", "valid": 0, "if": "not is_counted"},
-            ],
-            "instances": {
-                "is_counted": {"value": "length > 0 and bytes[length - 1] == 0"},
-                "text": {
-                    "value": 'is_counted ? bytes.to_s("ISO-8859-1").substring(0, length - 1) : bytes.to_s("ISO-8859-1")'
-                },
-            },
+        for side, fields in ((_REQUEST, entry.request), (_REPLY, entry.reply)):
+            if fields:
+                seq: list[Value] = [_field(field, fields, is_reply=side == _REPLY) for field in fields]
+                found[_type(entry, side)] = {"doc": entry.text, "seq": seq}
+    text = 'is_counted ? bytes.to_s("ISO-8859-1").substring(0, length - 1) : bytes.to_s("ISO-8859-1")'
+    found["counted_text"] = {
+        "doc": "A text preceded by its length. Some senders count its zero, some do not; the zero is always there.",
+        "params": [{"id": "length", "type": "u1"}],
+        "seq": [
+            {"id": "bytes", "size": "length"},
+            {"id": "zero", "type": "u1", "valid": 0, "if": "not is_counted"},
+        ],
+        "instances": {
+            "is_counted": {"value": "length > 0 and bytes[length - 1] == 0"},
+            "text": {"value": text},
         },
-    )
+    }
+    return found
 
 
 def _type(entry: SystemCommand, side: str) -> str:
@@ -157,15 +140,19 @@ def _field(field: Field, fields: tuple[Field, ...], *, is_reply: bool) -> Mappin
 # Daisy chain
 
 
-def _daisy() -> Iterator[tuple[str, Value]]:
+def _daisy() -> Mapping:
     layers: list[Value] = [{"id": "layer_from", "type": "u1"}, {"id": "layer_to", "type": "u1"}]
     carrying = [
         f"command == daisy_code::{entry.name.lower()}" for entry in daisy.DaisyCommand if entry.carries_operations
     ]
     carries = " or ".join(carrying)
-    yield (
-        "daisy_command",
-        {
+    size = sum(part.sizeof() for part in SENSOR_REPORT.subcons if part.subcon is not GreedyBytes)
+    parts: list[Value] = []
+    for part in SENSOR_REPORT.subcons:
+        rest: Mapping = {"size": part.subcon.length} if isinstance(part.subcon, Bytes) else {"type": "u1"}
+        parts.append({"id": identifier(part.name), **(_REST if part.subcon is GreedyBytes else rest)})
+    return {
+        "daisy_command": {
             "seq": [
                 {"id": "command", "type": "u1", "enum": "daisy_code", "valid": {"in-enum": True}},
                 *layers,
@@ -173,24 +160,15 @@ def _daisy() -> Iterator[tuple[str, Value]]:
                 {"id": "payload", **_REST, "if": f"not ({carries})"},
             ]
         },
-    )
-    size = sum(part.sizeof() for part in SENSOR_REPORT.subcons if part.subcon is not GreedyBytes)
-    has_room = f"_io.size - _io.pos >= {size}"
-    yield (
-        "daisy_reply",
-        {
+        "daisy_reply": {
             "seq": [
                 *layers,
-                {"id": "report", "type": "sensor_report", "if": has_room},
+                {"id": "report", "type": "sensor_report", "if": f"_io.size - _io.pos >= {size}"},
                 {"id": "payload", **_REST},
             ]
         },
-    )
-    parts: list[Value] = []
-    for part in SENSOR_REPORT.subcons:
-        rest: Mapping = {"size": part.subcon.length} if isinstance(part.subcon, Bytes) else {"type": "u1"}
-        parts.append({"id": identifier(part.name), **(_REST if part.subcon is GreedyBytes else rest)})
-    yield "sensor_report", {"seq": parts}
+        "sensor_report": {"seq": parts},
+    }
 
 
 # Arguments

@@ -1,1 +1,1 @@
-"""The command line: one module a subcommand, each no more than the way from the words typed to the functions called."""
+"""The command line: one module a subcommand, which turns arguments into calls of the floors below."""

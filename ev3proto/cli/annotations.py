@@ -1,4 +1,4 @@
-"""What `check` finds, for continuous integration: SARIF, and the annotations of GitHub's workflows."""
+"""The findings of `check` for continuous integration: SARIF, and annotations of GitHub's workflows."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ SARIF_SCHEMA = "https://json.schemastore.org/sarif-2.1.0.json"
 SARIF_VERSION = "2.1.0"
 
 REFUSED = "E000"
-"""The code of a frame that the brick refuses where no finding that is shown explains it."""
+"""The code of a frame that the brick refuses for a reason that no shown finding gives."""
 
 UNREAD = "unread"
-"""The code of input that could not be read."""
+"""The code of input that cannot be read."""
 
 MOST_COMPLAINTS = 1_000
 """Maximum number of unreadable places that a SARIF log lists."""
@@ -41,10 +41,10 @@ class Note:
     code       of the finding
     sentence   what is wrong, and what would be right
     source     the file, or empty
-    line       in a text, counted from 1, or None
-    column     in that line, counted from 1
-    at         offset and number of bytes in a binary file; None for texts and captures
-    more       other properties, for other tools
+    line       of a text, from 1 on; None for other files
+    column     in that line, from 1 on
+    at         offset and number of bytes in a file of bytes, None for texts and captures
+    more       further keys for other tools
     """
 
     severity: Severity
@@ -60,16 +60,16 @@ class Note:
 def notes_on(
     report: Report, findings: Iterable[Finding], facts: Mapping[str, Any], *, is_file: bool = False
 ) -> list[Note]:
-    """The findings of a frame or a program as notes.
+    """Returns the findings of a frame or a program as notes.
 
     Args:
-        report: The report of the check.
-        findings: Its findings to show.
-        facts: The place of the frame: `source`, and `line` and `column`, or `packet`.
-        is_file: Whether offsets are those of the whole file.
+        report: The report.
+        findings: The findings of it to show.
+        facts: Where the frame is: `source`, and `line` and `column`, or `packet`.
+        is_file: Offsets are those of the whole file.
 
     Returns:
-        A note for each, and one more if the brick refuses the frame for a reason that none of them gives.
+        A note for each, and one more if the brick refuses it for a reason that none of them gives.
     """
     shown = list(findings)
     if not report.accepted and not any(one.severity is Severity.ERROR for one in shown):
@@ -97,14 +97,14 @@ def notes_on(
 def notes_on_source(
     label: str, error: AssemblyError | None = None, warnings: Iterable[SourceWarning] = ()
 ) -> list[Note]:
-    """The errors and warnings of a program's source as notes."""
+    """Returns the errors and warnings of a program's source as notes."""
     found = [] if error is None else [error, *error.others]
     notes = [Note(Severity.ERROR, SOURCE_CODE, one.reason, label, one.line, one.column) for one in found]
     return notes + [Note(Severity.WARNING, SOURCE_CODE, one.reason, label, one.line, one.column) for one in warnings]
 
 
 def github(note: Note) -> str:
-    """A note as a command of a workflow on GitHub, which marks the line of the file with it."""
+    """Returns a note as a command of GitHub's workflows, which marks the line of the file."""
     parts = [f"file={_property(note.source)}"] if note.source else []
     parts += [] if note.line is None else [f"line={note.line}"]
     parts.append(f"title={_property(note.code)}")
@@ -113,9 +113,9 @@ def github(note: Note) -> str:
 
 
 class Sarif:
-    """Notes as one SARIF log, which is written while they come: a capture may have millions.
+    """One SARIF log of notes, written note by note, because a capture may have millions.
 
-    show  takes the log line by line
+    show  prints a line of the log
     """
 
     def __init__(self, show: Callable[[str], None]) -> None:
@@ -140,7 +140,7 @@ class Sarif:
             if region:
                 location["region"] = region
             result["locations"] = [{"physicalLocation": location}]
-        # A comma separates them, so each line is written when the next one is known.
+        # A comma separates two results, so each line is written when the next one is known.
         self._show(self._last + "," * bool(self._used))
         self._last = json.dumps(result, ensure_ascii=False)
         self._used.add(note.code)
@@ -153,7 +153,7 @@ class Sarif:
             self._more_complaints += 1
 
     def end(self) -> None:
-        """Writes the end of the log: the rules of the notes, and what could not be read."""
+        """Writes the end of the log: the rules, and what could not be read."""
         driver = {"name": "ev3proto", "version": VERSION, "rules": [_rule(code) for code in sorted(self._used)]}
         sentences = list(self._complaints)
         if self._more_complaints:
@@ -168,7 +168,7 @@ class Sarif:
 
 
 class Annotations:
-    """Shows what is found to a workflow: commands for GitHub, or a SARIF log."""
+    """Shows findings to a workflow: commands for GitHub, or a SARIF log."""
 
     def __init__(self, style: str, show: Callable[[str], None]) -> None:
         """`style` is github or sarif; `show` prints a line."""
@@ -182,7 +182,7 @@ class Annotations:
         self._notes(notes_on(report, findings, facts, is_file=is_file))
 
     def source(self, label: str, error: AssemblyError | None = None, warnings: Iterable[SourceWarning] = ()) -> None:
-        """Shows what is wrong with a program's source."""
+        """Shows errors and warnings of a program's source."""
         self._notes(notes_on_source(label, error, warnings))
 
     def complaint(self, sentence: str) -> None:
@@ -193,7 +193,7 @@ class Annotations:
             self._log.complain(sentence)
 
     def end(self) -> None:
-        """Shows what is left to be shown."""
+        """Writes the end of the log."""
         if self._log is not None:
             self._log.end()
 
@@ -221,7 +221,7 @@ def _rule(code: str) -> dict[str, Any]:
 
 
 def _message(text: str) -> str:
-    """A text as the commands of a workflow take it."""
+    """Returns a text as GitHub's workflow commands escape it."""
     return text.replace("%", "%25").replace("\r", "%0D").replace("\n", "%0A")
 
 

@@ -1,4 +1,4 @@
-"""Assembly in the input of subcommands: its messages, and complaints with a mark below the place."""
+"""Assembly in the input of subcommands: its messages, and errors with a mark below the place."""
 
 from __future__ import annotations
 
@@ -27,13 +27,13 @@ def assembled_messages(
     """Yields the messages of a text in assembly.
 
     Args:
-        source: Where the text comes from.
+        source: The origin of the text.
         lines: Its lines; those of a file end in a newline.
-        complain_of: Takes a sentence about each error, with its line.
+        complain_of: Is called with a sentence about each error, with its line.
         dialect: The firmware whose instruction set to write for.
-        counter: Of the first message that states none.
-        reply: Whether the brick is to answer; None for what the operations need.
-        unchecked: Take values that mean nothing to the brick.
+        counter: Message counter of the first message that states none.
+        reply: Whether messages want a reply; None: if their operations return values.
+        unchecked: Accept values that mean nothing to the brick.
     """
     text = _joined(lines, "\n" if source.is_frame else "", MAX_TEXT + 1)
     try:
@@ -51,9 +51,9 @@ def show_errors(place: str, error: AssemblyError, complain_of: Callable[[str], N
     """Prints every error with its line and, below that, a mark at the place.
 
     Args:
-        place: In front of each.
-        error: The first of them, which has the others.
-        complain_of: Takes the sentences.
+        place: Prefix of each message.
+        error: The first error, which has the others.
+        complain_of: Is called with each message.
     """
     for one in (error, *error.others):
         complain_of(f"{place}{one}")
@@ -62,7 +62,7 @@ def show_errors(place: str, error: AssemblyError, complain_of: Callable[[str], N
 
 
 def _joined(lines: Iterable[str], between: str, most: int) -> str:
-    """The lines as one text, of which nothing is read after this number of characters."""
+    """Joins lines to one text, and stops reading once it has `most` characters."""
     kept: list[str] = []
     size = 0
     for line in lines:

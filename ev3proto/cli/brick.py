@@ -1,4 +1,4 @@
-"""`ev3proto brick`: a virtual brick for programs to talk to."""
+"""`ev3proto brick`: a virtual brick for programs to connect to."""
 
 from __future__ import annotations
 
@@ -196,7 +196,7 @@ def _serial_number(text: str | None) -> str | None:
 
 
 async def _serve(options: Options, root: Path) -> Reporter | None:
-    """Runs the brick until it is interrupted. Returns what has checked the clients' frames."""
+    """Runs the brick until it is interrupted. Returns the report on the clients' frames, if there is one."""
     with failing_on(ServerError):
         async with running(options, root, complain) as now:
             with interrupted() as ended:
@@ -213,17 +213,17 @@ async def _serve(options: Options, root: Path) -> Reporter | None:
 
 @contextmanager
 def interrupted() -> Iterator[asyncio.Event]:
-    """An event that Ctrl-C, or being asked to terminate, sets; a second one ends the program."""
+    """Yields an event that the first Ctrl-C or SIGTERM sets; the second one ends the program."""
     loop = asyncio.get_running_loop()
     ended = asyncio.Event()
-    # Not by the loop: its own way is missing on Windows.
+    # asyncio's own signal handlers do not exist on Windows.
     with stopped_by_signals(lambda: loop.call_soon_threadsafe(ended.set)):
         yield ended
 
 
 @contextmanager
 def folder(root: Path | None) -> Iterator[Path]:
-    """The folder of the brick's files: the one named, made if need be, or a fresh one that is removed at the end."""
+    """Yields the folder of the brick's files: the one named, created if missing, or a temporary one."""
     if root is None:
         with temporary_folder() as fresh:
             yield fresh
@@ -234,7 +234,7 @@ def folder(root: Path | None) -> Iterator[Path]:
 
 
 def read_script_file(path: Path | None) -> Script:
-    """The script in a file; an empty one without a file. Ends the program where it cannot be read or makes no sense."""
+    """Returns the script in a file; an empty one without a file. Ends the program if it is unreadable or invalid."""
     if path is None:
         return Script()
     try:

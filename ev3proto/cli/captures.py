@@ -1,4 +1,4 @@
-"""Shared by the subcommands that read captures: options, error messages, progress bar."""
+"""Reading a capture for any subcommand: what it is, messages about it, a progress bar."""
 
 from __future__ import annotations
 
@@ -25,11 +25,11 @@ from ev3proto.errors import counted
 from ev3proto.text.paste import Pasted
 
 MOST_COMPLAINTS = 10
-"""Maximum number of errors in a capture that are printed one by one; the rest is counted."""
+"""Maximum number of unreadable places in a capture that are reported one by one."""
 
 
 class CaptureSource:
-    """A capture, or a text read as one, from the command line. Errors are printed on standard error.
+    """A capture, or a text read as one, that was named on the command line. Reading it reports what is unreadable.
 
     label   its name in messages
     status  exit status so far: 1 after any error
@@ -44,7 +44,7 @@ class CaptureSource:
         *,
         is_quiet: bool = True,
     ) -> None:
-        """Prepares reading.
+        """Does not read anything yet.
 
         Args:
             name: Path, or - for standard input.
@@ -65,40 +65,40 @@ class CaptureSource:
 
     @property
     def account(self) -> Account:
-        """The account of the captured bytes so far."""
+        """What the captured bytes read so far are."""
         if self._capture is not None:
             return self._capture.account
         return Account()
 
     def events(self) -> Iterator[Event]:
-        """Reads the capture. Errors are printed; nothing is raised.
+        """Reads the capture. Reports what is unreadable, and raises nothing.
 
         Yields:
-            All events, or with a filter the frames that match it.
+            All events; with a filter, only frames that match it.
         """
         chosen = self._options.filter
         if chosen is None:
             yield from self._all_events()
             return
-        from ev3proto.capture.filter import Choosing  # loaded already where there is a filter
+        from ev3proto.capture.filter import Choosing  # loaded already if there is a filter
 
         choosing = Choosing(chosen, self._options.memory * MIB)
         yield from choosing.chosen(self._all_events())
         if choosing.given_up:
             complain(
-                f"{self.label}: {choosing.given_up} commands were taken for unanswered before the capture ended: what"
-                f" waits may take {self._options.memory} MiB (--memory)"
+                f"{self.label}: {choosing.given_up} commands count as unanswered before the end of the capture: the"
+                f" memory limit is {self._options.memory} MiB (--memory)"
             )
 
     def records(self) -> Iterator[Record]:
-        """Reads the capture in the same way. Yields its frames."""
+        """Reads the capture in the same way, and yields its frames."""
         return (event for event in self.events() if isinstance(event, Record))
 
     def dialogues(self) -> Iterator[RequestReply]:
         """Reads the capture in the same way.
 
         Yields:
-            Each command with its reply, if the filter matches the two of them.
+            Each command with its reply, if the two match the filter.
         """
         chosen = self._options.filter
         for pair in dialogues(self._all_events()):
@@ -106,7 +106,7 @@ class CaptureSource:
                 yield pair
 
     def expect_frames(self) -> None:
-        """Reports that nothing of a brick was in it, whatever the filter."""
+        """Reports a capture in which there was no frame or text of a brick, whatever the filter."""
         account = self.account
         if self._capture is not None and not (self.status or account.frames or account.texts):
             self._complain(
@@ -128,7 +128,7 @@ class CaptureSource:
             self._complain(f"cannot be read: {error.strerror or error}")
 
     def _bar(self, capture: Capture) -> AbstractContextManager[Callable[[], None]]:
-        """Shows the progress of reading; for a text, the number of lines read."""
+        """Returns the progress bar; for a text, it counts bytes of the file."""
         file = self._file if self._is_text else None
         return progress_bar(
             lambda: capture.progress if file is None else file.progress, self.label, is_quiet=self._is_quiet
@@ -162,7 +162,7 @@ class CaptureSource:
         return self._capture
 
     def _pieces(self, found: Input) -> Iterator[Pasted]:
-        """Yields the pieces of a text, and reports what cannot be read of it."""
+        """Yields the pieces of a text, and reports those that are unreadable."""
         yield from found.frames
         lines = advancing(found.lines, lambda: self._advance())
         for pasted in pieces(lines, self._options.missing, self._complain):
@@ -176,11 +176,11 @@ class CaptureSource:
 
     @property
     def unit(self) -> str:
-        """The unit of its records' numbers: packets, or the lines of a text."""
+        """What the numbers of its records count: packets, or lines of a text."""
         return "line" if self._is_text else "packet"
 
     def carrier(self, record: Record) -> str | None:
-        """Returns the carrier of a frame; None for a text, in which it is unknown."""
+        """Returns what carried a frame; None for a text."""
         return str(record.carrier) if not self._is_text else None
 
     @property
@@ -190,7 +190,7 @@ class CaptureSource:
 
     @property
     def passed_over(self) -> str:
-        """Returns why packets may nevertheless have frames if none were found; empty if they may not."""
+        """Why packets may have frames although none was found, for messages; empty if they have none."""
         account = self.account
         said = ""
         if account.packed:
@@ -205,13 +205,13 @@ class CaptureSource:
         return said
 
     def _read(self, capture: Capture) -> Iterator[Event]:
-        """Yields the events; skipped bytes are reported."""
+        """Yields the events, and reports skipped bytes."""
         chosen = self._options.filter
         is_begun = False
         places = lost = 0
         for event in capture.events():
             if chosen is not None and not is_begun:
-                # Relative to the first packet, like the times that are shown.
+                # Times count from the first packet, as those that are shown.
                 chosen.begin(event.time_ns if capture.account.first_ns is None else capture.account.first_ns)
                 is_begun = True
             if isinstance(event, Skipped):

@@ -33,28 +33,28 @@ if TYPE_CHECKING:
     from ev3proto.cli.annotations import Annotations
     from ev3proto.cli.captures import CaptureSource
 
-# Captures and programs are imported when needed: a frame is checked 40 ms sooner.
+# Captures and programs are imported when they are needed, which saves 40 ms for a frame.
 
 FORMATS = ("text", "json", "sarif", "github")
 """The formats of findings."""
 
 SEVERITIES = ("error", "warning", "hint")
-"""The severities, the worst first."""
+"""The severities that are counted, the worst first."""
 
 _BUT_ERRORS = frozenset(SEVERITIES[1:])
 
 ALL_CODES = "all"
-"""The argument of --explain instead of a code."""
+"""The value of --explain that lists all codes."""
 
 
 @dataclass(frozen=True, slots=True)
 class CheckOptions:
-    """The options of a check.
+    """The options of `check`.
 
     style    one of FORMATS
     fixes    print the fixed frame and the remaining findings
-    strict   warnings count as errors for the exit status
-    carrier  the carrier of the frames; None for that of the capture, or any
+    strict   count warnings as errors in the exit status
+    carrier  what carries the frames; None: as the capture says, or any
     hidden   severities that are not shown
     quiet    only the summary is printed
     """
@@ -68,28 +68,28 @@ class CheckOptions:
 
     @property
     def as_json(self) -> bool:
-        """Whether the output is one object a line."""
+        """Whether one object a line is printed."""
         return self.style == "json"
 
     def leaves_out(self, report: Report, *, is_alone: bool) -> bool:
-        """Whether to print nothing about a frame: among many, one without errors if only errors are wanted."""
+        """Whether nothing is printed about a frame: with --errors-only, among many, one without errors."""
         if not self.hidden >= _BUT_ERRORS or is_alone:
             return self.quiet
         return self.quiet or (report.accepted and not report.errors)
 
     def shown(self, report: Report) -> tuple[Finding, ...]:
-        """The findings to show."""
+        """Returns the findings to show."""
         if not self.hidden:
             return report.findings
         return tuple(finding for finding in report.findings if finding.severity not in self.hidden)
 
 
 class Place(NamedTuple):
-    """The origin of a frame.
+    """The place of a frame.
 
-    label     the prefix of every offset, such as `robot.log, line 3`; empty for a single frame
+    label     prefix of every offset, such as `robot.log, line 3`; empty for a single frame
     facts     the same for other tools
-    is_among  it is one of the frames in a text or capture
+    is_among  whether it is one of many frames in a text or a capture
     """
 
     label: str
@@ -98,7 +98,7 @@ class Place(NamedTuple):
 
 
 class Checking(SourceReader):
-    """Checks the frames of the sources one after the other, and counts the findings."""
+    """Checks the frames of the sources one by one, and counts the findings."""
 
     wanted = "command"
 
@@ -133,7 +133,7 @@ class Checking(SourceReader):
             self._frame(frame, Place(source.where(pasted), facts, is_among=True), self._options.carrier)
 
     def text(self, source: Source, lines: Iterator[str]) -> None:
-        """A text. Its first line that is neither empty nor a comment decides whether it is assembly."""
+        """Checks a text. Its first line that is neither empty nor a comment decides whether it is assembly."""
         first = list(introduction(lines))
         whole = chain(first, lines)
         if first and self.reading.missing is None and looks_like_assembly(first[-1]):
@@ -142,7 +142,7 @@ class Checking(SourceReader):
             super().text(source, whole)
 
     def assembly(self, source: Source, lines: Iterator[str]) -> None:
-        """Assembly, as for `encode` and `send`, but its values are left to the check."""
+        """Checks assembly as `encode` and `send` take it; its values are left to the check."""
         from ev3proto.cli.assembly import assembled_messages  # takes 5 ms, which frames do not need
 
         self._is_empty = False
@@ -158,11 +158,11 @@ class Checking(SourceReader):
                 self._frame(message.build(), place, self._options.carrier)
 
     def _typed(self, frame: bytes) -> None:
-        """A frame of an argument."""
+        """Checks a frame of an argument."""
         self._frame(frame, Place("" if self._is_single else f"frame {self.frames + 1}", {}), self._options.carrier)
 
     def capture(self, capture: CaptureSource) -> int:
-        """The commands in a capture, each checked for its carrier."""
+        """Checks the commands in a capture, each for its carrier."""
         before = self.frames
         for record in capture.records():
             if _is_reply(record):
@@ -185,11 +185,11 @@ class Checking(SourceReader):
             super().read(source)
 
     def program(self, source: Source, image: bytes) -> None:
-        """A program image."""
+        """Checks a program image."""
         self._image(source, image, [])
 
     def _image(self, source: Source, image: bytes, warnings: list[dict[str, Any]]) -> None:
-        """A program image, and the warnings about its source."""
+        """Checks a program image, and shows the warnings of its source."""
         from ev3proto.program import check_program  # takes 30 ms, which frames do not need
         from ev3proto.program.report import program_findings  # the same
 
@@ -205,8 +205,8 @@ class Checking(SourceReader):
         self._count(report)
 
     def _source(self, source: Source) -> None:
-        """The source of a program: reports its errors, or else those of its image."""
-        # They take 30 ms, which frames do not need.
+        """Shows the errors of a program's source, or checks the image that it assembles to."""
+        # These take 30 ms, which frames do not need.
         from ev3proto.cli.assembly import show_errors
         from ev3proto.cli.programs import complain_of_warnings, read_source, source_findings
         from ev3proto.program import assemble
@@ -239,7 +239,7 @@ class Checking(SourceReader):
         self._image(source, made.image, source_findings(warnings=made.warnings))
 
     def complain(self, sentence: str) -> None:
-        """Prints a message about wrong input, also in the format of a workflow."""
+        """Prints a message about wrong input, also for a workflow."""
         super().complain(sentence)
         if self._annotations is not None:
             self._annotations.complaint(sentence)
@@ -262,7 +262,7 @@ class Checking(SourceReader):
         self._paragraph(iter([line]), False)
 
     def _inputs(self) -> str:
-        """`4 frames`, `2 programs`, `1 frame and 1 program`."""
+        """Returns `4 frames`, `2 programs`, `1 frame and 1 program`."""
         programs = [counted(self.programs, "program")] if self.programs else []
         return " and ".join([*([_frames(self.frames)] if self.frames or not programs else []), *programs])
 
@@ -307,7 +307,7 @@ class Checking(SourceReader):
         is_file: bool = False,
         warnings: Sequence[dict[str, Any]] = (),
     ) -> bool:
-        """Shows findings in any format except text; returns whether nothing is left to show."""
+        """Shows findings in any format but text; returns whether nothing is left to be shown."""
         if self._options.leaves_out(report, is_alone=self._is_single and not place.is_among):
             return True
         if self._annotations is not None:
@@ -326,19 +326,19 @@ class Checking(SourceReader):
         self._printer.text(json.dumps(facts | entry, ensure_ascii=False))
 
     def _paragraph(self, lines: Iterable[Line], is_long: bool) -> None:
-        """Lines that belong together."""
+        """Prints lines that belong together."""
         self._stand_apart(is_long)
         self._printer.lines(lines)
 
     def _stand_apart(self, is_long: bool) -> None:
-        """Separates the next output from its neighbours, if either has several lines."""
+        """Prints an empty line between two paragraphs if either has several lines."""
         if self._was_long or (is_long and self._was_long is not None):
             self._printer.text("")
         self._was_long = is_long
 
 
 def _annotations(style: str, printer: Printer) -> Annotations | None:
-    """The writer of findings for a workflow; None for other formats."""
+    """Returns what shows findings to a workflow; None for other formats."""
     if style not in ("github", "sarif"):
         return None
     from ev3proto.cli.annotations import Annotations  # takes 30 ms: sources of programs have findings, too
@@ -347,7 +347,7 @@ def _annotations(style: str, printer: Printer) -> Annotations | None:
 
 
 def _is_reply(record: Record) -> bool:
-    """Whether a frame comes from the brick, by the capture or else by its type."""
+    """Whether a frame comes from the brick, by the capture, or else by its type."""
     if record.direction is not None:
         return record.direction == "received"
     return record.message.type is not None and not record.message.type.is_command
@@ -436,7 +436,7 @@ def check(
 
 
 def _explain(name: str, *, as_json: bool, dialect: str) -> None:
-    """Prints what a code means, or the list of all. Raises click.BadParameter for an unknown code."""
+    """Explains a code, or lists all. Raises click.BadParameter for an unknown one."""
     known = PROGRAM_CODES | CODES
     found = list(known.values()) if name == ALL_CODES else [known[name.upper()]] if name.upper() in known else []
     if not found:
@@ -460,7 +460,7 @@ def _explain(name: str, *, as_json: bool, dialect: str) -> None:
 
 
 def _code_entry(code: Code) -> dict[str, Any]:
-    """The same for other tools."""
+    """Returns a code for other tools."""
     return {
         "code": code.code,
         "severity": code.severity,

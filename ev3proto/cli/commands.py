@@ -1,4 +1,4 @@
-"""`ev3proto`: the group of all subcommands, and the kinds of groups and numbers that they use."""
+"""`ev3proto`: the group of all subcommands, and how a command ends."""
 
 from __future__ import annotations
 
@@ -78,25 +78,25 @@ SUBCOMMANDS = {
     "timeline": "Draws a timeline of messages, latencies, files and faults",
     "values": "Shows values over time: battery, sensors, motors, latencies, mailbox messages",
 }
-"""The subcommands, each with the first sentence of its help. Each is a separate module, which is imported when the
-command is used: importing all of them takes 300 ms."""
+"""The subcommands, each with the first sentence of its help. Each is a module that is imported when it is used:
+importing all of them takes 300 ms."""
 
 INTERNAL_ERROR = 70
-"""The exit status of a bug in ev3proto, as in sysexits.h."""
+"""Exit status for a defect of ev3proto, as in sysexits.h."""
 
 DEBUG = "EV3PROTO_DEBUG"
-"""The environment variable that shows where an internal error comes from."""
+"""The environment variable that makes an internal error show its traceback."""
 
 
 class Commands(Group):
-    """The subcommands. Every end has an exit status, and never a traceback."""
+    """The group of subcommands. It ends with an exit status, never with a traceback."""
 
     def list_commands(self, _context: click.Context) -> list[str]:
         """Returns the names of all subcommands, in order."""
         return list(SUBCOMMANDS)
 
     def get_command(self, _context: click.Context, name: str) -> click.Command | None:
-        """Returns the subcommand of that name, or None."""
+        """Returns the subcommand of this name; None for an unknown one."""
         if name not in SUBCOMMANDS:
             return None
         command: click.Command = getattr(import_module(f"ev3proto.cli.{name}"), name)
@@ -113,7 +113,7 @@ class Commands(Group):
             return super().make_context(*args, **extra)
 
     def invoke(self, context: click.Context) -> Any:
-        """Runs the subcommand. Its output is written, unless a signal ended it: the reader may have stopped."""
+        """Runs the subcommand, and flushes its output unless a signal ended it: the reader may have stopped."""
         with _printing_help():
             try:
                 return super().invoke(context)
@@ -124,13 +124,13 @@ class Commands(Group):
     def main(  # type: ignore[override]
         self, args: Sequence[str] | None = None, prog_name: str | None = None, **extra: Any
     ) -> NoReturn:
-        """Runs a command, and exits with 0 (success), 1 (wrong input), 2 (wrong use) or 70 (a bug in ev3proto).
+        """Runs a command, and exits with 0 (fine), 1 (input), 2 (usage) or 70 (a defect of ev3proto).
 
-        After a signal, the status is 128 plus its number. If the reader of the output stops early, it is 0.
+        A signal gives 128 plus its number. A reader that stops reading the output is not an error: 0.
         """
         extra["standalone_mode"] = False
         if isinstance(sys.stdout, TextIOWrapper):
-            # Characters that the terminal's character set lacks are written as escapes, too.
+            # Characters that the terminal cannot show are written as escapes.
             sys.stdout.reconfigure(errors="backslashreplace")
         try:
             status = super().main(args, prog_name, **extra)
@@ -164,11 +164,11 @@ class Commands(Group):
 
 @contextmanager
 def _printing_help() -> Iterator[None]:
-    """Recognises errors of standard output. Click prints help and versions, and does not."""
+    """Raises OutputError for errors of standard output while click prints help or the version."""
     try:
         yield
     except click.exceptions.Exit:
-        # Into a closed stream, click silently prints nothing.
+        # Click silently prints nothing to a closed stream.
         if sys.stdout is None:
             raise OutputError(None, "standard output is closed") from None
         raise
@@ -179,12 +179,12 @@ def _printing_help() -> Iterator[None]:
 
 
 def _is_of_click(error: OSError) -> bool:
-    """Whether an error comes from click's output, and not from reading."""
+    """Whether an error comes from printing by click, not from reading."""
     return any(frame.f_code is click.echo.__code__ for frame, _ in walk_tb(error.__traceback__))
 
 
 def _forget_unwritten() -> None:
-    """Drops unwritten output of the standard streams; its errors were reported already."""
+    """Discards what could not be written to the standard streams; it has been reported."""
     for stream in (sys.stdout, sys.stderr):
         if stream is not None:
             try:
@@ -194,7 +194,7 @@ def _forget_unwritten() -> None:
 
 
 def _forget(stream: TextIO | None) -> None:
-    """Drops unwritten output: at its end, Python would try again, and report the error."""
+    """Discards unwritten output: Python would try to write it at exit, and report that error."""
     if stream is None:
         return
     with suppress(OSError, ValueError), Path(os.devnull).open("wb") as nowhere:

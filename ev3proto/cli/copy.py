@@ -18,7 +18,7 @@ from ev3proto.link.file_moves import nothing_moved
 from ev3proto.link.targets import Target
 
 ON_BRICK = "brick:"
-"""What a path on the brick begins with."""
+"""Prefix of a path on the brick."""
 
 
 @click.command()
@@ -54,7 +54,7 @@ def copy(target: Target, source: str, destination: str) -> None:
 
 @contextmanager
 def _bar() -> Iterator[Callable[[int, int], None]]:
-    """A function that draws how many bytes of how many were moved, where a terminal watches."""
+    """Yields a function that draws the bar: bytes copied so far, and in all. Without a terminal it does nothing."""
     if sys.stderr is None or not sys.stderr.isatty():
         yield nothing_moved
         return

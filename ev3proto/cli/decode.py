@@ -1,4 +1,4 @@
-"""`ev3proto decode`: frames in any form, or a capture, as words, table, assembly or JSON."""
+"""`ev3proto decode`: frames in any form, captures and programs, as tree, table, assembly or JSON."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ if TYPE_CHECKING:
 
 
 PROGRAM_FORMATS = ("listing",)
-"""The formats for programs only."""
+"""Formats for programs only."""
 
 
 class Decoding(SourceReader):
-    """Shows the contents of the sources one after the other, and remembers whether any was faulty."""
+    """Shows the contents of the sources one by one."""
 
     def __init__(self, show: Show, reading: CaptureOptions, *, as_dialogues: bool, as_programs: bool) -> None:
         super().__init__(reading)
@@ -39,11 +39,11 @@ class Decoding(SourceReader):
 
     @property
     def wants_records(self) -> bool:
-        """--dialogues and --programs read the frames of a text like a capture."""
+        """Whether the frames of a text are read as a capture, also for --dialogues and --programs."""
         return self._as_dialogues or self._as_programs or super().wants_records
 
     def capture(self, capture: CaptureSource) -> int:
-        """Shows its frames and texts, or its dialogues, or the programs that it transfers."""
+        """Shows the frames and texts of a capture, its dialogues, or the programs that it transfers."""
         from ev3proto.cli.recorded import moved_programs, show_capture  # takes 30 ms, which frames do not need
 
         before = self._show.count
@@ -58,13 +58,13 @@ class Decoding(SourceReader):
         return self._show.count - before
 
     def program(self, source: Source, image: bytes) -> None:
-        """Shows a program image, in the requested format."""
+        """Shows a program image."""
         if self._as_programs:
             raise click.UsageError(f"--programs is for captures, but {source.label[:60]} is a program itself")
         self._shown(source.label, None, image)
 
     def _shown(self, label: str, origin: str | None, image: bytes) -> None:
-        """Shows a program, with its name for messages, and its origin if that is to be shown."""
+        """Shows a program: its name in messages, its origin if that is to be shown, its image."""
         from ev3proto.cli.programs import read_program  # takes 60 ms, which frames do not need
 
         program = read_program(label, image, self.reading.dialect)

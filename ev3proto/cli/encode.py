@@ -37,13 +37,13 @@ from ev3proto.whole_files import whole_file
 
 _START = 8
 RBF, SUFFIX = "rbf", ".rbf"
-"""The form of programs: their images."""
+"""The format of programs: their images."""
 
 
 class Output:
-    """Where frames go, in one form, as a context manager: a file is there at its end, whole.
+    """The output of frames in one format, as a context manager: the file appears whole, at the end.
 
-    There is none where there are no frames, and what was there before stays.
+    Without frames, no file is written, and an existing one stays.
 
     form  one of FORMS
     path  None for standard output
@@ -58,7 +58,7 @@ class Output:
         self._stream: BinaryIO | None = None
 
     def write(self, message: Message) -> None:
-        """One frame."""
+        """Writes one frame."""
         self.count += 1
         data = self._form(message, self.count, self._dialogue)
         if self._path is None and isinstance(data, str):
@@ -93,16 +93,16 @@ FORMS: dict[str, Callable[[Message, int, Dialogue], str | bytes]] = {
     "asm": lambda message, _number, dialogue: _assembly(message, dialogue, "asm"),
     "lego": lambda message, _number, dialogue: _assembly(message, dialogue, "lego"),
 }
-"""What frames are written as: the message, its number from 1 on, and what was said before."""
+"""The formats of frames: functions of the message, its number from 1 on, and the dialogue so far."""
 
 
 @dataclass(frozen=True, slots=True)
 class Wants:
-    """What is asked for where the input leaves it open.
+    """Options for assembly.
 
-    counter    of the first message without one
-    reply      whether the brick is to answer, None for what the operations need
-    unchecked  values of assembly may mean nothing to the brick
+    counter    message counter of the first message that states none
+    reply      whether messages want a reply; None: if their operations return values
+    unchecked  accept values that mean nothing to the brick
     """
 
     counter: int = 0
@@ -111,7 +111,7 @@ class Wants:
 
 
 class Sink(Protocol):
-    """What takes the messages that are found, and counts them."""
+    """The receiver of the messages, which counts them."""
 
     count: int
 
@@ -120,7 +120,7 @@ class Sink(Protocol):
 
 
 class Encoding(SourceReader):
-    """Writes the frames of the sources, one after the other, and remembers whether any source was at fault."""
+    """Writes the frames of the sources one by one."""
 
     accepted = "what can be encoded is assembly, JSON, frames in hex, or a capture"
     arguments = "nor assembly nor a frame"
@@ -145,14 +145,14 @@ class Encoding(SourceReader):
         self.text(source, iter(source.name.split("\n")))
 
     def capture(self, capture: CaptureSource) -> int:
-        """The frames of a capture."""
+        """Writes the frames of a capture."""
         before = self._output.count
         for frame in capture.records():
             self._output.write(frame.message)
         return self._output.count - before
 
     def piece(self, piece: Piece, pasted: Pasted, source: Source) -> None:
-        """A frame of a text. A faulty one is written as it is, but for one that is not all there."""
+        """Writes a frame of a text. A faulty one is written as it is, unless it is cut off."""
         fault = piece.message.fault
         if pasted.cut and fault is not None and fault.truncated:
             size = len(piece.message.build())
@@ -163,7 +163,7 @@ class Encoding(SourceReader):
             self.complain(f"{source.where(pasted)}: fault at {fault}")
 
     def text(self, source: Source, lines: Iterator[str]) -> None:
-        """A text. Its first line that is neither empty nor a comment says what it is."""
+        """Writes the frames of a text. Its first line that is neither empty nor a comment decides what it is."""
         first = list(introduction(lines))
         line = first[-1].strip() if first else ""
         whole = itertools.chain(first, lines)
@@ -214,17 +214,17 @@ _NOTHING = (
 
 
 def _is_record(line: str) -> bool:
-    """Whether an object of JSON starts in a line; a brace alone is one too, arrays of C have a name before it."""
+    """Whether a JSON object starts in a line; a brace alone counts, because C arrays have a name before it."""
     return line == "{" or (line.startswith("{") and line[1:].lstrip().startswith('"'))
 
 
 class _Version(click.ParamType):
-    """A version of an image: a number of 16 bits, in hexadecimal too."""
+    """The version of an image: a 16-bit number, decimal or hexadecimal."""
 
     name = "number"
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> int:
-        """The number that was written."""
+        """Returns the number."""
         try:
             number = int(str(value)[:20], 0)
         except ValueError:
@@ -296,7 +296,7 @@ def encode(
         if about_frames:
             raise incompatible(", ".join(about_frames), "--to rbf or -o FILE.rbf")
         found = sources(names)
-        from ev3proto.cli.programs import encode_program  # takes 45 ms, which frames have no use for
+        from ev3proto.cli.programs import encode_program  # takes 45 ms, which frames do not need
 
         sys.exit(encode_program(found, path, dialect=source_dialect, version=version, shortest=shortest))
     if is_for_program:

@@ -1,7 +1,7 @@
-"""How the command line ends early: Ctrl-C, a request to terminate, a reader that has gone.
+"""How signals end the command line: Ctrl-C, SIGTERM, a terminal that is closed.
 
-All of that is silent. A signal unwinds the program like any other end, so that temporary folders are removed and child
-processes stopped; the exit status is 128 plus the number of the signal, as in shells: 130 for Ctrl-C.
+They end it silently. A signal raises an exception, so that temporary folders are removed and other programs are
+stopped; the exit status is 128 plus the number of the signal, as in shells: 130 for Ctrl-C.
 """
 
 from __future__ import annotations
@@ -25,13 +25,13 @@ _SAME = 1.0
 _SOON = 0.01
 
 PATIENCE = 5.0
-"""Shutdown grace period, in seconds: the program may have much left to print, or no reader."""
+"""Shutdown grace period, in seconds."""
 
 Handler = Callable[[int, object], object]
 
 
 class Ended(SystemExit):
-    """A signal ends the program."""
+    """Raised when a signal ends the program."""
 
     def __init__(self, number: int) -> None:
         super().__init__(_SIGNALLED + number)
@@ -39,13 +39,13 @@ class Ended(SystemExit):
 
 
 def ended_behind(error: BaseException | None) -> Ended | None:
-    """Returns whether an error is the end by a signal.
+    """Finds the signal that caused an error.
 
     Args:
-        error: Any, or None. While a class is created, Python 3.11 turns every exception into a RuntimeError.
+        error: Any error, or None. While a class is created, Python 3.11 wraps exceptions in a RuntimeError.
 
     Returns:
-        The end that caused the error, or None.
+        The end that caused the error; None if no signal did.
 
     """
     cause = error
@@ -55,11 +55,11 @@ def ended_behind(error: BaseException | None) -> Ended | None:
 
 
 def _numbers(*, also_ignored: bool = False) -> list[signal.Signals]:
-    """Returns the signals that end the program, without those that were ignored when it started.
+    """Returns the signals that end the program, without those that the parent process ignores.
 
     Args:
-        also_ignored: Include Ctrl-C even then. Shells ignore it in programs that scripts start with `&`, but servers
-            have no other way to end cleanly. Hanging up stays ignored, as `nohup` wants it.
+        also_ignored: Include an ignored Ctrl-C. Shells ignore it in processes that scripts start with `&`, and a
+            server needs it for an orderly end. An ignored SIGHUP stays ignored, for `nohup`.
     """
     numbers = [signal.Signals[name] for name in _NAMES if hasattr(signal, name)]
     counts = {signal.SIGINT} if also_ignored else set()
@@ -68,7 +68,7 @@ def _numbers(*, also_ignored: bool = False) -> list[signal.Signals]:
 
 @contextmanager
 def _handled_by(handler: Handler, numbers: list[signal.Signals]) -> Iterator[None]:
-    """In this block, a function is called instead of the usual effect of signals."""
+    """Installs a signal handler for the length of the context."""
     if threading.current_thread() is not threading.main_thread():
         yield
         return
@@ -82,9 +82,9 @@ def _handled_by(handler: Handler, numbers: list[signal.Signals]) -> Iterator[Non
 
 @contextmanager
 def stopped_by_signals(stop: Callable[[], object]) -> Iterator[None]:
-    """In this block, the first signal stops something cleanly; the next one has its earlier effect.
+    """Lets the first signal stop something in order; the next one acts as before.
 
-    If stopping takes longer than PATIENCE, the signal is sent again, until everything has ended.
+    If that takes longer than PATIENCE, the signal is sent again, until the context ends.
 
     Args:
         stop: Called once, between any two steps of the program.
@@ -114,7 +114,7 @@ def _insist(number: int, over: threading.Event) -> None:
 
 
 def _let_go_of_output() -> None:
-    """Writes the remaining output if that is possible at once. At its end, Python would wait for a stuck reader."""
+    """Writes pending output without waiting. At exit, Python would wait for a reader that has stopped."""
     for stream in (sys.stdout, sys.stderr):
         if stream is None:
             continue
@@ -131,7 +131,7 @@ def _let_go_of_output() -> None:
 
 @contextmanager
 def ended_by_signals() -> Iterator[None]:
-    """In this block, a signal ends the program by an exception, and a later second one ends it at once."""
+    """Lets a signal raise an exception, and a later one end the program at once."""
     first: float | None = None
 
     def end(number: int, _frame: object) -> None:
@@ -146,7 +146,7 @@ def ended_by_signals() -> Iterator[None]:
     def unraisable(lost: sys.UnraisableHookArgs) -> None:
         nonlocal first
         if isinstance(lost.exc_value, Ended):
-            # It came while Python finalised an object, where exceptions are lost: send it again soon.
+            # It came during garbage collection, where exceptions are lost: send it again soon.
             first = None
             again = threading.Timer(_SOON, os.kill, (os.getpid(), lost.exc_value.number))
             again.daemon = True

@@ -1,4 +1,4 @@
-"""`ev3proto export`: the protocol and frames in the forms of other tools, the same bytes every time."""
+"""`ev3proto export`: the protocol and frames in the formats of other tools, always the same bytes."""
 
 from __future__ import annotations
 
@@ -136,7 +136,7 @@ def everything(folder: Path, check: bool) -> None:
 
 
 class _Carrying(SourceReader):
-    """Adds the frames of all sources to a capture, and reports those that cannot be carried."""
+    """Writes the frames of all sources to a capture, and reports those that cannot be carried."""
 
     is_quiet = True
 
@@ -147,7 +147,7 @@ class _Carrying(SourceReader):
         self._has_times: bool | None = None
 
     def piece(self, piece: Piece, pasted: Pasted, source: Source) -> None:
-        """Adds a frame of a text, at its time; without one, at the next time after the frame before."""
+        """Writes a frame of a text, at its time or after the frame before."""
         frame = piece.message.build()
         if self._has_times is None:
             self._has_times = pasted.time is not None
@@ -155,7 +155,7 @@ class _Carrying(SourceReader):
         self._add(timed, source.where(pasted))
 
     def capture(self, capture: CaptureSource) -> int:
-        """Adds the frames of a capture, at their times."""
+        """Writes the frames of a capture, at their times."""
         before = self._writer.count
         for record in capture.records():
             self._add(TimedFrame(record.frame, record.time_ns), f"{capture.label}, {capture.unit} {record.number}")

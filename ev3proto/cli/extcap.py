@@ -89,7 +89,7 @@ def extcap(
 
 
 def _capture(fifo: Path, target: Target, options: ProxyOptions) -> None:
-    """Runs the proxy until Wireshark ends it or reads no more."""
+    """Runs the proxy until Wireshark ends it or stops reading."""
     with ExitStack() as stack:
         with failing_on(LinkError), failing_to("written", fifo):
             pipe = _Pipe(stack.enter_context(fifo.open("wb")))
@@ -105,7 +105,7 @@ def _capture(fifo: Path, target: Target, options: ProxyOptions) -> None:
 
 
 class _Pipe:
-    """The pipe to Wireshark. When that reads no more the capture was stopped, and so is the proxy."""
+    """The pipe to Wireshark. It stops the proxy when Wireshark has stopped the capture."""
 
     def __init__(self, stream: BinaryIO) -> None:
         self._stream = stream
@@ -116,7 +116,7 @@ class _Pipe:
         return self._stream.write(data)
 
     def flush(self) -> None:
-        """Sends what was written. Raises OSError."""
+        """Flushes the pipe. Raises OSError."""
         try:
             self._stream.flush()
         except OSError:

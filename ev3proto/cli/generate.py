@@ -17,7 +17,7 @@ from ev3proto.generate.pages.build import FOLDER
 from ev3proto.generate.pages.markdown import block, page, table
 
 _OF_THE_PROJECT = ("pyproject.toml", "dissector", "exports")
-"""What is beside the package in the project's folder, and not where the package is installed by itself."""
+"""Parts of the project's folder that an installed package does not have."""
 
 
 _WIDTH = 100
@@ -25,7 +25,7 @@ _NAME = "ev3proto"
 
 
 def reference_page() -> dict[str, str]:
-    """The page by its path in the project's folder."""
+    """Returns the page by its path in the project's folder."""
     return {f"{FOLDER}/command-line.md": page("The command line", _lines())}
 
 
@@ -46,7 +46,7 @@ def _lines() -> Iterator[str]:
 
 
 def _commands(command: click.Command, context: click.Context) -> Iterator[tuple[click.Command, click.Context]]:
-    """A command and all below it, each with the context in which it describes itself."""
+    """Yields a command and all below it, each with a context for its help."""
     yield command, context
     if isinstance(command, click.Group):
         for name in command.list_commands(context):
@@ -73,7 +73,7 @@ def main(check: bool, root: Path | None) -> None:
             raise click.UsageError("this ev3proto is installed without its project: give --root, the project's folder")
     if not check:
         try:
-            # The pages show how the modules are called, and the command line loads them: they come first.
+            # The pages and the command line import these modules, so they are written first.
             for path in write_modules(root):
                 click.echo(path)
             for path in write(root, reference_page()):

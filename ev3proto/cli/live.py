@@ -20,7 +20,7 @@ PATIENCE_NS = 2_000_000_000
 """Time without a reply after which a command is shown as unanswered, at the next event."""
 
 MOST_BEACONS = 256
-"""Different beacons of which each is shown once; a brick sends its own every few seconds."""
+"""Maximum number of different beacons that are shown, each once; a brick repeats its own every few seconds."""
 
 
 @click.command()
@@ -59,9 +59,9 @@ def live(interfaces: tuple[str, ...], reading: CaptureOptions, as_json: bool) ->
 
 
 def _watch(run: Run, reading: CaptureOptions, started: str, *, as_json: bool) -> None:
-    """Shows what tshark captures until it ends. Raises CaptureError where it was not asked to."""
+    """Shows what tshark captures until it ends. Raises CaptureError if it ends by itself."""
     try:
-        # The file begins once packets are captured.
+        # The output starts with the first captured packet.
         capture = read(run.output, dialect=reading.dialect, ports=reading.ports, memory=reading.memory * MIB)
         complain(started)
         _Watching(reading, as_json=as_json).show(capture.events())
@@ -74,11 +74,11 @@ def _watch(run: Run, reading: CaptureOptions, started: str, *, as_json: bool) ->
 
 for _option in live.params:
     if isinstance(_option, click.Option) and _option.name == "engine":
-        _option.hidden = True  # only one of them captures
+        _option.hidden = True  # only tshark captures
 
 
 class _Watching:
-    """Shows a capture while it lasts."""
+    """Shows a capture while it is written."""
 
     def __init__(self, reading: CaptureOptions, *, as_json: bool) -> None:
         self._chosen = reading.filter
@@ -89,7 +89,7 @@ class _Watching:
         self._skipped = 0
 
     def show(self, events: Iterator[Event]) -> None:
-        """Shows all events until there are no more."""
+        """Shows all events."""
         for pair in dialogues(self._beside(events), PATIENCE_NS):
             if self._is_wanted(pair):
                 show_dialogue(self._show, pair, self._start_ns or 0)
@@ -97,7 +97,7 @@ class _Watching:
             complain(f"and {self._skipped - MOST_COMPLAINTS} more places that could not be read")
 
     def _beside(self, events: Iterator[Event]) -> Iterator[Event]:
-        """The events, of which those that are part of no dialogue are shown."""
+        """Yields the events, and shows those outside dialogues."""
         for event in events:
             if self._start_ns is None:
                 self._start_ns = event.time_ns

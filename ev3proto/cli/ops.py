@@ -1,4 +1,4 @@
-"""`ev3proto ops`: the instruction set and the system commands, listed, searched, or one of them in full."""
+"""`ev3proto ops`: lists, searches and shows operations and system commands."""
 
 from __future__ import annotations
 
@@ -64,10 +64,10 @@ class Entry:
     """An operation, a system command or a name, as `ops` shows it.
 
     kind      what it is; empty for operations
-    text      what it means
-    searched  what else is said of it: words that find it
-    about     the lines under its name and text
-    record    all of it for other tools
+    text      its meaning
+    searched  further words that find it
+    about     yields the lines under its name and text
+    record    returns all of it for other tools
     """
 
     name: str
@@ -81,16 +81,16 @@ class Entry:
 
     @property
     def texts(self) -> tuple[str, str, str]:
-        """What is searched: the name, the meaning, all else."""
+        """The texts that are searched: the name, the meaning, all else."""
         return self.name, f"{self.text} {self.kind}", self.searched
 
     def line(self) -> Line:
-        """One line in a list."""
+        """Returns its line in a list."""
         name = f"{self.name} ({self.kind})" if self.kind else self.name
         return [(f"0x{self.number:02X} ", Role.ASIDE), (name.ljust(32), Role.OPERATION), (f" {self.text}", Role.PLAIN)]
 
     def page(self) -> Iterator[Line]:
-        """All there is to know."""
+        """Yields the lines that show it in full."""
         yield [(self.name, Role.OPERATION), (f"  {self.text}", Role.PLAIN)]
         yield from self.about()
 
@@ -113,7 +113,7 @@ def _entries(dialect: str) -> list[Entry]:
 
 
 def _operation(entry: Declaration, dialect: str) -> Entry:
-    """An operation of the virtual machine."""
+    """Returns the entry of an operation."""
     number, area = entry.opcode.number, area_of(entry.opcode)
     said = [f"{parameter.name} {parameter.text}" for parameter in entry.parameters]
     said += [" ".join(parameter.enum.members) for parameter in entry.parameters if parameter.enum is not None]
@@ -151,7 +151,7 @@ def _operation(entry: Declaration, dialect: str) -> Entry:
 
 
 def _system(entry: SystemCommand) -> Entry:
-    """A system command."""
+    """Returns the entry of a system command."""
     said = " ".join(f"{field.name} {field.text}" for field in entry.request + entry.reply)
 
     def about() -> Iterator[Line]:
@@ -175,7 +175,7 @@ def _system(entry: SystemCommand) -> Entry:
 
 
 def _status(status: SystemStatus) -> Entry:
-    """A status of system replies."""
+    """Returns the entry of a status of system replies."""
     text = f"The system command {'failed' if status.is_failure else 'worked'}"
     notes = [f"{entry.name}: {meaning}" for entry in SYSTEM for known, meaning in entry.statuses if known is status]
     if status in UNUSED_STATUSES:
@@ -184,7 +184,7 @@ def _status(status: SystemStatus) -> Entry:
 
 
 def _named(name: str, number: int, kind: str, text: str, notes: Iterable[str]) -> Entry:
-    """The entry of a name that is not a command: of a status, a message type, an unknown opcode."""
+    """Returns the entry of any other name: a status, a message type, an unimplemented opcode."""
     noted = list(notes)
 
     def about() -> Iterator[Line]:
@@ -198,11 +198,11 @@ def _named(name: str, number: int, kind: str, text: str, notes: Iterable[str]) -
 
 
 _CODED = ("", "system")
-"""The kinds that are found by their number."""
+"""The kinds that can be found by number."""
 
 
 def _exact(entries: list[Entry], words: tuple[str, ...]) -> list[Entry]:
-    """The entries that are meant by name or number; a family's name means all of its commands."""
+    """Returns the entries with a name or number; a family's name means all of its commands."""
     name = ".".join(words).upper().replace(" ", ".")
     found = [entry for entry in entries if name == entry.name or (name == f"OP{entry.name}" and not entry.kind)]
     if not found and re.fullmatch(r"0X[0-9A-F]+|[0-9]{1,3}", name):
@@ -212,7 +212,7 @@ def _exact(entries: list[Entry], words: tuple[str, ...]) -> list[Entry]:
 
 
 def _ranked(entries: list[Entry], words: tuple[str, ...]) -> list[Entry]:
-    """The entries that have all words: those that have them in their name first, then those that mean them."""
+    """Returns the entries with all words, those first that have them in their names."""
     wanted = [word for each in words for word in _words(each)]
     ranked = []
     for entry in entries:
@@ -240,7 +240,7 @@ def _words(text: str) -> list[str]:
 
 
 _SHORTEST_START = 4
-"""A word of this length is also found at the start of a longer one: `motor` in `motors`."""
+"""Minimum length of a word that also matches the start of a longer one: `motor` in `motors`."""
 
 
 def _has(words: list[str], wanted: str) -> bool:

@@ -1,8 +1,7 @@
-"""Output for users and other programs. Everything that is printed goes through here.
+"""Standard output and standard error: everything that is printed goes through here.
 
-Printed lines are written before anything goes to standard error, and before waiting for more input. Control
-characters never get through, wherever they come from. Standard output and standard error may both be closed, full, or
-a pipe without a reader.
+Standard output is flushed before anything is written to standard error, and before waiting for more input. Control
+characters are escaped, whatever their origin. Both streams may be closed, full, or a pipe without a reader.
 """
 
 from __future__ import annotations
@@ -39,9 +38,9 @@ STYLES: dict[str, dict[str, Any]] = {
 
 
 class OutputError(Exception):
-    """Standard output cannot be written. It is not an OSError, so it is never mistaken for an error of the input.
+    """Standard output cannot be written. It is not an OSError, so it is never mistaken for one of reading.
 
-    number  the number of the error (errno), or None
+    number  the number of the error (errno), if it has one
     reason  a few words
     """
 
@@ -51,13 +50,13 @@ class OutputError(Exception):
 
     @classmethod
     def of(cls, error: OSError) -> OutputError:
-        """Turns an operating system error of standard output into an OutputError."""
+        """Returns the OutputError for an OSError of standard output."""
         return cls(error.errno, error.strerror or str(error))
 
 
 @contextmanager
 def writing_output() -> Iterator[TextIO]:
-    """Standard output. Raises OutputError for its errors."""
+    """Yields standard output. Raises OutputError for its errors."""
     if sys.stdout is None:
         raise OutputError(None, "standard output is closed")
     try:
@@ -83,7 +82,7 @@ def flush() -> None:
 class Printer:
     """Prints lines: coloured on a terminal, plain into a pipe or if NO_COLOR is set.
 
-    at_once  output is flushed at once, because the next may come late
+    at_once  flush after every call, because the next one may take long
     """
 
     def __init__(self, *, at_once: bool = False) -> None:
@@ -92,7 +91,7 @@ class Printer:
         self._text: Callable[[Line], str] = _painted if is_coloured else plain_text
 
     def lines(self, lines: Iterable[Line]) -> None:
-        """Prints lines that are made of pieces."""
+        """Prints lines that consist of styled pieces."""
         _write("".join([f"{self._text(line)}\n" for line in lines]), at_once=self._at_once)
 
     def text(self, text: str) -> None:
@@ -101,7 +100,7 @@ class Printer:
 
 
 def _painted(line: Line) -> str:
-    """Returns a line with the sequences that colour it."""
+    """Returns a line with its colours as escape sequences."""
     return "".join(
         click.style(visible(text), **STYLES[role]) if role in STYLES else visible(text) for text, role in line
     )
@@ -113,14 +112,14 @@ def say(text: str = "") -> None:
 
 
 def draw(lines: Iterable[str]) -> None:
-    """Prints lines unchanged: they contain our colours, and otherwise only `visible` texts."""
+    """Prints lines without escaping: they have our own colours, and texts that went through `visible`."""
     _write("".join(f"{line}\n" for line in lines))
 
 
 def complain(sentence: str) -> None:
-    """Prints a message on standard error, after all earlier output.
+    """Prints a message to standard error, after all earlier output.
 
-    If standard error cannot be written, only the exit status remains.
+    Errors of standard error itself are ignored; the exit status remains.
     """
     flush()
     if sys.stderr is not None:
@@ -130,7 +129,7 @@ def complain(sentence: str) -> None:
 
 
 class Failure(click.ClickException):
-    """An error of the input: a message on standard error, and exit status 1."""
+    """The end of the program with a message about the input, and exit status 1."""
 
     def show(self, file: object = None) -> None:  # noqa: ARG002 - click's signature
         """Prints the message."""
@@ -139,7 +138,7 @@ class Failure(click.ClickException):
 
 @contextmanager
 def failing_on(*kinds: type[Exception]) -> Iterator[None]:
-    """Exits with the message of an error of these kinds."""
+    """Ends the program with the message of an error of these kinds."""
     try:
         yield
     except kinds as error:
@@ -148,7 +147,7 @@ def failing_on(*kinds: type[Exception]) -> Iterator[None]:
 
 @contextmanager
 def failing_to(do: str, path: object) -> Iterator[None]:
-    """Exits for an OSError: `PATH: cannot be DONE: REASON`. The error may name another path."""
+    """Ends the program with `PATH: cannot be DONE: REASON` for an OSError, which may name another path."""
     try:
         yield
     except OSError as error:
@@ -161,21 +160,21 @@ def is_terminal() -> bool:
 
 
 class _Bytes:
-    """Standard output for bytes, whose errors are not mistaken for errors of the input."""
+    """Standard output for bytes, which raises OutputError."""
 
     def write(self, data: bytes) -> int:
-        """Writes bytes, now or together with the next ones. Raises OutputError."""
+        """Writes bytes to the buffer. Raises OutputError."""
         with writing_output() as stream:
             return stream.buffer.write(data)
 
     def flush(self) -> None:
-        """Flushes. Raises OutputError."""
+        """Flushes the buffer. Raises OutputError."""
         flush()
 
 
 @contextmanager
 def binary_output() -> Iterator[BinaryIO]:
-    """Standard output for bytes, after all earlier output, and flushed at the end of the `with`.
+    """Yields standard output for bytes, after all earlier output; it is flushed at the end.
 
     Raises:
         OutputError: It cannot be written.
@@ -187,7 +186,7 @@ def binary_output() -> Iterator[BinaryIO]:
 
 
 def put(data: bytes, path: Path | None, *, check: bool = False) -> bool:
-    """Writes the contents of a file completely, or not at all. Reports errors.
+    """Writes a file, whole or not at all, and reports failures.
 
     Args:
         data: Its contents.
@@ -204,7 +203,7 @@ def put(data: bytes, path: Path | None, *, check: bool = False) -> bool:
         with binary_output() as stream:
             stream.write(data)
         return True
-    from ev3proto.whole_files import write_whole  # takes 2 ms, which commands that only print do not need
+    from ev3proto.whole_files import write_whole  # takes 2 ms, which commands that print do not need
 
     try:
         if not check:
@@ -229,7 +228,7 @@ def output_options(command: F) -> F:
 
 
 def write_text(text: str, output: Path | None, *, check: bool) -> None:
-    """Writes the text of a file, or checks whether it has that text. Exits with status 1 if not."""
+    """Writes a file, or checks whether it has this text. Ends the program with status 1 if that fails."""
     if check and output is None:
         raise click.UsageError("--check needs -o")
     if not put(text.encode(), output, check=check):
@@ -237,10 +236,10 @@ def write_text(text: str, output: Path | None, *, check: bool) -> None:
 
 
 class Awaited(io.RawIOBase):
-    """Input that may come slowly: earlier output is written before waiting for more.
+    """Input that may come slowly: standard output is flushed before waiting for more.
 
     stream   the input
-    is_ours  closing this also closes the stream
+    is_ours  whether closing this closes the stream, too
     """
 
     def __init__(self, stream: io.RawIOBase | io.BytesIO, *, is_ours: bool = False) -> None:
@@ -255,40 +254,40 @@ class Awaited(io.RawIOBase):
         super().close()
 
     def readable(self) -> bool:
-        """True, as for every input."""
+        """Returns True."""
         return True
 
     def fileno(self) -> int:
-        """The number of the open file."""
+        """Returns the number of the open file."""
         return self._stream.fileno()
 
     def readinto(self, buffer: WriteableBuffer, /) -> int | None:
-        """Reads the available bytes, at least one, or nothing at the end."""
+        """Reads the available bytes, at least one, or none at the end."""
         flush()
         return self._stream.readinto(buffer)
 
 
 EVERY = 2048
-"""Lines or frames between updates of the bar."""
+"""Number of lines or frames after which the bar is redrawn."""
 
 PATIENCE = 1.0
-"""Seconds of reading before a bar appears."""
+"""Seconds of reading after which the bar appears."""
 
 _STEPS = 1000
-"""The number of steps of a bar."""
+"""Number of steps of the bar."""
 
 
 @contextmanager
 def progress_bar(done: Callable[[], float | None], name: str, *, is_quiet: bool) -> Iterator[Callable[[], None]]:
-    """A bar, drawn if reading takes long, on a terminal on which nothing else is printed.
+    """Draws a bar on a terminal once reading takes long, unless output is printed on the same terminal.
 
     Args:
-        done: The part of the input that was read, 0 to 1; None if its size is unknown.
+        done: Returns the part of the input that was read, 0 to 1; None if its size is unknown.
         name: The name of the input.
         is_quiet: Nothing is printed on standard output while it is read.
 
     Yields:
-        A function that draws the bar.
+        A function that redraws the bar.
     """
     if sys.stderr is None or not sys.stderr.isatty() or not (is_quiet or not is_terminal()):
         yield lambda: None
@@ -311,7 +310,7 @@ def progress_bar(done: Callable[[], float | None], name: str, *, is_quiet: bool)
 
 
 def advancing(lines: Iterable[str], advance: Callable[[], None]) -> Iterator[str]:
-    """Yields the lines, and draws the bar now and then."""
+    """Yields the lines, and redraws the bar now and then."""
     for count, line in enumerate(lines):
         if count % EVERY == 0:
             advance()

@@ -1,4 +1,4 @@
-"""Programs on the command line: what `decode`, `encode` and `check` do with images (.rbf) and sources (.lms)."""
+"""Programs on the command line: reading, showing and assembling images (.rbf) and sources (.lms)."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ from ev3proto.text.phrases import NOTATIONS, spaced_hex
 from ev3proto.text.spans import Line, Role
 
 SOURCE_CODE = "source"
-"""The code of a source that cannot be assembled, or is assembled with a warning."""
+"""The code of errors and warnings of a source."""
 
 _MOST_WARNINGS = 20
 _TEXT_WIDTH = 100
@@ -35,7 +35,7 @@ _MOST_OF_A_NAME = 200
 
 
 def read_program(label: str, image: bytes, dialect: str) -> Program | None:
-    """A program, read as far as it goes; None, and a complaint, where there is not even a header."""
+    """Reads a program as far as possible; reports a missing header, and returns None."""
     try:
         return parse(image, strict=False, dialect=dialect)
     except DecodeError as error:
@@ -49,11 +49,11 @@ def show_program(
     """Prints a program.
 
     Args:
-        printer: What prints it.
+        printer: The printer.
         program: The program.
-        image: Its image, which its offsets refer to.
+        image: Its image, to which its offsets refer.
         style: `listing`, `tree`, `json` or `lego`; `table` and None are the listing, `asm` is `lego`.
-        origin: Where it comes from, None where people named it themselves.
+        origin: Its origin; None if it was named on the command line.
     """
     if style == "json":
         entry = program_record(program, len(image))
@@ -72,7 +72,7 @@ def show_program(
 
 
 def complain_of_warnings(label: str, warnings: Sequence[SourceWarning]) -> None:
-    """Prints the first warnings of a source, and how many more there are."""
+    """Prints the first warnings of a source, and the number of the others."""
     for warning in warnings[:_MOST_WARNINGS]:
         complain(f"{label}, {warning} (warning)")
     if len(warnings) > _MOST_WARNINGS:
@@ -80,7 +80,7 @@ def complain_of_warnings(label: str, warnings: Sequence[SourceWarning]) -> None:
 
 
 def source_findings(error: AssemblyError | None = None, warnings: Iterable[SourceWarning] = ()) -> list[dict[str, Any]]:
-    """What is wrong with a source as `Finding.as_dict` has it; `line` and `column` say where, and not the offset."""
+    """Returns errors and warnings of a source in the form of `Finding.as_dict`, with `line` and `column`."""
     found: list[tuple[str, AssemblyError | SourceWarning]] = [("warning", one) for one in warnings]
     if error is not None:
         found += [("error", one) for one in (error, *error.others)]
@@ -100,7 +100,7 @@ def source_findings(error: AssemblyError | None = None, warnings: Iterable[Sourc
 
 
 def read_source(source: Source) -> bytes | None:
-    """The bytes of a source; None, and a complaint, where it cannot be read."""
+    """Reads a source; reports an unreadable one, and returns None."""
     try:
         with source.open() as stream:
             return stream.read(MAX_SOURCE + 1)
@@ -110,7 +110,7 @@ def read_source(source: Source) -> bytes | None:
 
 
 def program_explanation(code: Code, dialect: str) -> Iterator[Line]:
-    """What a code of programs means, and what a check says of its example."""
+    """Yields the explanation of a code of programs, with the findings in its example."""
     yield [(f"{code.severity}[{code.code}]", ROLES[code.severity]), (f": {code.title}", Role.HEADING)]
     yield []
     for text in wrap(" ".join(code.explanation.split()), _TEXT_WIDTH):
@@ -139,7 +139,7 @@ def assembled(
 def encode_program(
     found: list[Source], path: str | None, *, dialect: str | None, version: int | None, shortest: bool
 ) -> int:
-    """Makes an image of one source and writes it; the exit status."""
+    """Assembles one source and writes its image. Returns the exit status."""
     if len(found) != 1:
         raise click.UsageError(f"expected one source of a program, not {len(found)}")
     source = found[0]
@@ -159,7 +159,7 @@ def encode_program(
 
 
 def _text_of(source: Source) -> str | bytes | None:
-    """What is to be assembled; None, and a complaint, for what no source is."""
+    """Returns the text to assemble; reports anything else, and returns None."""
     if not source.is_frame:
         read = read_source(source)
         if read is not None and is_image(read):

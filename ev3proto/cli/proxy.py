@@ -102,7 +102,7 @@ def proxy(
 
 
 class _Shown:
-    """Shows each command with its reply as soon as that is there."""
+    """Shows each command with its reply as soon as it arrives."""
 
     def __init__(self, *, as_json: bool, is_quiet: bool) -> None:
         self.start_ns = 0
@@ -115,7 +115,7 @@ class _Shown:
 
 
 def _place(listen: str) -> tuple[str, int]:
-    """Address and port to listen at. Raises click.BadParameter."""
+    """Returns the address and port to listen on. Raises click.BadParameter."""
     try:
         found = Target.parse(listen) if not listen.endswith(":0") else Target.parse(listen[:-2])
         if found.way is not Way.WIFI:
@@ -138,7 +138,7 @@ def _address(text: str | None) -> str | None:
 
 
 def _recording(record: str | None, stack: ExitStack) -> Recording | None:
-    """The recording, which is begun; None without one. Ends the program where it cannot be written."""
+    """Starts the recording, if there is one. Ends the program if it cannot be written."""
     if record is None:
         return None
     with writing_output() if record == "-" else failing_to("written", record):
@@ -148,7 +148,7 @@ def _recording(record: str | None, stack: ExitStack) -> Recording | None:
 
 
 def _recorded_to(record: str, stack: ExitStack) -> BinaryIO:
-    """The stream of the recording. Raises OSError, click.UsageError or OutputError."""
+    """Opens the stream of the recording. Raises OSError, click.UsageError or OutputError."""
     if record == "-":
         if is_terminal():
             raise click.UsageError(

@@ -1,7 +1,4 @@
-"""How input is read: the options of subcommands, the lines of texts, and the kind of a file by its first bytes.
-
-Nothing here imports a part that reads captures: single frames need this, too.
-"""
+"""The options for reading input, which many subcommands share."""
 
 from __future__ import annotations
 
@@ -25,23 +22,23 @@ if TYPE_CHECKING:
 
 
 BUILTIN = "builtin"
-"""The engine that needs no other program."""
+"""The engine that is part of ev3proto."""
 
 MIB = 1 << 20
-"""Bytes in the unit of --memory."""
+"""The unit of --memory, in bytes."""
 
 
 @dataclass
 class CaptureOptions:
-    """How to read captures.
+    """How input is read.
 
     dialect  the firmware whose instruction set to use
     ports    TCP ports on which bricks listen
     engine   builtin or wireshark
     tshark   path of the tshark for that engine
-    filter   the filter of records to show, or None
-    missing  the bytes before each frame that a text lacks
-    memory   memory limit in MiB for everything pending
+    filter   which records to show; None for all
+    missing  what frames in a text lack at their start
+    memory   memory limit for incomplete and unanswered messages, in MiB
     """
 
     dialect: str = DIALECTS[0]
@@ -54,15 +51,15 @@ class CaptureOptions:
 
 
 def given_up(label: str, count: int, memory: int) -> str:
-    """Returns the message about dropped data.
+    """Returns the message about things that were dropped because of the memory limit.
 
     Args:
-        label: What was read.
-        count: How many things had to go.
-        memory: Memory limit in MiB for everything pending.
+        label: The name of the input.
+        count: The number of dropped things.
+        memory: The limit in MiB.
     """
     return (
-        f"{label}: {count} parts of frames, transfers and commands without a reply were given up: what waits may take"
+        f"{label}: {count} unfinished frames, transfers and unanswered commands were dropped: the memory limit is"
         f" {memory} MiB (--memory)"
     )
 
@@ -79,11 +76,11 @@ def _compiled(_context: click.Context, _parameter: click.Parameter, text: str | 
 
 
 _WINDOW = 60
-"""Characters of a filter that are shown on either side of a mistake."""
+"""Characters of a filter that are shown on either side of an error."""
 
 
 def _underlined(text: str, error: FilterError) -> str:
-    """Returns two lines: the filter, and below it a mark at the mistake."""
+    """Returns two lines: the filter, and a mark below the error."""
     at = error.column - 1
     start, end = max(at - _WINDOW, 0), at + _WINDOW
     shown = "".join(character if character.isprintable() else " " for character in text[start:end])
@@ -95,7 +92,7 @@ def _underlined(text: str, error: FilterError) -> str:
 def _explain_filters(context: click.Context, _parameter: click.Parameter, is_wanted: bool) -> None:
     if not is_wanted or context.resilient_parsing:
         return
-    from ev3proto.capture.filter.manual import manual  # the same
+    from ev3proto.capture.filter.manual import manual  # takes 8 ms, too
 
     say("\n".join(manual()))
     context.exit()
@@ -160,7 +157,7 @@ _OPTIONS = (
 
 
 def reading_options(command: F) -> F:
-    """Adds the options for reading captures to a command, which gets them as one argument, `reading`."""
+    """Adds the options for reading to a command, which gets them as one argument, `reading`."""
 
     @functools.wraps(command)
     def called(*arguments: Any, no_length: bool, only_operations: bool, **others: Any) -> Any:

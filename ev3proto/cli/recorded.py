@@ -1,4 +1,4 @@
-"""Prints the contents of a capture: frames, texts around them, dialogues."""
+"""Prints the contents of a capture: its frames, the texts around them, its dialogues."""
 
 from __future__ import annotations
 
@@ -38,19 +38,19 @@ def show_capture(show: Show, capture: CaptureSource, *, as_dialogues: bool) -> I
 
 
 def moved_programs(capture: CaptureSource, complain: Callable[[str], None]) -> Iterator[tuple[str, bytes]]:
-    """Returns the programs that a capture transfers, as far as they were captured.
+    """Yields the programs that a capture transfers to or from the brick, as far as they were captured.
 
     Args:
         capture: The capture.
-        complain: Called with a message about each error.
+        complain: Is called with a message about each error.
 
     Yields:
-        The origin of each, and its image.
+        The origin of each program, and its image.
     """
     with temporary_folder() as folder:
         found: list[RecoveredFile] = []
         try:
-            # One by one, so that programs that were found remain if the capture ends early.
+            # One by one, so that earlier files are kept if the capture ends early.
             found += recover(capture.events(), folder)
         except CaptureError as error:
             complain(f"{capture.label}: {error}")
@@ -63,7 +63,7 @@ def moved_programs(capture: CaptureSource, complain: Callable[[str], None]) -> I
 
 
 def _show_record(show: Show, record: Record, start_ns: int) -> None:
-    """Shows a frame of a capture; its start is the base of times."""
+    """Shows a frame of a capture that starts at `start_ns`."""
     if show.is_json:
         show.entry(_record(record))
         return
@@ -74,7 +74,7 @@ def _show_record(show: Show, record: Record, start_ns: int) -> None:
 
 
 def show_announcement(show: Show, announcement: Announcement, start_ns: int) -> None:
-    """Shows a text of a capture; its start is the base of times."""
+    """Shows a text of a capture that starts at `start_ns`."""
     facts = announcement.facts
     if show.is_json:
         show.entry(
@@ -128,7 +128,7 @@ def _seen(event: Record | Announcement, start_ns: int, answers: int | None = Non
 
 
 def _record(record: Record) -> dict[str, Any]:
-    """Returns a frame with the facts from the capture, for other tools."""
+    """Returns a frame with its place in the capture, for other tools."""
     entry = message_record(record.exchange, Seen(direction=record.direction, frame=record.frame)) | _place(record)
     if record.request is not None:
         entry |= {"answers": record.request.number, "latency": record.latency}
@@ -138,7 +138,7 @@ def _record(record: Record) -> dict[str, Any]:
 
 
 def _place(event: Record | Announcement) -> dict[str, Any]:
-    """Returns place and time, for other tools; without `time` if it was not recorded."""
+    """Returns place and time for other tools; without `time` for a log without times."""
     route = event.route
     time = {"time": utc(event.time_ns)} if route.is_timed else {}
     return time | {

@@ -1,4 +1,4 @@
-"""`ev3proto run`: a program on a virtual brick, with its display in the terminal or on the page."""
+"""`ev3proto run`: a program on a virtual brick, with its display in the terminal or on a web page."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ from ev3proto.text.spans import visible
 
 _PERIOD = 0.05
 _PRESS = 0.1
-"""Seconds between two looks at the program, and for which a key holds a button down."""
+"""Seconds between two checks of the program, and seconds for which a key presses a button."""
 
 _KEYS = {
     b"\x1b[A": "up",
@@ -88,7 +88,7 @@ def run(
 
 
 def _image(file: Path) -> bytes:
-    """The image in a file, or what its source becomes. Ends the program where it is neither."""
+    """Returns the image in a file, or that of its source. Ends the command if it is neither."""
     label = visible(str(file))
     with failing_to("read", file), file.open("rb") as stream:
         found = stream.read(MAX_IMAGE + 1)
@@ -101,7 +101,7 @@ def _image(file: Path) -> bytes:
 
 
 async def _run(image: bytes, name: str, options: Options, root: Path, limit: float | None) -> int:
-    """Runs the program until it ends; the exit status."""
+    """Runs the program until it ends. Returns the exit status."""
     with failing_on(ServerError):
         async with running(options, root, complain) as now:
             with interrupted() as ended:
@@ -120,7 +120,7 @@ async def _run(image: bytes, name: str, options: Options, root: Path, limit: flo
 
 
 async def _first(*events: asyncio.Event) -> None:
-    """Waits until one of several things has happened."""
+    """Waits for the first of several events."""
     waiting = [asyncio.create_task(event.wait()) for event in events]
     await asyncio.wait(waiting, return_when=asyncio.FIRST_COMPLETED)
     for task in waiting:
@@ -128,7 +128,7 @@ async def _first(*events: asyncio.Event) -> None:
 
 
 def _start(brick: Brick, image: bytes, name: str) -> Program | None:
-    """Starts the program as PROGRAM_START would, after the findings of `check`; None where the brick refuses it."""
+    """Starts the program as PROGRAM_START does, and prints the findings of `check`; None if the brick refuses it."""
     report = check_program(image, dialect=brick.dialect)
     if report.findings:
         complain(str(report))
@@ -139,7 +139,7 @@ def _start(brick: Brick, image: bytes, name: str) -> Program | None:
 
 
 def _ending(brick: Brick, program: Program) -> int:
-    """Says how the program ended; the exit status."""
+    """Prints how the program ended. Returns the exit status."""
     if program.status == RUNNING:
         complain("the program was ended before its own end")
         return 0
@@ -151,7 +151,7 @@ def _ending(brick: Brick, program: Program) -> int:
 
 
 async def _show(now: Running, program: Program, ended: asyncio.Event, limit: float | None) -> None:
-    """Shows the display until the program ends: all the time on a terminal, else at the end."""
+    """Shows the display until the program ends: live on a terminal, else at the end."""
     loop = asyncio.get_running_loop()
     until = None if limit is None else loop.time() + limit
     with _keyboard(now), _screen(now.brick) as draw:
@@ -170,11 +170,11 @@ def _lines(brick: Brick) -> list[str]:
 
 @contextmanager
 def _screen(brick: Brick) -> Iterator[Callable[[], None]]:
-    """Something that draws the display and the light on the terminal; nothing where there is none."""
+    """Yields a function that draws the display and the light on the terminal, if there is one."""
     if not is_terminal():
         yield lambda: None
         return
-    from rich.console import Group  # takes 30 ms, which only terminals have a use for
+    from rich.console import Group  # takes 30 ms, which only terminals need
     from rich.live import Live
     from rich.text import Text
 
@@ -203,7 +203,7 @@ def _screen(brick: Brick) -> Iterator[Callable[[], None]]:
 
 @contextmanager
 def _keyboard(now: Running) -> Iterator[None]:
-    """While it lasts, keys of the terminal press the brick's buttons."""
+    """Lets keys of the terminal press the brick's buttons for the length of the context."""
     try:
         import termios  # Windows has neither
         import tty
@@ -229,7 +229,7 @@ def _keyboard(now: Running) -> Iterator[None]:
             now.host.wake()
             loop.call_later(_PRESS, release, button)
 
-    # What was typed before counts.
+    # Keys that were typed before count.
     tty.setcbreak(keys, termios.TCSADRAIN)
     loop.add_reader(keys, pressed)
     try:

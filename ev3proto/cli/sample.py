@@ -71,7 +71,7 @@ def sample(
     """  # noqa: D301 - the mark by which click leaves lines as they are
     if accepted and mutate:
         raise incompatible("--accepted", "--mutate")
-    # Hypothesis keeps what it has worked out in a folder of its own, which has no use for samples.
+    # Hypothesis would write a database, which samples do not need.
     os.environ.setdefault("HYPOTHESIS_STORAGE_DIRECTORY", os.devnull)
     try:
         from ev3proto.sampling import samples  # hypothesis is an extra
@@ -95,7 +95,7 @@ def sample(
 
 
 def _writer(style: str, dialect: str) -> Callable[[bytes], None]:
-    """What writes one frame to standard output."""
+    """Returns a function that writes one frame to standard output."""
     if style == "raw":
         return _write_raw
     show = None if style == "hex" else Show(style)

@@ -26,7 +26,7 @@ from ev3proto.text.paste import Pasted
 
 
 class Collected:
-    """The commands of the input, in order, and how many messages of the brick there were among them."""
+    """The commands of the input, in order, and the number of replies among them."""
 
     def __init__(self) -> None:
         self.commands: list[Message] = []
@@ -34,7 +34,7 @@ class Collected:
         self.replies = 0
 
     def write(self, message: Message) -> None:
-        """Takes a message of the input."""
+        """Takes one message."""
         self.count += 1
         if message.type is not None and not message.type.is_command:
             self.replies += 1
@@ -43,14 +43,14 @@ class Collected:
 
 
 class _Commands(Encoding):
-    """Reads the input as `encode` does; what is wrong with a frame is left to the check."""
+    """Reads the input as `encode` does, but leaves faulty frames to the check."""
 
     def __init__(self, found: Collected, dialect: str, reply: bool | None) -> None:
         super().__init__(found, CaptureOptions(dialect=dialect), Wants(0, reply))
         self._found = found
 
     def piece(self, piece: Piece, pasted: Pasted, source: Source) -> None:
-        """A frame of a text; one that is not all there is complained about."""
+        """Takes a frame of a text, unless it is cut off."""
         if pasted.cut:
             super().piece(piece, pasted, source)
         else:

@@ -1,4 +1,4 @@
-"""Prints messages in the requested format."""
+"""Prints messages and programs to standard output, in any format."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from ev3proto.text.tree import tree
 if TYPE_CHECKING:
     from ev3proto.program import Program
 
-# Assembly and programs are imported on request: a tree is shown 20 ms sooner.
+# Assembly and programs are imported when they are needed, which saves 20 ms for a tree.
 
 FORMATS = ("tree", "table", *NOTATIONS, "json")
 
@@ -25,10 +25,10 @@ _encode = json.JSONEncoder(ensure_ascii=False, check_circular=False).encode
 
 
 class Show:
-    """Shows one message after the other.
+    """Shows messages one by one.
 
-    style    one of FORMATS, or of the formats for programs only; None for the default
-    at_once  output is flushed at once, because the next message may come late
+    style    one of FORMATS, or a format for programs only; None for the default
+    at_once  flush after every message, because the next one may take long
     """
 
     def __init__(self, style: str | None, *, at_once: bool = False) -> None:
@@ -58,26 +58,26 @@ class Show:
                 self._printer.text(f"        {counted(padding, 'byte')} of padding {follow} the frame")
 
     def entry(self, entry: dict[str, Any]) -> None:
-        """A message as one JSON object."""
+        """Shows a message as one JSON object."""
         self.count += 1
         self._printer.text(_encode(entry))
 
     def line(self, line: Line) -> None:
-        """A message on one line."""
+        """Shows a message on one line."""
         if self.count and self._style == "table":
             self._printer.text("")
         self.count += 1
         self.aside(line)
 
     def aside(self, line: Line) -> None:
-        """Shows a line that is not a message: a comment in assembly, which can be read back."""
+        """Shows a line between messages; in assembly, which can be read back, a comment."""
         if self._style in NOTATIONS:
             self._printer.text(f"// {plain_text(line).lstrip()}")
         else:
             self._printer.lines([line])
 
     def program(self, program: Program, image: bytes, origin: str | None = None) -> None:
-        """Shows a program and its image, and its origin if that is not obvious."""
+        """Shows a program, with its origin if that is not obvious."""
         from ev3proto.cli.programs import show_program  # takes 60 ms, which frames do not need
 
         if self.count and self._program_style != "json":

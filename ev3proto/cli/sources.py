@@ -1,4 +1,4 @@
-"""Reads the sources of all subcommands that take frames: arguments, texts, captures, standard input."""
+"""Reading the sources of subcommands that take frames: arguments, texts, captures, standard input."""
 
 from __future__ import annotations
 
@@ -37,29 +37,29 @@ _HOW_FRAMES_ARE_MADE = "`ev3proto encode` makes frames of it"
 
 
 def looks_like_assembly(line: str) -> bool:
-    """Whether a line without a frame is assembly; a line with nothing but a label may be a heading."""
+    """Whether a line without a frame is assembly; one with only a label may be a heading."""
     from ev3proto.text.assembly.recognising import is_assembly  # takes 11 ms, which frames do not need
 
     return not line.rstrip().endswith(":") and is_assembly(line)
 
 
 class SourceReader(ABC):
-    """Reads sources one after the other, and remembers whether any was faulty.
+    """Reads sources one by one, reports what is unreadable, and remembers whether any source was at fault.
 
-    A subclass handles the frames of a text and of a capture. Unreadable input is reported.
+    A subclass decides what to do with the frames of texts and captures.
     """
 
     wanted = "frame"
-    """The things to find in captures, for messages."""
+    """The name of what is looked for in captures, for messages."""
 
     arguments = "nor a frame"
-    """What an argument may be besides a file, for messages."""
+    """What an argument can be besides a file, for messages."""
 
     accepted = CAPTURES
     """What can be read, for messages about anything else."""
 
     is_quiet = False
-    """Nothing is printed while a capture is read: a progress bar may be drawn."""
+    """Whether nothing is printed while a capture is read, so that a progress bar may be drawn."""
 
     def __init__(self, reading: CaptureOptions) -> None:
         self.reading = reading
@@ -76,12 +76,12 @@ class SourceReader(ABC):
         """Takes the events of a capture.
 
         Returns:
-            The number of wanted ones.
+            The number of events of the wanted kind.
         """
 
     @property
     def wants_records(self) -> bool:
-        """Whether the frames of a text are read like those of a capture, with replies and times."""
+        """Whether the frames of a text are read as a capture, with their replies and times."""
         return self.reading.filter is not None
 
     def argument(self, source: Source) -> None:
@@ -100,13 +100,13 @@ class SourceReader(ABC):
         self.complain(f"{source.name[:60]!r} is assembly, not a frame; {_HOW_FRAMES_ARE_MADE}")
 
     def text(self, source: Source, lines: Iterator[str]) -> None:
-        """Takes the lines of a text, and reports those that look like frames but are not."""
+        """Takes the lines of a text, and reports those that only look like frames."""
         lines = self._noting_the_first(lines)
         for pasted in pieces(lines, self.reading.missing, lambda unread: self.complain(f"{source.label}: {unread}")):
             self._pasted(pasted, source)
 
     def read_all(self, found: Sequence[Source]) -> None:
-        """Reads everything in all sources, and reports each that has no frame."""
+        """Reads everything in all sources, and reports each without a frame."""
         for source in found:
             self._is_empty, self._first_line = True, ""
             self.read(source)
@@ -124,14 +124,14 @@ class SourceReader(ABC):
         return f"{source.label}: no frame found{more}"
 
     def _noting_the_first(self, lines: Iterator[str]) -> Iterator[str]:
-        """Yields the same lines; the first that is neither empty nor a comment is kept."""
+        """Yields the lines, and keeps the first that is neither empty nor a comment."""
         for line in introduction(lines):
             self._first_line = line
             yield line
         yield from lines
 
     def read(self, source: Source) -> None:
-        """Reads everything in a source, and reports errors."""
+        """Reads everything in a source, and reports an unreadable one."""
         if source.is_frame and self.wants_records:
             self._recorded(source, Input(Kind.TEXT, lines=[source.name]))
         elif source.is_frame:

@@ -56,16 +56,16 @@ def stats(files: tuple[str, ...], reading: CaptureOptions, as_json: bool) -> Non
 
 
 class _Page:
-    """The statistics, in sections."""
+    """The output, in sections."""
 
     def __init__(self, summary: Summary, unit: str) -> None:
         self._summary = summary
         self._unit = unit
-        # The brick is obvious if there is only one.
+        # With only one brick, its column is omitted.
         self._tables = Tables(hidden=() if summary.peers else ("brick",))
 
     def show(self) -> None:
-        """All parts that are not empty."""
+        """Prints all sections that are not empty."""
         summary = self._summary
         self._peer(summary.whole, "")
         for peer in summary.peers:
@@ -144,7 +144,7 @@ class _Page:
         self._section(f"Captured bytes, in {many}", ("part", "bytes", "share"), rows)
 
     def _section(self, heading: str, titles: Sequence[str], rows: Sequence[Sequence[str]], more: int = 0) -> None:
-        """A table with its heading, and the number of omitted rows; nothing if it is empty."""
+        """Prints a heading, a table, and the number of omitted rows; without rows, nothing."""
         if rows:
             self._tables.heading(heading)
             self._tables.table(titles, rows)

@@ -1,4 +1,4 @@
-"""Tables for people: at full width into a pipe, on a terminal folded to its width if the numbers fit."""
+"""Tables: folded to the width of a terminal as far as their numbers allow, unfolded into a pipe."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ TEXTS = {"kind", "operation", "text", "path", "direction", "state", "brick", "wh
 """The columns with texts, which are left-aligned and may be folded; the others have numbers."""
 
 LEAST_TEXT = 12
-"""Minimum width of a column of texts, in cells, even on a narrow terminal."""
+"""Minimum width of a column of texts."""
 
 GAP = "  "
-"""The gap between two columns."""
+"""The space between two columns."""
 
 
 class Tables:
@@ -34,21 +34,21 @@ class Tables:
         self._is_first = True
 
     def heading(self, text: str) -> None:
-        """A line with an empty one above it."""
+        """Prints a line, with an empty one above it."""
         if not self._is_first:
             say()
         self._is_first = False
         Printer().lines([[(text, Role.HEADING)]])
 
     def table(self, titles: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
-        """Prints a table. Its cells may come from the network: they cannot contain markup or move the cursor."""
+        """Prints a table. Its cells may come from the network: they are escaped, and not read as markup."""
         shown = [title not in self._hidden for title in titles]
-        # Everything is made printable here, before it is coloured.
+        # Cells are escaped before colours are added.
         cells = [[visible(cell) for cell in compress(row, shown)] for row in (titles, *rows)]
         draw(self._on_screen(*cells) if self._on_terminal else _plain(cells))
 
     def _on_screen(self, titles: list[str], *rows: list[str]) -> list[str]:
-        """The lines of a table in colours, folded to the width of the terminal."""
+        """Returns the lines of a table in colours, folded to the width of the terminal."""
         from rich.console import ConsoleDimensions  # as above
         from rich.table import Table
         from rich.text import Text
@@ -59,9 +59,9 @@ class Tables:
             table.add_column(title, justify="left" if is_text else "right", overflow="fold", no_wrap=not is_text)
         for row in rows:
             table.add_row(*map(Text, row))
-        # Rich would cut numbers and omit columns. A line that is wider than the terminal continues in the next one.
+        # Rich would cut numbers and omit columns; a wider line continues in the next line of the terminal.
         width, height = self._size
-        # If it does not know the terminal, Rich only accepts a width together with a height.
+        # For an unknown terminal, Rich accepts a width only with a height.
         self._console.size = ConsoleDimensions(max(width, _least_width([titles, *rows])), height)
         with self._console.capture() as captured:
             self._console.print(table)
@@ -69,14 +69,14 @@ class Tables:
 
 
 def _widths(rows: list[list[str]]) -> list[int]:
-    """The widths of the columns without folding, in cells of a terminal."""
+    """Returns the widths of unfolded columns, in cells of a terminal."""
     from rich.cells import cell_len  # as above
 
     return [max(map(cell_len, column)) for column in zip(*rows, strict=True)]
 
 
 def _least_width(rows: list[list[str]]) -> int:
-    """The minimum width of a table: numbers in full, texts folded."""
+    """Returns the minimum width of a table: its numbers unfolded, its texts folded."""
     widths = [
         min(width, LEAST_TEXT) if title in TEXTS else width for title, width in zip(rows[0], _widths(rows), strict=True)
     ]
@@ -84,7 +84,7 @@ def _least_width(rows: list[list[str]]) -> int:
 
 
 def _plain(rows: list[list[str]]) -> list[str]:
-    """The same lines without colours, at full width. Rich would take a kilobyte and more for each cell."""
+    """Returns the lines unfolded, without colours. Rich would take a kilobyte or more for each cell."""
     from rich.cells import cell_len  # as above
 
     widths = _widths(rows)

@@ -1,4 +1,4 @@
-"""What the subcommands that talk to a brick share: the target, the connection, the checked frame."""
+"""Options and functions of the subcommands that talk to a brick: target, connection, check before sending."""
 
 from __future__ import annotations
 

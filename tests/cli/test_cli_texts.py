@@ -159,7 +159,7 @@ def test_commands_of_a_text_wait_within_the_memory_that_is_given(tmp_path: Path)
     wide = "fe 03 {:02x} {:02x} 00 04 00" + " 01" * 1017
     path.write_text("".join(wide.format(number & 255, number >> 8) + "\n" for number in range(1200)))
     done = run("stats", "--memory", "1", str(path))
-    assert b"commands without a reply were given up: what waits may take 1 MiB" in done.stderr
+    assert b"unanswered commands were dropped: the memory limit is 1 MiB" in done.stderr
 
 
 @pytest.mark.parametrize("command", ["stats", "values", "decode", "check"])

@@ -150,7 +150,7 @@ def test_what_was_given_up_is_reported(tmp_path: Path) -> None:
     path = tmp_path / "many.pcap"
     path.write_bytes(commands(3000))
     done = run_ev3proto_text("stats", "--memory", "1", str(path))
-    assert "commands without a reply were given up: what waits may take 1 MiB (--memory)" in done.stderr
+    assert "unanswered commands were dropped: the memory limit is 1 MiB (--memory)" in done.stderr
 
 
 def test_a_text_keeps_as_few_commands_without_replies(tmp_path: Path) -> None:
@@ -158,7 +158,7 @@ def test_a_text_keeps_as_few_commands_without_replies(tmp_path: Path) -> None:
     path.write_text("\n".join(frame_of(b"\1" * 100, number, 0).hex() for number in range(200)))
     done = run_ev3proto_text("decode", "--memory", "1", str(path))
     assert done.stderr.startswith("the input: 1")
-    assert "were given up" in done.stderr
+    assert "were dropped" in done.stderr
 
 
 def frame_of(body: bytes, counter: int = 1, code: int = 0x80, memory: bytes = b"\x40\0") -> bytes:

@@ -132,7 +132,8 @@ class SourceReader(ABC):
 
     def read(self, source: Source) -> None:
         """Reads everything in a source, and reports an unreadable one."""
-        if source.is_frame and self.wants_records:
+        is_recorded = self.wants_records and (self.reading.missing is not None or read_argument(source.name).data)
+        if source.is_frame and is_recorded:
             self._recorded(source, Input(Kind.TEXT, lines=[source.name]))
         elif source.is_frame:
             self.argument(source)

@@ -79,6 +79,8 @@ def test_a_wrong_call(words: str) -> None:
 
 OF_THE_INPUT = {
     "decode missing.pcap": "missing.pcap: cannot be read: No such file or directory",
+    "decode --dialogues missing.pcap": "missing.pcap: cannot be read: No such file or directory",
+    "decode --filter op==NOP zz": "'zz' is neither a file nor a frame: 'zz' is not hex",
     "check folder/missing": "folder/missing: cannot be read: No such file or directory",
     "encode missing.lms": "missing.lms: cannot be read: No such file or directory",
     "encode missing.lms -o x.rbf": "missing.lms: cannot be read: No such file or directory",

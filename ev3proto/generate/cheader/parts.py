@@ -12,7 +12,7 @@ HEAD = """\
  *         opSOUND, LC0(TONE), LC0(1), LC2(440), LC2(1000)
  *     };
  *
- * Frames with values that are known later are filled by functions, which choose the shortest encodings:
+ * Frames whose values are known later are filled by functions, which choose the shortest encodings:
  *
  *     ev3_frame frame;
  *     ev3_begin_direct(&frame, 42, DIRECT_COMMAND_NO_REPLY, 0, 0);
@@ -52,10 +52,10 @@ FRAMES = """\
 /* Two bytes of a number, the lower one first */
 #define EV3_WORD(value) EV3_BYTE(value, 0), EV3_BYTE(value, 8)
 
-/* What every frame starts with: bytes of the whole frame, message counter (0 to $MAX_COUNTER), message type */
+/* The start of every frame: bytes of the whole frame, message counter (0 to $MAX_COUNTER), message type */
 #define EV3_HEADER(size, counter, type) EV3_WORD((size) - $LENGTH_FIELD), EV3_WORD(counter), EV3_BYTE(type, 0)
 
-/* What follows in a direct command: bytes of global (0 to $MAX_GLOBALS) and local (0 to $MAX_LOCALS) memory */
+/* The next part of a direct command: bytes of global (0 to $MAX_GLOBALS) and local (0 to $MAX_LOCALS) memory */
 #define EV3_MEMORY(globals, locals) EV3_WORD((uint32_t)(locals) << $GLOBAL_BITS | (uint32_t)(globals))
 """
 
@@ -98,7 +98,7 @@ FUNCTIONS = """\
 /* Filling a frame ------------------------------------------------------------------------------------------------ */
 
 /*
- * A frame being filled. What does not fit is omitted, and ev3_end then returns 0.
+ * A frame being filled. Data that does not fit is omitted, and ev3_end then returns 0.
  *
  *   bytes  the frame, to be sent as it is; on USB all of the array is sent
  *   size   number of bytes so far
@@ -110,7 +110,7 @@ typedef struct {
     int full;
 } ev3_frame;
 
-/* Bytes as they are */
+/* Raw bytes */
 static inline void ev3_raw(ev3_frame *frame, const void *bytes, size_t count)
 {
     if (count > EV3_MAX_FRAME - frame->size) {
@@ -216,7 +216,7 @@ static inline void ev3_local(ev3_frame *frame, uint32_t index)
         ev3_raw(frame, lv4, sizeof lv4);
 }
 
-/* The same of a global variable: what the reply carries from byte $HEADER_SIZE + index on */
+/* The same for a global variable, which the reply carries from byte $HEADER_SIZE + index on */
 static inline void ev3_global(ev3_frame *frame, uint32_t index)
 {
     const uint8_t gv0[] = {GV0(index)}, gv1[] = {GV1(index)}, gv2[] = {GV2(index)}, gv4[] = {GV4(index)};
@@ -243,7 +243,7 @@ static inline void ev3_operation(ev3_frame *frame, int opcode, int command)
     ev3_integer(frame, command);
 }
 
-/* Writes the length field. Returns the bytes of the frame, 0 where something did not fit */
+/* Writes the length field. Returns the bytes of the frame, 0 if something did not fit */
 static inline size_t ev3_end(ev3_frame *frame)
 {
     const size_t length = frame->size - $LENGTH_FIELD;
@@ -257,17 +257,17 @@ static inline size_t ev3_end(ev3_frame *frame)
 /* Reading a reply ------------------------------------------------------------------------------------------------ */
 
 /*
- * What came, from its length field on, and how many bytes of it are there. Every reader returns 0 where the bytes that
- * it needs are not there, and leaves its value as it was.
+ * Readers take the received bytes, from the length field on, and their count. A reader returns 0 if bytes that it needs
+ * are missing, and then leaves its value unchanged.
  */
 
-/* Bytes of the frame that starts here, as its length field says; 0 where that has not come */
+/* Bytes of the frame that starts here, by its length field; 0 if that is missing */
 static inline size_t ev3_size(const uint8_t *bytes, size_t count)
 {
     return count < $LENGTH_FIELD ? 0 : (size_t)(bytes[0] | bytes[1] << 8) + $LENGTH_FIELD;
 }
 
-/* The message counter: that of the command which is answered */
+/* The message counter, which is that of the command */
 static inline int ev3_counter(const uint8_t *bytes, size_t count, uint16_t *counter)
 {
     if (count < $HEADER_SIZE)
@@ -276,19 +276,19 @@ static inline int ev3_counter(const uint8_t *bytes, size_t count, uint16_t *coun
     return 1;
 }
 
-/* The type: DIRECT_REPLY, DIRECT_REPLY_ERROR, SYSTEM_REPLY, ...; -1 where it has not come */
+/* The type: DIRECT_REPLY, DIRECT_REPLY_ERROR, SYSTEM_REPLY, ...; -1 if it is missing */
 static inline int ev3_type(const uint8_t *bytes, size_t count)
 {
     return count < $HEADER_SIZE ? -1 : bytes[$HEADER_SIZE - 1];
 }
 
-/* The status of the reply to a system command, such as SYSTEM_SUCCESS; -1 where it has not come */
+/* The status of the reply to a system command, such as SYSTEM_SUCCESS; -1 if it is missing */
 static inline int ev3_status(const uint8_t *bytes, size_t count)
 {
     return count < $HEADER_SIZE + 2 ? -1 : bytes[$HEADER_SIZE + 1];
 }
 
-/* Bytes of global memory from an index on, as many as a value has; NULL where the reply does not have them */
+/* The bytes of a value in global memory, from an index on; NULL if the reply does not have them */
 static inline const uint8_t *ev3_memory(const uint8_t *bytes, size_t count, size_t index, size_t wanted)
 {
     const size_t end = ev3_size(bytes, count) < count ? ev3_size(bytes, count) : count;
@@ -297,7 +297,7 @@ static inline const uint8_t *ev3_memory(const uint8_t *bytes, size_t count, size
     return bytes + $HEADER_SIZE + index;
 }
 
-/* What an operation wrote to GV(index): a number of 8, 16 or 32 bits, or a float */
+/* The value that an operation wrote to GV(index): a number of 8, 16 or 32 bits, or a float */
 static inline int ev3_reply8(const uint8_t *bytes, size_t count, size_t index, int8_t *value)
 {
     const uint8_t *found = ev3_memory(bytes, count, index, 1);

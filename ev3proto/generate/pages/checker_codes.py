@@ -11,7 +11,7 @@ from ev3proto.generate.pages.markdown import block, link, plain, table
 
 
 def blocks() -> Iterator[str]:
-    """Yields what the page has below its title."""
+    """Yields the blocks of the page."""
     yield (
         "Each finding of `ev3proto check` and `ev3proto.check` has a code, whose meaning never changes. `E` is an"
         " error: the command will not do what was meant. `W` is a warning: it may not. `H` is a hint: something could"

@@ -22,7 +22,7 @@ OTHERS = {
 
 
 def blocks() -> Iterator[str]:
-    """Yields what the page has below its title."""
+    """Yields the blocks of the page."""
     yield "This reference is generated from the tables of ev3proto and from the program itself."
     yield "## The instruction set"
     rows = (

@@ -11,7 +11,7 @@ from ev3proto.tables.enumerations import ENUMERATIONS
 
 
 def blocks() -> Iterator[str]:
-    """Yields what the page has below its title."""
+    """Yields the blocks of the page."""
     yield (
         "The names that the firmware gives to numbers. In Python each is a class of `ev3proto.enums`. Where all names"
         " of one have a word in common, they have a name without it, too: `enums.LEDPATTERN.LED_RED_FLASH` is"

@@ -13,7 +13,7 @@ _MOST_PLACES = 4
 
 
 def blocks() -> Iterator[str]:
-    """Yields what the page has below its title."""
+    """Yields the blocks of the page."""
     yield (
         "This page lists everything that `--filter` accepts. [Filters](../filters.md) shows filters on captures;"
         " `ev3proto decode --help-filter` prints this list."

@@ -17,7 +17,7 @@ from ev3proto.tables.system import SYSTEM
 
 
 def blocks() -> Iterator[str]:
-    """Yields what the page has below its title."""
+    """Yields the blocks of the page."""
     yield "## Message types"
     yield table(("byte", "name"), ((f"0x{each.value:02X}", code(each.name)) for each in MessageType))
     yield "## Opcodes"

@@ -19,7 +19,7 @@ _MOST_NAMES = 8
 
 
 def blocks(area: str) -> Iterator[str]:
-    """Yields what the page has below its title."""
+    """Yields the blocks of the page."""
     yield f"The operations of the firmware's area `{area}`. [How to read this](index.md#how-to-read-an-entry)."
     opcodes = AREAS[area]
     yield table(("opcode", "operation", "what it does"), (_summary(entry) for entry in declarations(opcodes)))

@@ -23,7 +23,7 @@ _SECTIONS = ("Args", "Returns", "Raises", "Yields", "Attributes")
 
 
 def blocks() -> Iterator[str]:
-    """Yields what the page has below its title."""
+    """Yields the blocks of the page."""
     yield (
         "The public names of the package. The functions of `ev3proto.ops` are listed with their operations in the"
         " reference of the instruction set, those of `ev3proto.enums` with the [enumerations](enumerations.md)."

@@ -11,7 +11,7 @@ from ev3proto.tables.system import SYSTEM, UNUSED_STATUSES, Field, SystemCommand
 
 
 def blocks() -> Iterator[str]:
-    """Yields what the page has below its title."""
+    """Yields the blocks of the page."""
     yield (
         "What a brick is sent besides byte code: a number, then fields. A reply repeats the number, then has a"
         " [status](#statuses) and its own fields. Numbers are little-endian, texts end at a zero."

@@ -5987,7 +5987,8 @@ do
 
     -- By identification byte: its encoding and, for short forms, the value.
     local SHORT_VALUES = {}
-    reading.ENCODINGS = {}
+    local ENCODINGS = {}
+    reading.ENCODINGS = ENCODINGS
     local SCOPES = { [LOCAL] = "LV(", [GLOBAL] = "GV(" }
     for _, row in ipairs(ENCODING_ROWS) do
         local kind, width = row[4], row[5]
@@ -5999,7 +6000,7 @@ do
             read = (scope and READ_UNSIGNED or READ_SIGNED)[width], is_long = kind == CONSTANT and width == 4,
         }
         for first = row[1], row[2] do
-            reading.ENCODINGS[first] = encoding
+            ENCODINGS[first] = encoding
             if row.value then SHORT_VALUES[first] = row.value + first - row[1] end
         end
     end
@@ -6022,10 +6023,10 @@ do
         local first = byte(text, at + 1)
         if not first then
             return at, "the frame ends before the argument " .. name, "cut_off"
-        elseif not reading.ENCODINGS[first] then
+        elseif not ENCODINGS[first] then
             local reason = "undefined identification byte 0x%02X (argument %s)"
             return at, format(reason, first, name), "fault"
-        elseif reading.ENCODINGS[first].kind == CONSTANT_TEXT then
+        elseif ENCODINGS[first].kind == CONSTANT_TEXT then
             local reason = "the string %s runs past the end of the frame: its terminating zero is missing"
             return at, format(reason, name), "cut_off"
         end
@@ -6035,7 +6036,7 @@ do
     -- Reads the argument at an offset: its encoding, value, and the offset after it; else nil.
     local function read_argument(text, at, is_float)
         local first = byte(text, at + 1)
-        local encoding, value = reading.ENCODINGS[first], SHORT_VALUES[first]
+        local encoding, value = ENCODINGS[first], SHORT_VALUES[first]
         if value then return encoding, value, at + 1 end
         if not encoding then return nil end
         if encoding.kind == CONSTANT_TEXT then
@@ -6555,6 +6556,8 @@ local operations = {}
 do
     local add, set_len, append_text = TreeItem.add, TreeItem.set_len, TreeItem.append_text
     local new_range = Tvb.range
+    local select_operation, read_arguments = reading.select_operation, reading.read_arguments
+    local argument_text, plural = phrases.argument_text, phrases.plural
     local NO_LENGTHS = {}
     local VARIABLE, OPCODE, CMD, ENCODING = field.variable, field.opcode, field.cmd, field.encoding
 
@@ -6590,7 +6593,7 @@ do
     local function complain_of_index(item, parameter, encoding, index, alignment)
         local reason = "%s: the index of a %s must be a multiple of %d, the brick refuses %s"
         local sort = encoding.handle and "handle" or TYPE_NAMES[parameter.type]
-        local variable = phrases.argument_text(parameter, encoding, index)
+        local variable = argument_text(parameter, encoding, index)
         complain(item or root, "misaligned", format(reason, parameter.name, sort, alignment, variable))
     end
 
@@ -6614,14 +6617,14 @@ do
         is_beyond = true
         complain(item or root, "beyond_memory", format(
             "%s reaches up to byte %d of the %s memory, but the command requests %s",
-            parameter.name, index + size, is_global and "global" or "local", phrases.plural(asked, "byte")))
+            parameter.name, index + size, is_global and "global" or "local", plural(asked, "byte")))
     end
 
     -- Appends an argument to the line of its operation.
     local function say_argument(parameter, encoding, value)
         said_count = said_count + 1
         if said_count <= phrases.MOST_VALUES then
-            said = said .. parameter.key .. phrases.argument_text(parameter, encoding, value)
+            said = said .. parameter.key .. argument_text(parameter, encoding, value)
         elseif said_count == phrases.MOST_VALUES + 1 then
             said = said .. " ..."
         end
@@ -6642,7 +6645,7 @@ do
             -- A range costs more than an item: one serves both the argument and its encoding.
             range = new_range(buffer, base + at, 1)
             if encoding.scope then
-                local variable = phrases.argument_text(parameter, encoding, value)
+                local variable = argument_text(parameter, encoding, value)
                 item = add(heading, VARIABLE, range, variable, parameter.label .. ": " .. variable)
             else
                 item = operations.add_value(heading, parameter, range, value, parameter.numbered)
@@ -6683,7 +6686,7 @@ do
         globals, locals, is_beyond, outputs = asked_globals, asked_locals, false, view.outputs
         while at < #text and not fault do
             if item then heading = add(item, OPCODE, new_range(buffer, base + at, 1)) end
-            local selected, after, reason, kind = reading.select_operation(text, at)
+            local selected, after, reason, kind = select_operation(text, at)
             if not selected then
                 fault = { at = after, reason = reason, kind = kind }
                 break
@@ -6694,7 +6697,7 @@ do
             local is_said = item ~= nil or not first
             said, said_count = is_said and "", 0
             local offset
-            after, offset, reason, kind = reading.read_arguments(selected, text, after, show_argument, not is_said)
+            after, offset, reason, kind = read_arguments(selected, text, after, show_argument, not is_said)
             if not first then
                 first, phrase = selected, said
             end
@@ -6708,7 +6711,7 @@ do
         end
         if not first then return "", at, fault end
         local line = first.name .. phrase
-        if count > 1 then line = format("%s (+%s)", line, phrases.plural(count - 1, "operation")) end
+        if count > 1 then line = format("%s (+%s)", line, plural(count - 1, "operation")) end
         return line, at, fault
     end
 

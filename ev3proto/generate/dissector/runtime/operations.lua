@@ -6,6 +6,8 @@ local operations = {}
 do
     local add, set_len, append_text = TreeItem.add, TreeItem.set_len, TreeItem.append_text
     local new_range = Tvb.range
+    local select_operation, read_arguments = reading.select_operation, reading.read_arguments
+    local argument_text, plural = phrases.argument_text, phrases.plural
     local NO_LENGTHS = {}
     local VARIABLE, OPCODE, CMD, ENCODING = field.variable, field.opcode, field.cmd, field.encoding
 
@@ -41,7 +43,7 @@ do
     local function complain_of_index(item, parameter, encoding, index, alignment)
         local reason = "%s: the index of a %s must be a multiple of %d, the brick refuses %s"
         local sort = encoding.handle and "handle" or TYPE_NAMES[parameter.type]
-        local variable = phrases.argument_text(parameter, encoding, index)
+        local variable = argument_text(parameter, encoding, index)
         complain(item or root, "misaligned", format(reason, parameter.name, sort, alignment, variable))
     end
 
@@ -65,14 +67,14 @@ do
         is_beyond = true
         complain(item or root, "beyond_memory", format(
             "%s reaches up to byte %d of the %s memory, but the command requests %s",
-            parameter.name, index + size, is_global and "global" or "local", phrases.plural(asked, "byte")))
+            parameter.name, index + size, is_global and "global" or "local", plural(asked, "byte")))
     end
 
     -- Appends an argument to the line of its operation.
     local function say_argument(parameter, encoding, value)
         said_count = said_count + 1
         if said_count <= phrases.MOST_VALUES then
-            said = said .. parameter.key .. phrases.argument_text(parameter, encoding, value)
+            said = said .. parameter.key .. argument_text(parameter, encoding, value)
         elseif said_count == phrases.MOST_VALUES + 1 then
             said = said .. " ..."
         end
@@ -93,7 +95,7 @@ do
             -- A range costs more than an item: one serves both the argument and its encoding.
             range = new_range(buffer, base + at, 1)
             if encoding.scope then
-                local variable = phrases.argument_text(parameter, encoding, value)
+                local variable = argument_text(parameter, encoding, value)
                 item = add(heading, VARIABLE, range, variable, parameter.label .. ": " .. variable)
             else
                 item = operations.add_value(heading, parameter, range, value, parameter.numbered)
@@ -134,7 +136,7 @@ do
         globals, locals, is_beyond, outputs = asked_globals, asked_locals, false, view.outputs
         while at < #text and not fault do
             if item then heading = add(item, OPCODE, new_range(buffer, base + at, 1)) end
-            local selected, after, reason, kind = reading.select_operation(text, at)
+            local selected, after, reason, kind = select_operation(text, at)
             if not selected then
                 fault = { at = after, reason = reason, kind = kind }
                 break
@@ -145,7 +147,7 @@ do
             local is_said = item ~= nil or not first
             said, said_count = is_said and "", 0
             local offset
-            after, offset, reason, kind = reading.read_arguments(selected, text, after, show_argument, not is_said)
+            after, offset, reason, kind = read_arguments(selected, text, after, show_argument, not is_said)
             if not first then
                 first, phrase = selected, said
             end
@@ -159,7 +161,7 @@ do
         end
         if not first then return "", at, fault end
         local line = first.name .. phrase
-        if count > 1 then line = format("%s (+%s)", line, phrases.plural(count - 1, "operation")) end
+        if count > 1 then line = format("%s (+%s)", line, plural(count - 1, "operation")) end
         return line, at, fault
     end
 

@@ -51,7 +51,8 @@ do
 
     -- By identification byte: its encoding and, for short forms, the value.
     local SHORT_VALUES = {}
-    reading.ENCODINGS = {}
+    local ENCODINGS = {}
+    reading.ENCODINGS = ENCODINGS
     local SCOPES = { [LOCAL] = "LV(", [GLOBAL] = "GV(" }
     for _, row in ipairs(ENCODING_ROWS) do
         local kind, width = row[4], row[5]
@@ -63,7 +64,7 @@ do
             read = (scope and READ_UNSIGNED or READ_SIGNED)[width], is_long = kind == CONSTANT and width == 4,
         }
         for first = row[1], row[2] do
-            reading.ENCODINGS[first] = encoding
+            ENCODINGS[first] = encoding
             if row.value then SHORT_VALUES[first] = row.value + first - row[1] end
         end
     end
@@ -86,10 +87,10 @@ do
         local first = byte(text, at + 1)
         if not first then
             return at, "the frame ends before the argument " .. name, "cut_off"
-        elseif not reading.ENCODINGS[first] then
+        elseif not ENCODINGS[first] then
             local reason = "undefined identification byte 0x%02X (argument %s)"
             return at, format(reason, first, name), "fault"
-        elseif reading.ENCODINGS[first].kind == CONSTANT_TEXT then
+        elseif ENCODINGS[first].kind == CONSTANT_TEXT then
             local reason = "the string %s runs past the end of the frame: its terminating zero is missing"
             return at, format(reason, name), "cut_off"
         end
@@ -99,7 +100,7 @@ do
     -- Reads the argument at an offset: its encoding, value, and the offset after it; else nil.
     local function read_argument(text, at, is_float)
         local first = byte(text, at + 1)
-        local encoding, value = reading.ENCODINGS[first], SHORT_VALUES[first]
+        local encoding, value = ENCODINGS[first], SHORT_VALUES[first]
         if value then return encoding, value, at + 1 end
         if not encoding then return nil end
         if encoding.kind == CONSTANT_TEXT then

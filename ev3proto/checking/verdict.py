@@ -115,7 +115,7 @@ OBJECT_END = with_effect(Effect.ENDS_CODE).opcode.number
 """The opcode that ends the code."""
 
 # Rule 1. At least as many zeros as an operation reads after the parameter that reaches beyond the end.
-_BEYOND = bytes((OBJECT_END,)) + bytes(160)
+_AFTER_FRAME = bytes((OBJECT_END,)) + bytes(160)
 
 # Rule 6: an undefined form takes no more bytes, and is accepted.
 _UNDEFINED: Form = (Encoding("", CONSTANT, 0), lambda _data, _at: (0,), 1)
@@ -162,7 +162,7 @@ class Validator:
             end: The end of the code.
             starts: A list to which the offset of every operation is added.
         """
-        data = frame[:end] + _BEYOND
+        data = frame[:end] + _AFTER_FRAME
         while at < end:
             start = at
             if starts is not None:

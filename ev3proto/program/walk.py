@@ -21,7 +21,7 @@ SIZE_AT = len(SIGN)
 VERSION_AT = SIZE_AT + 4
 """Offset of the version."""
 
-_BEYOND = bytes(256)
+_AFTER_IMAGE = bytes(256)
 """Zeros after the image: more than an operation reads after the parameter that reaches beyond the end."""
 
 
@@ -94,7 +94,7 @@ def walk(image: bytes, dialect: str = "official") -> Walk:
     if refused is not None:
         return Walk(False, SIZE_AT, refused.value.format(stated=stated, count=count, size=len(image)))
     step = validator(dialect, is_latest=RELEASE_VERSION < version <= DEFAULT_VERSION).step
-    data = image + _BEYOND
+    data = image + _AFTER_IMAGE
     objects: list[ObjectRead] = []
     last = None
     for number in range(count):

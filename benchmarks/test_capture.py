@@ -27,7 +27,7 @@ from benchmarks.dialogue import dialogue
 COMPARED = 30_000
 PACKETS = 100_000
 MANY, FEW = 1_000_000, 10_000
-LEAST_RATIO = 18
+LEAST_RATIO = 16
 MOST_GROWTH = 60 << 20
 MOST_BEND = 1.3
 

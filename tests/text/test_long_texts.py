@@ -53,7 +53,7 @@ def test_twice_the_text_takes_twice_the_time(name: str) -> None:
     assert_linear(reading, SIZE, MOST_SIZE)
 
 
-@pytest.mark.parametrize("name", list(EVERY)[:: effort(40, 1)])
+@pytest.mark.parametrize("name", list(EVERY)[:: effort(60, 1)])
 def test_eight_times_the_notation_takes_at_most_ten_times_the_time(name: str) -> None:
     rows = EVERY[name](FRAME)
     whole = " ".join(rows.split("\n"))

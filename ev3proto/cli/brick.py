@@ -22,7 +22,7 @@ from ev3proto.brick.servers.script import Script, ScriptError, read_script
 from ev3proto.brick.servers.server import Options, running
 from ev3proto.cli.ending import stopped_by_signals
 from ev3proto.cli.faults import fault_options
-from ev3proto.cli.options import FILE, FOLDER, PATH, PORT, dialect_option, given_options, incompatible
+from ev3proto.cli.options import FILE, FOLDER, PATH, PORT, Whole, dialect_option, given_options, incompatible
 from ev3proto.cli.output import Failure, Printer, complain, failing_on, failing_to, flush, say
 from ev3proto.tables.discovery import TCP_PORT
 from ev3proto.temporary import temporary_folder
@@ -61,7 +61,7 @@ screenshot_option = click.option(
 @click.option("--wifi/--no-wifi", default=True, help="Let programs connect by WiFi.")
 @click.option(
     "--clients",
-    type=click.IntRange(1, _MOST_CLIENTS),
+    type=Whole(1, _MOST_CLIENTS),
     default=1,
     show_default=True,
     metavar="NUMBER",

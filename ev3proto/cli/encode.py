@@ -17,7 +17,7 @@ import click
 from ev3proto.cli.assembly import assembled_messages
 from ev3proto.cli.captures import CaptureSource
 from ev3proto.cli.inputs import Input, Kind, Piece, Source, introduction, sources
-from ev3proto.cli.options import given_options, incompatible, reply_option
+from ev3proto.cli.options import Whole, given_options, incompatible, reply_option
 from ev3proto.cli.output import binary_output, failing_to, is_terminal, say
 from ev3proto.cli.reading import CaptureOptions, reading_options
 from ev3proto.cli.sources import SourceReader
@@ -246,7 +246,7 @@ class _Version(click.ParamType):
 @click.option("-o", "--output", "path", metavar="FILE", help="Write to this file, not standard output.")
 @click.option(
     "--counter",
-    type=click.IntRange(0, COUNTERS - 1),
+    type=Whole(0, COUNTERS - 1),
     default=0,
     show_default=True,
     metavar="NUMBER",

@@ -26,10 +26,16 @@ class FiniteRange(click.FloatRange):
         return number
 
 
+class Whole(click.IntRange):
+    """A whole number in a range."""
+
+    name = "integer"
+
+
 FILE = click.Path(dir_okay=False, path_type=Path)
 FOLDER = click.Path(file_okay=False, path_type=Path)
 PATH = click.Path(path_type=Path)
-PORT = click.IntRange(0, 65535)
+PORT = Whole(0, 65535)
 """Types of options: a file, a folder, a path of any kind, a TCP port where 0 means a free one."""
 
 

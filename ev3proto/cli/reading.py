@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import click
 
 from ev3proto.bounded import DEFAULT_MEMORY
-from ev3proto.cli.options import dialect_option, incompatible, tshark_option
+from ev3proto.cli.options import Whole, dialect_option, incompatible, tshark_option
 from ev3proto.cli.output import say
 from ev3proto.tables.declaration import DIALECTS
 from ev3proto.tables.discovery import TCP_PORT
@@ -105,7 +105,7 @@ _OPTIONS = (
     click.option(
         "--port",
         "ports",
-        type=click.IntRange(1, 65535),
+        type=Whole(1, 65535),
         multiple=True,
         default=(TCP_PORT,),
         show_default=True,
@@ -147,7 +147,7 @@ _OPTIONS = (
     ),
     click.option(
         "--memory",
-        type=click.IntRange(1, 1 << 16),
+        type=Whole(1, 1 << 16),
         default=DEFAULT_MEMORY // MIB,
         show_default=True,
         metavar="MIB",

@@ -9,7 +9,7 @@ from itertools import islice
 
 import click
 
-from ev3proto.cli.options import AREA, AREAS_HELP, dialect_option, incompatible
+from ev3proto.cli.options import AREA, AREAS_HELP, Whole, dialect_option, incompatible
 from ev3proto.cli.output import Failure, binary_output, complain, say
 from ev3proto.cli.show import FORMATS, Show
 from ev3proto.dialogue import Exchange
@@ -22,12 +22,10 @@ MOST_SEEDS = 1 << 64
 
 
 @click.command()
-@click.option(
-    "-n", "--count", type=click.IntRange(1), default=10, show_default=True, metavar="NUMBER", help="Number of frames."
-)
+@click.option("-n", "--count", type=Whole(1), default=10, show_default=True, metavar="NUMBER", help="Number of frames.")
 @click.option(
     "--seed",
-    type=click.IntRange(0, MOST_SEEDS - 1),
+    type=Whole(0, MOST_SEEDS - 1),
     default=0,
     show_default=True,
     metavar="NUMBER",

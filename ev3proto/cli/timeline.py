@@ -93,4 +93,4 @@ def _nothing(names: str, first: float | None, last: float | None, *, is_timed: b
         if value is not None
     ]
     where = f" {' '.join(limits)}" if limits else ""
-    return f"{names}: there is nothing to draw{where}: no frame was found"
+    return f"{names}: no frame found{where}"

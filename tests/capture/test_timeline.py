@@ -648,7 +648,7 @@ def test_a_filter_keeps_replies_with_their_commands(tmp_path: Path) -> None:
         (("-o", "x.svg", "--from", "3", "--to", "3"), 2, "--from 3 must be less than --to 3"),
         (("-o", "x.svg", "--from", "nan"), 2, "nan is not a finite number"),
         (("-o", "x.svg", "--to", "1e300"), 2, "1e+300 is not in the range 0<=x<=1000000000"),
-        (("-o", "x.svg", "--from", "100"), 1, "there is nothing to draw from 100 s"),
+        (("-o", "x.svg", "--from", "100"), 1, "no frame found from 100 s"),
     ],
 )
 def test_complaints(
@@ -664,7 +664,7 @@ def test_a_capture_without_frames(tmp_path: Path) -> None:
     capture = tmp_path / "empty.pcap"
     capture.write_bytes(struct.pack("<IHHiIII", 0xA1B2C3D4, 2, 4, 0, 0, 65535, 1))
     done = run(capture, "-o", tmp_path / "x.html")
-    assert (done.exit_code, done.output) == (1, f"{capture}: there is nothing to draw: no frame was found\n")
+    assert (done.exit_code, done.output) == (1, f"{capture}: no frame found\n")
     assert list(tmp_path.iterdir()) == [capture]
 
 
@@ -712,7 +712,7 @@ def test_a_part_of_a_text_without_times_is_told_in_lines(tmp_path: Path) -> None
     done = run(log, "-o", path, "--from", "7")
     assert (done.exit_code, done.output) == (
         1,
-        f"{said}{log}: there is nothing to draw from line 7: no frame was found\n",
+        f"{said}{log}: no frame found from line 7\n",
     )
 
 

@@ -33,6 +33,7 @@ OF_THE_CALL = {
     " such as 5555",
     "send virtual --timeout nan 01": "Invalid value for '--timeout': nan is not a finite number",
     "send virtual --timeout x 01": "Invalid value for '--timeout': 'x' is not a valid number.",
+    "decode --port x 00": "Invalid value for '--port': 'x' is not a valid integer.",
     "encode --version 99999 x": "Invalid value for '--version': invalid version 99999; expected a whole number from 0"
     " to 65535, such as 0x6D",
     "encode --to rbf --counter 3 x": "--counter and --to rbf or -o FILE.rbf cannot be used together",

@@ -42,7 +42,7 @@ MOST_BYTES = 900
 MOST_EACH = {"one line": 60, "-V": 250}
 """Additional microseconds per packet on any carrier. It is not a ratio, as tshark without the dissector does almost
 nothing with the contents of USB and Bluetooth packets."""
-LONG, LONG_ROUNDS, MOST_LONG, MOST_LONG_BYTES = 150_000, 2, 2.3, 150
+LONG, LONG_ROUNDS, MOST_LONG, MOST_LONG_BYTES = 150_000, 2, 2.5, 150
 """The same for a long capture: commands, rounds, and the limit for one line."""
 
 

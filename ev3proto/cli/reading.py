@@ -18,7 +18,6 @@ from ev3proto.text.paste import Missing
 
 if TYPE_CHECKING:
     from ev3proto.capture.filter import Filter, FilterError
-    from ev3proto.text.paste import Missing
 
 
 BUILTIN = "builtin"

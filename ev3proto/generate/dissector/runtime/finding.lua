@@ -103,7 +103,6 @@ do
         return count
     end
 
-
     -- Finds where a stream that is out of step continues, from an offset on. Returns the place of a complete frame
     -- without a fault, and the number of headers after it, at least `least`; else the place of an incomplete frame that
     -- may have no fault; else nil. Packets start at `first` and `second`: a frame there may have faults, or be followed

@@ -174,7 +174,7 @@ class Fix:
 
 
 class Uses:
-    """Functions of higher floors that a report calls; each is registered when its module is loaded.
+    """Functions of higher layers that a report calls; each is registered when its module is loaded.
 
     fix          fixes a frame: `checking.fixing`
     report_text  the printed text of a report

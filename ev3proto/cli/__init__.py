@@ -1,1 +1,1 @@
-"""The command line: one module a subcommand, which turns arguments into calls of the floors below."""
+"""The command line: one module a subcommand, which turns arguments into calls of the layers below."""

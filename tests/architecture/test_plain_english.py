@@ -46,7 +46,7 @@ FOLDERS = (
     "tests",
 )
 SUFFIXES = {"", ".css", ".h", ".html", ".js", ".ksy", ".lua", ".md", ".py", ".toml", ".yml"}
-NOT_READ = {"tests/house/test_plain_english.py"}
+NOT_READ = {"tests/architecture/test_plain_english.py"}
 
 _PHRASE = re.compile(
     rf"\b(?:{'|'.join(RIGHT)}|{'|'.join(f'({phrase})' for phrase in PHRASES)})(?!\w)".replace(" ", GAP), re.IGNORECASE

@@ -1,4 +1,4 @@
-"""The floors of the house, as in CONTRIBUTING.md: files import from lower floors only, and never in a circle."""
+"""The layers of the architecture, as in CONTRIBUTING.md: files import from lower layers only, and never in a circle."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from pathlib import Path
 ROOT = Path(__file__).parents[2]
 PACKAGE = ROOT / "ev3proto"
 
-FLOORS = (
+LAYERS = (
     {"tables", "errors", "version", "temporary", "whole_files", "bounded", "extras"},
     {"messages"},
     {"schema", "enums"},
@@ -30,7 +30,7 @@ FLOORS = (
     {"cli"},
     {"__main__"},
 )
-"""From below. Parts of one floor do not import each other."""
+"""Lowest first. Packages of one layer do not import each other."""
 
 
 def _module(path: Path) -> str:
@@ -60,32 +60,33 @@ def _imports(path: Path) -> Iterator[str]:
 IMPORTS = {module: set(_imports(path)) - {module} for module, path in FILES.items()}
 
 
-def _part(module: str) -> str:
+def _package(module: str) -> str:
     return module.split(".")[1] if "." in module else ""
 
 
-def test_every_part_has_a_floor() -> None:
-    placed = [part for floor in FLOORS for part in floor]
+def test_every_package_has_a_layer() -> None:
+    placed = [package for layer in LAYERS for package in layer]
     assert len(placed) == len(set(placed))
-    # The package itself offers names of all floors.
-    assert {_part(module) for module in FILES} == {"", *placed}
+    # ev3proto itself exports names of all layers.
+    assert {_package(module) for module in FILES} == {"", *placed}
 
 
-def test_the_floors_are_those_of_the_table() -> None:
+def test_the_layers_are_those_of_contributing() -> None:
     table = re.findall(r"^\| (\d+) \| (`.*?) \|", (ROOT / "CONTRIBUTING.md").read_text(), re.MULTILINE)
-    listed = {int(number): set(re.findall(r"`(\w+)`", parts)) for number, parts in table}
-    assert listed == dict(enumerate(FLOORS))
+    listed = {int(number): set(re.findall(r"`(\w+)`", packages)) for number, packages in table}
+    assert listed == dict(enumerate(LAYERS))
 
 
-def test_everything_leans_on_lower_floors_only() -> None:
-    height = {part: number for number, floor in enumerate(FLOORS) for part in floor}
-    leaning = [
+def test_files_import_from_lower_layers_only() -> None:
+    height = {package: number for number, layer in enumerate(LAYERS) for package in layer}
+    upward = [
         f"{module} imports {other}"
         for module, others in IMPORTS.items()
         for other in others
-        if _part(module) not in ("", _part(other)) and height.get(_part(other), len(FLOORS)) >= height[_part(module)]
+        if _package(module) not in ("", _package(other))
+        and height.get(_package(other), len(LAYERS)) >= height[_package(module)]
     ]
-    assert leaning == []
+    assert upward == []
 
 
 def test_no_files_import_each_other_in_a_circle() -> None:

@@ -43,25 +43,20 @@ class Finding:
     parameter: str | None = None
 
     def as_dict(self) -> dict[str, Any]:
-        """Returns it as a dictionary for other tools, `help` as `mend`; keys that do not apply are absent."""
+        """Returns it as a dictionary for other tools; keys that do not apply are absent."""
         entry: dict[str, Any] = {
             "severity": self.severity,
             "code": self.code,
             "offset": self.offset,
             "length": self.length,
             "message": self.message,
-            "mend": self.help,
+            "help": self.help,
         }
         if self.operation is not None:
             entry["operation"] = self.operation
         if self.parameter is not None:
             entry["parameter"] = self.parameter
         return entry
-
-    @property
-    def mend(self) -> str:
-        """`help` by its former name."""
-        return self.help
 
 
 @dataclass(frozen=True, slots=True)
@@ -159,17 +154,12 @@ class Fix:
         """Returns what `ev3proto check --fix` prints."""
         return uses.fix_text(self)
 
-    @property
-    def unmended(self) -> tuple[str, ...]:
-        """`unfixed` by its former name."""
-        return self.unfixed
-
     def as_dict(self) -> dict[str, Any]:
         """Returns it as a dictionary for other tools; `hex` is the fixed frame."""
         return {
             **self.report.as_dict(),
             "changes": [change.as_dict() for change in self.changes],
-            "unmended": list(self.unfixed),
+            "unfixed": list(self.unfixed),
         }
 
 

@@ -91,7 +91,7 @@ def source_findings(error: AssemblyError | None = None, warnings: Iterable[Sourc
             "offset": 0,
             "length": 0,
             "message": one.reason,
-            "mend": f"change line {one.line} of the source",
+            "help": f"change line {one.line} of the source",
             "line": one.line,
             "column": one.column,
         }

@@ -278,7 +278,7 @@ def test_a_fix_makes_a_frame_better_or_nothing(frame: bytes) -> None:
 
 @many
 @given(frames() | mutated_frames())
-def test_mending_changes_no_constant_and_no_order(frame: bytes) -> None:
+def test_fixing_changes_no_constant_and_no_order(frame: bytes) -> None:
     fixed = fix(frame)
     assert (fixed.frame == frame) == (not fixed.changes)
     if not any(change.what == "length field" for change in fixed.changes):

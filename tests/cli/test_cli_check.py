@@ -36,7 +36,7 @@ def test_json() -> None:
     (finding,) = (found for found in entry["findings"] if found["severity"] == "error")
     assert (finding["offset"], finding["length"]) == (9, 1)
     assert (finding["operation"], finding["parameter"]) == ("UI_READ.GET_VBATT", "VALUE")
-    assert {"code", "message", "mend"} < set(finding)
+    assert {"code", "message", "help"} < set(finding)
 
 
 def test_a_log_with_good_and_bad_frames(tmp_path: Path) -> None:
@@ -120,7 +120,7 @@ def test_a_fixed_frame_as_json() -> None:
     assert (entry["hex"], entry["accepted"], entry["findings"]) == (VOLTAGE_BYTES, True, [])
     (change,) = entry["changes"]
     assert (change["what"], change["after"]) == ("type", "DIRECT_COMMAND_REPLY")
-    assert entry["unmended"] == []
+    assert entry["unfixed"] == []
 
 
 def test_fixed_frames_can_be_given_on() -> None:
@@ -194,7 +194,7 @@ def test_json_has_what_is_wrong_with_a_source(tmp_path: Path) -> None:
             "offset": 0,
             "length": 0,
             "message": "unknown operation FOO",
-            "mend": "change line 3 of the source",
+            "help": "change line 3 of the source",
             "line": 3,
             "column": 3,
         },
@@ -204,7 +204,7 @@ def test_json_has_what_is_wrong_with_a_source(tmp_path: Path) -> None:
             "offset": 0,
             "length": 0,
             "message": "x is declared already",
-            "mend": "change line 5 of the source",
+            "help": "change line 5 of the source",
             "line": 5,
             "column": 9,
         },

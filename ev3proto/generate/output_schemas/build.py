@@ -63,9 +63,9 @@ def _check() -> Schema:
         "findings": list_of(reference("finding")),
         "hex": HEX,
         "changes": list_of(object_of({field.name: TEXT for field in fields(Change)})),
-        "unmended": list_of(TEXT),
+        "unfixed": list_of(TEXT),
     }
-    return object_of(properties, "source", "packet", "line", "column", "changes", "unmended")
+    return object_of(properties, "source", "packet", "line", "column", "changes", "unfixed")
 
 
 def _counts() -> Schema:
@@ -80,7 +80,7 @@ def _finding() -> Schema:
         "offset": WHOLE,
         "length": WHOLE,
         "message": TEXT,
-        "mend": TEXT,
+        "help": TEXT,
         "operation": TEXT,
         "parameter": TEXT,
         "line": WHOLE,

@@ -17,7 +17,7 @@ from ev3proto.checking.codes import CODES, Code
 from ev3proto.checking.fixing import fix
 from ev3proto.checking.program_codes import PROGRAM_CODES
 from ev3proto.checking.report import Finding, Fix, Report
-from ev3proto.cli.inputs import SOURCE_SUFFIX, Piece, Source, introduction, sources
+from ev3proto.cli.inputs import SOURCE_SUFFIX, Source, introduction, sources
 from ev3proto.cli.options import given_options, incompatible, json_option
 from ev3proto.cli.output import Printer, complain
 from ev3proto.cli.reading import CaptureOptions, reading_options
@@ -27,6 +27,7 @@ from ev3proto.tables.carriers import CARRIERS
 from ev3proto.text.diagnostics import diagnostics, explanation, fixed
 from ev3proto.text.paste import Pasted
 from ev3proto.text.spans import Line, Role
+from ev3proto.text.splitting import Piece
 
 if TYPE_CHECKING:
     from ev3proto.capture.record import Record

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from ev3proto.cli.inputs import Piece, Source, sources
+from ev3proto.cli.inputs import Source, sources
 from ev3proto.cli.options import incompatible
 from ev3proto.cli.output import complain
 from ev3proto.cli.reading import MIB, CaptureOptions, given_up, reading_options
@@ -16,6 +16,7 @@ from ev3proto.cli.sources import SourceReader
 from ev3proto.dialogue import Dialogue
 from ev3proto.text.paste import Pasted
 from ev3proto.text.phrases import Seen
+from ev3proto.text.splitting import Piece
 
 if TYPE_CHECKING:
     from ev3proto.cli.captures import CaptureSource

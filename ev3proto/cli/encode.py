@@ -16,7 +16,7 @@ import click
 
 from ev3proto.cli.assembly import assembled_messages
 from ev3proto.cli.captures import CaptureSource
-from ev3proto.cli.inputs import Input, Kind, Piece, Source, introduction, sources
+from ev3proto.cli.inputs import Input, Kind, Source, introduction, sources
 from ev3proto.cli.options import Whole, given_options, incompatible, reply_option
 from ev3proto.cli.output import binary_output, failing_to, is_terminal, say
 from ev3proto.cli.reading import CaptureOptions, reading_options
@@ -33,6 +33,7 @@ from ev3proto.text.json_format.to_messages import RecordError, frames_in, read_r
 from ev3proto.text.paste import Pasted, read_argument
 from ev3proto.text.phrases import Seen, heading
 from ev3proto.text.spans import plain_text
+from ev3proto.text.splitting import Piece
 from ev3proto.whole_files import whole_file
 
 _START = 8

@@ -10,7 +10,7 @@ import click
 from ev3proto.capture.text_log import Clock
 from ev3proto.cli.captures import CaptureSource
 from ev3proto.cli.commands import Group
-from ev3proto.cli.inputs import Piece, Source, sources
+from ev3proto.cli.inputs import Source, sources
 from ev3proto.cli.options import FOLDER, FiniteRange, dialect_option
 from ev3proto.cli.output import (
     binary_output,
@@ -32,6 +32,7 @@ from ev3proto.generate.kaitai import build as description
 from ev3proto.generate.tables_json import build as tables
 from ev3proto.tables.carriers import CARRIERS, DEFAULT_CARRIER
 from ev3proto.text.paste import Pasted
+from ev3proto.text.splitting import Piece
 from ev3proto.whole_files import whole_file
 
 _MOST_INTERVAL = 3_600_000.0

@@ -18,14 +18,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ev3proto.cli.output import Awaited
-from ev3proto.messages import Message
-from ev3proto.schema.frame import parse
-from ev3proto.schema.header import HEADER_SIZE, frame_size, may_have_length
+from ev3proto.schema.header import HEADER_SIZE, may_have_length
 from ev3proto.tables.encoding import STRING_CODING
-from ev3proto.tables.frame import LENGTH_FIELD, REPORT_SIZES, MessageType
+from ev3proto.tables.frame import MessageType
 from ev3proto.tables.program import SIGN
 from ev3proto.text.paste import MAX_LINE, Missing, Pasted, read_bare, read_text
 from ev3proto.text.spans import visible
+from ev3proto.text.splitting import frame_ends, split
 
 if TYPE_CHECKING:
     from ev3proto.capture.formats import CaptureFile
@@ -286,44 +285,6 @@ def pieces(lines: Iterable[str], missing: Missing | None, complain: Callable[[st
 # Bytes
 
 
-class Piece(NamedTuple):
-    """A message out of pasted bytes; `padding` bytes without meaning followed it."""
-
-    message: Message
-    padding: int = 0
-
-
-def split(data: bytes, *, dialect: str = "official") -> Iterator[Piece]:
-    """Yields the messages in pasted bytes. Never raises; each message's fault says what is wrong with it."""
-    ends = _whole(data)
-    first = next(_ends(data), 0)
-    if ends is not None:
-        start = 0
-        for end in ends:
-            yield Piece(parse(data[start:end], strict=False, dialect=dialect))
-            start = end
-    elif 0 < first < len(data) and (len(data) in REPORT_SIZES or not any(data[first:])):
-        yield Piece(parse(data[:first], strict=False, dialect=dialect), len(data) - first)
-    else:
-        yield Piece(parse(data, strict=False, dialect=dialect))
-
-
-def _whole(data: bytes) -> Iterator[int] | None:
-    """Returns where the frames end of which data consists; None if it is one frame, or anything else is in it."""
-    return _ends(data) if next(_ends(data), 0) < max(_ends(data), default=0) == len(data) else None
-
-
-def _ends(data: bytes) -> Iterator[int]:
-    """Yields where the frames end when each starts where the one before ended."""
-    at = 0
-    while at + LENGTH_FIELD <= len(data):
-        is_frame = may_have_length(data, at)
-        at += frame_size(data, at)
-        if not is_frame or at > len(data):
-            return
-        yield at
-
-
 MOST_RAW = 1 << 26
 """Bytes of frames that are read from a file which has nothing else; a longer one is refused."""
 
@@ -342,7 +303,7 @@ def _raw_frames(stream: io.BufferedReader[Any], dialect: str) -> Iterator[Pasted
     if len(start) < HEADER_SIZE or not may_have_length(start) or start[-1] not in frozenset(MessageType):
         return None
     data = stream.read(MOST_RAW + 1)
-    ends = _whole(data)
+    ends = frame_ends(data)
     if ends is not None:
         return _cut(data, ends)
     is_frame = all(piece.message.fault is None for piece in split(data, dialect=dialect))

@@ -8,7 +8,7 @@ import click
 
 from ev3proto.capture.dialogues import RequestReply, is_error
 from ev3proto.cli.encode import Encoding, Wants
-from ev3proto.cli.inputs import Piece, Source, sources
+from ev3proto.cli.inputs import Source, sources
 from ev3proto.cli.options import dialect_option, json_option, reply_option
 from ev3proto.cli.output import Failure, complain
 from ev3proto.cli.reading import CaptureOptions
@@ -23,6 +23,7 @@ from ev3proto.link.targets import Target
 from ev3proto.messages import Message
 from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.text.paste import Pasted
+from ev3proto.text.splitting import Piece
 
 
 class Collected:

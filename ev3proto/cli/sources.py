@@ -16,17 +16,16 @@ from ev3proto.cli.inputs import (
     SOURCE_SUFFIX,
     Input,
     Kind,
-    Piece,
     Source,
     introduction,
     pieces,
     recognized,
-    split,
 )
 from ev3proto.cli.output import advancing, complain, progress_bar
 from ev3proto.cli.reading import BUILTIN, CaptureOptions
 from ev3proto.tables.program import MAX_IMAGE
 from ev3proto.text.paste import Pasted, read_argument
+from ev3proto.text.splitting import Piece, split
 
 if TYPE_CHECKING:
     from ev3proto.capture.formats import CaptureFile

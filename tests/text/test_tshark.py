@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 from ev3proto import parse
-from ev3proto.cli.inputs import split
 from ev3proto.text.paste import read_text
+from ev3proto.text.splitting import split
 
 COMMAND = bytes.fromhex("08 00 01 00 00 04 00 81 01 60")
 REPLY = bytes.fromhex("07 00 01 00 02 A4 70 FD 40")

@@ -248,6 +248,23 @@ def test_an_object_declared_twice_in_legos_dialect() -> None:
     assert size == 0
 
 
+def test_labels_of_a_subcall_declared_twice_in_legos_dialect_are_those_of_the_last() -> None:
+    # LEGO's assembler knows a label by its object's name and its own, and by its offset in the image: the last one counts
+    # in both copies, and each copy knows the labels of the other.
+    first = "subcall S\n{\nIN_8 a\nIN_S b 5\nboth:\nJR(both)\nonly:\nJR(other)\n}\n"
+    between = "subcall T\n{\nIN_8 a\nboth:\nJR(both)\n}\n"
+    second = "subcall S\n{\nIN_8 a\nIN_S b 5\nNOP\nother:\nJR(only)\nboth:\nJR(both)\n}\n"
+    image = assemble("vmthread M\n{\n}\n" + first + between + second, dialect="lego").image
+    assert image[16 + 4 * 12 :].hex(" ") == " ".join(
+        (
+            "0a",
+            "02 80 84 05" + " 40 82 17 00" + " 40 82 0f 00" + " 08 0a",
+            "01 80" + " 40 82 fc ff" + " 08 0a",
+            "02 80 84 05 01" + " 40 82 e9 ff" + " 40 82 fc ff" + " 08 0a",
+        )
+    )
+
+
 def test_labels_are_those_of_their_object() -> None:
     source = "vmthread A { x: JR(x) } vmthread B { x: JR(x) NOP() }"
     assert _codes(source) == ["40 82 fc ff 0a", "40 82 fc ff 01 0a"]

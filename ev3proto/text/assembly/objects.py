@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from itertools import accumulate
 from typing import NamedTuple
 
 from ev3proto.errors import BuildError, counted, near_misses
@@ -36,7 +37,7 @@ from ev3proto.text.assembly.names import (
     firmware_names,
     is_object,
 )
-from ev3proto.text.assembly.notations import OF_BASIC, OF_EV3_G, Notation, Rules
+from ev3proto.text.assembly.notations import OF_BASIC, Notation, Rules
 from ev3proto.text.assembly.parsing import Parser
 from ev3proto.text.assembly.settings import OPEN, OWN, Settings
 from ev3proto.text.assembly.syntax import (
@@ -56,7 +57,7 @@ from ev3proto.text.assembly.syntax import (
     Unchecked,
     Value,
 )
-from ev3proto.text.assembly.values import Encoder, Piece, integer, joined
+from ev3proto.text.assembly.values import Encoder, Piece, encoded_parts, integer, part_sizes
 
 _OPCODES = {opcode.name: bytes((opcode.number,)) for opcode in OPCODES}
 _PARAMETERS = {opcode.name: opcode.parameters for opcode in OPCODES if not opcode.commands}
@@ -114,6 +115,7 @@ class _Object:
     parts       bytes, and jumps that cannot be measured yet
     labels      by name: the number of the part that a label precedes
     last        the name of the operation that was written last
+    code        the parts, joined
     """
 
     head: Opening
@@ -126,6 +128,13 @@ class _Object:
     parts: list[Piece] = field(default_factory=list)
     labels: dict[str, int] = field(default_factory=dict)
     last: str = ""
+    code: bytes = b""
+
+    @property
+    def table_size(self) -> int:
+        """Bytes of the table of its parameters."""
+        sizes = (2 if kind is Type.STRING else 1 for _, kind, _ in self.parameters)
+        return 1 + sum(sizes) if self.head.word == _SUBCALL else 0
 
 
 class ProgramAssembler:
@@ -313,11 +322,13 @@ class ProgramAssembler:
 
     def program(self) -> AssembledProgram | None:
         """Returns the program; None where there are errors."""
+        self._declare_labels()
         for one in self._objects:
             if one.alias_of is None and not self.errors:
                 self._body(one)
         if self.errors:
             return None
+        self._join()
         owners = self._owners()
         entries: list[AssembledObject] = []
         first: dict[tuple[object, ...], int] = {}
@@ -326,14 +337,45 @@ class ProgramAssembler:
                 entries.append(self._entry(number, one, owners, first))
         return AssembledProgram(self._settings, self._globals.size, entries)
 
+    def _declare_labels(self) -> None:
+        """Declares all labels. Objects of the same name have them in common."""
+        known: dict[str, dict[str, int]] = {}
+        for one in self._objects:
+            own: dict[str, int] = {}
+            for statement in one.body:
+                if isinstance(statement, Label):
+                    if statement.name in own:
+                        with self._keeping(statement.at):
+                            self._check_twice(statement.at, f"the label {cited(statement.name)} is set already")
+                    own[statement.name] = statement.at
+            one.names.labels = known.setdefault(one.head.name, {})
+            one.names.labels |= own
+
+    def _join(self) -> None:
+        """Encodes the codes. A label that several objects of the same name have is at its place in the last of them."""
+        has_it: dict[tuple[str, str], _Object] = {}
+        for one in self._objects:
+            has_it |= dict.fromkeys(((one.head.name, label) for label in one.labels), one)
+        labels: dict[str, dict[str, int]] = {}
+        starts: list[tuple[int, list[int]]] = []
+        at = 0
+        for one in self._objects:
+            name = one.head.name
+            own = {label: part for label, part in one.labels.items() if has_it[name, label] is one}
+            sizes: list[int] = []
+            with self._keeping(one.head.at):
+                sizes = part_sizes(one.parts, own, self._rules, one.names.labels)
+            start = at + one.table_size
+            ends = list(accumulate(sizes, initial=start))
+            labels.setdefault(name, {}).update((label, ends[part]) for label, part in own.items())
+            starts.append((start, sizes))
+            at = ends[-1]
+        for one, (start, sizes) in zip(self._objects, starts, strict=True):
+            with self._keeping(one.head.at):
+                one.code = encoded_parts(one.parts, sizes, labels[one.head.name], start)
+
     def _body(self, one: _Object) -> None:
         self._names.local = one.names
-        for statement in one.body:
-            if isinstance(statement, Label):
-                if statement.name in one.names.labels:
-                    with self._keeping(statement.at):
-                        self._check_twice(statement.at, f"the label {cited(statement.name)} is set already")
-                one.names.labels[statement.name] = statement.at
         for statement in one.body:
             with self._keeping(statement.at):
                 self._statement(one, statement)
@@ -469,9 +511,9 @@ class ProgramAssembler:
             raise SourceError(head.at, f"{head.name} cannot share the code of object {shares}")
         parameters = tuple(one.parameters) if head.word == _SUBCALL else None
         if shares is None:
-            code = joined(one.parts, one.labels, self._rules)
+            code = one.code
             key = (owner, triggers, size, parameters, code)
-            if self._rules is OF_EV3_G and OWN not in said:
+            if self._rules.shares and OWN not in said:
                 shares = first.get(key)
             first.setdefault(key, number)
         named = self._names.objects[head.name]

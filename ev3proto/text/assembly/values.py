@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 import operator
 import struct
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Container, Mapping, Sequence
 from fractions import Fraction
 from functools import lru_cache
 from itertools import accumulate
@@ -140,12 +140,22 @@ def measure(sizes: list[int], goals: Mapping[int, int], rules: Rules) -> None:
 
 
 def joined(parts: Sequence[Piece], labels: Mapping[str, int], rules: Rules) -> bytes:
-    """Joins the parts of a code, every jump in them worked out. Raises SourceError for jumps that cannot be made.
+    """Joins the parts of a code whose jumps all stay in it; parameters and errors as for `part_sizes`."""
+    sizes = part_sizes(parts, labels, rules)
+    starts = list(accumulate(sizes, initial=0))
+    return encoded_parts(parts, sizes, {name: starts[part] for name, part in labels.items()})
+
+
+def part_sizes(
+    parts: Sequence[Piece], labels: Mapping[str, int], rules: Rules, elsewhere: Container[str] = ()
+) -> list[int]:
+    """Returns the bytes of each part of a code. Raises SourceError for a jump to an unknown label.
 
     Args:
         parts: Bytes and jumps, in their order.
         labels: By name: the number of the part that a label precedes.
         rules: Those of the assembler.
+        elsewhere: Labels of another code; a jump to one has three bytes.
     """
     sizes: list[int] = []
     goals: dict[int, int] = {}
@@ -154,29 +164,40 @@ def joined(parts: Sequence[Piece], labels: Mapping[str, int], rules: Rules) -> b
             sizes.append(len(part))
             continue
         for name in (part.name,) if isinstance(part, PendingJump) else (part.start, part.end):
-            if name not in labels:
+            if name not in labels and name not in elsewhere:
                 hint = near_misses(name, labels) or f": `{cited(name)}:` in front of an operation makes one"
                 raise SourceError(part.at, f"unknown label {cited(name)}{hint}")
         form = "LC4" if isinstance(part, Distance) else part.form
-        sizes.append(JUMP_SIZES[form] if form is not None else 0)
-        if isinstance(part, PendingJump) and form is None:
+        sizes.append(JUMP_SIZES[form or "LC2"])
+        if isinstance(part, PendingJump) and form is None and part.name in labels:
             goals[place] = labels[part.name]
     measure(sizes, goals, rules)
-    starts = list(accumulate(sizes, initial=0))
+    return sizes
+
+
+def encoded_parts(parts: Sequence[Piece], sizes: Sequence[int], labels: Mapping[str, int], start: int = 0) -> bytes:
+    """Joins the parts of a code. Raises SourceError for jumps that are too far.
+
+    Args:
+        parts: Bytes and jumps, in their order.
+        sizes: Bytes of each.
+        labels: Offsets of labels by name.
+        start: Offset of the first part.
+    """
+    ends = accumulate(sizes, initial=start)
+    next(ends)
     return b"".join(
-        part if isinstance(part, bytes) else _encoded_jump(part, place, sizes, starts, labels)
-        for place, part in enumerate(parts)
+        part if isinstance(part, bytes) else _encoded_jump(part, size, end, labels)
+        for part, size, end in zip(parts, sizes, ends, strict=True)
     )
 
 
-def _encoded_jump(
-    part: PendingJump | Distance, place: int, sizes: Sequence[int], starts: Sequence[int], labels: Mapping[str, int]
-) -> bytes:
+def _encoded_jump(part: PendingJump | Distance, size: int, end: int, labels: Mapping[str, int]) -> bytes:
     if isinstance(part, Distance):
-        return encode_as("LC4", starts[labels[part.end]] - starts[labels[part.start]])
-    far = starts[labels[part.name]] - starts[place + 1]
+        return encode_as("LC4", labels[part.end] - labels[part.start])
+    far = labels[part.name] - end
     try:
-        return encode_label(far) if part.form == "LAB1" else encode_as(part.form or FORM_OF_SIZE[sizes[place]], far)
+        return encode_label(far) if part.form == "LAB1" else encode_as(part.form or FORM_OF_SIZE[size], far)
     except BuildError as error:
         raise SourceError(part.at, f"{cited(part.name)} is {far} bytes away: {error}") from None
 

@@ -91,6 +91,7 @@ if TYPE_CHECKING:
     from ev3proto.schema.names import LCS as LCS
     from ev3proto.schema.names import LCX as LCX
     from ev3proto.schema.names import LVX as LVX
+    from ev3proto.schema.names import port_motor_input as port_motor_input
     from ev3proto.stream import Decoder as Decoder
     from ev3proto.stream import StreamError as StreamError
     from ev3proto.tables.frame import MessageType as MessageType
@@ -143,7 +144,10 @@ _NAMES = {
     "ev3proto.schema.discovery": ("Beacon", "Unlock"),
     "ev3proto.schema.frame": ("parse",),
     "ev3proto.schema.instructions": ("operation",),
-    "ev3proto.schema.names": ("ADR", "GVX", "HND", "LAB1", "LC0", "LC1", "LC2", "LC4", "LCF", "LCS", "LCX", "LVX"),
+    "ev3proto.schema.names": (
+        *("ADR", "GVX", "HND", "LAB1", "LC0", "LC1", "LC2", "LC4", "LCF", "LCS", "LCX", "LVX"),
+        "port_motor_input",
+    ),
     "ev3proto.stream": ("Decoder", "StreamError"),
     "ev3proto.tables.frame": ("MessageType",),
     "ev3proto.tables.system": ("SystemStatus",),

@@ -32,7 +32,8 @@ class AsyncEV3(Verbs[Coroutine[Any, Any, bytes], Coroutine[Any, Any, Any]]):
     """A connection to a brick, for one event loop.
 
     `async with AsyncEV3(protocol=...) as my_ev3` connects and closes. It has the methods and properties of `EV3`, to be
-    awaited (`await my_ev3.battery`). Properties are set by methods: `set_name`, `set_volume`, `set_sleep`.
+    awaited where they ask the brick (`await my_ev3.battery`). Those of the brick are set by methods: `set_name`,
+    `set_volume`, `set_sleep`.
     """
 
     def __init__(self, **arguments: Any) -> None:
@@ -68,7 +69,7 @@ class AsyncEV3(Verbs[Coroutine[Any, Any, bytes], Coroutine[Any, Any, Any]]):
 
     @property
     def connected(self) -> EV3:
-        """The connection itself, with `sync_mode`, `verbosity`, `timeout`, `target` and others.
+        """The connection itself.
 
         Raises:
             RuntimeError: It is not connected yet.
@@ -76,6 +77,44 @@ class AsyncEV3(Verbs[Coroutine[Any, Any, bytes], Coroutine[Any, Any, Any]]):
         if self._ev3 is None:
             raise RuntimeError("there is no connection yet: `await connect()`, or `async with AsyncEV3(...)`")
         return self._ev3
+
+    @property
+    def is_open(self) -> bool:
+        """Whether the connection is open, as far as is known."""
+        return self._ev3 is not None and self._ev3.is_open
+
+    @property
+    def target(self) -> str:
+        """The brick as on the command line, such as `usb`."""
+        return self.connected.target
+
+    @property
+    def protocol(self) -> str:
+        """How the brick is reached: the value of BLUETOOTH, USB or WIFI."""
+        return self.connected.protocol
+
+    @property
+    def host(self) -> str | None:
+        """The given address, serial number or port, or None."""
+        return self.connected.host
+
+    @property
+    def sync_mode(self) -> str:
+        """STD, ASYNC or SYNC; it can be set."""
+        return self.connected.sync_mode
+
+    @sync_mode.setter
+    def sync_mode(self, value: str) -> None:
+        self.connected.sync_mode = value
+
+    @property
+    def verbosity(self) -> int:
+        """What is printed: 0 nothing, 1 each frame, 2 also its contents; it can be set."""
+        return self.connected.verbosity
+
+    @verbosity.setter
+    def verbosity(self, value: int) -> None:
+        self.connected.verbosity = value
 
     def _settings(self, sync_mode: str | None) -> tuple[SyncMode, str]:
         return self.connected._settings(sync_mode)

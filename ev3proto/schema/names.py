@@ -289,6 +289,22 @@ def GVX(value: int) -> bytes:
     return encode_variable(GV(_whole(value, "GVX")), "GVX")
 
 
+def port_motor_input(port_output: int) -> bytes:
+    """Returns the port of a motor as INPUT operations take it: `PORT_A_SENSOR` for `PORT_A`.
+
+    Args:
+        port_output: PORT_A, PORT_B, PORT_C or PORT_D.
+
+    Raises:
+        BuildError: The value is anything else.
+    """
+    bits = {1 << number: motor for number, motor in zip(OUTPUT_PORTS, MOTOR_PORTS, strict=True)}
+    number = _whole(port_output, "port_motor_input")
+    if number not in bits:
+        raise BuildError(f"port_motor_input takes one of the ports {', '.join(map(str, bits))}, not {number}")
+    return encode_integer(bits[number])
+
+
 def LAB1(value: int) -> bytes:
     """Returns a label or a short jump of two bytes.
 

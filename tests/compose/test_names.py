@@ -79,12 +79,18 @@ EV3 DirCmdError SysCmdError
 FileSystem Motor Sound Jukebox Voice Touch Color Infrared Ultrasonic Gyro TwoWheelVehicle
 RGBColor RawRGBColor VehiclePosition MotorPositions
 TRIAD ALLE_MEINE_ENTCHEN HAPPY_BIRTHDAY EU_ANTEMN FRERE_JACQUES
-pid port_motor_input
+pid
 """
 """What ev3_dc exports beside constants and encoding functions: connection and exceptions, device classes, which send
-by themselves, their results, songs, a controller, and a lookup that PORT_A_SENSOR and its kin answer."""
+by themselves, their results, songs, and a controller."""
 
-FUNCTIONS: dict[str, Callable[[Any], bytes]] = {"LCX": LCX, "LCS": LCS, "LVX": LVX, "GVX": GVX}
+FUNCTIONS: dict[str, Callable[[Any], bytes]] = {
+    "LCX": LCX,
+    "LCS": LCS,
+    "LVX": LVX,
+    "GVX": GVX,
+    "port_motor_input": ev3proto.port_motor_input,
+}
 
 INDEXES = (-1, 0, 31, 32, 127, 128, 255, 256, 32767, 32768, 65535, 65536, 2**31 - 1, 2**31, 2**32 - 1, 2**32, True, "1")
 NUMBERS = (
@@ -111,6 +117,7 @@ ARGUMENTS: dict[str, tuple[Any, ...]] = {
     "LCS": ("", "myEV3", "größer", "5 €", "a\0b", 5, b"a"),
     "LVX": INDEXES,
     "GVX": INDEXES,
+    "port_motor_input": (0, 1, 2, 3, 4, 8, 15, 16, "1"),
 }
 CALLS = {f"{name}({argument!r})": (name, argument) for name in FUNCTIONS for argument in ARGUMENTS[name]}
 

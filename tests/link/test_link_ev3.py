@@ -468,7 +468,7 @@ def test_a_thousand_commands_in_flight(port: int) -> None:
     assert asyncio.run(talk()) == [struct.pack("<i", number) for number in range(1000)]
 
 
-def test_async_has_the_same_methods(port: int, tmp_path: Path) -> None:
+def test_async_has_the_same_methods_and_properties(port: int, tmp_path: Path) -> None:
     async def talk() -> None:
         async with AsyncEV3(target=f"wifi:127.0.0.1:{port}") as my_ev3:
             await my_ev3.set_name("other")
@@ -485,7 +485,14 @@ def test_async_has_the_same_methods(port: int, tmp_path: Path) -> None:
             assert (await my_ev3.list_dir("../prjs/a")).files[0].size == 3
             await my_ev3.delete("../prjs/a/x")
             assert await my_ev3.send_system_cmd(ev3proto.LIST_OPEN_HANDLES) == bytes(10)
+            assert (my_ev3.target, my_ev3.protocol, my_ev3.host) == (f"wifi:127.0.0.1:{port}", "WiFi", "127.0.0.1")
+            my_ev3.sync_mode, my_ev3.verbosity = ev3proto.SYNC, 0
+            assert await my_ev3.send_direct_cmd(NOP) == b""
+            assert my_ev3.is_open
+        assert not my_ev3.is_open
 
+    names = {name for name in dir(EV3) if not name.startswith("_")} - {"channel", "printer"}
+    assert names <= set(dir(AsyncEV3))
     asyncio.run(talk())
 
 

@@ -23,7 +23,7 @@ ops = b"".join(
     (
         *(ev3.opInput_Device, ev3.READY_SI, ev3.LCX(0), ev3.PORT_A_SENSOR),
         *(ev3.LCX(7), ev3.LCX(0), ev3.LCX(1), ev3.GVX(0)),
-        *(ev3.opInput_Device, ev3.READY_RAW, ev3.LCX(0), ev3.PORT_D_SENSOR),
+        *(ev3.opInput_Device, ev3.READY_RAW, ev3.LCX(0), ev3.port_motor_input(ev3.PORT_D)),
         *(ev3.LCX(7), ev3.LCX(0), ev3.LCX(1), ev3.GVX(4)),
     )
 )

@@ -249,8 +249,8 @@ def test_an_object_declared_twice_in_legos_dialect() -> None:
 
 
 def test_labels_of_a_subcall_declared_twice_in_legos_dialect_are_those_of_the_last() -> None:
-    # LEGO's assembler knows a label by its object's name and its own, and by its offset in the image: the last one counts
-    # in both copies, and each copy knows the labels of the other.
+    # LEGO's assembler knows a label by the names of object and label, and by its offset in the image: the last one
+    # counts in both copies, and each copy knows the labels of the other.
     first = "subcall S\n{\nIN_8 a\nIN_S b 5\nboth:\nJR(both)\nonly:\nJR(other)\n}\n"
     between = "subcall T\n{\nIN_8 a\nboth:\nJR(both)\n}\n"
     second = "subcall S\n{\nIN_8 a\nIN_S b 5\nNOP\nother:\nJR(only)\nboth:\nJR(both)\n}\n"

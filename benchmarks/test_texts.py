@@ -16,7 +16,7 @@ LINES = {
     "log lines": f"2024-01-31 12:30:{{:02}}.123 DEBUG robot: sent {TONE}\n",
     "lines of logcat": f"01-31 12:30:{{:02}}.123  1234  1250 D EV3: send {TONE}\n",
 }
-LEAST = {"hex": 2500, "the lesson's notation": 2500, "log lines": 1500, "lines of logcat": 1500}
+LEAST = {"hex": 5000, "the lesson's notation": 5000, "log lines": 5000, "lines of logcat": 4000}
 """Frames per second below which something is wrong."""
 
 

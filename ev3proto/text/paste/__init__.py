@@ -4,12 +4,13 @@ Frames come out of terminals, source code and bug reports. One rule says what a 
 notation, whose length field fits it exactly, wherever it is in a text and whatever is around it. A reading is chosen by
 the length field, too: `10` is sixteen where the run is a frame with it, and ten where it is one with that.
 
-    cleaning      what is not a byte is blanked: times, casts, comments, the offsets and the text of dumps
-    values        the values in a line, and the runs that they form
-    readings      what a run may represent (hex, decimal, octal, words, base64), and which bytes of it are frames
-    pieces        what is reported of a piece: its bytes, and the time and the direction in front of it
-    reader        lines to frames, also those over several lines
-    mistakes      where a piece breaks off, and the few bytes that an argument may be
+    notations    how values are written, and the bytes of each
+    rows         what is around the values of a row: comments, the columns of dumps, indexes
+    frames       the frames in bytes, and what bytes are that look like one
+    readings     which bytes a run of values is, in each reading that it may have
+    pieces       what is reported of a piece: its bytes, and the time and the direction in front of it
+    reader       lines to frames, also those over several lines
+    mistakes     where a piece breaks off, and the few bytes that an argument may be
 """
 
 from __future__ import annotations
@@ -17,9 +18,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import Literal
 
+from ev3proto.text.paste.frames import bare_reason, is_flawless, with_header, without_length
 from ev3proto.text.paste.pieces import MAX_LINE, MAX_TEXT, Pasted, check_text, short
 from ev3proto.text.paste.reader import Reader, bytes_in
-from ev3proto.text.paste.readings import bare_reason, is_flawless, with_header, without_length
 
 __all__ = ["MAX_LINE", "Missing", "Pasted", "read_argument", "read_bare", "read_text"]
 

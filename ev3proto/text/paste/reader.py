@@ -1,6 +1,7 @@
 """Lines of text to frames, and to what looks like one.
 
-Lines are looked at one by one. A run that reaches to the end of its line and is not a frame yet is kept: the next
+A line is first searched for what every frame has: a value from 0 to 3 after another value, or that many hex digits.
+What has none costs that search and nothing else. A row that ends a line and may begin a frame opens a group: the next
 lines may continue it, and are read as if they were joined.
 """
 
@@ -8,20 +9,27 @@ from __future__ import annotations
 
 import re
 from collections import deque
-from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field, replace
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from ev3proto.schema.header import frame_size, may_have_length
 from ev3proto.tables.frame import MAX_FRAME
-from ev3proto.text.paste.cleaning import clean, repeated_rows, without_columns, without_marks, without_remarks
+from ev3proto.text.paste.frames import bare_reason, is_one_frame, may_begin, reason
+from ev3proto.text.paste.notations import (
+    ANY_STRING,
+    BASE64,
+    EACH,
+    NUMBERS,
+    STRINGS,
+    WIDTH,
+)
 from ev3proto.text.paste.pieces import (
     LEAST,
     MAX_COLLECTED,
     MAX_LINE,
     MAX_TEXT,
     NO_HEAD,
-    Direction,
     Head,
     Pasted,
     announced,
@@ -30,54 +38,74 @@ from ev3proto.text.paste.pieces import (
     head_before,
     short,
 )
-from ev3proto.text.paste.readings import (
-    HASHES,
-    Stretch,
-    bare_reason,
-    boundaries,
-    changes_in,
-    is_one_frame,
-    likely_bytes,
-    may_begin,
-    readings,
-    reason,
-    tried,
-    whole_bytes,
-)
-from ev3proto.text.paste.values import Run, Style, Value, listed, runs, without_indexes
+from ev3proto.text.paste.readings import Reading, Rows, Run, starts_of, tried, whole
+from ev3proto.text.paste.rows import clean, repeated_rows, without_columns, without_indexes, without_remarks
 
-_MAY_HAVE = re.compile(r"^\s*[a-fA-F]\s*$|[0-9\\]|[A-Za-z0-9+/]{8}|\b[a-fA-F]{2}\b")
+_H = "[0-9a-fA-F]"
+_WORD = "[1-9ac-gi-wyzAC-GI-WYZ.]"
+_MAY_HAVE = re.compile(
+    r"[0-3AQgw\\|.\u2026](?:"
+    # The second byte of a frame is 0 to 3: a value of its own, or the second of a group of hex digits.
+    rf"(?<=[0-3])(?:(?<!{_WORD}.)(?<!{_WORD}0.)(?<!{_WORD}00.)(?<!{_WORD}000.)(?:(?![0-9a-gi-tv-zA-Z.])|(?=0x))"
+    rf"|(?<={_H}{{2}}0.)(?:(?=\W?{_H}{{2}}\W?{_H}{{2}}\W?[08][0-589aA])|(?<!\w{_H}{{2}}0.)(?!\w))|(?<=\.0.)(?=\.{_H}{{2}}))"
+    # A small byte is an escape in a string. The lesson's mark and an ellipsis are worth a report.
+    r"|(?<=\\)(?:[xX][0-9a-fA-F]|u00|u\{|[0-3])|(?<=0[xX]\|)|(?<=\.)\.\.|(?<=\u2026)"
+    r"|(?<=[AQgw])[A-P][A-Za-z0-9+/_-]{2}[AQgwIYo4][A-Xg-r])"
+)
+_TIME_FIRST = re.compile(
+    r"(?:\[?(?:(?:\d{4}-)?\d\d[-/]\d\d[T ])?\d\d:\d\d:\d\d(?:[.,]\d+)?(?:Z|[+-]\d\d:?\d\d)?\]?(?=\s)"
+    r"(?:\s+\d{3,5}\s+\d{3,5}\s)?)?"
+)
+"""The date and the time at the start of a line, and the numbers of a process and a thread after them."""
+# A row with one value, its name or index in front of it.
+_ONE = re.compile(
+    rf"[^\w\\]*(?:[A-Za-z_][\w.]*[^\w]{{1,6}})?(?:0[^\w.]{{1,8}}(?=\S))?(?:0[xX]|[$&][hH]?)?{_H}{{1,3}}[hu]?(?!\w)"
+    r"(?:[^\w]*|[^\w]*(?:#|//|;|/\*).*|\s*\(.{1,4}\)\s*|</\w+>\s*|\s+byte\s*)$"
+)
 # What `check` prints under a finding: the frame itself is above it.
 _EXCERPT = re.compile(r"\s*\+\d+ \| ")
 _INDEX_ALONE = re.compile(r"\s*\[\d{1,5}\]\s?=>\s*")
-_CHECK_SUM = re.compile(r"^\s+FCS: 0x([0-9a-fA-F]{2})\b")
+_CHECK_SUM = re.compile(r"\s+FCS: 0x([0-9a-fA-F]{2})\b")
 _DIGITS = re.compile(r"[0-9]+|0x[0-9a-fA-F]+")
-_PREFIX_ENDS = re.compile(r"(?:[)\]>]+:?|:)\s+")
+_PREFIX = re.compile(r"(?:.{0,60}?(?:[)\]>]+:?|:)\s+)?(?:[A-Za-z ]*[g-zG-Z][A-Za-z]*:?\s+)?(?=\S)")
+_LABEL = re.compile(r"\s+[A-Za-z][a-z]*(?:\s[a-z]+)*\s*")
+# A row of what `strace -e write` prints below a call which has the same bytes as a string.
 _STRACE_DUMP = re.compile(r" \| 0[0-9a-f]{4}  ")
-"""A row of what `strace -e write` prints below a call which has the same bytes as a string."""
+_AROUND = " \t\r\n\f\v,;:|+&/\\\"'`<>()[]{}_-="
+_ENDS = ("", "u", "U", "u8", "U8")
 _MOST_STARTS = 8
 _MOST_EMPTY = 3
 _MOST_BEFORE = 4
 _MOST_SHOWN = 20
-_MOST_PREFIX = 3
-_MOST_PARTS = 32
+_MOST_SAID = 16
+_MOST_ONE = 80
+_MOST_WORDS = MAX_COLLECTED
+"""Characters of a line in which a frame may be among words, and which is explained."""
 
 
 class Row(NamedTuple):
     """A line that may be a part of a frame.
 
-    number  its number in the text
-    line    the line
-    run     the part of it that may belong to a frame over several lines
-    listed  the same without an index
-    said    what the line above says of its bytes
+    number      its number in the text
+    line        the line
+    runs        the values that may belong to a frame over several lines; those with an index or a mark only
+    is_head     nothing is in front of them
+    is_tail     nothing follows them
+    has_comma   a comma follows
+    depth       brackets that the line opens and does not close
+    is_labelled words follow
+    said        what the lines above say of its bytes
     """
 
     number: int
     line: str
-    run: Run | None = None
-    listed: Run | None = None
-    said: Head = NO_HEAD
+    runs: tuple[Run | None, Run | None] = (None, None)
+    is_head: bool = False
+    is_tail: bool = False
+    has_comma: bool = False
+    depth: int = 0
+    is_labelled: bool = False
+    has_offset: bool = False
 
 
 @dataclass(slots=True)
@@ -85,23 +113,21 @@ class Track:
     """The runs of consecutive rows, and their bytes by reading: those that fit all of the values."""
 
     runs: list[Run] = field(default_factory=list)
-    numbers: list[int] = field(default_factory=list)
     data: dict[str, bytearray] | None = None
     was_padded: bool = False
 
-    def take(self, run: Run | None, number: int) -> None:
+    def take(self, run: Run | None) -> None:
         """Adds a run; without one no reading fits any more."""
         if self.data is None:
-            self.data = {name: bytearray() for name in (readings(run) if run is not None else ())}
+            self.data = {} if run is None else {name: bytearray() for name in run.names}
         for name in list(self.data):
-            part = None if run is None else whole_bytes(run, name)
+            part = None if run is None else run.data(name)
             if part is None:
                 del self.data[name]
             else:
                 self.data[name] += part
         if run is not None:
             self.runs.append(run)
-            self.numbers.append(number)
 
     def is_complete(self) -> bool:
         """Whether some reading has as many bytes as its length field says."""
@@ -109,23 +135,10 @@ class Track:
         if any(frame_size(data) == len(data) for data in begun):
             return True
         # Zeros after a frame are padding, unless another reading takes them for a part of its frame.
-        is_padded = bool(begun) and not self.was_padded and all(_is_padded(data) for data in begun)
-        self.was_padded = self.was_padded or is_padded
-        return is_padded
-
-    def joined(self, *, is_array: bool) -> Run:
-        """Returns the rows as one run."""
-        run = Run([], [], is_array=is_array, check_sum=self.runs[-1].check_sum)
-        for number, row in zip(self.numbers, self.runs, strict=True):
-            run.values += row.values
-            run.gaps += ["\n" if run.gaps else "", *row.gaps[1:]]
-            run.lines += [number] * len(row.values)
-        return run
-
-
-def _is_padded(data: bytearray) -> bool:
-    end = frame_size(data)
-    return may_have_length(data) and end <= len(data) and not any(data[end:])
+        ends = [(frame_size(data), data) for data in begun]
+        is_padded = bool(ends) and all(end <= len(data) and not any(data[end:]) for end, data in ends)
+        is_second, self.was_padded = is_padded and self.was_padded, self.was_padded or is_padded
+        return is_padded and not is_second
 
 
 @dataclass(slots=True)
@@ -139,13 +152,14 @@ class Group:
     """
 
     was_opened: bool
-    depth: int
     looks: Pasted | None
     in_comment: bool
+    size: int
+    said: Head
+    depth: int = 0
     rows: list[Row] = field(default_factory=list)
     tracks: tuple[Track, Track] = field(default_factory=lambda: (Track(), Track()))
     last: Row = field(default_factory=lambda: Row(0, ""))
-    size: int = 0
     has_commas: bool = True
     has_gap: bool = False
     empty: int = 0
@@ -158,11 +172,12 @@ class Group:
     def add(self, row: Row) -> None:
         """Adds another row."""
         self.rows.append(row)
-        if row.run is not None:
-            self.has_commas = self.has_commas and (self.last.run is None or self.last.run.has_comma)
+        self.depth += row.depth
+        if row.runs[0] is not None:
+            self.has_commas = self.has_commas and (not self.last.number or self.last.has_comma)
             self.last, self.empty = row, 0
-            self.tracks[0].take(row.run, row.number)
-            self.tracks[1].take(row.listed, row.number)
+            for track, run in zip(self.tracks, row.runs, strict=True):
+                track.take(run)
 
     @property
     def live(self) -> list[Track]:
@@ -176,10 +191,9 @@ class Group:
     def fill(self, line: str) -> bool:
         """Adds the rows that a `*` replaces; tells whether the offset in the line says how many they are."""
         self.has_gap = False
-        last = self.last
-        assert last.run is not None
+        last, run = self.last, self.last.runs[0]
         for name, data in (self.tracks[0].data or {}).items():
-            size = len(whole_bytes(last.run, name) or b"")
+            size = len(run.data(name) or b"") if run is not None else 0
             count = repeated_rows(last.line, line, size, len(data))
             if count is not None and len(data) + count * size <= MAX_FRAME + size:
                 for _ in range(count):
@@ -193,10 +207,8 @@ class Reader:
 
     def __init__(self) -> None:
         self._group: Group | None = None
-        self._opens = self._was_opened = self._has_frame = False
-        self._said = NO_HEAD
-        self._check_sum: int | None = None
-        self._parts: deque[tuple[Row, bytes]] = deque(maxlen=_MOST_PARTS)
+        self._before: deque[str] = deque(maxlen=_MOST_SAID)
+        self._has_frame = False
         self._found: list[Pasted] = []
 
     def read(self, lines: Iterable[str]) -> Iterator[Pasted]:
@@ -207,117 +219,194 @@ class Reader:
                 self._close()
                 problem = f"the line has more than {MAX_LINE} characters and was not read"
                 self._found.append(Pasted(b"", number, short(line, MAX_TEXT), problem=problem))
+            elif self._group is not None or _may_have(line):
+                self._take(line, number)
             else:
-                self._take(line.rstrip("\r\n"), number)
-            yield from self._found
-            self._found.clear()
+                self._has_frame = False
+                self._before.append(line)
+            if self._found:
+                yield from self._found
+                self._found.clear()
         self._close()
         yield from self._found
 
     def _take(self, line: str, number: int) -> None:
         if self._group is not None:
+            line = line.rstrip("\r\n")
             if self._continues(self._group, line, number):
                 self._finish(self._group)
                 return
             self._close()
-        if self._has_frame and _STRACE_DUMP.match(line):
-            return
+            if not _may_have(line):
+                self._has_frame = False
+                self._before.append(line)
+                return
+        is_shown_again = _EXCERPT.match(line) or (self._has_frame and _STRACE_DUMP.match(line))
         self._has_frame = False
-        said = self._said
-        self._was_opened, self._opens = self._opens, line.rstrip().endswith(("[", "{", "("))
-        if _MAY_HAVE.search(line) is not None and _EXCERPT.match(line) is None:
-            self._first(line, number)
-        else:
-            self._listen(line)
-            if line.strip():
-                self._parts.clear()
-        if self._said is said and line[:1].strip():
-            # What was said of the bytes is true for the line after it, and for those that are indented.
-            self._said, self._check_sum = NO_HEAD, None
+        if not is_shown_again:
+            self._first(line.rstrip("\r\n"), number)
+        if not self._has_frame:
+            self._before.append(line)
+        elif line[:1].strip():
+            # What was said above is true for a line and for those below it that are indented.
+            self._before.clear()
+
+    def _said(self) -> Head:
+        """Returns what the lines above say: the last one, or those above it where these are indented."""
+        for line in reversed(self._before):
+            said = announced(line)
+            if said is not None:
+                return said
+            if line[:1].strip():
+                break
+        return NO_HEAD
 
     def _emit(self, pieces: list[Pasted]) -> bool:
         """Adds frames to what was found; tells whether there are any."""
-        if pieces:
-            self._parts.clear()
-            self._found += pieces
-            self._has_frame = True
+        self._found += pieces
+        self._has_frame = self._has_frame or bool(pieces)
         return bool(pieces)
 
     def _first(self, line: str, number: int) -> None:
         """Reads a line that does not continue others."""
-        whole = clean(line)
-        row, in_comment, found = self._row(line, number, whole, None)
+        text = clean(line)
         looks = None
-        for attempt in self._attempts(row, whole, found):
-            pieces, why = _frames(row, attempt)
+        for runs in self._attempts(text, number):
+            pieces, why = self._frames(runs, line)
             looks = looks or why
             if self._emit(pieces):
                 return
-        self._listen(line)
-        run = row.run
-        if run is not None and run.is_tail and _may_continue(run):
-            depth = run.depth + self._was_opened
-            self._group = Group(run.opened > 0 or self._was_opened, depth, looks, in_comment, size=len(line))
+        row, in_comment = (
+            self._row(line, number, text, None) if len(line) <= _MOST_WORDS else (Row(number, line), False)
+        )
+        if row.runs[0] is not None and row.is_tail and _may_open(row):
+            was_opened = bool(self._before) and self._before[-1].rstrip().endswith(("[", "{", "("))
+            is_open = was_opened or row.depth > 0
+            self._group = Group(is_open, looks, in_comment, len(line), self._said(), int(was_opened))
             self._group.add(row)
         else:
             self._left([row], {number: looks})
 
-    def _attempts(self, row: Row, whole: str, found: list[Run]) -> Iterator[list[Run]]:
-        """Yields the runs of a line as they are, without its remarks, and whatever is between its values."""
-        plain = runs(without_columns(whole))
-        for run in plain:
-            run.check_sum = self._check_sum
-        values = _all(plain)
-        numbered = without_indexes(values, 0, LEAST)
-        yield [listed(numbered)] if numbered is not None else plain
-        if row.run is not None and not any(run.values == row.run.values for run in plain):
-            yield [row.run] if len(row.run.values) == len(_all(found)) else [*found[:-1], row.run]
-        # The same words between the values, or the name of each part in front of it or after it.
-        marked = [value for value in values if value.style is Style.MARKED]
-        if len(plain) > 1 or len(marked) not in (0, len(values)):
-            # Zeros after a word may be an offset, or the bytes that ask for no memory.
-            every = _all(runs(whole))
-            starts = [group[start:] for group in (values, every) for start in range(_MOST_BEFORE)]
-            for some in (marked, *starts):
-                if len(some) >= LEAST - 1 and Style.STRING not in {value.style for value in some}:
-                    best = tried(run := listed(some))[0]
-                    if best.is_whole and is_one_frame(best.stretches[0].data):
-                        yield [run]
+    def _attempts(self, text: str, number: int) -> Iterator[list[Run]]:
+        """Yields the runs of a line in each notation, then all its numbers, whatever is between them."""
+        line = without_columns(text)
+        for notation in (STRINGS, NUMBERS, BASE64) if "\\" in line else (NUMBERS, BASE64):
+            found = [
+                Run(notation, line, *match.span("run"), number)
+                for match in notation.run.finditer(line)
+                if match["run"] and match.end() - match.start() >= 2 * LEAST - 1
+            ]
+            yield [_without_indexes(run) for run in found]
+        if len(text) > _MOST_WORDS:
+            return
+        # Zeros after a word may be an offset, or the bytes that ask for no memory.
+        every = _every(text, number)
+        places = without_indexes(every.tokens, 0, LEAST)
+        if places is not None:
+            yield [every.only(places)]
+        marked = [place for place, token in enumerate(every.tokens) if WIDTH[token] == 0]
+        for some in (marked, *(range(start, len(every.tokens)) for start in range(_MOST_BEFORE))):
+            if len(some) >= LEAST - 1 and (one := whole(run := every.only(some))) and is_one_frame(one.data):
+                yield [run]
 
-    def _listen(self, line: str) -> None:
-        """Remembers what a line without frames says of the frames that follow."""
-        check_sum = _CHECK_SUM.match(line)
-        if check_sum is not None:
-            self._check_sum = int(check_sum[1], 16)
-        self._said = announced(line) or self._said
+    def _frames(self, runs: list[Run], line: str) -> tuple[list[Pasted], Pasted | None]:
+        """Returns the frames in the runs of a line, and what looks like one where there is none."""
+        pieces: list[Pasted] = []
+        looks: Pasted | None = None
+        position = 0
+        for run in runs:
+            if not run.is_long:
+                continue
+            lines = {run.number: line}
+            readings = tried(run)
+            here = self._pieces(run, readings[0], lines, position)
+            if here and pieces:
+                # A line that shows the same frame in several notations has it once.
+                seen = {(piece.data, piece.direction) for piece in pieces}
+                here = [piece for piece in here if (piece.data, piece.direction) not in seen]
+            pieces += here
+            if readings[0].has_frames:
+                position = run.end
+            elif looks is None and not pieces and len(line) <= _MOST_WORDS:
+                looks = _looks(run, readings, lines)
+        return pieces, looks
 
-    def _row(self, line: str, number: int, whole: str, group: Group | None) -> tuple[Row, bool, list[Run]]:
-        """Returns a line as a part of a frame over several lines, whether a comment continues, and its runs."""
-        is_inside = group is not None and group.in_comment
-        bare, in_comment = without_remarks(whole if is_inside else without_marks(whole), is_inside=is_inside)
-        bare = without_columns(bare, {len(data) for data in group.data()} if group is not None else ())
-        is_text = group is not None and group.last.run is not None and group.last.run.is_text
-        found = runs(bare, is_text=is_text)
-        if not found:
-            return Row(number, line), in_comment, found
-        every = _all(found)
-        marked = [value for value in every if value.style is Style.MARKED]
-        index = 0 if group is None else len(group.tracks[1].runs)
-        values = marked if 0 < len(marked) < len(every) else without_indexes(every, index, 1)
-        run = _without_prefix(found[-1], bare)
-        run.check_sum = self._check_sum
-        is_call = len(run.values) == 1 or (not run.is_head and len(run.values) < LEAST)
-        if is_call and run.opened > 0 >= run.depth:
-            # The brackets of a call that has one part of the bytes, as in `data.Add(0x0F);`.
-            run = replace(run, opened=0, depth=0)
-        return Row(number, line, run, None if values is None else listed(values), self._said), in_comment, found
+    def _pieces(
+        self, run: Run, reading: Reading, lines: dict[int, str], position: int = 0, said: Head | None = None
+    ) -> list[Pasted]:
+        """Returns the frames in a run."""
+        found: list[Pasted] = []
+        heads: dict[int, Head] = {}
+        for part in reading.parts:
+            owners: Sequence[int] = ()
+            for frame in part.frames:
+                # Padding belongs to the frame in front of it, which is how it is reported.
+                is_padded = len(part.frames) == 1 and part.last == len(run.tokens) and not any(part.data[frame.end :])
+                data = part.data[frame.start : None if is_padded else frame.end]
+                if len(run.tokens) == 1 or (len(data) == len(part.data) and reading.is_complete and len(lines) == 1):
+                    number, start, stop = run.number, run.start, run.end
+                else:
+                    owners = owners or part.owners(run)
+                    number, start, _ = run.place(owners[frame.start])
+                    stop = run.place(owners[frame.end - 1])[2]
+                line = lines[number]
+                if (head := heads.get(number)) is None:
+                    head = heads[number] = head_before(line, position, start)
+                above = said or (self._said() if head.direction is None or head.time is None else NO_HEAD)
+                text = line[start:stop] if len(lines) == 1 else "\n".join([*lines.values()][:_MOST_SHOWN])
+                direction, time = direction_of(data, line, start, head, above), head.time or above.time
+                found.append(Pasted(data, number, short(text, MAX_TEXT), direction, time, column=start + 1))
+        return found
 
     # Lines that belong together
 
+    def _row(self, line: str, number: int, text: str, group: Group | None) -> tuple[Row, bool]:
+        """Returns a line as a part of a frame over several lines, and whether a comment continues."""
+        bare, in_comment = without_remarks(text, is_inside=group is not None and group.in_comment)
+        with_offset = bare
+        bare = without_columns(bare, {len(data) for data in group.data()} if group is not None else ())
+        first = group.last.runs[0] if group is not None else None
+        notation, pattern = NUMBERS, NUMBERS.run
+        if first is not None:
+            notation = first.notation
+            pattern = ANY_STRING if notation is STRINGS else notation.run if notation is NUMBERS else _BASE64_ROW
+        elif "\\" in bare and STRINGS.run.search(bare):
+            notation, pattern = STRINGS, STRINGS.run
+        prefix = _PREFIX.match(bare) if notation is NUMBERS else None
+        spans = [found.span("run") for found in pattern.finditer(bare, prefix.end() if prefix else 0) if found["run"]]
+        if not spans:
+            return Row(number, line), in_comment
+        run = Run(notation, bare, *spans[-1], number)
+        rest = bare[run.end :]
+        label = _LABEL.fullmatch(rest) if notation is NUMBERS else None
+        is_tail = label is not None or rest.strip(_AROUND + ".!?$") in _ENDS
+        run.check_sum = self._check_sum()
+        every: Run | None = run
+        if notation is NUMBERS:
+            every = _every(bare, number)
+            marked = [place for place, token in enumerate(every.tokens) if WIDTH[token] == 0]
+            index = 0 if group is None else len(group.tracks[1].runs)
+            is_mixed = 0 < len(marked) < len(every.tokens)
+            places = marked if is_mixed else without_indexes(every.tokens, index, 1)
+            every = None if places is None else every.only(places)
+        else:
+            every = None
+        is_head = not bare[: run.start].strip(_AROUND + "*b")
+        depth = sum(map(bare.count, "([{")) - sum(map(bare.count, ")]}"))
+        has_comma = rest.lstrip("'\" )").startswith(",")
+        has_offset = with_offset is not bare and with_offset[: run.start] != bare[: run.start]
+        return Row(
+            number, line, (run, every), is_head, is_tail, has_comma, depth, label is not None, has_offset
+        ), in_comment
+
+    def _check_sum(self) -> int | None:
+        sums = (_CHECK_SUM.match(line) for line in self._before)
+        return next((int(found[1], 16) for found in sums if found), None)
+
     def _continues(self, group: Group, line: str, number: int) -> bool:
         """Takes a line that continues the rows; tells whether it did."""
-        last = group.last.run
-        assert last is not None
+        last = group.last
+        assert last.runs[0] is not None
         if line.strip() == "*" and not group.has_gap:
             group.has_gap = True
             group.add(Row(number, line))
@@ -327,65 +416,86 @@ class Reader:
         if _INDEX_ALONE.fullmatch(line):
             group.add(Row(number, line))
             return True
-        whole = clean(line, has_cells=last.is_text)
-        row, in_comment, _ = self._row(line, number, whole, group)
-        if row.run is None:
+        text = clean(line, has_cells=last.runs[0].notation is STRINGS)
+        row, in_comment = self._row(line, number, text, group)
+        if row.runs[0] is None:
             # Only a list with commas continues after a comment, and after more than some empty lines.
             group.empty += 1
             has_begun = any(len(data) >= LEAST for data in group.data())
-            is_empty = has_begun and not whole.strip() and group.empty <= _MOST_EMPTY
+            is_empty = has_begun and not text.strip() and group.empty <= _MOST_EMPTY
             if not group.in_comment and not last.has_comma and not is_empty:
                 return False
-            if without_columns(without_remarks(without_marks(whole), is_inside=group.in_comment)[0], {0}).strip():
+            if without_columns(without_remarks(text, is_inside=group.in_comment)[0], {0}).strip():
                 return False
-        elif not _follows(group.last, row) or not group.data() or _stands_alone(group, row.run):
+        elif not _follows(last, row) or not group.data() or _stands_alone(group, row.runs[0]):
             return False
         group.size += len(line) + 1
         if group.size <= MAX_COLLECTED:
             # Longer ones are read to their end all the same: their rows are not frames of their own.
             group.in_comment = in_comment
-            group.depth += row.run.depth if row.run is not None else 0
             group.add(row)
         return True
 
     def _finish(self, group: Group) -> None:
         """Emits the frame that the rows make, when the last of them ended it."""
-        last = group.rows[-1].run
-        if last is None:
+        last = group.rows[-1]
+        if last.runs[0] is None:
             return
         # What has an index or a mark in each row is meant without the rest.
         for track in group.live[:1] if not (group.is_array and group.depth > 0) else ():
             if track.is_complete():
-                joined = track.joined(is_array=group.is_array)
-                if tried(joined)[0].is_whole and self._emit(_pieces(group.rows, joined)):
-                    self._group = None
+                run = Rows(track.runs, is_array=group.is_array)
+                best = tried(run)[0]
+                if best.is_whole and self._emit(self._joined(group, run, best)):
+                    self._end()
                     return
         if not last.is_tail or (group.was_opened and group.depth <= 0):
             self._close()
 
+    def _joined(self, group: Group, run: Run, reading: Reading) -> list[Pasted]:
+        """Returns the frames in the rows."""
+        lines = {row.number: row.line for row in group.rows}
+        if any(row.is_labelled for row in group.rows) and not (reading.is_whole and reading.is_flawless):
+            return []
+        return self._pieces(run, reading, lines, said=group.said)
+
+    def _end(self) -> None:
+        """Forgets the rows."""
+        assert self._group is not None
+        self._before += [row.line for row in self._group.rows[:_MOST_SAID]]
+        self._group = None
+
     def _close(self) -> None:
         """Emits what is in the rows that are not continued."""
-        group, self._group = self._group, None
+        group = self._group
         if group is None:
             return
         rows, looks = group.rows, group.looks
+        lines = {row.number: row.line for row in rows}
+        self._end()
         if group.size > MAX_COLLECTED:
             if any(may_begin(data) for data in group.data()):
                 problem = f"the bytes that start here have more than {MAX_COLLECTED // 1024} KiB of text"
                 self._found.append(Pasted(b"", rows[0].number, short(rows[0].line, MAX_TEXT), problem=problem))
             return
         for track in group.live if len(rows) > 1 else ():
-            joined = track.joined(is_array=group.is_array)
-            pieces = _pieces(rows, joined)
+            run = Rows(track.runs, is_array=group.is_array)
+            readings = tried(run)
+            pieces = self._joined(group, run, readings[0])
             # A first row that looks like a frame is not dropped for one that begins after it.
             is_later = group.looks is not None and bool(pieces) and pieces[0].line != rows[0].number
             if not is_later and self._emit(pieces):
                 return
-            looks = looks or _looks(rows, joined)
+            looks = looks or _looks(run, readings, lines)
         left: list[Row] = []
         reasons: dict[int, Pasted | None] = {}
         for row in rows:
-            pieces, why = _frames(row, runs(without_columns(clean(row.line)))) if len(rows) > 1 else ([], None)
+            why, pieces = None, []
+            for runs in self._attempts(clean(row.line), row.number) if len(rows) > 1 else ():
+                pieces, one = self._frames(runs, row.line)
+                why = why or one
+                if pieces:
+                    break
             if pieces:
                 self._left(left, reasons)
                 left = []
@@ -395,22 +505,19 @@ class Reader:
                 reasons[row.number] = why
         if len(left) == len(rows) and not any(reasons.values()):
             reasons[rows[0].number] = looks
-        is_array = group.was_opened and len(rows) > 1 and rows[0].run is not None and not rows[0].run.opened
-        self._left(left, reasons, is_array=is_array)
+        self._left(left, reasons, is_array=group.was_opened and len(rows) > 1 and rows[0].depth <= 0)
 
     def _left(self, rows: list[Row], looks: dict[int, Pasted | None], *, is_array: bool = False) -> None:
-        """Emits what there is in rows without a frame: one with words between the rows, or where one breaks off."""
-        for row in rows:
-            if self._labelled(row):
-                return
-        if not rows:
+        """Emits what there is in rows without a frame: where one breaks off, or what looks like one."""
+        if not rows or len(rows[0].line) > _MOST_WORDS:
             return
         from ev3proto.text.paste.mistakes import broken  # takes 4 ms, which texts of nothing but frames have no use for
 
         first = rows[0]
         found = broken([row.line for row in rows], first.number, is_sure=False, is_array=is_array)
         gap = next((row.number for row in rows if row.line.strip() == "*"), None)
-        if gap is not None and first.run is not None and may_begin(plain := _plain(first.run) or b""):
+        plain = first.runs[0].likely_data() if first.runs[0] is not None else None
+        if gap is not None and plain is not None and may_begin(plain):
             problem = f"line {gap}: the dump leaves lines out here, as the * tells"
             found = [Pasted(plain, first.number, short(first.line, MAX_TEXT), problem=problem)]
         for piece in found:
@@ -421,185 +528,106 @@ class Reader:
                 self._found.append(piece)
         self._found += [why for row in rows if (why := looks.get(row.number)) is not None]
 
-    def _labelled(self, row: Row) -> bool:
-        """Emits the frame that ends with a line, of lines that have a part of it each, with any words beside it.
 
-        Such lines have nothing in common, so the frame must not have a flaw.
-        """
-        data = None if row.run is None else _plain(row.run)
-        if data is None:
-            if row.line.strip():
-                self._parts.clear()
-            return False
-        self._parts.append((row, data))
-        parts = [*self._parts]
-        after = b""
-        for index in range(len(parts) - 1, -1, -1):
-            after = parts[index][1] + after
-            # A column of numbers has parts of one size, those of a frame differ.
-            is_column = len({len(part) for _, part in parts[index:]}) == 1 and index < len(parts) - 1
-            if not is_column and is_one_frame(after):
-                first = parts[index][0]
-                text = short("\n".join(part.line for part, _ in parts[index:]), MAX_TEXT)
-                column = first.run.start + 1 if first.run is not None else 1
-                said = first.said
-                return self._emit([Pasted(after, first.number, text, said.direction, said.time, column=column)])
-        return False
+def _may_have(line: str) -> bool:
+    """Whether a frame may be in a line, or the first row of one."""
+    time = _TIME_FIRST.match(line)
+    found = _MAY_HAVE.search(line, time.end() if time else 0)
+    return found is not None or (len(line) < _MOST_ONE and _ONE.match(line) is not None)
+
+
+def _every(line: str, number: int) -> Run:
+    """Returns all numbers of a line."""
+    run = Run(NUMBERS, line, 0, 0, number)
+    run.spans = [found.span(1) for found in EACH.finditer(line) if found[1]]
+    run.take([line[start:end] for start, end in run.spans])
+    return run
+
+
+def _without_indexes(run: Run) -> Run:
+    places = without_indexes(run.tokens, 0, LEAST) if "0" in run.tokens[:3] else None
+    return run if places is None else run.only(places)
+
+
+_BASE64_ROW = re.compile(r"\s*(?P<run>[A-Za-z0-9+/_-]+={0,3})\s*$")
 
 
 def bytes_in(line: str) -> bytes:
     """Returns the bytes of the longest run in a line, in its likeliest reading, whether they are a frame or not."""
-    bare, _ = without_remarks(without_marks(clean(line)))
-    return max((likely_bytes(run) or b"" for run in runs(without_columns(bare))), key=len, default=b"")
-
-
-def _all(found: list[Run]) -> list[Value]:
-    return [value for run in found for value in run.values]
-
-
-def _plain(run: Run) -> bytes | None:
-    """Returns the bytes of a run that has padded hex or marked numbers only; None for any other."""
-    is_plain = all(
-        value.style is Style.MARKED or (value.style is Style.BARE and len(value.text) % 2 == 0) for value in run.values
+    bare = without_columns(without_remarks(clean(line))[0])
+    found = (
+        Run(notation, bare, *match.span("run")).likely_data() or b""
+        for notation in ((STRINGS, NUMBERS) if "\\" in bare else (NUMBERS, BASE64))
+        for match in notation.run.finditer(bare)
+        if match["run"]
     )
-    return whole_bytes(run, "hex") if is_plain else None
+    return max(found, key=len, default=b"")
 
 
-def _frames(row: Row, found: list[Run]) -> tuple[list[Pasted], Pasted | None]:
-    """Returns the frames in the runs of a line, and what looks like one where there is none."""
-    pieces: list[Pasted] = []
-    looks: Pasted | None = None
-    position = 0
-    seen: set[tuple[bytes, Direction | None]] = set()
-    for run in found:
-        if sum(len(value.text if value.data is None else value.data) for value in run.values) < LEAST:
-            continue
-        here = _pieces([row], run, position)
-        # A line that shows the same frame in several notations has it once.
-        pieces += [piece for piece in here if (piece.data, piece.direction) not in seen]
-        seen.update((piece.data, piece.direction) for piece in here)
-        if here:
-            position = run.end
-        elif looks is None and not pieces:
-            looks = _looks([row], run)
-    return pieces, looks
-
-
-def _pieces(rows: list[Row], run: Run, position: int = 0) -> list[Pasted]:
-    """Returns the frames in a run."""
-    found: list[Pasted] = []
-    shown = "\n".join(row.line for row in rows[:_MOST_SHOWN])
-    by_number = {row.number: row for row in rows}
-    heads: dict[int, Head] = {}
-    for frame in tried(run)[0].frames:
-        value, last = run.values[frame.first], run.values[frame.last]
-        row = by_number[run.lines[frame.first]] if run.lines else rows[0]
-        until = row.run.start if len(rows) > 1 and row.run is not None else value.start
-        head = heads.get(row.number)
-        if head is None:
-            head = heads[row.number] = head_before(row.line, position, until)
-        found.append(
-            Pasted(
-                frame.data + frame.padding,
-                row.number,
-                short(row.line[value.start : last.end] if len(rows) == 1 else shown, MAX_TEXT),
-                direction_of(frame.data, row.line, until, head, row.said),
-                head.time or row.said.time,
-                column=value.start + 1,
-            )
-        )
-    return found
-
-
-def _looks(rows: list[Row], run: Run) -> Pasted | None:
+def _looks(run: Run, readings: list[Reading], lines: dict[int, str]) -> Pasted | None:
     """Returns as what a run that is not a frame is reported; None where it does not look like one."""
-    is_long = len(run.values) > 1 or len(run.values[0].text) > 3
-    if not is_long or run.values[0].style in (Style.NAME, Style.BASE64):
+    is_name = run.notation is NUMBERS and run.tokens[0][:1].isalpha() and WIDTH[run.tokens[0]] == 0
+    if run.notation is BASE64 or is_name or (len(run.tokens) == 1 and len(run.tokens[0]) <= 3):
         return None
-    for stretch in (stretch for one in tried(run) for stretch in one.stretches):
-        for start in sorted(boundaries(run, stretch)[0])[:_MOST_STARTS] if "words" not in stretch.name else ():
-            is_alone = start == 0 and run.is_head and run.is_tail and stretch.name == "hex"
-            problem = (_bare(run, stretch) if is_alone else None) or _why(run, stretch, start)
+    for part in (
+        part for one in readings for part in one.parts if len(part.data) >= LEAST and "words" not in part.name
+    ):
+        for start in [at for at in starts_of(run, part) if at < len(part.data)][:_MOST_STARTS]:
+            problem = _why(run, part.name, part.data, part.owners(run), start, lines)
             if problem is not None:
-                place = stretch.places[start]
-                number = run.lines[place] if run.lines else rows[0].number
-                row = next(row for row in rows if row.number == number)
-                column = run.values[place].start
-                text = short(row.line[column:], MAX_TEXT)
+                number, column, _ = run.place(part.owners(run)[start])
+                text = short(lines[number][column:], MAX_TEXT)
                 return Pasted(b"", number, text, problem=problem, column=column + 1, unread=True)
     return None
 
 
-def _bare(run: Run, stretch: Stretch) -> str | None:
-    """Returns what a whole line of bytes is that are not a frame, if only the header of one is missing."""
-    is_hash = len(run.values) == 1 and len(stretch.data) in HASHES
-    is_address = len(stretch.data) == 6 and {*run.gaps[1:]} <= {":", "-"}
-    is_padded = all(len(value.text) != 1 for value in run.values)
-    if is_hash or is_address or not is_padded or len({*stretch.data}) < LEAST - 1:
-        return None
-    return bare_reason(stretch.data)
-
-
-def _why(run: Run, stretch: Stretch, start: int) -> str | None:
-    """Returns why the bytes from there on look like a frame: up to where the way of writing changes."""
-    places, changes = stretch.places, changes_in(run)
+def _why(run: Run, name: str, data: bytes, owners: Sequence[int], start: int, lines: dict[int, str]) -> str | None:
+    """Returns why the bytes from there on look like a frame: up to the next edge."""
     end = start + 1
-    while end < len(places) and (places[end] == places[end - 1] or places[end] not in changes):
+    while end < len(data) and (owners[end] == owners[end - 1] or owners[end] not in run.edges):
         end += 1
-    data, values = stretch.data[start:end], [run.values[place] for place in places[start:end]]
-    is_dense = {run.gaps[place] for place in places[start + 1 : end]} <= {"", ":", "-"}
-    if len(data) == 6 and is_dense:
-        return None
-    is_short = min(len(value.text) for value in values) == 1 and all(value.text.isdecimal() for value in values)
-    is_bare = all(value.style is Style.BARE for value in values)
-    return reason(data, is_dense=is_dense, is_decimal=is_bare and (stretch.name == "decimal" or is_short))
+    tokens = [run.tokens[place] for place in sorted({*owners[start:end]})]
+    data, is_all = data[start:end], start == 0 and end == len(data)
+    is_dense = len(lines) == 1 and not {*run.line[run.start : run.end]} & {*" ,;"}
+    widths = set(map(WIDTH.__getitem__, tokens))
+    if is_all and name == "hex" and 1 not in widths and len({*data}) >= LEAST - 1 and len(lines) == 1:
+        around = run.line[: run.start] + run.line[run.end :]
+        is_hash = is_dense and (len(data) == 6 or (len(tokens) == 1 and len(data) in (16, 20, 28, 32, 48, 64)))
+        if not around.strip(_AROUND) and not is_hash and (why := bare_reason(data)):
+            return why
+    is_decimal = 0 not in widths and (name == "decimal" or (1 in widths and all(token.isdecimal() for token in tokens)))
+    return reason(data, is_dense=is_dense, is_decimal=is_decimal)
 
 
-def _may_continue(run: Run) -> bool:
-    """Whether the next line may continue a run; not what numbers the columns of a dump."""
-    if run.opened > 0 and run.depth <= 0:
+def _may_open(row: Row) -> bool:
+    """Whether a frame may begin with a row: by its first bytes, or because it is one of a dump."""
+    run = row.runs[0]
+    assert run is not None
+    is_closed = row.depth <= 0 and len(run.tokens) >= LEAST and row.line[: run.start].rstrip(" \"'b")[-1:] in {*"[{("}
+    counts = [token.lstrip("0") or "0" for token in run.tokens[:8]]
+    if (is_closed and run.notation is NUMBERS) or counts == [*"01234567"]:
         return False
-    digits = [value.text.lstrip("0") or "0" for value in run.values[:8] if value.style is Style.BARE]
-    is_base64 = run.values[0].style is Style.BASE64
-    return digits != [*"01234567"] and (not is_base64 or len(run.values[0].text) % 4 == 0)
+    for one in row.runs:
+        for name in one.names if one is not None else ():
+            data = one.data(name) if one is not None else None
+            if data and (row.has_offset or len(data) >= 16 or len(data) < 2 or may_have_length(data)):
+                return True
+    return False
 
 
 def _follows(last: Row, row: Row) -> bool:
     """Whether a row is written as the one before it, and begins where that ended."""
-    assert last.run is not None
-    assert row.run is not None
-    styles = [
-        style if style in (Style.STRING, Style.BASE64) else None
-        for style in (last.run.values[0].style, row.run.values[0].style)
-    ]
-    if styles[0] is not styles[1]:
-        return False
-    return row.run.is_head or _shape(last.line[: last.run.start]) == _shape(row.line[: row.run.start])
+    one, other = last.runs[0], row.runs[0]
+    assert one is not None
+    assert other is not None
+    if row.is_head or row.is_labelled:
+        return True
+    return _DIGITS.sub("0", last.line[: one.start]).strip() == _DIGITS.sub("0", row.line[: other.start]).strip()
 
 
 def _stands_alone(group: Group, run: Run) -> bool:
     """Whether a row is a frame of its own, which does not end the frame in front of it."""
     return tried(run)[0].is_whole and not any(
-        len(data) > 1 and len(data) < frame_size(data) <= len(data) + len(whole_bytes(run, name) or b"")
+        len(data) > 1 and len(data) < frame_size(data) <= len(data) + len(run.data(name) or b"")
         for name, data in (group.tracks[0].data or {}).items()
     )
-
-
-def _shape(text: str) -> str:
-    """Returns what is in front of a row, whatever numbers it has."""
-    return _DIGITS.sub("0", text).strip()
-
-
-def _without_prefix(run: Run, line: str) -> Run:
-    """Returns the run without the numbers of a log line in front of it, as in `D/EV3 ( 1234): 0f 00`."""
-    for place in range(min(_MOST_PREFIX, len(run.values) - 1), 0, -1):
-        gap = line[run.values[place - 1].end : run.values[place].start]
-        if _PREFIX_ENDS.fullmatch(gap) and run.gaps[place] != [*run.gaps, ""][place + 1]:
-            return Run(
-                run.values[place:],
-                ["", *run.gaps[place + 1 :]],
-                is_tail=run.is_tail,
-                depth=run.depth - run.opened,
-                has_comma=run.has_comma,
-            )
-    return run

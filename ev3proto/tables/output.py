@@ -26,7 +26,16 @@ LETTERS = {letter: number for number, letter in PORTS.items()}
 MASKS = {letters: mask for mask, letters in PORT_SETS.items() if mask}
 
 LAYER = In("LAYER", DATA8, "brick in the daisy chain, 0 is the one addressed", range=(0, 3), role=Role.LAYER)
-NO = In("NO", DATA8, "port, counted from 0", range=(0, 3), special=PORTS, names=LETTERS, role=Role.MOTOR)
+NO = In(
+    "NO",
+    DATA8,
+    "port, counted from 0",
+    range=(0, 3),
+    special=PORTS,
+    names=LETTERS,
+    role=Role.MOTOR,
+    note="the number of one port; most operations on motors take a bit mask",
+)
 NOS = In(
     "NOS",
     DATA8,

@@ -12,7 +12,7 @@ from ev3proto.cli.captures import MOST_COMPLAINTS
 from ev3proto.cli.ending import stopped_by_signals
 from ev3proto.cli.output import complain, failing_on
 from ev3proto.cli.reading import MIB, CaptureOptions, reading_options
-from ev3proto.cli.recorded import show_announcement, show_dialogue
+from ev3proto.cli.recorded import Dialogues, show_announcement
 from ev3proto.cli.show import Show
 from ev3proto.pyshark.tshark import Run, Tshark
 
@@ -84,6 +84,7 @@ class _Watching:
         self._chosen = reading.filter
         self._as_json = as_json
         self._show = Show("json" if as_json else "tree", at_once=True)
+        self._dialogues = Dialogues(self._show)
         self._start_ns: int | None = None
         self._beacons: set[bytes] = set()
         self._skipped = 0
@@ -92,7 +93,7 @@ class _Watching:
         """Shows all events."""
         for pair in dialogues(self._beside(events), PATIENCE_NS):
             if self._is_wanted(pair):
-                show_dialogue(self._show, pair, self._start_ns or 0)
+                self._dialogues.show(pair, self._start_ns or 0)
         if self._skipped > MOST_COMPLAINTS:
             complain(f"and {self._skipped - MOST_COMPLAINTS} more places that could not be read")
 

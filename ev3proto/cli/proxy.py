@@ -16,7 +16,7 @@ from ev3proto.cli.ending import stopped_by_signals
 from ev3proto.cli.faults import fault_options
 from ev3proto.cli.options import dialect_option, incompatible, json_option
 from ev3proto.cli.output import Failure, complain, failing_on, failing_to, flush, is_terminal, say, writing_output
-from ev3proto.cli.recorded import show_dialogue
+from ev3proto.cli.recorded import Dialogues
 from ev3proto.cli.show import Show
 from ev3proto.cli.targets import target_option
 from ev3proto.generate.captures.recording import Recording
@@ -106,11 +106,11 @@ class _Shown:
 
     def __init__(self, *, as_json: bool, is_quiet: bool) -> None:
         self.start_ns = 0
-        self._show = None if is_quiet else Show("json" if as_json else None)
+        self._dialogues = None if is_quiet else Dialogues(Show("json" if as_json else None))
 
     def __call__(self, pair: RequestReply) -> None:
-        if self._show is not None:
-            show_dialogue(self._show, pair, self.start_ns)
+        if self._dialogues is not None:
+            self._dialogues.show(pair, self.start_ns)
             flush()
 
 

@@ -24,8 +24,9 @@ def show_capture(show: Show, capture: CaptureSource, *, as_dialogues: bool) -> I
         The frames that were shown.
     """
     if as_dialogues:
+        dialogues = Dialogues(show)
         for pair in capture.dialogues():
-            show_dialogue(show, pair, capture.account.first_ns or 0)
+            dialogues.show(pair, capture.account.first_ns or 0)
             yield from filter(None, pair)
         return
     for event in capture.events():
@@ -92,26 +93,37 @@ def show_announcement(show: Show, announcement: Announcement, start_ns: int) -> 
     show.line([*line, (f": {listed}" if listed else "", Role.VALUE)])
 
 
-def show_dialogue(show: Show, pair: RequestReply, start_ns: int) -> None:
-    """Shows a command with its reply, on one line."""
-    first, reply = pair.command or pair.last, pair.reply
-    if show.is_json:
-        entry: dict[str, Any] = {name: _record(one) for name, one in pair._asdict().items() if one is not None}
-        show.entry(entry | {"latency": None if reply is None else reply.latency})
-        return
-    route = first.route
-    time = elapsed(first.time_ns, start_ns) if route.is_timed else ""
-    line: Line = [
-        (f"{time:>12} ", Role.ASIDE),
-        (f"#{first.number} ".rjust(7), Role.ASIDE),
-        ("" if route.is_text else f"{first.carrier} {first.peer}  ", Role.PLAIN),
-    ]
-    line += dialogue_line(
-        None if pair.command is None else pair.command.message,
-        None if reply is None else reply.exchange,
-        None if reply is None else reply.latency,
-    )
-    show.line(line)
+class Dialogues:
+    """Shows commands with their replies, one a line. Where the connection changes, a line names it.
+
+    is_known  whether the user knows the only connection
+    """
+
+    def __init__(self, show: Show, *, is_known: bool = False) -> None:
+        self._show = show
+        self._is_known = is_known
+        self._place = ""
+
+    def show(self, pair: RequestReply, start_ns: int) -> None:
+        """Shows a command with its reply."""
+        first, reply = pair.command or pair.last, pair.reply
+        if self._show.is_json:
+            entry: dict[str, Any] = {name: _record(one) for name, one in pair._asdict().items() if one is not None}
+            self._show.entry(entry | {"latency": None if reply is None else reply.latency})
+            return
+        route = first.route
+        place = "" if route.is_text or self._is_known else f"{first.carrier} {first.peer}"
+        if place and place != self._place:
+            self._place = place
+            self._show.aside([(place, Role.HEADING)])
+        time = elapsed(first.time_ns, start_ns) if route.is_timed else ""
+        line: Line = [(f"{time:>12} ", Role.ASIDE), (f"#{first.number} ".rjust(7), Role.ASIDE)]
+        line += dialogue_line(
+            None if pair.command is None else pair.command.message,
+            None if reply is None else reply.exchange,
+            None if reply is None else reply.latency,
+        )
+        self._show.line(line)
 
 
 def _seen(event: Record | Announcement, start_ns: int, answers: int | None = None) -> Seen:

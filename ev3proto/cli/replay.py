@@ -12,7 +12,7 @@ from ev3proto.capture.dialogues import RequestReply, dialogues
 from ev3proto.cli.captures import CaptureSource
 from ev3proto.cli.output import Failure, Printer, complain
 from ev3proto.cli.reading import CaptureOptions, reading_options
-from ev3proto.cli.recorded import show_dialogue
+from ev3proto.cli.recorded import Dialogues
 from ev3proto.cli.show import Show
 from ev3proto.cli.targets import channel_to, target_option, timeout_option
 from ev3proto.errors import counted, near_misses
@@ -138,7 +138,7 @@ class _Replaying:
         self._fast = fast
         self._only_different = only_different
         self._firmware: str | None = None
-        self._show = Show(None)
+        self._dialogues = Dialogues(Show(None), is_known=True)
         self._printer = Printer()
         self._counts: Counter[str] = Counter()
 
@@ -186,7 +186,7 @@ class _Replaying:
         self._counts[likeness.value] += 1
         if self._only_different and likeness is Likeness.SAME:
             return
-        show_dialogue(self._show, RequestReply(command, received), self._records.start_ns)
+        self._dialogues.show(RequestReply(command, received), self._records.start_ns)
         if difference:
             role = Role.FAULT if likeness is Likeness.KIND else Role.MEANING
             self._printer.lines([[(f"{'':20} {difference}", role)]])

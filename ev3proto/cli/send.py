@@ -12,7 +12,7 @@ from ev3proto.cli.inputs import Source, sources
 from ev3proto.cli.options import dialect_option, json_option, reply_option
 from ev3proto.cli.output import Failure, complain
 from ev3proto.cli.reading import CaptureOptions
-from ev3proto.cli.recorded import show_dialogue
+from ev3proto.cli.recorded import Dialogues
 from ev3proto.cli.show import Show
 from ev3proto.cli.targets import TargetType, channel_to, is_refused, timeout_option
 from ev3proto.errors import counted
@@ -114,7 +114,7 @@ def send(
 
 def _talk(channel: Channel, messages: list[Message], show: Show, timeout: float, dialect: str, peer: str) -> bool:
     """Sends the messages, and shows each with its reply. Returns whether all went well."""
-    records = Records(channel.carrier, peer, dialect)
+    records, dialogues = Records(channel.carrier, peer, dialect), Dialogues(show, is_known=True)
     is_fine = True
     for message in messages:
         frame = message.build()
@@ -127,10 +127,10 @@ def _talk(channel: Channel, messages: list[Message], show: Show, timeout: float,
             ticket = channel.send_frame(frame)
             answer = channel.wait(ticket, timeout) if ticket.request.wants_reply else b""
         except LinkError as error:
-            show_dialogue(show, RequestReply(command, None), records.start_ns)
+            dialogues.show(RequestReply(command, None), records.start_ns)
             complain(str(error))
             return False
         received = records.received(answer, command) if answer else None
-        show_dialogue(show, RequestReply(command, received), records.start_ns)
+        dialogues.show(RequestReply(command, received), records.start_ns)
         is_fine &= received is None or not is_error(received.message)
     return is_fine

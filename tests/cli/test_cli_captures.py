@@ -82,9 +82,21 @@ def test_json_with_time_place_and_direction() -> None:
 def test_a_line_for_each_dialogue() -> None:
     done = run("decode", "--dialogues", stdin=dialogue())
     assert done.stdout.decode() == (
-        "    0.000000     #1 wifi 192.0.2.10:5555  SOUND.TONE(VOLUME=1, FREQUENCY=440, DURATION=1000)\n"
-        "    0.001000     #2 wifi 192.0.2.10:5555  UI_READ.GET_VBATT(VALUE=GV(0)) -> VALUE=7.92 V  1.000 ms\n"
+        "wifi 192.0.2.10:5555\n"
+        "    0.000000     #1 SOUND.TONE(VOLUME=1, FREQUENCY=440, DURATION=1000)\n"
+        "    0.001000     #2 UI_READ.GET_VBATT(VALUE=GV(0)) -> VALUE=7.92 V  1.000 ms\n"
     )
+
+
+def test_dialogues_of_two_bricks_name_each_where_it_changes() -> None:
+    capture = Capture(RAW_IP)
+    first, second = Connection(capture), Connection(capture, ends=(bytes((192, 0, 2, 1)), bytes((192, 0, 2, 11))))
+    for connection in (first, first, second, first):
+        connection.send(TONE)
+    lines = run("decode", "--dialogues", stdin=capture.data()).stdout.decode().splitlines()
+    assert [line if line.startswith("wifi") else line.split()[1] for line in lines] == [
+        *("wifi 192.0.2.10:5555", "#1", "#2", "wifi 192.0.2.11:5555", "#3", "wifi 192.0.2.10:5555", "#4"),
+    ]
 
 
 def test_dialogues_that_fail() -> None:
@@ -95,7 +107,8 @@ def test_dialogues_that_fail() -> None:
     connection.receive(VOLTS)  # a reply without a command
     connection.send(VOLTAGE)  # and a command without a reply
     lines = run("decode", "--dialogues", stdin=capture.data()).stdout.decode().splitlines()
-    assert [line.partition("5555  ")[2] for line in lines] == [
+    assert lines[0] == "wifi 192.0.2.10:5555"
+    assert [line[20:] for line in lines[1:]] == [
         "UI_READ.GET_VBATT(VALUE=GV(0)) -> error  1.000 ms",
         "(a command that was not seen) -> ok",
         "UI_READ.GET_VBATT(VALUE=GV(0)) -> no reply",
@@ -357,7 +370,8 @@ def test_a_reader_that_goes_away() -> None:
 def test_a_filter() -> None:
     done = run("decode", "--dialogues", "--filter", "op==SOUND.TONE && FREQUENCY>400", stdin=dialogue())
     assert done.stdout.decode().splitlines() == [
-        "    0.000000     #1 wifi 192.0.2.10:5555  SOUND.TONE(VOLUME=1, FREQUENCY=440, DURATION=1000)"
+        "wifi 192.0.2.10:5555",
+        "    0.000000     #1 SOUND.TONE(VOLUME=1, FREQUENCY=440, DURATION=1000)",
     ]
     done = run("decode", "--filter", "FREQUENCY>440", stdin=dialogue())
     assert (done.returncode, done.stderr.decode()) == (
@@ -455,6 +469,6 @@ def test_a_request_in_place_of_a_reply_is_a_fault_and_no_command() -> None:
     """The fault of the brick's bootloader on USB 3 ports, in packet 24."""
     path = str(CAPTURES / "usb-bootloader.pcapng")
     lines = run("decode", "--dialogues", path).stdout.decode().splitlines()
-    assert lines[0].split("-> ")[1] == "fault: the request came back in place of a reply  4.000 ms"
+    assert lines[1].split("-> ")[1] == "fault: the request came back in place of a reply  4.000 ms"
     counted = json.loads(run("stats", "--json", path).stdout.splitlines()[0])
     assert counted["whole"]["kinds"]["system-command"]["messages"] == 8

@@ -102,7 +102,7 @@ def test_dialogues_are_filtered_together() -> None:
     assert {*shown} < {*every}
     assert not any("no reply" in line for line in shown)
     unanswered = run("decode", "--dialogues", "--filter", "unanswered", WIFI).stdout.splitlines()
-    assert unanswered == [line for line in every if "no reply" in line] != []
+    assert unanswered[1:] == [line for line in every if "no reply" in line] != []
 
 
 @pytest.mark.parametrize("text", ["unanswered || size > 30", "failed || op == UI_READ", "!late"])

@@ -53,7 +53,7 @@ class Session:
 
     def run(self, command: str) -> str:
         """What a command prints on standard output."""
-        command = re.sub(r"127\.0\.0\.1(?!:)", f"127.0.0.1:{self.port}", command.replace("bin/ev3proto", "ev3proto"))
+        command = command.replace("bin/ev3proto", "ev3proto").replace(f":{PORT}", f":{self.port}")
         if command.startswith("ev3proto brick"):
             return self._brick(command)
         if command.startswith("ev3proto ") and not re.search(r"[|;<>&$*]", re.sub(r"'[^']*'|\"[^\"]*\"", "", command)):
@@ -69,7 +69,7 @@ class Session:
                 check=False,
                 timeout=120,
             )
-        return done.stdout.replace(f"127.0.0.1:{self.port}", f"127.0.0.1:{PORT}")
+        return done.stdout.replace(f":{self.port}", f":{PORT}")
 
     def _brick(self, command: str) -> str:
         words = [*command.split(), "--port", "0", "--no-beacon", "--root", str(self._folder / "root")]

@@ -54,7 +54,7 @@ def test_send_shows_the_dialogue() -> None:
     done = run_ev3proto_text("send", "virtual", "UI_READ(GET_FW_VERS, 16, GV0(0))")
     assert done.returncode == 0
     assert without_times(done.stdout) == [
-        '#1 wifi virtual  UI_READ.GET_FW_VERS(LENGTH=16, DESTINATION=GV(0)) -> DESTINATION="V1.04H"'
+        '#1 UI_READ.GET_FW_VERS(LENGTH=16, DESTINATION=GV(0)) -> DESTINATION="V1.04H"'
     ]
 
 
@@ -164,7 +164,7 @@ def test_a_reply_that_only_another_firmware_gives_is_shown(tmp_path: Path) -> No
     done = run_ev3proto_text("replay", capture, "--to", "virtual", "--fast", "--differences")
     assert done.returncode == 0
     assert without_times(done.stdout) == [
-        "#3 wifi virtual  ADD8(SOURCE1=7, SOURCE2=5, DESTINATION=GV(0)) -> DESTINATION=12",
+        "#3 ADD8(SOURCE1=7, SOURCE2=5, DESTINATION=GV(0)) -> DESTINATION=12",
         "recorded: DESTINATION=13",
     ]
     assert done.stderr == "2 commands sent, 0 omitted; answered 1 as recorded, 1 with other values, 0 otherwise\n"

@@ -233,7 +233,9 @@ def _findings(text: str) -> list[dict[str, str]]:
 
 
 def _dialogues(names: tuple[str, ...]) -> list[dict[str, Any]]:
-    texts = command("decode", "--dialogues", *names).out.splitlines()
+    # A line without a number names a connection.
+    printed = command("decode", "--dialogues", *names).out.splitlines()
+    texts = [text for text in printed if text.startswith(" ")]
     records = command("decode", "--dialogues", "--json", *names).out.splitlines()
     return [
         {"text": text.strip(), "latency": json.loads(record).get("latency")}

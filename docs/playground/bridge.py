@@ -233,9 +233,9 @@ def _findings(text: str) -> list[dict[str, str]]:
 
 
 def _dialogues(names: tuple[str, ...]) -> list[dict[str, Any]]:
-    # A line without a number names a connection.
+    # A line without the number of a packet names a connection.
     printed = command("decode", "--dialogues", *names).out.splitlines()
-    texts = [text for text in printed if text.startswith(" ")]
+    texts = [text for text in printed if re.match(r"[ \d.]*#\d", text)]
     records = command("decode", "--dialogues", "--json", *names).out.splitlines()
     return [
         {"text": text.strip(), "latency": json.loads(record).get("latency")}

@@ -12,6 +12,7 @@ import sys
 import time
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
+from itertools import chain, islice
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, BinaryIO, TextIO, TypeVar, cast
 
@@ -79,6 +80,10 @@ def flush() -> None:
             stream.flush()
 
 
+_AT_A_TIME = 1000
+"""Lines or pieces that are written at a time."""
+
+
 class Printer:
     """Prints lines: coloured on a terminal, plain into a pipe or if NO_COLOR is set.
 
@@ -91,8 +96,17 @@ class Printer:
         self._text: Callable[[Line], str] = _painted if is_coloured else plain_text
 
     def lines(self, lines: Iterable[Line]) -> None:
-        """Prints lines that consist of styled pieces."""
-        _write("".join([f"{self._text(line)}\n" for line in lines]), at_once=self._at_once)
+        """Prints lines that consist of styled pieces, many at a time."""
+        self._written(f"{self._text(line)}\n" for line in lines)
+
+    def joined(self, pieces: Iterable[str]) -> None:
+        """Prints one line that is made of pieces."""
+        self._written(chain(map(visible, pieces), ("\n",)))
+
+    def _written(self, pieces: Iterable[str]) -> None:
+        rest = iter(pieces)
+        while some := list(islice(rest, _AT_A_TIME)):
+            _write("".join(some), at_once=self._at_once)
 
     def text(self, text: str) -> None:
         """Prints one line."""

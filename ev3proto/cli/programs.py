@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import errno
-import json
 import os
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
@@ -17,10 +16,11 @@ from ev3proto.cli.assembly import show_errors
 from ev3proto.cli.inputs import Source, is_image
 from ev3proto.cli.output import Printer, complain, is_terminal, put
 from ev3proto.errors import DecodeError, counted
-from ev3proto.program import Assembled, Program, assemble, check_program, parse, source_of
-from ev3proto.program.listing import listing, program_record, program_tree
+from ev3proto.program import Assembled, Program, assemble, check_program, parse
+from ev3proto.program.listing import listing, program_json, program_tree
 from ev3proto.program.report import program_findings
 from ev3proto.program.sources import MAX_SOURCE
+from ev3proto.program.writing import source_lines
 from ev3proto.text.assembly.errors import AssemblyError, SourceWarning
 from ev3proto.text.diagnostics import ROLES
 from ev3proto.text.phrases import NOTATIONS, spaced_hex
@@ -56,19 +56,22 @@ def show_program(
         origin: Its origin; None if it was named on the command line.
     """
     if style == "json":
-        entry = program_record(program, len(image))
-        if origin is not None:
-            entry["origin"] = origin
-        printer.text(json.dumps(entry, ensure_ascii=False))
+        printer.joined(program_json(program, len(image), origin))
         return
     if origin is not None:
         is_source = style in NOTATIONS
         printer.lines([[(f"// {origin}" if is_source else origin, Role.ASIDE)]])
     if style in NOTATIONS:
-        for line in source_of(program).rstrip("\n").split("\n"):
-            printer.text(line)
+        printer.lines(_source(program))
     else:
         printer.lines(program_tree(program) if style == "tree" else listing(program))
+
+
+def _source(program: Program) -> Iterator[Line]:
+    """Yields the source of a program; of one that was read in part only, the listing as comments."""
+    if program.fault is None:
+        return ([(line, Role.PLAIN)] for line in source_lines(program))
+    return ([("// ", Role.ASIDE), *line] for line in listing(program))
 
 
 def complain_of_warnings(label: str, warnings: Sequence[SourceWarning]) -> None:

@@ -2,26 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Iterator, Sequence
 
 from ev3proto.checking import program_codes as codes
 from ev3proto.checking.codes import Code
 from ev3proto.checking.report import Finding
 from ev3proto.errors import DecodeError, as_bytes, counted
 from ev3proto.messages import Argument, Operation
-from ev3proto.program.header import IMAGE_HEADER_SIZE, OBJECT_HEADER_SIZE
+from ev3proto.program.header import IMAGE_HEADER_SIZE, OBJECT_HEADER_SIZE, PACKED_HEADER
 from ev3proto.program.image import Program, parse
 from ev3proto.program.objects import CodeObject
 from ev3proto.program.report import ProgramReport
 from ev3proto.program.retyped import CALL
 from ev3proto.program.walk import SIZE_AT, Walk, walk
-from ev3proto.semantics.flow import flow_of, is_label, jump_of, labels_of, reached, target_of
+from ev3proto.semantics.flow import is_label, jump_of, labels_of, place_of, runs_of, starts_of, target_of
 from ev3proto.tables.declaration import Direction, Effect
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, LOCAL
 from ev3proto.tables.program import ObjectKind
 
 _OBJECT_END = "OBJECT_END"
 _HANDLE_SIZE = 2
+
+MOST_OF_A_CODE = 1000
+"""Findings of one code that are kept; the others are counted."""
 
 
 def check_program(image: bytes | bytearray | memoryview, *, dialect: str = "official") -> ProgramReport:
@@ -32,9 +36,9 @@ def check_program(image: bytes | bytearray | memoryview, *, dialect: str = "offi
         dialect: "official", "xtended" or "compat": the firmware whose instruction set to use.
 
     Returns:
-        The findings, and the verdict: `rejected_at` is the offset of the first operation that the firmware's validator
-        rejects, 4 for the header. For an image older than the release of 2013 it is 8, the offset of its version: the
-        firmware complains about that, but accepts the image.
+        The findings, at most 1,000 of each code, and the verdict: `rejected_at` is the offset of the first operation
+        that the firmware's validator rejects, 4 for the header. For an image older than the release of 2013 it is 8,
+        the offset of its version: the firmware complains about that, but accepts the image.
     """
     image = as_bytes(image, "an image")
     try:
@@ -43,8 +47,15 @@ def check_program(image: bytes | bytearray | memoryview, *, dialect: str = "offi
         finding = codes.DAMAGED.finding(error.offset, 0, error.reason, "give the whole image")
         return ProgramReport(image, False, 0, (finding,))
     found = walk(image, dialect)
-    findings = sorted(_Check(image, program, found, dialect).findings(), key=lambda it: (it.offset, it.code))
-    return ProgramReport(image, found.accepted, found.position, tuple(findings))
+    seen: Counter[str] = Counter()
+    findings = []
+    for finding in _Check(image, program, found, dialect).findings():
+        seen[finding.code] += 1
+        if seen[finding.code] <= MOST_OF_A_CODE:
+            findings.append(finding)
+    findings.sort(key=lambda it: (it.offset, it.code))
+    omitted = seen.total() - len(findings)
+    return ProgramReport(image, found.accepted, found.position, tuple(findings), omitted=omitted)
 
 
 class _Check:
@@ -68,8 +79,8 @@ class _Check:
             yield refusal
             if refusal.code == codes.DAMAGED.code:
                 return
-        stated = self._program.defects.stated_size
-        if stated is not None and stated < len(self._image):
+        stated = PACKED_HEADER.unpack_from(self._image, SIZE_AT)[0]
+        if stated < len(self._image):
             yield self._left_over(stated, len(self._image) - stated)
         for offset, data in self._program.defects.gaps:
             yield self._left_over(offset, len(data))
@@ -232,7 +243,7 @@ def _way(part: CodeObject, image: bytes, dialect: str) -> Iterator[Finding]:
     steps = part.operations
     if not steps:
         return
-    starts = {step.offset for step in steps}
+    starts = starts_of(steps)
     labels = labels_of(steps)
     for step in steps:
         jump = jump_of(step)
@@ -245,7 +256,7 @@ def _way(part: CodeObject, image: bytes, dialect: str) -> Iterator[Finding]:
                 f"{jump.name} is not a number in the code, so the target of {step.name} is unknown",
                 "jump by a constant, or by a condition for each place",
             )
-        elif goal is not None and goal not in starts:
+        elif goal is not None and place_of(goal, starts) is None:
             yield codes.BAD_JUMP.finding(
                 step.offset,
                 step.length,
@@ -253,28 +264,28 @@ def _way(part: CodeObject, image: bytes, dialect: str) -> Iterator[Finding]:
                 "let it lead to the start of an operation of the same object",
                 step.full_name,
             )
-    flow = flow_of(image, steps, steps[0].offset, steps[-1].offset + steps[-1].length, dialect)
-    if flow.is_known and part.fault is None:
-        yield from _unreached(steps, reached(steps, flow))
+    if part.fault is None:
+        runs = runs_of(image, steps, steps[-1].offset + steps[-1].length, dialect)
+        if runs is not None:
+            yield from _unreached(steps, runs)
 
 
-def _unreached(steps: tuple[Operation, ...], known: set[int]) -> Iterator[Finding]:
+def _unreached(steps: Sequence[Operation], runs: bytearray) -> Iterator[Finding]:
     """Yields one finding for operations in a row. The end of an object may well be one: every writer adds it."""
-    run: list[Operation] = []
-    for step in [*steps, None]:
-        if step is not None and step.offset not in known:
-            run.append(step)
-            continue
-        while run and Effect.ENDS in run[-1].declaration.effects:
-            run.pop()
-        if run:
-            last = run[-1]
-            more = f" and what follows up to {last.full_name}" if len(run) > 1 else ""
+    place = runs.find(0)
+    while place >= 0:
+        after = runs.find(1, place)
+        last = (len(steps) if after < 0 else after) - 1
+        while last >= place and Effect.ENDS in steps[last].declaration.effects:
+            last -= 1
+        if last >= place:
+            first, end = steps[place], steps[last]
+            more = f" and what follows up to {end.full_name}" if last > place else ""
             yield codes.UNREACHABLE.finding(
-                run[0].offset,
-                last.offset + last.length - run[0].offset,
-                f"no way leads to {run[0].full_name}{more}",
+                first.offset,
+                end.offset + end.length - first.offset,
+                f"no way leads to {first.full_name}{more}",
                 "omit it, or let a jump lead there",
-                run[0].full_name,
+                first.full_name,
             )
-        run = []
+        place = -1 if after < 0 else runs.find(0, after)

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from construct import Array, BitsInteger, BitStruct, Const, Flag, If, Int8ul, Int16ul, Int32ul, Struct, this
+import struct
 
-from ev3proto.schema.bytewise import packed
+from construct import Array, BitsInteger, BitStruct, Bytes, Const, Flag, If, Int8ul, Int16ul, Int32ul, Struct, this
+
 from ev3proto.tables.program import SIGN, STRING_CODE
 
 IMAGE_HEADER = Struct(
@@ -27,6 +28,12 @@ OBJECT_HEADER = Struct(
 HEADER = Struct(*IMAGE_HEADER.subcons, "objects" / Array(this.count, OBJECT_HEADER))
 """All that precedes the codes."""
 
+IMAGE = Struct(
+    *HEADER.subcons,
+    "code" / Bytes(this.size - IMAGE_HEADER.sizeof() - this.count * OBJECT_HEADER.sizeof()),
+)
+"""A whole image: `code` has the codes of all objects. `ev3proto.program.parse` reads the operations in them."""
+
 PARAMETER_CODE = BitStruct("is_in" / Flag, "is_out" / Flag, "reserved" / BitsInteger(3), "type" / BitsInteger(3))
 """The byte that declares a parameter."""
 
@@ -36,9 +43,9 @@ PARAMETER = Struct("code" / PARAMETER_CODE, "size" / If(this.code.type == STRING
 PARAMETERS = Struct("count" / Int8ul, "parameters" / Array(this.count, PARAMETER))
 """What the code of a subcall starts with."""
 
-PACKED_HEADER = packed(Struct(*IMAGE_HEADER.subcons[1:]))
-PACKED_OBJECT = packed(OBJECT_HEADER)
-"""The same for reading at once: an image may have thousands of objects."""
+PACKED_HEADER = struct.Struct("<IHHI")
+PACKED_OBJECT = struct.Struct("<IHHI")
+"""The header after its sign, and an object: an image may have thousands of objects."""
 
 IMAGE_HEADER_SIZE = IMAGE_HEADER.sizeof()
 OBJECT_HEADER_SIZE = OBJECT_HEADER.sizeof()

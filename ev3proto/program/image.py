@@ -1,15 +1,17 @@
-"""Images: bytes to programs and back. A damaged image is read as far as possible, and builds back as it was."""
+"""Images: bytes to programs and back. A damaged image is read as far as possible."""
 
 from __future__ import annotations
 
+from array import array
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from construct import Int16ul, Int32ul
 
 from ev3proto.errors import BuildError, DecodeError, Fault, as_bytes, counted
 from ev3proto.messages import NO_FLAW, Flaw, Operation
+from ev3proto.program.code import Code, scanned
 from ev3proto.program.header import (
     IMAGE_HEADER_SIZE,
     OBJECT_HEADER_SIZE,
@@ -18,14 +20,16 @@ from ev3proto.program.header import (
 )
 from ev3proto.program.objects import NO_DEFECTS, CodeObject, Defects
 from ev3proto.program.parameters import ProgramParameter, read_table
-from ev3proto.program.retyped import with_types
+from ev3proto.program.retyped import HandleFinder, Handles, Types
 from ev3proto.program.walk import walk
-from ev3proto.schema.bytewise import Bytewise
 from ev3proto.schema.instructions import InstructionSet, instruction_set
 from ev3proto.tables.program import DEFAULT_VERSION, MAX_IMAGE, MAX_MEMORY, MAX_OBJECTS, SIGN, ObjectKind, kind_of
 
 _COUNT_AT = len(SIGN) + Int32ul.sizeof() + Int16ul.sizeof()
 """Offset of the number of objects."""
+
+READ_IN_PART = "the image was read in part only, so it cannot be made again: fault at {fault}"
+"""Why a program with faults has no image and no source."""
 
 _OBJECT_END = "OBJECT_END"
 _JUMPS = "JR"
@@ -59,15 +63,24 @@ class Program:
         return next(iter(self.faults), None)
 
     def build(self) -> bytes:
-        """Returns the image. Raises BuildError when no image can carry the program."""
+        """Returns the image. Raises BuildError if no image can carry the program, or if it was read in part only."""
         return build(self)
 
 
 class _Code(NamedTuple):
-    """What the code at an offset says."""
+    """What the code at an offset says.
+
+    parameters  what a subcall declares
+    starts      the offsets of its operations
+    limit       the end of the last one; of a partial one, the end of the bytes that it was read from
+    handles     the arrays whose handles local variables hold
+    flaw        its fault, and the bytes that could not be read
+    """
 
     parameters: tuple[ProgramParameter, ...] = ()
-    operations: tuple[Operation, ...] = ()
+    starts: Sequence[int] = ()
+    limit: int = 0
+    handles: Handles = {}  # noqa: RUF012 - never changed
     flaw: Flaw = NO_FLAW
 
 
@@ -78,6 +91,8 @@ class _Reader:
         self.image = image
         self.faults: list[Fault] = []
         self._instructions = instructions
+        self._finder = HandleFinder(instructions.dialect)
+        self._shared: Handles = {}
         self._ends: dict[int, int] = {}
 
     def program(self) -> Program:
@@ -107,8 +122,6 @@ class _Reader:
         offsets = tuple(offset for offset, *_ in entries)
         defects = Defects(
             tuple(self.faults),
-            size if size != end else None,
-            count if known < count else None,
             offsets if offsets != regular or gaps else None,
             gaps,
             stated if stated != offsets else None,
@@ -146,33 +159,6 @@ class _Reader:
         ]
 
     def _objects(self, entries: list[tuple[int, int, int, int]]) -> list[CodeObject]:
-        codes = self._codes(entries)
-        first: dict[int, int] = {}
-        objects = []
-        for number, (offset, owner, triggers, local_size) in enumerate(entries, 1):
-            shares = first.get(offset)
-            if offset not in self._ends:
-                code = self._nowhere(number, offset)
-            else:
-                first.setdefault(offset, number)
-                code = codes[offset, kind_of(owner, triggers) is ObjectKind.SUBCALL]
-            objects.append(
-                CodeObject(
-                    number=number,
-                    owner=owner,
-                    triggers=triggers,
-                    local_size=local_size,
-                    parameters=code.parameters,
-                    operations=code.operations,
-                    offset=offset,
-                    shares=shares,
-                    flaw=code.flaw,
-                )
-            )
-        return objects
-
-    def _codes(self, entries: list[tuple[int, int, int, int]]) -> dict[tuple[int, bool], _Code]:
-        """Returns every code by its offset and by whether it is read as a subcall, with the types that others show."""
         codes: dict[tuple[int, bool], _Code] = {}
         callees: dict[int, tuple[ProgramParameter, ...]] = {}
         for number, (offset, owner, triggers, _) in enumerate(entries, 1):
@@ -182,11 +168,35 @@ class _Reader:
             if key not in codes:
                 codes[key] = self._read_code(*key)
             callees[number] = codes[key].parameters
-        typed = with_types([code.operations for code in codes.values()], callees, self._instructions.dialect)
-        return {
-            key: code._replace(operations=operations)
-            for (key, code), operations in zip(codes.items(), typed, strict=True)
+        types = {
+            key: Types(callees, code.handles, self._shared, self._instructions.dialect) for key, code in codes.items()
         }
+        first: dict[int, int] = {}
+        objects = []
+        for number, (offset, owner, triggers, local_size) in enumerate(entries, 1):
+            shares = first.get(offset)
+            operations: Sequence[Operation] = ()
+            if offset not in self._ends:
+                code = self._nowhere(number, offset)
+            else:
+                first.setdefault(offset, number)
+                key = (offset, kind_of(owner, triggers) is ObjectKind.SUBCALL)
+                code = codes[key]
+                operations = Code(self.image, code.starts, code.limit, types[key])
+            objects.append(
+                CodeObject(
+                    number=number,
+                    owner=owner,
+                    triggers=triggers,
+                    local_size=local_size,
+                    parameters=code.parameters,
+                    operations=operations,
+                    offset=offset,
+                    shares=shares,
+                    flaw=code.flaw,
+                )
+            )
+        return objects
 
     def _nowhere(self, number: int, offset: int) -> _Code:
         """Returns an object whose offset leads to no code."""
@@ -203,40 +213,33 @@ class _Reader:
                 parameters, at = read_table(self.image, at, end)
             except DecodeError as error:
                 return _Code(flaw=Flaw(error.fault, self.image[start:end], headless=True))
-        found, fault = self._instructions.scan(self.image, at, end)
-        operations = tuple(found)
-        count = _own_operations(operations)
-        if count is not None:
-            operations = operations[:count]
-            rest = self.image[_end_of(operations, at) : end]
-            return _Code(parameters, operations, Flaw(rest=rest) if rest else NO_FLAW)
-        if fault is None:
-            return _Code(parameters, operations)
-        return _Code(parameters, operations, Flaw(fault.fault, self.image[_end_of(operations, at) : end]))
+        starts: array[int] = array("I")
+        handles: Handles = {}
+        furthest, limit, fault = 0, at, None
+        for operation in scanned(self.image, at, end, self._instructions):
+            if isinstance(operation, Fault):
+                fault = operation
+                break
+            starts.append(operation.offset)
+            self._finder.note(operation, handles, self._shared)
+            limit = operation.offset + operation.length
+            if operation.name == _OBJECT_END and furthest <= operation.offset:
+                # What follows is never run: code that belongs to no object, or no code at all.
+                break
+            furthest = max(furthest, _target(operation))
+        flaw = Flaw(fault, self.image[limit:end]) if fault is not None or limit < end else NO_FLAW
+        return _Code(parameters, starts, limit if fault is None else end, handles, flaw)
 
 
-def _own_operations(operations: tuple[Operation, ...]) -> int | None:
-    """Returns how many operations there are up to the first OBJECT_END after which no jump leads; None without one.
-
-    What follows it is never run: code that belongs to no object, or no code at all.
-    """
-    furthest = 0
-    for place, operation in enumerate(operations):
-        schema, _, _, end = operation[:4]
-        name = schema.declaration.name
-        if name == _OBJECT_END:
-            if furthest <= operation.offset:
-                return place + 1
-        elif name.startswith(_JUMPS):
-            arguments = operation.arguments
-            target = arguments[-1].value if arguments else None
-            if isinstance(target, int) and not arguments[-1].is_variable:
-                furthest = max(furthest, end + target)
-    return None
-
-
-def _end_of(operations: tuple[Operation, ...], start: int) -> int:
-    return operations[-1].offset + operations[-1].length if operations else start
+def _target(operation: Operation) -> int:
+    """Returns the offset that a jump by a constant leads to; 0 for other operations."""
+    if not operation.name.startswith(_JUMPS):
+        return 0
+    arguments = operation.arguments
+    target = arguments[-1].value if arguments else None
+    if not isinstance(target, int) or arguments[-1].is_variable:
+        return 0
+    return operation.offset + operation.length + target
 
 
 class Entry(NamedTuple):
@@ -268,66 +271,28 @@ def _entry(part: CodeObject) -> Entry:
     return Entry(part.owner, part.triggers, part.local_size, code, part.shares)
 
 
-class ImageSchema(Bytewise):
-    """The schema of a whole image, for one dialect."""
-
-    def __init__(self, dialect: str) -> None:
-        super().__init__()
-        self.instructions = instruction_set(dialect)
-
-    def read(self, data: bytes, at: int) -> tuple[Program, int]:
-        """Returns the image from an offset to where its header says it ends. Raises DecodeError."""
-        head = data[at : at + IMAGE_HEADER_SIZE]
-        size = PACKED_HEADER.unpack_from(head, len(SIGN))[0] if len(head) == IMAGE_HEADER_SIZE else len(data)
-        end = min(at + size, len(data))
-        program = self.read_image(data[at:end])
-        if program.fault is not None:
-            raise DecodeError(*program.fault)
-        return program, end
-
-    def read_image(self, image: bytes) -> Program:
-        """Exactly one image, as far as it can be read. DecodeError where there is not even a header."""
-        if len(image) > MAX_IMAGE:
-            raise DecodeError(MAX_IMAGE, f"the image has {len(image)} bytes; at most {MAX_IMAGE} are read")
-        return _Reader(image, self.instructions).program()
-
-    def write(self, value: Any) -> bytes:
-        """Returns the image of a program. Raises BuildError."""
-        return build(value)
-
-
-_SCHEMAS: dict[str, ImageSchema] = {}
-
-
-def image_schema(dialect: str = "official") -> ImageSchema:
-    """Returns the schema of images for a dialect, made once. ValueError for an unknown dialect."""
-    if dialect not in _SCHEMAS:
-        _SCHEMAS[dialect] = ImageSchema(dialect)
-    return _SCHEMAS[dialect]
-
-
-IMAGE = image_schema()
-"""The Construct of an image for LEGO's firmware."""
-
-
 def parse(image: bytes | bytearray | memoryview, *, strict: bool = True, dialect: str = "official") -> Program:
     """Reads a program image.
 
     Args:
-        image: The image from its sign to its last byte, at most 32 MiB.
+        image: The image from its sign to its last byte, at most 4 MiB.
         strict: False: nothing after the header raises; `program.faults` says what is wrong and where, and what could be
             read is there.
         dialect: "official", "xtended" or "compat": the firmware whose instruction set to use.
 
     Returns:
-        The program; its `build()` gives the same bytes again.
+        The program; without faults, its `build()` gives the same bytes again.
 
     Raises:
         DecodeError: The image is faulty, or not even its header can be read. The error has `offset` and `reason`.
         ValueError: The dialect is unknown.
         TypeError: The image is not made of bytes.
     """
-    program = image_schema(dialect).read_image(as_bytes(image, "an image"))
+    image = as_bytes(image, "an image")
+    instructions = instruction_set(dialect)
+    if len(image) > MAX_IMAGE:
+        raise DecodeError(MAX_IMAGE, f"the image has {len(image)} bytes; at most {MAX_IMAGE} are read")
+    program = _Reader(image, instructions).program()
     if strict and program.fault is not None:
         raise DecodeError(*program.fault)
     return program
@@ -343,13 +308,16 @@ def build(program: Program) -> bytes:
         The image.
 
     Raises:
-        BuildError: No image can carry the program. The message names the field.
+        BuildError: No image can carry the program: the message names the field. Or the program has faults: it was read
+            in part only.
         TypeError: It is not a Program.
     """
     if not isinstance(program, Program):
         raise TypeError(f"an image is made of a Program, not of {type(program).__name__}")
     if not isinstance(program.defects, Defects):
         raise BuildError(f"defects cannot be {program.defects!r}: they are Defects")
+    if program.fault is not None:
+        raise BuildError(READ_IN_PART.format(fault=program.fault))
     return image_of(program.version, program.global_size, [_entry(part) for part in program.objects], program.defects)
 
 
@@ -382,9 +350,9 @@ def image_of(
     body = b"".join(piece for _, piece in _pieces(entries, offsets, defects))
     size = IMAGE_HEADER_SIZE + len(entries) * OBJECT_HEADER_SIZE + len(body)
     head = SIGN + PACKED_HEADER.pack(
-        _field("the size", size if defects.stated_size is None else defects.stated_size, MAX_MEMORY),
+        _field("the size", size, MAX_MEMORY),
         _field("version", version, 0xFFFF),
-        len(entries) if defects.stated_count is None else defects.stated_count,
+        len(entries),
         _field("global_size", global_size, MAX_MEMORY),
     )
     table = b"".join(

@@ -5,6 +5,7 @@ Also as one JSON object, with every key that other tools may rely on.
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterator
 from typing import Any
 
@@ -129,22 +130,34 @@ def _faults(program: Program) -> Iterator[Line]:
         yield [(f"fault at {fault}", Role.FAULT)]
 
 
-def program_record(program: Program, size: int) -> dict[str, Any]:
-    """Returns the object of a program whose image has `size` bytes.
+def program_json(program: Program, size: int, origin: str | None = None) -> Iterator[str]:
+    """Yields the pieces of the JSON object of a program whose image has `size` bytes.
 
-    An object that uses the code of an earlier one has `shares`, and no operations of its own.
+    An object that uses the code of an earlier one has `shares`, and no operations of its own. With `origin`, the object
+    says where the program is from.
     """
-    return {
-        "kind": "program",
-        "size": size,
-        "version": program.version,
-        "globals": program.global_size,
-        "objects": [_object_record(part) for part in program.objects],
+    yield _opened(kind="program", size=size, version=program.version, globals=program.global_size) + ', "objects": ['
+    for number, part in enumerate(program.objects):
+        yield ", " if number else ""
+        yield from _object_json(part)
+    tail: dict[str, Any] = {
         "faults": [{"offset": fault.offset, "reason": fault.reason} for fault in program.faults],
     }
+    if origin is not None:
+        tail["origin"] = origin
+    yield f"], {_dumped(tail)[1:]}"
 
 
-def _object_record(part: CodeObject) -> dict[str, Any]:
+def _dumped(entry: dict[str, Any]) -> str:
+    return json.dumps(entry, ensure_ascii=False)
+
+
+def _opened(**entry: Any) -> str:
+    """Returns a JSON object without its closing brace."""
+    return _dumped(entry)[:-1]
+
+
+def _object_json(part: CodeObject) -> Iterator[str]:
     entry: dict[str, Any] = {
         "number": part.number,
         "kind": str(part.kind),
@@ -165,16 +178,17 @@ def _object_record(part: CodeObject) -> dict[str, Any]:
         else [],
     }
     if part.shares is not None:
-        entry["shares"] = part.shares
-        return entry
-    entry["length"] = len(part.code)
-    entry["calls"] = called_by(part)
-    entry["operations"] = [_operation_record(operation) for operation in part.operations]
+        yield _dumped({**entry, "shares": part.shares})
+        return
+    yield _opened(**entry, length=len(part.code), calls=called_by(part)) + ', "operations": ['
+    for number, operation in enumerate(part.operations):
+        yield f"{', ' if number else ''}{_dumped(_operation_record(operation))}"
+    yield "]"
     if part.rest:
-        entry["rest"] = part.rest.hex()
+        yield f', "rest": "{part.rest.hex()}"'
     if part.fault is not None:
-        entry["fault"] = {"offset": part.fault.offset, "reason": part.fault.reason}
-    return entry
+        yield f', "fault": {_dumped({"offset": part.fault.offset, "reason": part.fault.reason})}'
+    yield "}"
 
 
 def _operation_record(operation: Operation) -> dict[str, Any]:

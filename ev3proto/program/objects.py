@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
 from ev3proto.errors import Fault
 from ev3proto.messages import NO_FLAW, Flaw, Operation
+from ev3proto.program.code import Code
 from ev3proto.program.parameters import ProgramParameter, table_bytes
 from ev3proto.tables.program import ObjectKind, aligned, kind_of
 
@@ -27,7 +29,8 @@ class CodeObject:
     triggers    how often it has to be triggered before it starts; 1 for subcalls and blocks
     local_size  bytes of local memory, 0 to 4294967295
     parameters  what a subcall declares
-    operations  its code, the last OBJECT_END included; offsets are those in the image
+    operations  its code, the last OBJECT_END included; offsets are those in the image;
+                read again each time, so that a program takes little memory
     offset      of its code in the image
     shares      number of the earlier object whose code it uses, or None
     flaw        its fault, and the bytes that could not be read; NO_FLAW for almost all
@@ -38,7 +41,7 @@ class CodeObject:
     triggers: int = 0
     local_size: int = 0
     parameters: tuple[ProgramParameter, ...] = ()
-    operations: tuple[Operation, ...] = ()
+    operations: Sequence[Operation] = ()
     offset: int = 0
     shares: int | None = None
     flaw: Flaw = NO_FLAW
@@ -64,7 +67,7 @@ class CodeObject:
         table = b""
         if self.kind is ObjectKind.SUBCALL and not self.flaw.headless:
             table = table_bytes(self.parameters)
-        return table + b"".join([operation.raw for operation in self.operations]) + self.flaw.rest
+        return table + _bytes_of(self.operations) + self.flaw.rest
 
     @property
     def places(self) -> tuple[ParameterPlace, ...]:
@@ -78,20 +81,22 @@ class CodeObject:
         return tuple(found)
 
 
+def _bytes_of(operations: Sequence[Operation]) -> bytes:
+    if isinstance(operations, Code):
+        return operations.raw
+    return b"".join([operation.raw for operation in operations])
+
+
 class Defects(NamedTuple):
-    """The irregularities of an image, which are kept so that it builds to the same bytes.
+    """The irregularities of an image.
 
     faults        faults of the image as a whole; those of an object are at the object
-    stated_size   the size field, if it is wrong
-    stated_count  the number of objects in the header, if the table is cut off
     offsets       the offset of every object's code, if they are not in order without gaps
     gaps          offset and bytes of parts that belong to no object
     headers       the offsets in the headers, if the firmware uses others: for 0 it uses the next code
     """
 
     faults: tuple[Fault, ...] = ()
-    stated_size: int | None = None
-    stated_count: int | None = None
     offsets: tuple[int, ...] | None = None
     gaps: tuple[tuple[int, bytes], ...] = ()
     headers: tuple[int, ...] | None = None

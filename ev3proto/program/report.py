@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from typing import NoReturn
+from typing import Any, NoReturn
 
 from ev3proto.checking.report import Finding, Report
 from ev3proto.text.diagnostics import ROLES
@@ -13,11 +13,20 @@ from ev3proto.text.spans import Line, Role, plain_text, visible
 
 @dataclass(frozen=True, slots=True)
 class ProgramReport(Report):
-    """What a check of a program found. Its `frame` is the image, and `accepted` says whether the brick starts it."""
+    """What a check of a program found. Its `frame` is the image, and `accepted` says whether the brick starts it.
+
+    omitted  number of findings beyond the limit, which are not in `findings`
+    """
+
+    omitted: int = 0
 
     def __str__(self) -> str:
         """Returns what `ev3proto check` prints of it."""
         return "\n".join(visible(plain_text(line)) for line in program_findings(self, self.findings))
+
+    def as_dict(self) -> dict[str, Any]:
+        """Returns it as a dictionary for other tools; with `omitted` if there are more findings than listed."""
+        return {**Report.as_dict(self), **({"omitted": self.omitted} if self.omitted else {})}
 
     @property
     def fixed(self) -> NoReturn:
@@ -25,7 +34,7 @@ class ProgramReport(Report):
         raise ValueError("only frames can be fixed, and this is the report on a program")
 
 
-def program_findings(report: Report, findings: Iterable[Finding], place: str = "") -> Iterator[Line]:
+def program_findings(report: ProgramReport, findings: Iterable[Finding], place: str = "") -> Iterator[Line]:
     """Yields the findings of a program as lines, and the brick's verdict.
 
     Args:
@@ -42,6 +51,8 @@ def program_findings(report: Report, findings: Iterable[Finding], place: str = "
             (f": {place}offset {finding.offset}: {finding.message}", Role.PLAIN),
         ]
         yield [(f"  help: {finding.help}", Role.ASIDE)]
+    if report.omitted:
+        yield [(f"{place}and {report.omitted} more findings, which are not listed", Role.ASIDE)]
     if report.accepted:
         yield [(f"{place}the brick takes the program", Role.HEADING)]
     else:

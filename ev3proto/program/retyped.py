@@ -6,8 +6,9 @@ know neither, so that a float would be read as a whole number. Here such an oper
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from functools import cache
+from typing import NamedTuple
 
 from ev3proto.messages import Argument, Operation
 from ev3proto.program.parameters import ProgramParameter
@@ -26,8 +27,8 @@ _MAKERS = {
 }
 """The operations that show the type of the array behind a handle."""
 
-_Handles = dict[tuple[str, int], set[Type]]
-"""By the kind and index of the variable that holds a handle: the types of the arrays that it may refer to."""
+Handles = dict[tuple[str, int], Type | None]
+"""By the kind and index of the variable that holds a handle: the type of its array; None where several are made."""
 
 Kinds = tuple[tuple[Type, Direction], ...]
 
@@ -85,64 +86,65 @@ def retyped(base: OperationSchema, first: int, kinds: Kinds) -> RetypedSchema:
     return RetypedSchema(base, first, kinds)
 
 
-Callees = Mapping[int, tuple[ProgramParameter, ...]]
+class HandleFinder:
+    """Finds the types of arrays in operations, by the variables that hold their handles."""
 
+    def __init__(self, dialect: str) -> None:
+        instructions = instruction_set(dialect)
+        self._makers = {
+            instructions.by_name[name]: kind for name, kind in _MAKERS.items() if name in instructions.by_name
+        }
 
-def with_types(codes: Sequence[tuple[Operation, ...]], callees: Callees, dialect: str) -> list[tuple[Operation, ...]]:
-    """Returns the operations of every code, those of CALL and ARRAY.FILL read with the types that the program shows.
-
-    Args:
-        codes: The codes, each once, however many objects share it.
-        callees: The parameters that objects declare, by their numbers.
-        dialect: The firmware whose instruction set they are read by.
-    """
-    instructions = instruction_set(dialect)
-    call, fill = instructions[CALL], instructions[_FILL]
-    makers = {instructions.by_name[name]: kind for name, kind in _MAKERS.items() if name in instructions.by_name}
-    shared: _Handles = {}
-    own = [_handles(operations, makers, shared) for operations in codes]
-    found = []
-    for operations, handles in zip(codes, own, strict=True):
-        known = handles | shared
-        found.append(
-            tuple(
-                [
-                    _typed_call(operation, call, callees)
-                    if operation.schema is call
-                    else _typed_fill(operation, fill, known)
-                    if operation.schema is fill
-                    else operation
-                    for operation in operations
-                ]
-            )
-        )
-    return found
-
-
-def _handles(operations: tuple[Operation, ...], makers: Mapping[OperationSchema, Type], shared: _Handles) -> _Handles:
-    """Returns the variables that hold handles in one code, and the types of their arrays; `shared` gets global ones."""
-    found: _Handles = {}
-    for operation in operations:
-        kind = makers.get(operation.schema)  # type: ignore[call-overload]
+    def note(self, operation: Operation, own: Handles, shared: Handles) -> None:
+        """Notes the array that an operation makes: in `own` if a local variable holds its handle, else in `shared`."""
+        kind = self._makers.get(operation.schema)  # type: ignore[call-overload]
         argument = None if kind is None else _handle_of(operation)
         if argument is not None:
-            place = found if argument.kind == LOCAL else shared
-            place.setdefault((argument.kind, int(argument.value)), set()).add(kind)
-    return found
+            known, place = own if argument.kind == LOCAL else shared, (argument.kind, int(argument.value))
+            known[place] = kind if known.get(place, kind) is kind else None
 
 
-def _handle_of(operation: Operation) -> Argument | None:
-    """Returns the variable that holds the array's handle."""
-    return next((it for it in operation.arguments if it.is_variable and it.parameter.type is Type.HANDLE), None)
+class Types(NamedTuple):
+    """The types that a program shows of the arguments of one of its codes.
 
+    callees  the parameters that objects declare, by their numbers
+    own      the arrays whose handles local variables of the code hold
+    shared   the arrays whose handles global variables hold
+    dialect  the firmware whose instruction set the code is read by
+    """
 
-def _typed_call(operation: Operation, schema: OperationSchema, callees: Callees) -> Operation:
-    arguments = operation.arguments
-    callee = arguments[0] if arguments else None
-    if callee is None or callee.kind != CONSTANT or callee.value not in callees:
-        return operation
-    kinds = _kinds(callees[int(callee.value)])
-    return _with_schema(operation, retyped(schema, _FIXED_OF_CALL, kinds))
+    callees: Mapping[int, tuple[ProgramParameter, ...]]
+    own: Handles
+    shared: Handles
+    dialect: str
+
+    def typed(self, operation: Operation) -> Operation:
+        """Returns an operation; one of CALL or ARRAY.FILL read with the types that the program shows."""
+        name = operation.full_name
+        if name == CALL:
+            return self._call(operation)
+        return self._fill(operation) if name == _FILL else operation
+
+    def _call(self, operation: Operation) -> Operation:
+        arguments = operation.arguments
+        callee = arguments[0] if arguments else None
+        if callee is None or callee.kind != CONSTANT or callee.value not in self.callees:
+            return operation
+        return self._read(operation, _FIXED_OF_CALL, _kinds(self.callees[int(callee.value)]))
+
+    def _fill(self, operation: Operation) -> Operation:
+        handle = _handle_of(operation)
+        if handle is None:
+            return operation
+        known = self.own if handle.kind == LOCAL else self.shared
+        if known.get((handle.kind, int(handle.value))) is not DATAF:
+            return operation
+        return self._read(operation, 1, ((DATAF, Direction.IN),))
+
+    def _read(self, operation: Operation, first: int, kinds: Kinds) -> Operation:
+        _, data, start, end = operation[:4]
+        schema = retyped(instruction_set(self.dialect)[operation.full_name], first, kinds)
+        return type(operation)((schema, data, start, end, schema.arguments(data, start, end)))
 
 
 @cache
@@ -150,13 +152,6 @@ def _kinds(parameters: tuple[ProgramParameter, ...]) -> Kinds:
     return tuple((parameter.type, parameter.direction) for parameter in parameters)
 
 
-def _typed_fill(operation: Operation, schema: OperationSchema, handles: _Handles) -> Operation:
-    handle = _handle_of(operation)
-    if handle is None or handles.get((handle.kind, int(handle.value))) != {DATAF}:
-        return operation
-    return _with_schema(operation, retyped(schema, 1, ((DATAF, Direction.IN),)))
-
-
-def _with_schema(operation: Operation, schema: RetypedSchema) -> Operation:
-    _, data, start, end = operation[:4]
-    return type(operation)((schema, data, start, end, schema.arguments(data, start, end)))
+def _handle_of(operation: Operation) -> Argument | None:
+    """Returns the variable that holds the array's handle."""
+    return next((it for it in operation.arguments if it.is_variable and it.parameter.type is Type.HANDLE), None)

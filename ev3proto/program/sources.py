@@ -143,8 +143,6 @@ def _image(program: AssembledProgram, version: int) -> bytes:
         sizes = [objects[it.last].local_size for it in objects]
         entries = [entry._replace(local_size=size) for entry, size in zip(entries, sizes, strict=True)]
     defects = Defects(
-        stated_size=said.numbers.get("size"),
-        stated_count=said.numbers.get("count"),
         offsets=None if offsets == regular and not said.gaps else tuple(offsets),
         gaps=tuple(said.gaps),
         headers=None if headers == offsets else tuple(headers),

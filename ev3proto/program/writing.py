@@ -9,15 +9,18 @@ from __future__ import annotations
 
 import math
 import struct
+from array import array
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
+from ev3proto.errors import BuildError
 from ev3proto.messages import Argument, Operation
-from ev3proto.program.image import Program
+from ev3proto.program.image import READ_IN_PART, Program
 from ev3proto.program.objects import CodeObject
 from ev3proto.program.parameters import ProgramParameter, code_of
 from ev3proto.schema.argument import encode_as
+from ev3proto.semantics.flow import starts_of
 from ev3proto.tables.declaration import Type
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL, TEXT
 from ev3proto.tables.program import ALIGNED_SIZES, RELEASE_VERSION, VERSIONS, ObjectKind
@@ -67,11 +70,19 @@ def source_of(program: Program) -> str:
         The source.
 
     Raises:
+        BuildError: The program has faults: it was read in part only.
         TypeError: It is not a Program.
     """
+    return "".join(f"{line}\n" for line in source_lines(program))
+
+
+def source_lines(program: Program) -> Iterator[str]:
+    """Returns the lines of `source_of`, written one after the other. Raises the same."""
     if not isinstance(program, Program):
         raise TypeError(f"a source is made of a Program, not of {type(program).__name__}")
-    return "".join(f"{line}\n" for line in Writer(program).lines())
+    if program.fault is not None:
+        raise BuildError(READ_IN_PART.format(fault=program.fault))
+    return Writer(program).lines()
 
 
 class ObjectCode:
@@ -98,10 +109,7 @@ class ObjectCode:
         if part.kind is ObjectKind.SUBCALL and (part.flaw.headless or not all(map(_is_usual, part.parameters))):
             # The word subcall would put a table of its own in front.
             self.word = str(ObjectKind.THREAD)
-            self.raw = b"" if part.flaw.headless else part.code[: _table_size(part.parameters)]
-        if self.steps and not self.steps[-1].is_complete:
-            self.rest = self.steps[-1].raw + self.rest
-            self.steps = self.steps[:-1]
+            self.raw = part.code[: _table_size(part.parameters)]
         self.is_open = bool(self.rest) or not self._leave_end_out()
         for step in self.steps:
             _add_uses(step, self.uses)
@@ -122,11 +130,11 @@ class ObjectCode:
         return True
 
     @property
-    def places(self) -> set[int]:
+    def places(self) -> Sequence[int]:
         """Offsets that can have a label: of the steps, and after the last one where an operation is added."""
-        found = {step.offset for step in self.steps}
+        found = array("I", starts_of(self.steps))
         if not self.is_open:
-            found.add(end_of(self.steps[-1]) if self.steps else self.part.operations[0].offset)
+            found.append(end_of(self.steps[-1]) if self.steps else self.part.operations[0].offset)
         return found
 
 
@@ -160,14 +168,8 @@ class Writer(OperationWriter):
         yield f"// by the rules of {rules}{f'; its version is that of {writer}' if writer else ''}"
         yield f"{MARK} version 0x{program.version:02X}"
         yield f"{MARK} {self.rules.name}"
-        if defects.stated_size is not None:
-            yield f"{MARK} size {defects.stated_size}"
-        if defects.stated_count is not None:
-            yield f"{MARK} count {defects.stated_count}"
         for offset, data in defects.gaps:
             yield f"{MARK} {GAP} {offset} {spaced_hex(data)}"
-        for fault in program.faults:
-            yield f"// fault at {fault}"
         yield from self._declared
         for code, name in zip(self.codes, self.names, strict=True):
             yield ""

@@ -6,9 +6,11 @@ anywhere, and a jump out of the code runs unknown bytes: then it is unknown what
 
 from __future__ import annotations
 
-from bisect import bisect_right
-from collections.abc import Sequence
+from array import array
+from bisect import bisect_left, bisect_right
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 from ev3proto.messages import Argument, Operation
 from ev3proto.schema.instructions import instruction_set
@@ -17,8 +19,8 @@ from ev3proto.tables.declaration import Effect, Role
 from ev3proto.tables.encoding import JUMP
 from ev3proto.tables.validation import LABELS
 
-_WINDOWS = (32, 256)
-"""Number of bytes in which an operation is first looked for, since jumps may lead into many places."""
+_FIRST_WINDOW, _GROWTH = 32, 8
+"""Bytes in which an operation is looked for first, since jumps may lead into many places; the factor of the next."""
 
 
 @dataclass(slots=True)
@@ -76,8 +78,21 @@ def target_of(operation: Operation, jump: Argument, labels: dict[int | None, int
     return operation.offset + operation.length + jump.value
 
 
-def flow_of(data: bytes, operations: Sequence[Operation], start: int, end: int, dialect: str) -> Flow:
-    """Follows code from its first operation.
+class Step(NamedTuple):
+    """An operation that can run.
+
+    operation  the operation, which may be inside another one
+    following  the offsets at which it continues; the end of the code if it ends
+    is_known   whether these are all
+    """
+
+    operation: Operation
+    following: list[int]
+    is_known: bool
+
+
+def steps_of(data: bytes, operations: Sequence[Operation], start: int, end: int, dialect: str) -> Iterator[Step | None]:
+    """Follows code from its first operation. Takes some bytes of memory for each byte of it.
 
     Args:
         data: The bytes that contain the code.
@@ -85,33 +100,85 @@ def flow_of(data: bytes, operations: Sequence[Operation], start: int, end: int, 
         start: The offset of the first one.
         end: The offset after the last one.
         dialect: The firmware whose instruction set is used.
+
+    Yields:
+        Each operation that can run, once; None for a place that can run, but has no code that can be read.
     """
-    flow = Flow()
-    read = {operation.offset: operation for operation in operations if operation.is_complete}
-    labels = labels_of(operations)
+    starts, labels = starts_of(operations), labels_of(operations)
+    seen = bytearray(end - start)
+    inside: dict[int, Operation] = {}
     waiting = [start]
     while waiting:
         at = waiting.pop()
-        if at in flow.following or at == end:
+        is_code = start <= at < end
+        if at == end or (is_code and seen[at - start]):
             continue
-        if at not in read and start <= at < end:
-            for offset, operation in _read(data, at, end, dialect).items():
-                read.setdefault(offset, operation)
-        reached = read.get(at)
-        if reached is None:
+        place = place_of(at, starts)
+        operation = None if place is None else operations[place]
+        if is_code and (operation is None or not operation.is_complete):
+            if at not in inside:
+                inside = _read(data, at, end, dialect)
+            operation = inside.get(at)
+        if operation is None:
+            yield None
+            continue
+        if is_code:
+            seen[at - start] = 1
+        step = _step(operation, labels, end)
+        yield step
+        # What follows in the row is next: that is read fastest.
+        waiting += reversed(step.following)
+
+
+def _step(operation: Operation, labels: dict[int | None, int], end: int) -> Step:
+    following = _following(operation, end)
+    jump = jump_of(operation)
+    target = None if jump is None else target_of(operation, jump, labels)
+    if target is not None:
+        following.append(target)
+    return Step(operation, following, jump is None or target is not None)
+
+
+def starts_of(operations: Sequence[Operation]) -> Sequence[int]:
+    """Returns the offsets of operations, in ascending order."""
+    return array("I", (operation.offset for operation in operations))
+
+
+def place_of(offset: int, starts: Sequence[int]) -> int | None:
+    """Returns the number of the operation that starts at an offset, or None."""
+    place = bisect_left(starts, offset)
+    return place if place < len(starts) and starts[place] == offset else None
+
+
+def flow_of(data: bytes, operations: Sequence[Operation], start: int, end: int, dialect: str) -> Flow:
+    """Returns the operations that can run; arguments as for `steps_of`."""
+    flow = Flow()
+    for step in steps_of(data, operations, start, end, dialect):
+        if step is None:
             flow.is_known = False
             continue
-        flow.operations[at] = reached
-        flow.following[at] = following = _following(reached, end)
-        jump = jump_of(reached)
-        if jump is not None:
-            target = target_of(reached, jump, labels)
-            if target is None:
-                flow.is_known = False
-            else:
-                following.append(target)
-        waiting += following
+        flow.operations[step.operation.offset] = step.operation
+        flow.following[step.operation.offset] = step.following
+        flow.is_known &= step.is_known
     return flow
+
+
+def runs_of(data: bytes, operations: Sequence[Operation], end: int, dialect: str) -> bytearray | None:
+    """Returns 1 for each operation that can run or contains code that can, else 0; None if that is unknown.
+
+    Args:
+        data: The bytes that contain the code.
+        operations: The operations read in a row, at least one.
+        end: The offset after the last one.
+        dialect: The firmware whose instruction set is used.
+    """
+    starts = starts_of(operations)
+    runs = bytearray(len(starts))
+    for step in steps_of(data, operations, starts[0], end, dialect):
+        if step is None or not step.is_known:
+            return None
+        runs[bisect_right(starts, step.operation.offset) - 1] = 1
+    return runs
 
 
 def reached(operations: Sequence[Operation], flow: Flow) -> set[int]:
@@ -133,8 +200,9 @@ def _following(operation: Operation, end: int) -> list[int]:
 
 def _read(data: bytes, at: int, end: int, dialect: str) -> dict[int, Operation]:
     """Returns the operation at an offset, if readable, and some after it."""
-    for limit in (*(at + window for window in _WINDOWS if at + window < end), end):
-        found, _ = instruction_set(dialect).scan(data, at, limit)
-        if found and found[0].is_complete:
+    size = _FIRST_WINDOW
+    while True:
+        found, _ = instruction_set(dialect).scan(data, at, min(at + size, end))
+        if (found and found[0].is_complete) or at + size >= end:
             return {operation.offset: operation for operation in found if operation.is_complete}
-    return {}
+        size *= _GROWTH

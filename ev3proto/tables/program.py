@@ -26,8 +26,8 @@ VERSIONS = {
 }
 """The known writers of each version."""
 
-MAX_IMAGE = 1 << 25
-"""Maximum size of an image that is read, in bytes: more than the brick has memory for."""
+MAX_IMAGE = 1 << 22
+"""Maximum size of an image that is read, in bytes; the flash memory of a brick has 16 MiB for all files."""
 
 MAX_OBJECTS = 0xFFFF
 """Maximum number of objects that the header can count; their numbers start at 1."""

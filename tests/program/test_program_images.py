@@ -156,7 +156,8 @@ def test_what_is_damaged_is_told_with_its_offset(damage: object, offset: int, wo
     if len(image) >= 16 and image.startswith(b"LEGO"):
         damaged = programs.parse(image, strict=False)
         assert words in " ".join(fault.reason for fault in damaged.faults)
-        assert damaged.build() == image
+        with pytest.raises(ev3proto.BuildError, match="read in part only, so it cannot be made again: fault at"):
+            damaged.build()
 
 
 def test_damaged_code_is_read_as_far_as_it_goes() -> None:
@@ -195,7 +196,7 @@ def test_an_image_stands_in_anybodys_own_structure(schema: Any) -> None:
 
 @settings(max_examples=200)
 @given(st.integers(0), st.integers(1, 6))
-def test_whatever_is_changed_it_builds_back(seed: int, changes: int) -> None:
+def test_a_changed_image_without_faults_builds_back(seed: int, changes: int) -> None:
     rng = random.Random(seed)
     image = bytearray(IMAGE)
     for _ in range(changes):
@@ -210,4 +211,5 @@ def test_whatever_is_changed_it_builds_back(seed: int, changes: int) -> None:
         if len(image) < 17:
             break
     program = programs.parse(bytes(image), strict=False)
-    assert program.build() == bytes(image)
+    if program.fault is None:
+        assert program.build() == bytes(image)

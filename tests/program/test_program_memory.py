@@ -1,10 +1,17 @@
-"""Variables for compiled programs, and the settings by which a source describes what is unusual in its image."""
+"""The memory that images take; variables for compiled programs; settings for what is unusual in an image."""
 
 from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+
+from support.peak import PEAK
+from support.programs import image_of
 
 from ev3proto import program as programs
 from ev3proto.program import assemble
@@ -33,8 +40,6 @@ def test_the_assembler_puts_every_variable_where_it_was(start: int, size: int, u
     ("setting", "header"),
     [
         ("version 0x39", "4C45474F 1D000000 3900 0100 00000000 1C000000 0000 0000 00000000 0A"),
-        ("size 99", "4C45474F 63000000 6D00 0100 00000000 1C000000 0000 0000 00000000 0A"),
-        ("count 7", "4C45474F 1D000000 6D00 0700 00000000 1C000000 0000 0000 00000000 0A"),
         ("globals 9", "4C45474F 1D000000 6D00 0100 09000000 1C000000 0000 0000 00000000 0A"),
         ("owner 3", "4C45474F 1D000000 6D00 0100 00000000 1C000000 0300 0000 00000000 0A"),
         ("triggers 2", "4C45474F 1D000000 6D00 0100 00000000 1C000000 0000 0200 00000000 0A"),
@@ -52,6 +57,32 @@ def test_a_setting(setting: str, header: str) -> None:
 
 
 @pytest.mark.parametrize("setting", ["colour 5", "version red", "version 65536", "gap 3 xyz", "locals -1"])
-def test_what_is_no_setting(setting: str) -> None:
+def test_an_unknown_setting(setting: str) -> None:
     with pytest.raises(AssemblyError, match=f"line 1, column 14: unknown setting {setting}"):
         assemble(f"// ev3proto: {setting}\nvmthread M {{ }}")
+
+
+def _peak(words: list[str], image: Path) -> int:
+    """Returns the maximum of memory of a subcommand, in bytes."""
+    done = subprocess.run(
+        [sys.executable, "-c", PEAK, *words, str(image)], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, check=False
+    )
+    return int(done.stderr.split()[-1]) * 1024
+
+
+@pytest.mark.parametrize(
+    "words", [["decode"], ["decode", "--json"], ["decode", "--format", "lego"], ["check"]], ids=str
+)
+def test_an_image_takes_at_most_60_bytes_a_byte(words: list[str], tmp_path: Path) -> None:
+    small, large, size = tmp_path / "small.rbf", tmp_path / "large.rbf", 60_000
+    small.write_bytes(image_of((0, 0, "01 0A")))
+    large.write_bytes(image_of((0, 0, "01" * size + "0A")))
+    assert _peak(words, large) - _peak(words, small) < 60 * size
+
+
+def test_findings_of_a_program_are_listed_up_to_a_limit() -> None:
+    # MOVE8_8(LV(1), LV(31)) without local memory: two findings each
+    report = programs.check_program(image_of((0, 0, "30 41 5F" * 700 + "0A")))
+    assert len(report.findings) == 1000
+    assert report.as_dict()["omitted"] == 400
+    assert "and 400 more findings, which are not listed" in str(report)

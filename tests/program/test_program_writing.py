@@ -1,4 +1,4 @@
-"""Images to sources and back: the source of any image assembles to the same bytes."""
+"""Images to sources and back: the source of an image without faults assembles to the same bytes."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from support.programs import IMAGE, SHORTEST, image_of
 
+from ev3proto import BuildError
 from ev3proto import program as programs
 from ev3proto.checking.program_codes import PROGRAM_CODES
 from ev3proto.program import assemble, source_of
@@ -60,7 +61,10 @@ def test_in_every_dialect_it_comes_back_or_is_refused(dialect: str | None) -> No
     examples = [image for code in PROGRAM_CODES.values() for image in (code.example, code.counterexample)]
     refusals = [AssemblyError] if dialect in (SourceDialect.LEGO, SourceDialect.BASIC) else []
     for image in [IMAGE, SHORTEST, SIGNS, BASIC_TEXT[:8] + b"\x68" + BASIC_TEXT[9:], *examples]:
-        source = source_of(programs.parse(image, strict=False))
+        program = programs.parse(image, strict=False)
+        if program.fault is not None:
+            continue
+        source = source_of(program)
         with suppress(*refusals):
             assert assemble(source, dialect=dialect).image == image, source
 
@@ -111,7 +115,6 @@ def test_an_encoding_that_is_not_the_usual_one_is_named(code: str, statement: st
         [(0, 1, "01 84 00 08 0A")],
         [(0, 0, "01")],
         [(0, 0, "01 0A FF FF")],
-        [(0, 0, "DF 01 02")],
         [(0, 0, "01 0A"), (1, 1, "0A"), (7, 3, "0A"), (0, 5, "0A")],
         [(0, 0, "09 02 00 0A"), (0, 1, "00 08 0A"), (0, 1, None)],
         [(0, 0, "09 03 00 0A"), (0, 1, "00 08 0A"), (0, 1, "00 08 0A")],
@@ -127,7 +130,7 @@ def test_objects_of_every_kind_come_back(objects: list[tuple[int, int, str | Non
 
 @settings(max_examples=300)
 @given(st.integers(0), st.integers(1, 6), st.sampled_from((IMAGE, SHORTEST)))
-def test_whatever_is_damaged_comes_back(seed: int, changes: int, image: bytes) -> None:
+def test_what_can_be_read_to_its_end_comes_back(seed: int, changes: int, image: bytes) -> None:
     rng = random.Random(seed)
     damaged = bytearray(image)
     for _ in range(changes):
@@ -142,4 +145,8 @@ def test_whatever_is_damaged_comes_back(seed: int, changes: int, image: bytes) -
             case 3:
                 damaged[at:at] = bytes((rng.choice((0x08, 0x0A, 0x40, 0x3A)),))
     program = programs.parse(bytes(damaged), strict=False)
-    assert assemble(source_of(program), dialect="strict").image == bytes(damaged)
+    if program.fault is None:
+        assert assemble(source_of(program), dialect="strict").image == bytes(damaged)
+        return
+    with pytest.raises(BuildError, match="read in part only, so it cannot be made again: fault at"):
+        source_of(program)

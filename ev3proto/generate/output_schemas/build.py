@@ -64,8 +64,9 @@ def _check() -> Schema:
         "hex": HEX,
         "changes": list_of(object_of({field.name: TEXT for field in fields(Change)})),
         "unfixed": list_of(TEXT),
+        "omitted": WHOLE,
     }
-    return object_of(properties, "source", "packet", "line", "column", "changes", "unfixed")
+    return object_of(properties, "source", "packet", "line", "column", "changes", "unfixed", "omitted")
 
 
 def _counts() -> Schema:

@@ -11,6 +11,7 @@ from __future__ import annotations
 import json
 import math
 import struct
+from bisect import bisect_left
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from decimal import Decimal
 from functools import cache
@@ -249,38 +250,68 @@ def end_of(step: Operation) -> int:
     return step.offset + step.length
 
 
-def labels_of(steps: Sequence[Operation], places: Iterable[int], rules: Rules, prefix: str) -> Labels:
-    """Gives labels their names, and says of which jumps the encoding has to be written.
+class _Jump(NamedTuple):
+    """A jump to a place that can have a label: where it leads, where its last argument starts, how that is encoded."""
+
+    goal: int
+    start: int
+    end: int
+    encoding: str
+
+
+def labels_of(steps: Iterable[Operation], places: Sequence[int], rules: Rules, prefix: str) -> Labels:
+    """Names the places that jumps lead to, and finds the jumps whose encoding has to be written.
 
     Args:
         steps: Operations that follow each other.
-        places: Offsets that a label can be at.
+        places: Offsets that a label can be at, in ascending order.
         rules: Those of the assembler that is to read them.
         prefix: What the names of labels start with.
     """
-    known = set(places)
-    jumps = {step.offset: step for step in steps if goal_of(step) in known}
-    goals = sorted({goal for goal in map(goal_of, jumps.values()) if goal is not None})
-    encodings = {offset: step.arguments[-1].encoding for offset, step in jumps.items()}
-    forms = {offset: form for offset, form in encodings.items() if form == "LAB1"}
+    jumps: dict[int, _Jump] = {}
+    for step in steps:
+        goal = goal_of(step)
+        if goal is not None and _has(places, goal):
+            argument, end = step.arguments[-1], end_of(step)
+            jumps[step.offset] = _Jump(goal, end - argument.length, end, argument.encoding)
+    goals = sorted({jump.goal for jump in jumps.values()})
+    names: dict[int | None, str] = {offset: f"{prefix}{number}" for number, offset in enumerate(goals, 1)}
+    forms = {offset: jump.encoding for offset, jump in jumps.items() if jump.encoding == "LAB1"}
+    # The parts of the code are the arguments of jumps, and what is between those and labels.
+    marks: list[tuple[int, int | None]] = sorted([*((goal, None) for goal in goals), *_starts(jumps)], key=_place)
     while True:
         sizes: list[int] = []
-        parts: dict[int | None, int] = {}
+        parts: dict[int, int] = {}
         numbers: dict[int, int] = {}
-        for step in steps:
-            parts[step.offset] = len(sizes)
-            size = len(step.arguments[-1].raw) if step.offset in jumps else 0
-            sizes += [step.length - size, size]
-            numbers[step.offset] = len(sizes) - 1
-        if steps:
-            parts.setdefault(end_of(steps[-1]), len(sizes))
-        wanted = list(sizes)
-        free = {numbers[offset]: parts[goal_of(step)] for offset, step in jumps.items() if offset not in forms}
+        at = places[0] if places else 0
+        for place, offset in marks:
+            sizes.append(place - at)
+            at = place
+            if offset is None:
+                parts[place] = len(sizes)
+            else:
+                numbers[offset] = len(sizes)
+                at = jumps[offset].end
+                sizes.append(at - place)
+        free = {numbers[offset]: parts[jump.goal] for offset, jump in jumps.items() if offset not in forms}
         measure(sizes, free, rules)
-        wrong = [offset for offset in jumps if sizes[numbers[offset]] != wanted[numbers[offset]]]
+        wrong = [offset for offset, jump in jumps.items() if sizes[numbers[offset]] != jump.end - jump.start]
         if not wrong:
-            return Labels({offset: f"{prefix}{number}" for number, offset in enumerate(goals, 1)}, forms)
-        forms |= {offset: encodings[offset] for offset in wrong}
+            return Labels(names, forms)
+        forms |= {offset: jumps[offset].encoding for offset in wrong}
+
+
+def _has(places: Sequence[int], offset: int) -> bool:
+    found = bisect_left(places, offset)
+    return found < len(places) and places[found] == offset
+
+
+def _starts(jumps: Mapping[int, _Jump]) -> Iterator[tuple[int, int]]:
+    return ((jump.start, offset) for offset, jump in jumps.items())
+
+
+def _place(mark: tuple[int, int | None]) -> int:
+    return mark[0]
 
 
 def lego_lines(operations: Sequence[Operation]) -> Iterator[str]:

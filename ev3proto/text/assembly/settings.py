@@ -24,7 +24,7 @@ OPEN = "open"
 OWN = "own"
 """Of an object: its code is written even if an earlier object has the same."""
 
-_OF_FILE = {"version": 0xFFFF, "size": MAX_MEMORY, "count": MAX_OBJECTS, "globals": MAX_MEMORY}
+_OF_FILE = {"version": 0xFFFF, "globals": MAX_MEMORY}
 _OF_OBJECTS = {
     "owner": MAX_OBJECTS,
     "triggers": 0xFFFF,

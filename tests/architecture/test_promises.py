@@ -23,6 +23,7 @@ from ev3proto.capture.timeline import collecting
 from ev3proto.cli import inputs, live, values
 from ev3proto.cli.annotations import MOST_COMPLAINTS
 from ev3proto.link import file_moves
+from ev3proto.program.checking import MOST_OF_A_CODE
 from ev3proto.tables.claims import STRANGE_PACKETS
 from ev3proto.tables.frame import MAX_FRAME
 from ev3proto.tables.program import MAX_IMAGE
@@ -51,7 +52,8 @@ LIMITS = {
     "A line of text": f"{MAX_LINE // MIB} MiB",
     "An array or a dump over several lines": f"{MAX_COLLECTED // KIB} KiB",
     "A file that has only frames": f"{inputs.MOST_RAW // MIB} MiB",
-    "A program image": f"{MAX_IMAGE // MIB} MiB",
+    "A program image": f"{MAX_IMAGE // MIB} MiB, 60 bytes of memory a byte to show or check it",
+    "Findings of one code in a program": f"{MOST_OF_A_CODE:,}",
     "A file that `copy` moves, a listing of a folder": f"{file_moves.MOST_FILE // MIB} MiB",
     "Files in a capture": f"{files.MOST_FILES:,}",
     "`stats`: bricks; files; unanswered commands, faults and skipped bytes listed": (

@@ -12,7 +12,6 @@ import signal
 import subprocess
 import time
 import tomllib
-from collections.abc import Mapping
 from importlib.metadata import PackageNotFoundError, requires
 from pathlib import Path
 
@@ -29,9 +28,6 @@ case "$*" in
 "-m venv "*) mkdir -p "$3/bin"; cp "$0" "$3/bin/python"; echo "command = $PWD/$3" >"$3/pyvenv.cfg" ;;
 "-m pip install "*)
     echo "$*" >>"$CALLS"
-    env | grep -E '^(PYTHON|PIP_)' | sort >"$CALLS.env"
-    [ -z "$NO_NETWORK" ] || exit 1
-    case "$*" in *--constraint*) [ -z "$NOT_TO_BE_HAD" ] || exit 1 ;; esac
     for _ in $(seq "$TAKES"); do [ -e "$CALLS.enough" ] || sleep 0.1; done
     case "$here" in
     *" "*) printf '#!/bin/sh\nexec "%s/python" "$0" "$@"\n' "$here" ;;  # as pip does it
@@ -41,9 +37,6 @@ case "$*" in
 esac
 """
 """Records what it installs. It takes some tenths of a second, at most until `calls.enough` exists."""
-
-
-NOTHING: Mapping[str, str] = {}
 
 
 class Checkout:
@@ -62,19 +55,17 @@ class Checkout:
         self.calls.touch()
         self.env = {"PATH": f"{folder}:{os.environ['PATH']}", "CALLS": str(self.calls)}
 
-    def start(
-        self, *words: str, takes: int = 0, not_to_be_had: bool = False, env: Mapping[str, str] = NOTHING
-    ) -> subprocess.Popen[str]:
+    def start(self, *words: str, takes: int = 0) -> subprocess.Popen[str]:
         return subprocess.Popen(
             [self.folder / "bin" / "setup", *words],
-            env={**self.env, **env, "TAKES": str(takes), "NOT_TO_BE_HAD": "x" if not_to_be_had else ""},
+            env={**self.env, "TAKES": str(takes)},
             stderr=subprocess.PIPE,
             text=True,
             start_new_session=True,
         )
 
-    def run(self, *words: str, not_to_be_had: bool = False, env: Mapping[str, str] = NOTHING) -> str:
-        process = self.start(*words, not_to_be_had=not_to_be_had, env=env)
+    def run(self, *words: str) -> str:
+        process = self.start(*words)
         _, said = process.communicate(timeout=30)
         assert process.returncode == 0, said
         assert self.works()
@@ -108,18 +99,6 @@ def test_the_second_time_there_is_nothing_to_do(checkout: Checkout) -> None:
     assert len(checkout.installed) == 2
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGKILL])
-def test_interrupted_in_the_middle(checkout: Checkout, number: signal.Signals) -> None:
-    process = checkout.start(takes=600)
-    checkout.wait_for_pip()
-    os.killpg(process.pid, number)
-    process.communicate(timeout=30)
-    assert process.returncode
-    assert not (checkout.folder / ".venv").exists()
-    assert "making .venv" in checkout.run()
-    assert not (checkout.folder / ".venv.new").exists()
-
-
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGKILL])
 def test_interrupted_while_it_is_brought_up_to_date(checkout: Checkout, number: signal.Signals) -> None:
     """The packages of the existing environment may be half removed by then."""
@@ -131,6 +110,7 @@ def test_interrupted_while_it_is_brought_up_to_date(checkout: Checkout, number: 
     process.communicate(timeout=30)
     assert process.returncode
     assert "making .venv" in checkout.run()
+    assert not (checkout.folder / ".venv.new").exists()
     assert checkout.run() == ""
 
 
@@ -155,15 +135,6 @@ def test_a_folder_that_cannot_be_written(checkout: Checkout) -> None:
     assert (done.returncode, done.stderr) == (0, "")
 
 
-def test_without_a_network_what_is_there_goes_on_working(checkout: Checkout) -> None:
-    checkout.run()
-    process = checkout.start("test", env={"NO_NETWORK": "x"})
-    process.communicate(timeout=30)
-    assert process.returncode == 1
-    assert checkout.works()
-    assert checkout.run() == ""
-
-
 def test_twice_at_once(checkout: Checkout) -> None:
     first = checkout.start(takes=600)
     checkout.wait_for_pip()
@@ -186,15 +157,6 @@ def test_a_checkout_that_was_moved(checkout: Checkout) -> None:
     assert str(checkout.folder) in (checkout.folder / ".venv" / "bin" / "ev3proto").read_text()
 
 
-def test_settings_of_python_and_pip_that_lead_elsewhere(checkout: Checkout) -> None:
-    names = ("PYTHONHOME", "PYTHONPATH", "PIP_TARGET", "PIP_PREFIX", "PIP_NO_DEPS")
-    checkout.run(env={**dict.fromkeys(names, "1"), "PIP_USER": "1", "PIP_INDEX_URL": "https://example.org/simple"})
-    assert checkout.calls.with_suffix(".env").read_text().splitlines() == [
-        "PIP_INDEX_URL=https://example.org/simple",
-        "PIP_USER=0",
-    ]
-
-
 def test_the_tests_get_the_versions_of_the_lock(checkout: Checkout) -> None:
     checkout.run("test")
     assert checkout.installed[-1].endswith("--editable .[test] --constraint tests/requirements.lock")
@@ -203,12 +165,6 @@ def test_the_tests_get_the_versions_of_the_lock(checkout: Checkout) -> None:
     assert len(checkout.installed) == 2
     checkout.run()
     assert "--constraint" not in checkout.installed[-1]
-
-
-def test_versions_that_are_not_to_be_had(checkout: Checkout) -> None:
-    said = checkout.run("test", not_to_be_had=True)
-    assert "the versions of tests/requirements.lock cannot all be installed: taking the newest ones" in said
-    assert ["--constraint" in call for call in checkout.installed] == [True, False]
 
 
 # The lock
@@ -257,7 +213,7 @@ def test_the_lock_has_what_the_tests_need() -> None:
     assert not stale, f"tests/requirements.lock is out of date, and tests/lock writes it anew: {stale}"
 
 
-def test_no_dependency_may_be_of_a_major_version_that_nobody_tried() -> None:
+def test_dependencies_are_bound_to_tested_major_versions() -> None:
     project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
     texts = [*project["dependencies"], *(text for extra in project["optional-dependencies"].values() for text in extra)]
     open_ended = [
@@ -278,13 +234,6 @@ def test_several_extras_at_once(checkout: Checkout) -> None:
     _, said = process.communicate(timeout=30)
     assert process.returncode == 2
     assert said.startswith("bin/setup: unknown extra 'plots'; it must be one of: docs page plot sample scapy")
-
-
-def test_help_installs_nothing(checkout: Checkout) -> None:
-    done = subprocess.run([checkout.folder / "bin" / "setup", "--help"], capture_output=True, text=True, check=True)
-    assert "bin/setup [EXTRA...]" in done.stdout
-    assert "scapy" in done.stdout
-    assert checkout.installed == []
 
 
 class Machine:
@@ -325,18 +274,6 @@ class Machine:
 TOOLS = ("tshark", "text2pcap", "gcc", "g++", "jq", "chromium", "chromedriver", "npm")
 
 
-def test_who_may_not_install_is_told_the_packages(tmp_path: Path) -> None:
-    status, said, calls = Machine(tmp_path, *(set(TOOLS) - {"tshark", "jq"})).run()
-    assert (status, calls) == (2, [])
-    first, *_, last = said.splitlines()
-    assert first.startswith("tests/run: installing what is missing: ")
-    assert "with apt-get tshark jq; the first time that takes some five minutes" in first
-    assert last == (
-        "tests/run: the tests need packages that could not be installed; have an administrator run: apt-get install"
-        " tshark jq"
-    )
-
-
 def test_what_is_missing_is_installed_once(tmp_path: Path) -> None:
     machine = Machine(tmp_path, "sudo", *(set(TOOLS) - {"gcc"}))
     status, said, calls = machine.run("-k", "reply")
@@ -346,17 +283,3 @@ def test_what_is_missing_is_installed_once(tmp_path: Path) -> None:
     assert calls[2] == "setup test"
     assert calls[3].startswith("npm install ")
     assert calls[4:] == ["pytest -n auto --dist worksteal -k reply"]
-
-
-def test_types_are_checked_with_all_tests_or_where_asked_for(tmp_path: Path) -> None:
-    machine = Machine(tmp_path, *TOOLS)
-    for name in ("kaitai-struct-compiler", "kaitai-struct", "js-yaml"):
-        (machine.folder / ".kaitai" / "node_modules" / name).mkdir(parents=True)
-    status, said, calls = machine.run("--types", "tests/test_x.py")
-    assert (status, said) == (0, "")
-    assert {"ruff check", "ruff format --check", "mypy"} < set(calls)
-    assert calls.count("pytest -n auto --dist worksteal tests/test_x.py") == 1
-    machine.calls.unlink()
-    assert machine.run()[2].count("mypy") == 1
-    machine.calls.unlink()
-    assert machine.run("tests/test_x.py")[2] == ["setup test", "pytest -n auto --dist worksteal tests/test_x.py"]

@@ -1,4 +1,4 @@
-"""What is wrong with a program: the validator's verdict on every object, and what a careful programmer would change."""
+"""Checks of programs: the firmware's verdict, and what a careful programmer would change."""
 
 from __future__ import annotations
 
@@ -95,12 +95,12 @@ class _Check:
         return codes.LEFT_OVER.finding(offset, size, f"{counted(size, 'byte')} {verb} to no object", f"omit {them}")
 
     def _refusal(self, at: int, why: str) -> Finding:
-        """Returns the finding that the firmware's validator stops at."""
+        """Returns the finding for the place where the firmware's validator stops."""
         if at == SIZE_AT:
             return codes.DAMAGED.finding(at, 0, why, "give the whole image")
         steps = (step for part in self._program.objects for step in part.operations)
         operation = next((step for step in steps if step.offset == at), None)
-        # What cannot be read has a better reason than the validator's.
+        # The reason why it cannot be read says more than the validator's.
         fault = next((part.fault for part in self._program.objects if part.fault and part.fault.offset == at), None)
         why = fault.reason if fault is not None else why
         newer = "; firmware of 2013 does not know it" if operation and operation.declaration.is_newer else ""
@@ -114,7 +114,7 @@ class _Check:
         )
 
     def _other_code(self, part: CodeObject) -> Iterator[Finding]:
-        """Yields what the brick runs without having validated it, because a header points elsewhere."""
+        """Yields code that the brick runs without validating it, because the object's header points elsewhere."""
         at = IMAGE_HEADER_SIZE + (part.number - 1) * OBJECT_HEADER_SIZE
         read = self._walk.objects[part.number - 1]
         if (part.offset, part.kind is ObjectKind.SUBCALL) not in self._starts:
@@ -213,7 +213,7 @@ class _Check:
                 )
 
     def _place(self, operation: Operation, argument: Argument, part: CodeObject) -> Iterator[Finding]:
-        """Yields a variable that ends outside its memory. A block has the locals of its owner."""
+        """Yields a finding if a variable ends outside its memory. A block shares the locals of its owner."""
         if argument.kind == GLOBAL:
             size = self._program.global_size
         else:
@@ -235,11 +235,11 @@ def _at(operation: Operation, argument: Argument, code: Code, message: str, help
     return code.finding(argument.offset, argument.length, message, help_, operation.full_name, argument.name)
 
 
-# The way through an object
+# Control flow of an object
 
 
 def _way(part: CodeObject, image: bytes, dialect: str) -> Iterator[Finding]:
-    """Jumps that lead to no operation or to an unknown place, and operations that no way leads to."""
+    """Yields jumps with a wrong or unknown target, and unreachable operations."""
     steps = part.operations
     if not steps:
         return
@@ -271,7 +271,7 @@ def _way(part: CodeObject, image: bytes, dialect: str) -> Iterator[Finding]:
 
 
 def _unreached(steps: Sequence[Operation], runs: bytearray) -> Iterator[Finding]:
-    """Yields one finding for operations in a row. The end of an object may well be one: every writer adds it."""
+    """Yields one finding for each row of unreachable operations, except the end that every assembler adds."""
     place = runs.find(0)
     while place >= 0:
         after = runs.find(1, place)

@@ -1,11 +1,10 @@
-"""The operations of a code, held as their offsets alone: four bytes each, read again when they are asked for.
+"""The operations of a code, stored as offsets (four bytes each) and read again on access.
 
-An image may be millions of operations; objects for all of them would take some hundred times its size.
+An image may have millions of operations; objects for all of them would take 500 times its size.
 """
 
 from __future__ import annotations
 
-from bisect import bisect_left
 from collections.abc import Iterator, Sequence
 from typing import overload
 
@@ -15,15 +14,15 @@ from ev3proto.program.retyped import Types
 from ev3proto.schema.instructions import InstructionSet, instruction_set
 
 _WINDOW = 256
-"""Operations that are read at a time, one after the other."""
+"""Operations that are read at once when iterating."""
 
 _FIRST_BYTES = 2048
 _GROWTH = 16
-"""Bytes in which operations are looked for, and how many times as many where not even one fits."""
+"""Size of the window that is scanned, in bytes, and the factor by which it grows if not one operation fits."""
 
 
 def scanned(data: bytes, at: int, end: int, instructions: InstructionSet) -> Iterator[Operation | Fault]:
-    """Yields the operations from one offset to another, and last what is wrong with the bytes after them.
+    """Yields the operations from one offset to another, then the fault of the bytes after them, if any.
 
     Args:
         data: The bytes that contain the byte code.
@@ -36,7 +35,7 @@ def scanned(data: bytes, at: int, end: int, instructions: InstructionSet) -> Ite
         stop = min(at + size, end)
         found, fault = instructions.scan(data, at, stop)
         if fault is not None and stop < end:
-            # The operation may be cut off by the window only: the next window starts with it.
+            # Perhaps only the window cuts this operation off, so the next window starts with it.
             if found and not found[-1].is_complete:
                 found.pop()
             fault = None
@@ -56,13 +55,13 @@ class Code(Sequence[Operation]):
     __slots__ = ("_ahead", "_data", "_limit", "_starts", "_types")
 
     def __init__(self, data: bytes, starts: Sequence[int], limit: int, types: Types) -> None:
-        """Keeps the places of operations.
+        """Creates a view of operations.
 
         Args:
             data: The image.
             starts: The offsets of the operations, which follow each other.
             limit: The end of the last one; of a partial one, the end of the bytes to read it from.
-            types: The types that the rest of the program shows.
+            types: Types that follow from the rest of the program.
         """
         self._data = data
         self._starts = starts
@@ -90,7 +89,7 @@ class Code(Sequence[Operation]):
         place = range(len(starts))[index]
         first, read = self._ahead
         if not first <= place < first + len(read):
-            # Most go from one operation to the next: each time that happens, more of them are read.
+            # Sequential access reads ahead, more each time.
             is_next = place == first + len(read)
             read = self._window(place, min(_WINDOW, 2 * len(read)) if is_next and read else 1)
             self._ahead = first, read = place, read
@@ -116,11 +115,6 @@ class Code(Sequence[Operation]):
         """The bytes of all of them."""
         return self._data[self._starts[0] : self[-1].offset + self[-1].length] if self else b""
 
-    def at(self, offset: int) -> Operation | None:
-        """Returns the operation that starts at an offset, or None."""
-        place = bisect_left(self._starts, offset)
-        return self[place] if place < len(self) and self._starts[place] == offset else None
-
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, (Code, tuple)):
             return NotImplemented
@@ -133,5 +127,5 @@ class Code(Sequence[Operation]):
         return repr(tuple(self))
 
     def __reduce__(self) -> tuple[object, ...]:
-        """Copies and pickles keep the places."""
+        """Copies and pickles keep the offsets."""
         return Code, (self._data, self._starts, self._limit, self._types)

@@ -15,7 +15,7 @@ IMAGE_HEADER = Struct(
     "count" / Int16ul,
     "globals" / Int32ul,
 )
-"""What an image starts with: its own size, version, number of objects, bytes of global memory."""
+"""The start of an image: its size, version, number of objects, bytes of global memory."""
 
 OBJECT_HEADER = Struct(
     "offset" / Int32ul,
@@ -26,7 +26,7 @@ OBJECT_HEADER = Struct(
 """One object: where its code starts in the image, its owner's number, its triggers, bytes of local memory."""
 
 HEADER = Struct(*IMAGE_HEADER.subcons, "objects" / Array(this.count, OBJECT_HEADER))
-"""All that precedes the codes."""
+"""Everything before the codes."""
 
 IMAGE = Struct(
     *HEADER.subcons,
@@ -41,11 +41,11 @@ PARAMETER = Struct("code" / PARAMETER_CODE, "size" / If(this.code.type == STRING
 """A parameter of a subcall; of a string, its size modulo 256 follows."""
 
 PARAMETERS = Struct("count" / Int8ul, "parameters" / Array(this.count, PARAMETER))
-"""What the code of a subcall starts with."""
+"""The start of the code of a subcall."""
 
 PACKED_HEADER = struct.Struct("<IHHI")
 PACKED_OBJECT = struct.Struct("<IHHI")
-"""The header after its sign, and an object: an image may have thousands of objects."""
+"""The header after its sign, and an object, for fast reading: an image may have thousands of objects."""
 
 IMAGE_HEADER_SIZE = IMAGE_HEADER.sizeof()
 OBJECT_HEADER_SIZE = OBJECT_HEADER.sizeof()

@@ -1,4 +1,4 @@
-"""Images: bytes to programs and back. A damaged image is read as far as possible."""
+"""Parses images into programs and builds them. A damaged image is parsed as far as possible."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ class Program:
 
 
 class _Code(NamedTuple):
-    """What the code at an offset says.
+    """The code at an offset.
 
     parameters  what a subcall declares
     starts      the offsets of its operations
@@ -85,7 +85,7 @@ class _Code(NamedTuple):
 
 
 class _Reader:
-    """Reads one image. Code that several objects share is read once, so that no image takes longer than its size."""
+    """Parses one image. Code that several objects share is read once, so the time is linear in the size."""
 
     def __init__(self, image: bytes, instructions: InstructionSet) -> None:
         self.image = image
@@ -96,7 +96,7 @@ class _Reader:
         self._ends: dict[int, int] = {}
 
     def program(self) -> Program:
-        """Returns the whole of it. Raises DecodeError where there is not even a header."""
+        """Returns the program. Raises DecodeError if the header is incomplete."""
         size, version, count, global_size = self._header()
         end = len(self.image)
         if size != end:
@@ -150,7 +150,7 @@ class _Reader:
         self.faults.append(Fault(offset, reason, truncated))
 
     def _where_validated(self, entries: list[tuple[int, int, int, int]]) -> list[tuple[int, int, int, int]]:
-        """Returns the entries with the firmware's offsets for those that say 0, as one published image has them."""
+        """Returns the entries with offsets of 0, as in one published image, replaced by those the firmware uses."""
         offsets = [read.offset for read in walk(self.image, self._instructions.dialect).objects]
         offsets += [0] * (len(entries) - len(offsets))
         return [
@@ -224,7 +224,7 @@ class _Reader:
             self._finder.note(operation, handles, self._shared)
             limit = operation.offset + operation.length
             if operation.name == _OBJECT_END and furthest <= operation.offset:
-                # What follows is never run: code that belongs to no object, or no code at all.
+                # The bytes after it never run.
                 break
             furthest = max(furthest, _target(operation))
         flaw = Flaw(fault, self.image[limit:end]) if fault is not None or limit < end else NO_FLAW
@@ -243,7 +243,7 @@ def _target(operation: Operation) -> int:
 
 
 class Entry(NamedTuple):
-    """An object as it is written: its header, its code, or the number of the earlier object whose code it uses."""
+    """An object to be written: its header, and its code or the number of the earlier object whose code it uses."""
 
     owner: int
     triggers: int
@@ -253,7 +253,7 @@ class Entry(NamedTuple):
 
 
 def regular_offsets(entries: Sequence[Entry]) -> Iterator[int]:
-    """Yields where the codes start as every writer puts them: in their order, without gaps, shared code once."""
+    """Yields the offsets of the codes in the usual layout: in order, without gaps, shared code once."""
     at = IMAGE_HEADER_SIZE + len(entries) * OBJECT_HEADER_SIZE
     starts: list[int] = []
     for entry in entries:
@@ -299,7 +299,7 @@ def parse(image: bytes | bytearray | memoryview, *, strict: bool = True, dialect
 
 
 def build(program: Program) -> bytes:
-    """Returns the image of a program. Codes keep their places if it was parsed, and else follow one another.
+    """Returns the image of a program. If it was parsed, codes keep their offsets.
 
     Args:
         program: The program.

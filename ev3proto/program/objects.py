@@ -1,4 +1,4 @@
-"""What people hold of a program: its objects, the parameters they declare, its defects. Immutable, typed, printable."""
+"""The public objects of a program: immutable, typed, printable."""
 
 from __future__ import annotations
 

@@ -20,18 +20,18 @@ def _parsed(code: int) -> tuple[Direction, Type | None]:
 
 
 def direction_of(code: int) -> Direction:
-    """Which way a parameter with that code carries its value; IN for a code that says neither."""
+    """Returns the direction of a parameter with that code; IN if the code has none."""
     return _parsed(code)[0]
 
 
 def type_of(code: int) -> Type:
-    """Returns what a parameter with that code holds; DATA8 for a code that means none."""
+    """Returns the type of a parameter with that code; DATA8 if the code has none."""
     return _parsed(code)[1] or DATA8
 
 
 @cache
 def has_size(code: int) -> bool:
-    """Whether a byte of size follows the code: that of a string does."""
+    """Returns whether a size byte follows the code, as for strings."""
     return bool(PARAMETER_CODE.parse(bytes((code,))).type == STRING_CODE)
 
 
@@ -56,7 +56,7 @@ class ProgramParameter:
 
     @property
     def type(self) -> Type:
-        """DATA8, DATA16 (also for a handle), DATA32, DATAF or STRING; DATA8 for a code that means none."""
+        """DATA8, DATA16 (also for a handle), DATA32, DATAF or STRING; DATA8 if the code has no type."""
         return type_of(self.code)
 
     @property
@@ -93,7 +93,7 @@ def read_table(data: bytes, at: int, end: int) -> tuple[tuple[ProgramParameter, 
 
 
 def table_bytes(parameters: Sequence[ProgramParameter]) -> bytes:
-    """Returns the table of parameters of a subcall. Raises BuildError for more than the count can tell."""
+    """Returns the table of parameters of a subcall. Raises BuildError if there are too many."""
     if len(parameters) > MAX_PARAMETERS:
         raise BuildError(f"a subcall cannot have {len(parameters)} parameters: at most {MAX_PARAMETERS}")
     table = bytearray((len(parameters),))

@@ -1,4 +1,4 @@
-"""What a check of a program found, and how it is printed."""
+"""The report on a program, and its printed form."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from ev3proto.text.spans import Line, Role, plain_text, visible
 
 @dataclass(frozen=True, slots=True)
 class ProgramReport(Report):
-    """What a check of a program found. Its `frame` is the image, and `accepted` says whether the brick starts it.
+    """The result of a check of a program. `frame` is the image; `accepted` tells whether the brick starts it.
 
     omitted  number of findings beyond the limit, which are not in `findings`
     """

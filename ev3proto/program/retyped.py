@@ -1,4 +1,4 @@
-"""Operations whose arguments have types that only the rest of the program shows.
+"""Operations whose argument types depend on the rest of the program.
 
 The subcall declares what a CALL hands over, and the operation that made an array what ARRAY.FILL writes. The tables
 know neither, so that a float would be read as a whole number. Here such an operation gets a schema that reads it right.
@@ -25,7 +25,7 @@ _MAKERS = {
     for word in ("CREATE", "INIT")
     for suffix, kind in (("8", DATA8), ("16", DATA16), ("32", DATA32), ("F", DATAF))
 }
-"""The operations that show the type of the array behind a handle."""
+"""The operations that create arrays, and the types of their elements."""
 
 Handles = dict[tuple[str, int], Type | None]
 """By the kind and index of the variable that holds a handle: the type of its array; None where several are made."""
@@ -67,7 +67,7 @@ class RetypedSchema:
         return (*kept, *read, *after)
 
     def __reduce__(self) -> tuple[object, tuple[OperationSchema, int, Kinds]]:
-        """Copied and pickled as what it was made from, so that there is one of each."""
+        """Copies and pickles by reference to its base schema, so instances stay unique."""
         return retyped, (self.base, self.first, self.kinds)
 
 
@@ -82,7 +82,7 @@ def _schema_of_argument(argument: Argument, kind: Type, direction: Direction) ->
 
 @cache
 def retyped(base: OperationSchema, first: int, kinds: Kinds) -> RetypedSchema:
-    """Returns the schema of an operation with other types, made once."""
+    """Returns the schema of an operation with other types; the same one for the same arguments."""
     return RetypedSchema(base, first, kinds)
 
 
@@ -105,7 +105,7 @@ class HandleFinder:
 
 
 class Types(NamedTuple):
-    """The types that a program shows of the arguments of one of its codes.
+    """Argument types in one code that follow from the rest of the program.
 
     callees  the parameters that objects declare, by their numbers
     own      the arrays whose handles local variables of the code hold
@@ -119,7 +119,7 @@ class Types(NamedTuple):
     dialect: str
 
     def typed(self, operation: Operation) -> Operation:
-        """Returns an operation; one of CALL or ARRAY.FILL read with the types that the program shows."""
+        """Returns the operation; CALL and ARRAY.FILL with the types that follow from the program."""
         name = operation.full_name
         if name == CALL:
             return self._call(operation)

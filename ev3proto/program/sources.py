@@ -1,4 +1,4 @@
-"""Sources to images: which notation a text is in, what is wrong with it, what it becomes."""
+"""Assembles sources into images: detects the notation, reports errors and warnings."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from ev3proto.text.assembly.notations import BASIC, LEGO, OF_EV3_G, STRICT, Nota
 from ev3proto.text.assembly.objects import AssembledObject, AssembledProgram, ProgramAssembler
 
 MAX_SOURCE = 1 << 25
-"""Characters of a source that is assembled."""
+"""Maximum length of a source, in characters."""
 
 _MOST_WARNINGS = 1000
 
@@ -27,7 +27,7 @@ _SIGNS_OF_BASIC = re.compile(
     rf"^[ \t]*(?:subcall[ \t]+(?:PROGRAM_MAIN\b|\w+\.\w)|(?:{'|'.join(BASIC_NAMES)})\b|inline[ \t])",
     re.MULTILINE | re.IGNORECASE,
 )
-"""What only EV3 Basic's sources have."""
+"""Marks of EV3 Basic's sources."""
 
 
 class SourceDialect(StrEnum):
@@ -97,7 +97,7 @@ def assemble(
         if not errors:
             return Assembled(image, one, lines.warnings(warnings[:_MOST_WARNINGS]))
         failed.append(errors)
-    # What got to a later line is the dialect that was meant.
+    # The dialect that failed last is probably the right one.
     raise lines.error(max(failed, key=lambda errors: lines.place(min(error.at for error in errors))[0]))
 
 
@@ -116,7 +116,7 @@ def _decoded(source: str | bytes) -> tuple[str, str]:
 def _tried(
     text: str, coding: str, notation: Notation, version: int | None, shortest: bool
 ) -> tuple[list[SourceError], list[tuple[int, str]], bytes]:
-    """Errors, warnings, image of a text in one notation."""
+    """Returns errors, warnings and the image of a text in one notation."""
     written_as = coding if notation is STRICT else STRING_CODING
     assembler = ProgramAssembler(text, notation, written_as, OF_EV3_G if shortest else None)
     image = b""
@@ -138,7 +138,7 @@ def _image(program: AssembledProgram, version: int) -> bytes:
     offsets = [it.settings.get("offset", offset) for it, offset in zip(objects, regular, strict=True)]
     headers = [it.settings.get("header", offset) for it, offset in zip(objects, offsets, strict=True)]
     if len({it.last for it in objects}) < len(objects):
-        # Objects of the same name have the header of the last of them.
+        # Objects of the same name share the header of the last one.
         headers = [offsets[it.last] for it in objects]
         sizes = [objects[it.last].local_size for it in objects]
         entries = [entry._replace(local_size=size) for entry, size in zip(entries, sizes, strict=True)]
@@ -151,7 +151,7 @@ def _image(program: AssembledProgram, version: int) -> bytes:
 
 
 def _code(part: AssembledObject) -> bytes:
-    """Returns the code of an object with the table of its parameters; nothing where it uses that of another."""
+    """Returns the code of an object with its parameter table; empty if it uses the code of another."""
     if part.parameters is None or part.shares is not None:
         return b"" if part.shares is not None else part.code
     table = table_bytes(

@@ -1,4 +1,4 @@
-"""The firmware's validator over a program: one index runs from the end of the headers to the end that the header says.
+"""The firmware's validator for programs: one index moves from the end of the headers to the stated size.
 
 The brick starts what it accepts. Codes are read one after the other, in the order of the headers, as if there were no
 gaps between them; the offsets in the headers are hardly looked at. So a program may pass and then run other bytes than
@@ -22,7 +22,7 @@ VERSION_AT = SIZE_AT + 4
 """Offset of the version."""
 
 _AFTER_IMAGE = bytes(256)
-"""Zeros after the image: more than an operation reads after the parameter that reaches beyond the end."""
+"""Zeros after the image, more than an operation can read beyond the end."""
 
 
 class HeaderReason(Enum):
@@ -45,7 +45,7 @@ REASONS = {
 
 
 class ObjectRead(NamedTuple):
-    """What the validator reads for an object.
+    """The bytes that the validator reads for an object.
 
     offset    of the object's code: as its header says, or where the validator is when that says 0
     start     where it starts to read; None where it reads nothing
@@ -60,13 +60,13 @@ class ObjectRead(NamedTuple):
 
 
 class Walk(NamedTuple):
-    """What the validator says to an image.
+    """The validator's verdict on an image.
 
     accepted  whether the brick starts the program
-    position  offset of what it objects to: an operation, a field of the header; None where there is nothing. A version
-              from before the release is objected to, and accepted
+    position  offset of the rejected operation or header field, or None. A version from before the release has a
+              position, too, but is accepted
     reason    why it refuses
-    objects   what it read for each object, as far as it came
+    objects   the bytes read for each object, up to the refusal
     """
 
     accepted: bool
@@ -76,7 +76,7 @@ class Walk(NamedTuple):
 
 
 def walk(image: bytes, dialect: str = "official") -> Walk:
-    """Returns what the validator says to an image whose header is there.
+    """Returns the validator's verdict on an image with a complete header.
 
     A version between that of 2013's release and the latest says that the program is for a firmware with newer commands.
     """
@@ -122,7 +122,7 @@ def walk(image: bytes, dialect: str = "official") -> Walk:
 
 
 def _table_end(data: bytes, at: int) -> int:
-    """Returns the offset after a table of parameters, which may reach beyond the end of the image."""
+    """Returns the offset after a parameter table, which may be beyond the end of the image."""
     count = data[at] if at < len(data) else 0
     at += 1
     for _ in range(count):

@@ -1,8 +1,8 @@
-"""Images to sources: a text in the strict dialect that assembles to the same bytes, whichever encodings an image has.
+"""Writes programs as sources in the strict dialect that assemble to the same bytes.
 
-What the usual rules make is written as people write it. What they would make otherwise is said: an encoding by its name
-(`LC2(5)`), an argument or code as `bytes(...)`, what is odd about the image or an object as a comment of the form
-`// ev3proto: locals 12`, which other assemblers pass over.
+Values that the default rules reproduce are written plainly; the others name their encoding (`LC2(5)`) or are bytes
+(`bytes(...)`). What is unusual about the image or an object is a comment such as `// ev3proto: locals 12`, which other
+assemblers ignore.
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ _BASIC_ESCAPES = {
     letter: escape for letter, escape in TEXT_ESCAPES.items() if (escape, letter) in (BASIC.escapes or ())
 }
 _PARAMETER_BY_KIND = {
-    # The words of handles make the same code as those of 16 bits.
+    # Parameters of 16 bits and handles have the same code.
     value: word
     for word, value in reversed(PARAMETER_WORDS.items())
     if value[1] is not Type.HANDLE
@@ -77,7 +77,7 @@ def source_of(program: Program) -> str:
 
 
 def source_lines(program: Program) -> Iterator[str]:
-    """Returns the lines of `source_of`, written one after the other. Raises the same."""
+    """Returns an iterator over the lines of `source_of`. Raises the same."""
     if not isinstance(program, Program):
         raise TypeError(f"a source is made of a Program, not of {type(program).__name__}")
     if program.fault is not None:
@@ -86,14 +86,14 @@ def source_lines(program: Program) -> Iterator[str]:
 
 
 class ObjectCode:
-    """How the code of one object is written.
+    """The written form of the code of one object.
 
     word     vmthread, subcall or block
     steps    the operations to be written
     is_open  neither RETURN nor OBJECT_END is added
-    raw      the table of parameters in bytes, where it cannot be said otherwise
+    raw      the bytes of the parameter table, if it cannot be declared
     rest     bytes after the operations
-    uses     by the kind of memory: as what the steps use each place in it
+    uses     for each kind of memory: the type by which the steps use each index
     """
 
     def __init__(self, part: CodeObject) -> None:
@@ -107,7 +107,7 @@ class ObjectCode:
             self.steps, self.rest, self.is_open = (), b"", True
             return
         if part.kind is ObjectKind.SUBCALL and (part.flaw.headless or not all(map(_is_usual, part.parameters))):
-            # The word subcall would put a table of its own in front.
+            # The word subcall would add a parameter table of its own.
             self.word = str(ObjectKind.THREAD)
             self.raw = part.code[: _table_size(part.parameters)]
         self.is_open = bool(self.rest) or not self._leave_end_out()
@@ -115,7 +115,7 @@ class ObjectCode:
             _add_uses(step, self.uses)
 
     def _leave_end_out(self) -> bool:
-        """Whether the code ends as the assembler ends it; that end is taken from the steps."""
+        """Returns whether the code ends as the assembler ends it, and removes that end from the steps."""
         steps = self.steps
         if not steps or steps[-1].name != _OBJECT_END:
             return False
@@ -131,7 +131,7 @@ class ObjectCode:
 
     @property
     def places(self) -> Sequence[int]:
-        """Offsets that can have a label: of the steps, and after the last one where an operation is added."""
+        """Offsets that can have a label: those of the steps, and the end if the assembler adds an operation there."""
         found = array("I", starts_of(self.steps))
         if not self.is_open:
             found.append(end_of(self.steps[-1]) if self.steps else self.part.operations[0].offset)
@@ -160,7 +160,7 @@ class Writer(OperationWriter):
         self._declared = list(self._global_lines())
 
     def lines(self) -> Iterator[str]:
-        """Writes all of it."""
+        """Writes the whole source."""
         program = self._program
         defects = program.defects
         writer = VERSIONS.get(program.version)
@@ -176,7 +176,7 @@ class Writer(OperationWriter):
             yield from self._object(code, name)
 
     def _global_lines(self) -> Iterator[str]:
-        """Yields the lines that declare globals; notes their names."""
+        """Yields the declarations of globals, and remembers their names."""
         uses: dict[int, Type] = {}
         for code in self.codes:
             for index, kind in code.uses[GLOBAL].items():
@@ -239,7 +239,7 @@ class Writer(OperationWriter):
             self._seen.setdefault(key, part.number)
 
     def _declarations(self, code: ObjectCode) -> Iterator[str]:
-        """Yields the lines that declare parameters and locals; notes their names, and where the last of them ends."""
+        """Yields the declarations of parameters and locals, and remembers their names and their end."""
         part = code.part
         self._locals = {}
         self._locals_end = 0
@@ -258,19 +258,19 @@ class Writer(OperationWriter):
         self._locals_end = max(self._locals_end, min(part.local_size, MOST_DECLARED))
 
     def begin(self, code: ObjectCode) -> None:
-        """Settles the names of an object's variables and labels, to show single operations."""
+        """Prepares the names of an object's variables and labels, to show single operations."""
         for _ in self._declarations(code):
             pass
         self._labels = labels_of(code.steps, code.places, self.rules, _LABEL_NAME)
 
     def label_at(self, offset: int) -> str | None:
-        """Returns the label at an offset of the object that was begun."""
+        """Returns the label at an offset of the current object."""
         return self._labels.names.get(offset)
 
     # Operations
 
     def step(self, step: Operation) -> str:
-        """Writes one operation as a statement, in the object that was begun."""
+        """Writes one operation of the current object as a statement."""
         return self.line(step, self._labels)
 
     def arguments(self, operation: Operation, labels: Labels) -> Iterable[str]:
@@ -281,18 +281,18 @@ class Writer(OperationWriter):
         callee = self._callee(arguments)
         if callee is not None:
             return [callee, *map(self.argument, arguments[2:])]
-        # By its name, the number of parameters would be written too.
+        # Its name would imply the number of parameters.
         return [self.number(arguments[0], str(arguments[0].value)), *map(self.argument, arguments[1:])]
 
     def _callee(self, arguments: Sequence[Argument]) -> str | None:
-        """Returns the subcall's name, if the first two arguments say only that and the number of parameters."""
+        """Returns the subcall's name, if that implies the first two arguments."""
         number, count = arguments[0], arguments[1]
         if not 0 < int(number.value) <= len(self.codes):
             return None
         callee = self.codes[int(number.value) - 1]
         if callee.word != ObjectKind.SUBCALL or number.raw != integer(int(number.value), self.rules):
             return None
-        # An object that shares the code of another is declared by that.
+        # An object that shares code has the parameters of the object that owns the code.
         shares = callee.part.shares
         declaring = callee if shares is None else self.codes[shares - 1]
         declares = declaring.part.parameters if declaring.word == ObjectKind.SUBCALL else ()
@@ -301,7 +301,7 @@ class Writer(OperationWriter):
         return self.names[int(number.value) - 1]
 
     def argument(self, argument: Argument) -> str:
-        """Writes one argument, in the object that was begun."""
+        """Writes one argument of the current object."""
         value, raw, parameter = argument.value, argument.raw, argument.parameter
         if argument.is_variable:
             return self._variable(argument)
@@ -319,7 +319,7 @@ class Writer(OperationWriter):
             if symbol is not None and firmware_names().get(symbol) == value:
                 return symbol
         elif parameter.type is Type.DATAF:
-            # Other assemblers, and our own warnings, take a whole number for a mistake there.
+            # An integer there is a mistake to other assemblers, and gets a warning from ours.
             return f"!{value}" if value else "0" if self.rules.long_floats else "0.0F"
         elif parameter.name == OBJECT_PARAMETER and 0 < value <= len(self.names):
             return self.names[value - 1]
@@ -331,7 +331,7 @@ class Writer(OperationWriter):
         return shown if argument.raw == encode_as("LCS_OLD", text) else in_macro(argument, shown)
 
     def _float(self, raw: bytes) -> str:
-        """Writes a float in LC4, the only encoding in which one is seen as a float."""
+        """Writes a float in LC4, the only encoding that is recognised as a float."""
         bits = int.from_bytes(raw[1:], "little", signed=True)
         (value,) = struct.unpack("<f", raw[1:])
         if not math.isfinite(value):
@@ -365,7 +365,7 @@ def _raw(data: bytes) -> Iterator[str]:
 
 
 def _is_usual(parameter: ProgramParameter) -> bool:
-    """Whether a parameter can be declared by a word."""
+    """Returns whether a keyword declares such a parameter."""
     return parameter.code == code_of(parameter.direction, parameter.type) and (
         (parameter.size is not None) is (parameter.type is Type.STRING)
     )
@@ -379,7 +379,7 @@ _BUFFERS = (Type.STRING, Type.ARRAY_TYPED, Type.COUNT, Type.VALUES, Type.LABEL)
 
 
 def _add_uses(step: Operation, uses: Mapping[str, dict[int, Type]]) -> None:
-    """Adds as what an operation uses each place in local and global memory."""
+    """Adds the types by which an operation uses local and global memory."""
     for argument in step.arguments:
         found = uses.get(argument.kind)
         if found is None:
@@ -397,7 +397,7 @@ def _add_uses(step: Operation, uses: Mapping[str, dict[int, Type]]) -> None:
 
 
 def _wider(known: Type | None, kind: Type) -> Type:
-    """Returns what a place is that is used in two ways: a buffer where it is one of them, else the wider number."""
+    """Returns the type of a place with two uses: a buffer if either is one, else the wider number."""
     if known is None or kind is Type.STRING:
         return kind
     return kind if known is not Type.STRING and kind.size > known.size else known
@@ -435,19 +435,19 @@ def rules_of(program: Program) -> Rules:
     return OF_EV3_G if shares and fits[OF_EV3_G] == best else max(fits, key=lambda rules: fits[rules])
 
 
-# Variables for a program that was compiled: every place that is used gets a name. The declarations take exactly as much
-# memory as the image asks for, and no alignment moves any of them.
+# Variables for a compiled program: every index that is used gets a name. The declarations take exactly the memory that
+# the image requests, and alignment moves none of them.
 
 _WORDS = {kind: word for word, kind in VARIABLE_WORDS.items() if word not in SIZED_WORDS}
 MOST_DECLARED = 1 << 24
-"""Bytes of a memory for which there are variables: more than the brick has. Memory beyond has no names."""
+"""Maximum memory with named variables, in bytes: more than a brick has."""
 
 _BYTES, _STRING, _ONE = "ARRAY8", "DATAS", "DATA8"
 
 
 @dataclass(frozen=True, slots=True)
 class DeclaredVariable:
-    """A declaration: its index, its word, the bytes of an array."""
+    """A declaration: its index, its keyword, the size of an array in bytes."""
 
     index: int
     word: str
@@ -474,7 +474,7 @@ def declared(start: int, end: int, uses: Mapping[int, Type]) -> list[DeclaredVar
 
 
 def _at(index: int, following: int, kind: Type) -> tuple[DeclaredVariable, int]:
-    """Returns the variable at a place, and where the next one may start."""
+    """Returns the variable at an index, and the next free index."""
     room = following - index
     width = kind.size
     if kind in _WORDS and 1 < width <= room and index % width == 0:
@@ -485,7 +485,7 @@ def _at(index: int, following: int, kind: Type) -> tuple[DeclaredVariable, int]:
 
 
 def _filled(start: int, end: int) -> Iterator[DeclaredVariable]:
-    """Yields variables for memory that nothing names."""
+    """Yields variables for memory that no operation uses."""
     size = end - start
     if size > 1 and size in ALIGNED_SIZES and start % size:
         yield DeclaredVariable(start, _ONE, None)

@@ -96,6 +96,8 @@ if TYPE_CHECKING:
     from ev3proto.stream import StreamError as StreamError
     from ev3proto.tables.frame import MessageType as MessageType
     from ev3proto.tables.system import SystemStatus as SystemStatus
+    from ev3proto.text.fixed_text import FixedText as FixedText
+    from ev3proto.text.fixed_text import fix_text as fix_text
 
 __version__ = VERSION
 
@@ -151,6 +153,7 @@ _NAMES = {
     "ev3proto.stream": ("Decoder", "StreamError"),
     "ev3proto.tables.frame": ("MessageType",),
     "ev3proto.tables.system": ("SystemStatus",),
+    "ev3proto.text.fixed_text": ("FixedText", "fix_text"),
 }
 """All other names, by module."""
 
@@ -164,7 +167,7 @@ def __getattr__(name: str) -> Any:
     if name in _MODULES:
         return import_module(f"ev3proto.{name}")
     if name in _HOMES:
-        if _HOMES[name].startswith("ev3proto.checking."):
+        if _HOMES[name].startswith(("ev3proto.checking.", "ev3proto.text.")):
             import_module("ev3proto.text.diagnostics")  # the text of reports and fixes
         value = globals()[name] = getattr(import_module(_HOMES[name]), name)
         return value

@@ -29,7 +29,11 @@ _MOST_NAMED = 3
 
 
 def fix(
-    frame: bytes | bytearray | memoryview | Message, *, dialect: str = "official", carrier: str | None = None
+    frame: bytes | bytearray | memoryview | Message,
+    *,
+    dialect: str = "official",
+    carrier: str | None = None,
+    shorten: bool = True,
 ) -> Fix:
     """Fixes everything in a frame that can be fixed with certainty. No content of a frame makes it raise.
 
@@ -37,6 +41,7 @@ def fix(
         frame: The bytes from the length field to the last one; or a message, whose frame is fixed.
         dialect: "official", "xtended" or "compat": the firmware whose instruction set is used.
         carrier: "usb", "bluetooth" or "wifi": the carrier of the frame; None if it does not matter.
+        shorten: Whether to shorten encodings that are longer than needed; without it, the frame keeps its size.
 
     Returns:
         The frame, what was fixed, what was not and why, and the report of a check of the result.
@@ -52,8 +57,9 @@ def fix(
         before, after = (data[HEADER_SIZE:COMMAND_HEADER_SIZE].hex(":").upper() for data in (given, unswapped))
         changes.append(Change("memory", before, after, "the low byte comes first"))
         report = check(unswapped, dialect=dialect, carrier=carrier)
+    steps = _ALL if shorten else _ALL & ~_Step.ENCODINGS
     while report.findings:
-        tried = _Fixing(report.frame, dialect, _ALL)
+        tried = _Fixing(report.frame, dialect, steps)
         better = _better(report, tried)
         if better is None:
             return Fix(report.frame, tuple(changes), tuple(tried.unfixed + _not_made(tried.changes)), report)

@@ -154,10 +154,16 @@ class Fix:
         """Returns what `ev3proto check --fix` prints."""
         return uses.fix_text(self)
 
+    @property
+    def is_fixed(self) -> bool:
+        """Whether anything was fixed."""
+        return bool(self.changes)
+
     def as_dict(self) -> dict[str, Any]:
         """Returns it as a dictionary for other tools; `hex` is the fixed frame."""
         return {
             **self.report.as_dict(),
+            "fixed": self.is_fixed,
             "changes": [change.as_dict() for change in self.changes],
             "unfixed": list(self.unfixed),
         }

@@ -17,7 +17,8 @@ from ev3proto.checking.codes import CODES, Code
 from ev3proto.checking.fixing import fix
 from ev3proto.checking.program_codes import PROGRAM_CODES
 from ev3proto.checking.report import Finding, Fix, Report
-from ev3proto.cli.inputs import SOURCE_SUFFIX, Source, introduction, sources
+from ev3proto.cli.edited import EditedFile
+from ev3proto.cli.inputs import SOURCE_SUFFIX, Source, introduction, pieces, sources
 from ev3proto.cli.options import given_options, incompatible, json_option
 from ev3proto.cli.output import Printer, complain
 from ev3proto.cli.reading import CaptureOptions, reading_options
@@ -25,11 +26,13 @@ from ev3proto.cli.sources import SourceReader, looks_like_assembly
 from ev3proto.errors import counted, near_misses
 from ev3proto.tables.carriers import CARRIERS
 from ev3proto.text.diagnostics import diagnostics, explanation, fixed
+from ev3proto.text.fixed_text import FixedFrame, fix_pieces, is_command, is_whole, unix_lines
 from ev3proto.text.paste import Pasted
-from ev3proto.text.spans import Line, Role
+from ev3proto.text.spans import Line, Role, plain_text
 from ev3proto.text.splitting import Piece
 
 if TYPE_CHECKING:
+    from ev3proto.capture.formats import CaptureFile
     from ev3proto.capture.record import Record
     from ev3proto.cli.annotations import Annotations
     from ev3proto.cli.captures import CaptureSource
@@ -43,6 +46,9 @@ SEVERITIES = ("error", "warning", "hint")
 """The severities that are counted, the worst first."""
 
 _BUT_ERRORS = frozenset(SEVERITIES[1:])
+
+MOST_EDITED = 1 << 26
+"""Bytes of a text that --fix prints with its frames fixed; a longer one is refused."""
 
 ALL_CODES = "all"
 """The value of --explain that lists all codes."""
@@ -110,6 +116,8 @@ class Checking(SourceReader):
         self._printer = Printer()
         self._was_long: bool | None = None
         self._annotations = _annotations(options.style, self._printer)
+        self._written: Iterator[FixedFrame] | None = None
+        self._is_edited = False
         self.frames = 0
         self.programs = 0
         self.replies = 0
@@ -117,14 +125,11 @@ class Checking(SourceReader):
 
     def piece(self, piece: Piece, pasted: Pasted, source: Source) -> None:
         """A frame of a text."""
-        kind = piece.message.type
-        is_reply = pasted.direction is None and kind is not None and not kind.is_command
-        if pasted.direction == "received" or (is_reply and not source.is_frame):
+        frame = piece.message.build()
+        if pasted.direction == "received" or not (source.is_frame or is_command(piece.message, pasted)):
             self.replies += 1
             return
-        frame = piece.message.build()
-        fault = piece.message.fault
-        if pasted.cut and fault is not None and fault.truncated:
+        if not is_whole(piece.message, pasted):
             self.complain(f"{source.where(pasted)}: cannot check a frame that is cut off after {len(frame)} bytes")
             return
         if source.is_frame:
@@ -141,6 +146,29 @@ class Checking(SourceReader):
             self.assembly(source, whole)
         else:
             super().text(source, whole)
+
+    def text_file(self, source: Source, file: CaptureFile, lines: Iterable[str]) -> None:
+        """Checks a text; with --fix, prints it with its frames fixed, and all else on standard error."""
+        if not self._options.fixes or self._options.as_json or self.reading.missing is not None:
+            super().text_file(source, file, lines)
+            return
+        data = file.contents.read(MOST_EDITED + 1)
+        if len(data) > MOST_EDITED:
+            self.complain(f"{source.label}: --fix takes a text of at most {MOST_EDITED >> 20} MiB; split it")
+            return
+        contents = EditedFile.read(data)
+        text = contents.text
+        if looks_like_assembly("".join([*introduction(unix_lines(text))][-1:])):
+            self.text(source, unix_lines(text))
+            return
+        found = list(pieces(unix_lines(text), None, lambda unread: self.complain(f"{source.label}: {unread}")))
+        made = fix_pieces(text, found, dialect=self.reading.dialect, carrier=self._options.carrier)
+        contents.print(made.text)
+        self._is_edited = True
+        self._written = iter(made.frames)
+        for pasted in found:
+            self.pasted(pasted, source)
+        self._written = None
 
     def assembly(self, source: Source, lines: Iterator[str]) -> None:
         """Checks assembly as `encode` and `send` take it; its values are left to the check."""
@@ -260,7 +288,10 @@ class Checking(SourceReader):
         line: Line = [(f"{self._inputs()}: ", Role.HEADING), (found, Role.PLAIN)]
         if self.replies:
             line.append((f"; {_frames(self.replies)} from the brick not checked", Role.ASIDE))
-        self._paragraph(iter([line]), False)
+        if self._is_edited:
+            complain(plain_text(line))
+        else:
+            self._paragraph(iter([line]), False)
 
     def _inputs(self) -> str:
         """Returns `4 frames`, `2 programs`, `1 frame and 1 program`."""
@@ -269,7 +300,11 @@ class Checking(SourceReader):
 
     def _frame(self, frame: bytes, place: Place, carrier: str | None) -> None:
         self.frames += 1
-        if self._options.fixes:
+        if self._written is not None:
+            written = next(self._written)
+            report = written.report
+            self._show_written(written, place)
+        elif self._options.fixes:
             found = fix(frame, dialect=self.reading.dialect, carrier=carrier)
             report = found.report
             self._show_fix(found, place)
@@ -298,6 +333,16 @@ class Checking(SourceReader):
             return
         shown = self._options.shown(fix.report)
         self._paragraph(fixed(fix, shown, place=place.label, dialect=self.reading.dialect), True)
+
+    def _show_written(self, written: FixedFrame, place: Place) -> None:
+        """Shows what was fixed in a text, and what remains, on standard error: the text itself is the output."""
+        found = written.fix
+        if not (found.is_fixed or found.report.findings) or self._options.leaves_out(found.report, is_alone=False):
+            return
+        shown = self._options.shown(found.report)
+        dialect = self.reading.dialect
+        lines = fixed(found, shown, place=place.label, dialect=dialect, is_written=written.is_written)
+        complain("\n".join(map(plain_text, lines)) + "\n")
 
     def _is_shown_otherwise(
         self,
@@ -362,7 +407,9 @@ def _frames(count: int) -> str:
 @click.argument("names", nargs=-1, metavar="[FRAME|FILE|-]...")
 @json_option
 @click.option("--strict", is_flag=True, help="Count warnings as errors in the exit status.")
-@click.option("--fix", "fixes", is_flag=True, help="Print each frame with its certain fixes, and what remains.")
+@click.option(
+    "--fix", "fixes", is_flag=True, help="Fix what is certain; print the frame, or a text with its fixed frames."
+)
 @click.option("--no-hints", is_flag=True, help="Show errors and warnings only.")
 @click.option("--errors-only", is_flag=True, help="Show errors only; of many frames, only those that have some.")
 @click.option("--quiet", is_flag=True, help="Show only the numbers of frames and findings.")

@@ -176,7 +176,7 @@ class Encoding(SourceReader):
         elif self.reading.filter is not None:
             self._recorded(source, Input(Kind.TEXT, lines=whole))
         elif source.is_frame and self.reading.missing is None:
-            self._pasted(read_argument(source.name), source)
+            self.pasted(read_argument(source.name), source)
         else:
             super().text(source, whole)
 

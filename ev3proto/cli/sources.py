@@ -6,7 +6,7 @@ import errno
 import os
 import zlib
 from abc import ABC, abstractmethod
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from ev3proto.cli.inputs import (
@@ -92,7 +92,7 @@ class SourceReader(ABC):
         if not pasted.data and looks_like_assembly(source.name):
             self.assembly(source, iter(source.name.split("\n")))
         else:
-            self._pasted(pasted, source)
+            self.pasted(pasted, source)
 
     def assembly(self, source: Source, lines: Iterator[str]) -> None:  # noqa: ARG002 - for those that read it
         """Takes assembly that was typed on the command line; unless overridden, suggests `encode`."""
@@ -102,7 +102,7 @@ class SourceReader(ABC):
         """Takes the lines of a text, and reports those that only look like frames."""
         lines = self._noting_the_first(lines)
         for pasted in pieces(lines, self.reading.missing, lambda unread: self.complain(f"{source.label}: {unread}")):
-            self._pasted(pasted, source)
+            self.pasted(pasted, source)
 
     def read_all(self, found: Sequence[Source]) -> None:
         """Reads everything in all sources, and reports each without a frame."""
@@ -158,10 +158,14 @@ class SourceReader(ABC):
             self._recorded(source, found, file)
         elif found.kind is Kind.FRAMES:
             for pasted in found.frames:
-                self._pasted(pasted, source)
+                self.pasted(pasted, source)
         else:
-            with progress_bar(lambda: file.progress, source.label, is_quiet=self.is_quiet) as advance:
-                self.text(source, advancing(found.lines, advance))
+            self.text_file(source, file, found.lines)
+
+    def text_file(self, source: Source, file: CaptureFile, lines: Iterable[str]) -> None:
+        """Takes a file that is a text. `lines` reads it."""
+        with progress_bar(lambda: file.progress, source.label, is_quiet=self.is_quiet) as advance:
+            self.text(source, advancing(lines, advance))
 
     def program(self, source: Source, image: bytes) -> None:  # noqa: ARG002 - for those that read it
         """Takes a program image (.rbf)."""
@@ -202,7 +206,7 @@ class SourceReader(ABC):
     def _unreadable(self, source: Source, error: Exception) -> None:
         self.complain(f"{source.label}: cannot be read: {getattr(error, 'strerror', None) or error}")
 
-    def _pasted(self, pasted: Pasted, source: Source) -> None:
+    def pasted(self, pasted: Pasted, source: Source) -> None:
         """Takes everything in one piece of pasted text."""
         if pasted.problem is not None:
             self._wrong(pasted, pasted.problem, source)

@@ -244,20 +244,28 @@ def diagnostics(
 
 
 def fixed(
-    fix: Fix, findings: Sequence[Finding] | None = None, *, place: str = "", dialect: str = "official"
+    fix: Fix,
+    findings: Sequence[Finding] | None = None,
+    *,
+    place: str = "",
+    dialect: str = "official",
+    is_written: bool = True,
 ) -> Iterator[Line]:
     """Yields the fixed frame, the changes, what was left unchanged, and then the findings that remain.
 
     findings, place  as for `diagnostics`
+    is_written       False for a frame in a text that stays as it was
     """
     line: Line = [(f"{place}: ", Role.HEADING)] if place else []
     count = len(fix.changes)
     if count:
-        line.append((f"fixed in {counted(count, 'place')}", Role.NAME))
+        line.append((f"{'' if is_written else 'could be '}fixed in {counted(count, 'place')}", Role.NAME))
     else:
         line.append(("nothing could be fixed" if fix.report.findings else "nothing to fix", Role.PLAIN))
     yield line
     yield [(grouped_hex(fix.frame, dialect), Role.HEADING)]
+    if not is_written:
+        yield [("  the text is unchanged here: its notation cannot be edited", Role.FAULT)]
     for change in fix.changes:
         yield [
             (f"  {change.what}: ", Role.NAME),

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from support.cli import run_ev3proto_text
+from support.cli import run_ev3proto, run_ev3proto_text
 from support.packets import RAW_IP, Capture, Connection
 
 ROOT = Path(__file__).parents[2]
@@ -123,13 +123,48 @@ def test_a_fixed_frame_as_json() -> None:
     assert entry["unfixed"] == []
 
 
-def test_fixed_frames_can_be_given_on() -> None:
+def test_a_text_is_printed_with_its_frames_fixed(tmp_path: Path) -> None:
+    text = (
+        b"# \xe9t\xe9: a log\r\n\t12:00:01 Sent 0x|%s  # volts\r\nRecv 0x|07:00|2A:00|02|A4:70:FD:40|\r\nTX 0x|%s\r\n"
+    )
+    log = tmp_path / "robot.log"
+    log.write_bytes(text % (WITHOUT_REPLY.encode(), MISALIGNED.encode()))
+    for words, stdin in (([str(log)], b""), (["--quiet", str(log)], b""), ([], log.read_bytes())):
+        done = run_ev3proto("check", "--fix", *words, stdin=stdin)
+        assert (done.returncode, done.stdout) == (1, text % (VOLTAGE.encode(), MISALIGNED.encode()))
+        assert done.stderr.endswith(b"2 frames: 1 error, 0 warnings, 0 hints; 1 frame from the brick not checked\n")
+    said = run_ev3proto("check", "--fix", str(log)).stderr
+    assert b"robot.log, line 2: fixed in 1 place\n" in said
+    assert b"robot.log, line 4: nothing could be fixed\n" in said
+
+
+def test_a_fixed_text_can_be_given_on() -> None:
     first = run("--fix", stdin=f"{WITHOUT_REPLY}\n{VOLTAGE}\n")
-    assert first.returncode == 0
-    assert first.stdout.splitlines()[-1].startswith("2 frames: 0 errors, ")
+    assert (first.returncode, first.stdout) == (0, f"{VOLTAGE}\n{VOLTAGE}\n")
     again = entries(stdin=first.stdout)
     assert [entry["hex"] for entry in again] == [VOLTAGE_BYTES] * 2
     assert all(entry["accepted"] for entry in again)
+
+
+def test_a_text_as_json_has_one_object_for_each_frame() -> None:
+    first, second = entries("--fix", stdin=f"{WITHOUT_REPLY}\n{VOLTAGE}\n")
+    assert [(each["hex"], each["line"], each["fixed"]) for each in (first, second)] == [
+        (VOLTAGE_BYTES, 1, True),
+        (VOLTAGE_BYTES, 2, False),
+    ]
+
+
+def test_a_frame_that_cannot_be_edited_is_shown() -> None:
+    dump = (
+        "00000000  0f 00 2a 00 80 00 00 94  01 81 05 82 b8 01 82 e8  |..*.............|\n"
+        "00000010  03                                                |.|\n"
+    )
+    done = run("--fix", stdin=dump)
+    assert done.stdout == dump
+    lines = done.stderr.splitlines()
+    assert lines[0] == "standard input, line 1: could be fixed in 1 place"
+    assert lines[1] == "0x|0E:00|2A:00|80|00:00|94|01|05|82:B8:01|82:E8:03|"
+    assert lines[2] == "  the text is unchanged here: its notation cannot be edited"
 
 
 # Codes

@@ -62,11 +62,12 @@ def _check() -> Schema:
         "rejected_at": maybe(WHOLE),
         "findings": list_of(reference("finding")),
         "hex": HEX,
+        "fixed": FLAG,
         "changes": list_of(object_of({field.name: TEXT for field in fields(Change)})),
         "unfixed": list_of(TEXT),
         "omitted": WHOLE,
     }
-    return object_of(properties, "source", "packet", "line", "column", "changes", "unfixed", "omitted")
+    return object_of(properties, "source", "packet", "line", "column", "fixed", "changes", "unfixed", "omitted")
 
 
 def _counts() -> Schema:

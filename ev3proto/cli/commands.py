@@ -19,7 +19,7 @@ import click
 from ev3proto.cli.ending import ended_behind
 from ev3proto.cli.output import OutputError, complain, flush
 from ev3proto.text.spans import visible_lines
-from ev3proto.version import VERSION
+from ev3proto.version import REPORT_IT, VERSION
 
 
 class Group(click.Group):
@@ -154,7 +154,7 @@ class Commands(Group):
             if ended_behind(error) is not None or os.environ.get(DEBUG):
                 raise
             _say_last(
-                f"ev3proto: internal error, please report it: {type(error).__name__}: {error}"
+                f"ev3proto: internal error, {REPORT_IT}: {type(error).__name__}: {error}"
                 f" (with {DEBUG}=1 in the environment it says where)"
             )
             status = INTERNAL_ERROR

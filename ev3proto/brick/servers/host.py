@@ -17,6 +17,7 @@ from ev3proto.brick.servers.limits import MOST_BUFFERED, MOST_DELAYED, MOST_QUEU
 from ev3proto.errors import counted
 from ev3proto.schema.header import frame_size, out_of_step
 from ev3proto.tables.frame import LENGTH_FIELD
+from ev3proto.version import REPORT_IT
 
 _COMPUTING_PERIOD, _BUSY_PERIOD, _IDLE_PERIOD = 0.0, 0.002, 0.02
 """Seconds from one look at the clock to the next: while a direct command computes, while it waits, otherwise."""
@@ -326,7 +327,7 @@ class Host:
                 news(observer)
             except Exception as error:
                 self.observers.remove(observer)
-                self.say(f"a defect of {type(observer).__name__}, which sees nothing more, please report it: {error!r}")
+                self.say(f"a defect of {type(observer).__name__}, which sees nothing more, {REPORT_IT}: {error!r}")
 
     def _next(self) -> Connection | None:
         """Returns the connection with a frame that has had the least of the brick's time."""
@@ -356,7 +357,7 @@ class Host:
         try:
             self._deliver(act())
         except Exception as error:
-            self.say_once(f"a defect of the virtual brick, please report it: {error!r} {place}")
+            self.say_once(f"a defect of the virtual brick, {REPORT_IT}: {error!r} {place}")
             return False
         return True
 

@@ -27,6 +27,7 @@ from ev3proto.extras import install_command
 from ev3proto.schema.discovery import Beacon
 from ev3proto.tables.discovery import TCP_PORT
 from ev3proto.tables.paths import USUAL_FOLDERS
+from ev3proto.version import REPORT_IT
 from ev3proto.whole_files import write_whole
 
 LOOPBACK = "127.0.0.1"
@@ -108,7 +109,7 @@ async def running(options: Options, root: Path, say: Say) -> AsyncIterator[Runni
         ServerError: A port, a file or a library is not to be had.
     """
     loop = asyncio.get_running_loop()
-    loop.set_exception_handler(lambda _, context: say(f"a defect, please report it: {_told(context)}"))
+    loop.set_exception_handler(lambda _, context: say(f"a defect, {REPORT_IT}: {_told(context)}"))
     async with AsyncExitStack() as stack:
         brick = Brick(root, dialect=options.dialect, stretch=STRETCH)
         options.script.set_up(brick)

@@ -23,6 +23,7 @@ from aiohttp.http import HttpProcessingError
 from ev3proto.brick.servers.host import Host, ServerError
 from ev3proto.brick.servers.page.state import Changes, answer
 from ev3proto.brick.servers.page.watcher import Watcher
+from ev3proto.version import REPORT_IT
 
 PERIOD = 0.05
 """Seconds between updates of the pages."""
@@ -107,7 +108,7 @@ class _Log(logging.Handler):
         if isinstance(error, HttpProcessingError):
             self._host.say_once("a request to the page was not HTTP, and was refused")
         else:
-            self._host.say_once(f"the page has a bug, please report it: {error or record.getMessage()!r}")
+            self._host.say_once(f"the page has a bug, {REPORT_IT}: {error or record.getMessage()!r}")
 
 
 class _Page:

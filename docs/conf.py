@@ -15,6 +15,7 @@ myst_heading_anchors = 3
 exclude_patterns: list[str] = []
 templates_path = ["_templates"]
 html_theme = "furo"
+html_favicon = "../ev3proto/brick/servers/page/static/icon.svg"
 # Furo's default, with a link to the playground.
 html_sidebars = {
     "**": [

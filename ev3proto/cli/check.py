@@ -274,7 +274,7 @@ class Checking(SourceReader):
             self._annotations.complaint(sentence)
 
     def summary(self) -> None:
-        """Prints the numbers of frames and findings, if there is more than one frame."""
+        """Prints the numbers of frames and findings, if there is more than one frame; none for no frame at all."""
         if self._annotations is not None:
             self._annotations.end()
         elif self._options.as_json and self._options.quiet:
@@ -282,7 +282,8 @@ class Checking(SourceReader):
             entry = {"frames": self.frames, "programs": self.programs, "replies": self.replies, **counts}
             self._printer.text(json.dumps(entry))
         many = self.frames + self.programs + self.replies > 1
-        if self._options.style != FORMATS[0] or not (many or self._options.quiet):
+        is_wanted = (self.frames or self.programs) and (many or self._options.quiet)
+        if self._options.style != FORMATS[0] or not is_wanted:
             return
         found = ", ".join(counted(self.counts[severity], severity) for severity in SEVERITIES)
         line: Line = [(f"{self._inputs()}: ", Role.HEADING), (found, Role.PLAIN)]

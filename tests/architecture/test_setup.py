@@ -10,6 +10,7 @@ import re
 import shutil
 import signal
 import subprocess
+import sys
 import time
 import tomllib
 from importlib.metadata import PackageNotFoundError, requires
@@ -234,6 +235,21 @@ def test_several_extras_at_once(checkout: Checkout) -> None:
     _, said = process.communicate(timeout=30)
     assert process.returncode == 2
     assert said.startswith("bin/setup: unknown extra 'plots'; it must be one of: docs page plot sample scapy")
+
+
+def test_a_script_beside_the_clone_imports_the_package(tmp_path: Path) -> None:
+    """And not the folder of the clone, as a namespace package."""
+    (tmp_path / "ev3proto").symlink_to(ROOT)
+    (tmp_path / "script.py").write_text("import ev3proto\nprint(ev3proto.parse(bytes.fromhex('06002a0000000001')))\n")
+    done = subprocess.run([sys.executable, tmp_path / "script.py"], capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (0, ""), "with an older .venv, run tests/run once"
+    assert "counter=42" in done.stdout
+
+
+def test_the_first_call_installs_every_extra_that_users_need() -> None:
+    extras = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["optional-dependencies"]
+    (words,) = re.findall(r'^"\$here/setup" (.*)$', (ROOT / "bin" / "ev3proto").read_text(), re.MULTILINE)
+    assert words.split() == sorted(extras.keys() - {"docs", "test"})
 
 
 class Machine:

@@ -259,6 +259,15 @@ def test_json_has_what_a_source_is_warned_of(tmp_path: Path) -> None:
     assert "source" not in [finding["code"] for finding in entry["findings"]]
 
 
+@pytest.mark.parametrize(
+    ("stdin", "complaint"), [("", "standard input: no frame found"), (VOLTS, "no command found, only 1 frame from")]
+)
+def test_no_frame_at_all(stdin: str, complaint: str) -> None:
+    done = run("--quiet", stdin=stdin)
+    assert (done.returncode, done.stdout) == (1, "")
+    assert done.stderr.startswith(complaint)
+
+
 def test_replies_in_plain_hex_are_passed_over() -> None:
     done = run("-", stdin=b"07002a00020000d041\n08000100000400810160\n")
     assert done.returncode == 0

@@ -99,6 +99,12 @@ def test_every_page_of_the_html_says_its_version(built: Path) -> None:
         assert f"ev3proto {VERSION}" in page.read_text(encoding="utf-8"), page
 
 
+def test_every_page_of_the_html_has_an_icon(built: Path) -> None:
+    for page in sorted(built.rglob("*.html")):
+        (icon,) = re.findall(r'<link rel="(?:shortcut )?icon" href="([^"]+)"', page.read_text(encoding="utf-8"))
+        assert (page.parent / icon).is_file(), page
+
+
 @pytest.mark.parametrize("name", ["index.md", "tutorial.md", "reference/index.md", "reference/sound.md"])
 def test_pages_say_their_version_where_nobody_built_them(name: str) -> None:
     assert re.findall(r"for ev3proto ([0-9.]+\d)", (DOCS / name).read_text(encoding="utf-8")) == [VERSION]

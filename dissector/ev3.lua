@@ -5845,27 +5845,10 @@ local instructions = INSTRUCTION_SETS[dialect]
 
 -- Memory ------------------------------------------------------------------------------------------------------------
 --
--- The places of messages, and memory.
+-- The places of messages, and the garbage of trees.
 
 local storage = {}
 do
-    -- Items and ranges of a tree are garbage after their packet. Lua collects garbage when its memory has doubled, long
-    -- after the garbage has left the processor's cache. If it is collected soon, tshark -V takes 2.75 times as long as
-    -- without a dissector for 30,000 packets, not 3.34 times; two passes with a filter take 4.6 times as long, not 5.9.
-    -- Without a tree there is little garbage, and with much memory held by other scripts a collection takes long.
-    do
-        local GROWTH, MOST_KILOBYTES = 1.15, 32 * 1024
-        local limit = 0
-
-        function storage.free_unused()
-            local size = collectgarbage("count")
-            if size < limit or size > MOST_KILOBYTES then return end
-            -- Finalizers of other scripts may raise errors.
-            pcall(collectgarbage)
-            limit = GROWTH * collectgarbage("count")
-        end
-    end
-
     -- The place of a message: the number of its packet and its offset there, in one number.
     local OFFSETS = 0x100000
 
@@ -5877,60 +5860,19 @@ do
         return floor(place / OFFSETS)
     end
 
-    -- A compact map from places to texts, for any number of packets. The texts of a page of packets are packed outside
-    -- of Lua's memory once a later page begins: Lua visits all of its memory in each collection, and lets it double
-    -- before that. Texts that are added to an earlier page stay in `late`. 300,000 packets take 47 bytes each with
-    -- this, and 374 without.
-    local PAGE = 256 * OFFSETS
-    local pack, unpack = Struct.pack, Struct.unpack
+    -- Items and ranges of a tree are garbage after their packet. Lua collects garbage when its memory has doubled, long
+    -- after the garbage has left the processor's cache. If it is collected soon, tshark -V takes 2.5 times as long as
+    -- without a dissector, not 3.1 times; two passes with a filter, as in Wireshark's window, take 4.0 times as long,
+    -- not 5.7. With much memory held by other scripts a collection takes long.
+    local GROWTH, MOST_KILOBYTES = 1.15, 32 * 1024
+    local limit = 0
 
-    function storage.new_notes()
-        local pages, open, open_number, late = {}, {}, 0, {}
-        local last, last_number
-        local notes = {}
-
-        local function close_page()
-            local records = {}
-            for place, text in pairs(open) do
-                records[#records + 1] = pack("dI2", place, #text) .. text
-            end
-            if records[1] then pages[open_number] = ByteArray.new(concat(records), true) end
-            open = {}
-        end
-
-        local function read_page(number)
-            local found, page, at = {}, pages[number]:raw(), 1
-            while at <= #page do
-                local place, size, start = unpack("dI2", page, at)
-                at = start + size
-                found[place] = sub(page, start, at - 1)
-            end
-            return found
-        end
-
-        function notes.put(place, text)
-            local number = floor(place / PAGE)
-            if number < open_number then
-                late[place] = text
-                return
-            elseif number > open_number then
-                close_page()
-                open_number = number
-            end
-            open[place] = text
-        end
-
-        -- Returns the text of a place, or nil.
-        function notes.get(place)
-            local number = floor(place / PAGE)
-            if number == open_number then return open[place] end
-            if late[place] then return late[place] end
-            if not pages[number] then return nil end
-            if number ~= last_number then last, last_number = read_page(number), number end
-            return last[place]
-        end
-
-        return notes
+    function storage.free_unused()
+        local size = collectgarbage("count")
+        if size < limit or size > MOST_KILOBYTES then return end
+        -- Finalizers of other scripts may raise errors.
+        pcall(collectgarbage)
+        limit = GROWTH * collectgarbage("count")
     end
 end
 
@@ -6309,30 +6251,26 @@ do
 
     local CARRIES = { direct = 0x000000, system = 0x010000, daisy = 0x020000 }
 
-    -- By place. `replies`: for a command, the number of the packet with its reply. `requests`: for a reply, the place
-    -- of its command, the seconds that passed, and the command's frame, in one text. `transfers`: for a message, the
-    -- state of its file.
+    -- By place. `replies`: for a command, the number of the packet with its reply. `requests`: for a reply, its
+    -- command. `transfers`: for a message, the state of its file.
     local replies, requests, transfers
 
     local conversations
 
     function dialogues.forget()
-        replies, requests, transfers, conversations = storage.new_notes(), storage.new_notes(), {}, {}
+        replies, requests, transfers, conversations = {}, {}, {}, {}
     end
     dialogues.forget()
 
-    -- Returns the command that a reply answers: `place`, `message`, and `delay`, the response time in seconds.
+    -- Returns the command that a reply answers: its `place`, the `delay` of the reply in seconds, and, of a direct
+    -- command, its `body`, the bytes after the type.
     function dialogues.request_of(place)
-        local known = requests.get(place)
-        if not known then return nil end
-        local command, delay, start = Struct.unpack("dd", known)
-        return { place = command, delay = delay, message = messages.read(sub(known, start)) }
+        return requests[place]
     end
 
     -- Returns the number of the packet with the reply to a command.
     function dialogues.reply_to(place)
-        local number = replies.get(place)
-        return number and tonumber(number)
+        return replies[place]
     end
 
     -- Returns the file that a message belongs to: path, size, bytes done.
@@ -6361,17 +6299,19 @@ do
         local commands = conversation.waiting[key] or {}
         conversation.waiting[key] = commands
         if #commands == MOST_PER_COUNTER then table.remove(commands, 1) end
-        commands[#commands + 1] = { place = place, time = pinfo.rel_ts, message = message }
+        local body = sub(message.text, HEADER_SIZE + 1)
+        -- Of a system command, its number and a handle are enough.
+        if message.command then body = sub(body, 1, 2) end
+        commands[#commands + 1] = { place = place, time = pinfo.rel_ts, body = body }
     end
 
     local function can_answer(message, command)
-        if message.type.carries ~= "system" then return true end
-        return byte(command.message.text, HEADER_SIZE + 1) == byte(message.text, HEADER_SIZE + 1)
+        return message.type.carries ~= "system" or byte(command.body, 1) == byte(message.text, HEADER_SIZE + 1)
     end
 
     -- Tells whether a reply has the size that its command requested.
     local function fits(message, command)
-        local type, sizes = message.type, reading.unsigned16(command.message.text, HEADER_SIZE)
+        local type, sizes = message.type, reading.unsigned16(command.body, 0)
         if type.carries ~= "direct" or type.is_error or not sizes then return true end
         return message.size - HEADER_SIZE == sizes % (GLOBAL_MASK + 1)
     end
@@ -6380,7 +6320,7 @@ do
     local function is_proof(message, command)
         local type, size = message.type, message.size
         if message.fault or type.carries == "daisy" then return false end
-        if type.carries == "direct" and command.message.stop < COMMAND_HEADER_SIZE then return false end
+        if type.carries == "direct" and #command.body < COMMAND_HEADER_SIZE - HEADER_SIZE then return false end
         if type.is_error and type.carries == "direct" then return size == HEADER_SIZE end
         return fits(message, command)
     end
@@ -6430,7 +6370,7 @@ do
 
     -- Returns the handle in a command for an open file, which is its first field.
     local function asked_handle(command)
-        return command and byte(command.message.text, HEADER_SIZE + 2)
+        return command and byte(command.body, 2)
     end
 
     -- The same for a reply. `request` is its command, nil if that was not captured.
@@ -6469,13 +6409,9 @@ do
         else
             local request = answered(conversation, message)
             if request then
-                local text = request.message.text
-                request.delay, message.request = pinfo.rel_ts - request.time, request
                 conversation.is_answered = conversation.is_answered or is_proof(message, request)
-                replies.put(request.place, format("%d", storage.number_of(place)))
-                -- The number of a system command is enough.
-                if message.command then text = sub(text, 1, HEADER_SIZE + 1) end
-                requests.put(place, Struct.pack("dd", request.place, request.delay) .. text)
+                replies[request.place] = storage.number_of(place)
+                request.delay, requests[place] = pinfo.rel_ts - request.time, request
             end
             transfer = is_on_file and follow_reply(conversation, message, request)
         end
@@ -6583,18 +6519,27 @@ do
         return add(tree, declared, range, value, label, unit, meaning)
     end
 
-    -- The state of reading operations: the `root` of the tree, for expert information; the `heading` of the operation
-    -- (nil without a tree), its `buffer`, and the frame's `base` there; the requested memory; the operation, where it
-    -- starts, and the lengths that its arguments state; the text `said` so far, and its number of arguments; whether a
-    -- variable `is_beyond` the memory; the `outputs`. Local variables are faster than a table for the many arguments.
-    local root, heading, buffer, base, globals, locals, operation, start, lengths, said, said_count, is_beyond, outputs
+    -- The state of reading operations: the `heading` of the operation (nil without a tree), its `buffer`, and the
+    -- frame's `base` there; the requested memory; the operation, where it starts, and the lengths that its arguments
+    -- state; the text `said` so far, and its number of arguments; whether a variable `is_beyond` the memory; without a
+    -- tree, the `complaints` and the `outputs`. Local variables are faster than a table for the many arguments.
+    local heading, buffer, base, globals, locals, operation, start, lengths, said, said_count, is_beyond
+    local complaints, outputs
+
+    local function report(item, kind, text)
+        if item then
+            complain(item, kind, text)
+        else
+            complaints[#complaints + 1] = { kind = kind, text = text }
+        end
+    end
 
     -- Adds the expert information that the brick refuses the index of a variable.
     local function complain_of_index(item, parameter, encoding, index, alignment)
         local reason = "%s: the index of a %s must be a multiple of %d, the brick refuses %s"
         local sort = encoding.handle and "handle" or TYPE_NAMES[parameter.type]
         local variable = argument_text(parameter, encoding, index)
-        complain(item or root, "misaligned", format(reason, parameter.name, sort, alignment, variable))
+        report(item, "misaligned", format(reason, parameter.name, sort, alignment, variable))
     end
 
     -- Checks the index of a variable: its alignment, and whether it is within the requested memory. Without a tree only
@@ -6615,7 +6560,7 @@ do
         end
         if index + size <= asked then return end
         is_beyond = true
-        complain(item or root, "beyond_memory", format(
+        report(item, "beyond_memory", format(
             "%s reaches up to byte %d of the %s memory, but the command requests %s",
             parameter.name, index + size, is_global and "global" or "local", plural(asked, "byte")))
     end
@@ -6653,9 +6598,9 @@ do
             if after > at + 1 then set_len(item, after - at) end
         end
         if encoding.scope then
-            if root then check_variable(item, parameter, encoding, value) end
+            check_variable(item, parameter, encoding, value)
             -- An address is not a value, but the place of one.
-            if outputs and encoding.kind == GLOBAL and parameter.is_output and not encoding.address then
+            if not item and encoding.kind == GLOBAL and parameter.is_output and not encoding.address then
                 note_output(parameter, encoding, value)
             end
         elseif parameter.tells_length and reply_values.tells_length(parameter, encoding) then
@@ -6675,15 +6620,14 @@ do
         end
     end
 
-    -- Reads the operations from an offset to the end of a frame. `view` has the `root` of the tree, for expert
-    -- information; the `item` of the message, if there is a tree, with the buffer `tvb` and the frame's `base` there;
-    -- and the list of `outputs` to fill, if a reply is to have their values. The last two arguments are the requested
-    -- memory, if known. Returns the line of the operations, which may be empty; the offset after the last one that
-    -- could be read; and the fault, or nil.
-    function operations.show(text, at, view, asked_globals, asked_locals)
-        local item, first, phrase, count, fault = view.item, nil, "", 0, nil
-        root, heading, buffer, base = view.root, nil, view.tvb, view.base
-        globals, locals, is_beyond, outputs = asked_globals, asked_locals, false, view.outputs
+    -- Reads the operations from an offset to the end of a frame; the last two arguments are the requested memory, if
+    -- known. With a tree, `item` is the message's, and `view` has the buffer `tvb` and the frame's `base` there.
+    -- Returns the line of the operations, which may be empty; the offset after the last one that could be read; the
+    -- fault, or nil; and the first operation, or nil.
+    local function read(text, at, item, view, asked_globals, asked_locals)
+        local first, phrase, count, fault = nil, "", 0, nil
+        heading, globals, locals, is_beyond, complaints, outputs = nil, asked_globals, asked_locals, false, {}, {}
+        if item then buffer, base = view.tvb, view.base end
         while at < #text and not fault do
             if item then heading = add(item, OPCODE, new_range(buffer, base + at, 1)) end
             local selected, after, reason, kind = select_operation(text, at)
@@ -6712,21 +6656,73 @@ do
         if not first then return "", at, fault end
         local line = first.name .. phrase
         if count > 1 then line = format("%s (+%s)", line, plural(count - 1, "operation")) end
-        return line, at, fault
+        return line, at, fault, first
     end
 
-    -- Returns the values in a direct reply to a command, up to the end of its memory.
-    function operations.read_outputs(command, reply)
-        local outputs = command.outputs
-        if not outputs then
-            outputs = {}
-            operations.show(command.text, COMMAND_HEADER_SIZE, { outputs = outputs })
+    local function memory_sizes(text)
+        local sizes = reading.unsigned16(text, HEADER_SIZE)
+        local asked_globals = sizes % (GLOBAL_MASK + 1)
+        return asked_globals, (sizes - asked_globals) / (GLOBAL_MASK + 1)
+    end
+
+    -- Summaries of direct commands, by what they depend on: the bytes after the type, and the firmware. Programs repeat
+    -- their commands: one line takes 1.9 times as long as without a dissector with this, and 2.3 times without.
+    local MOST_SUMMARIES = 1024
+    local HEADER = ("\0"):rep(HEADER_SIZE)
+    local summaries, summary_count = {}, 0
+
+    function operations.forget()
+        summaries, summary_count = {}, 0
+    end
+
+    -- Returns what a direct command is without a tree, by its bytes after the type: `line`, `after`, `fault` and
+    -- `first` as above, its `complaints`, and its `outputs`. Offsets are those in the frame.
+    function operations.summary_of(body)
+        local summary = summaries[body]
+        if summary then return summary end
+        local text = HEADER .. body
+        if #text < COMMAND_HEADER_SIZE then return { outputs = {} } end
+        local line, after, fault, first = read(text, COMMAND_HEADER_SIZE, nil, nil, memory_sizes(text))
+        summary = {
+            line = line, after = after, fault = fault, first = first, complaints = complaints, outputs = outputs,
+        }
+        if summary_count == MOST_SUMMARIES then operations.forget() end
+        summaries[body], summary_count = summary, summary_count + 1
+        return summary
+    end
+
+    local function report_all(root, list)
+        for _, complaint in ipairs(list) do
+            complain(root, complaint.kind, complaint.text)
         end
+    end
+
+    -- Shows the operations of a direct command. Returns their line, the offset after them, and the fault, or nil.
+    function operations.show(text, view)
+        if view.item then return read(text, COMMAND_HEADER_SIZE, view.item, view, memory_sizes(text)) end
+        local summary = operations.summary_of(sub(text, HEADER_SIZE + 1))
+        report_all(view.root, summary.complaints)
+        return summary.line, summary.after, summary.fault
+    end
+
+    -- The same for the payload of a daisy command, from an offset on. Its layout is not certain: operations are shown
+    -- only if all of it can be read.
+    function operations.show_payload(text, at, view, payload)
+        local line, after, fault = read(text, at)
+        if fault then return line, after, fault end
+        if payload then return read(text, at, payload, view) end
+        report_all(view.root, complaints)
+        return line, after
+    end
+
+    -- Returns the values in a direct reply to a command, up to the end of its memory, and the first operation.
+    function operations.read_outputs(body, reply)
+        local summary = operations.summary_of(body)
         local memory, found = sub(reply.text, HEADER_SIZE + 1), {}
-        for _, output in ipairs(outputs) do
-            if reply_values.read(output, outputs, memory) then found[#found + 1] = output end
+        for _, output in ipairs(summary.outputs) do
+            if reply_values.read(output, summary.outputs, memory) then found[#found + 1] = output end
         end
-        return found
+        return found, summary.first
     end
 end
 
@@ -6781,14 +6777,7 @@ do
             add_le(asked, field.globals, range)
             add_le(asked, field.locals, range)
         end
-        local sizes = reading.unsigned16(message.text, HEADER_SIZE)
-        local globals = sizes % (GLOBAL_MASK + 1)
-        local locals = (sizes - globals) / (GLOBAL_MASK + 1)
-        if message.type.wants_reply then
-            message.outputs = {}
-            view.outputs = message.outputs
-        end
-        local line, after, fault = operations.show(message.text, COMMAND_HEADER_SIZE, view, globals, locals)
+        local line, after, fault = operations.show(message.text, view)
         message.fault = fault
         if fault then add_rest(message, view, after) end
         if line ~= "" then return line end
@@ -6833,11 +6822,6 @@ do
         end
     end
 
-    local function first_operation(message)
-        if message.stop <= COMMAND_HEADER_SIZE then return nil end
-        return (reading.select_operation(message.text, COMMAND_HEADER_SIZE))
-    end
-
     local function show_direct_reply(message, view)
         local request, stop = view.request, message.stop
         if view.item and stop > HEADER_SIZE then
@@ -6846,12 +6830,12 @@ do
         if message.type.is_error then
             local reason = "the brick refused the command or failed to execute it; it does not say why"
             complain(view.target, "error_reply", reason)
-            local operation = request and first_operation(request.message)
-            return operation and "error reply to " .. operation.name or "error reply"
+            local first = request and operations.summary_of(request.body).first
+            return first and "error reply to " .. first.name or "error reply"
         end
         local size = phrases.plural(stop - HEADER_SIZE, "byte")
         if not request then return "reply: " .. size .. ", command not seen" end
-        local outputs, first = operations.read_outputs(request.message, message), first_operation(request.message)
+        local outputs, first = operations.read_outputs(request.body, message)
         if view.item then add_outputs(view, outputs) end
         local head = first and "reply to " .. first.name .. ":" or "reply:"
         if outputs[1] then return phrases.values_text(head, outputs) end
@@ -6987,10 +6971,8 @@ do
         at = at + DAISY_PAYLOAD
         if at == message.stop or not DAISY.carries_operations[number] then return line end
         -- The payload's layout is not certain: operations are shown only if all of it can be read.
-        local said, _, fault = operations.show(text, at, {})
-        if fault then return line end
-        operations.show(text, at, { root = view.root, item = payload, tvb = view.tvb, base = view.base })
-        return line .. ": " .. said
+        local said, _, fault = operations.show_payload(text, at, view, payload)
+        return fault and line or line .. ": " .. said
     end
 
     local function show_daisy_reply(message, view)
@@ -7117,7 +7099,7 @@ do
         if type and type.is_command then
             show = SHOW_COMMAND[type.carries]
         elseif type then
-            show, view.request = SHOW_REPLY[type.carries], message.request or dialogues.request_of(place)
+            show, view.request = SHOW_REPLY[type.carries], dialogues.request_of(place)
         end
         local line = show(message, view)
         check_size(message)
@@ -7195,9 +7177,14 @@ local function dissect_message(tvb, at, message, conversation, place, pinfo, tre
         dialogues.take_note(place, conversation, message, pinfo)
         claiming.note(conversation, message)
     end
-    -- The protocol hierarchy counts items, even if the tree is not needed; before 4.6 has_tree does not tell.
-    if not is_shown and tree.text then tree:add(ev3, tvb(at, message.stop)) end
-    return messages.show(message, place, tvb, at, tree, is_shown, said, conversation)
+    local line, item = messages.show(message, place, tvb, at, tree, is_shown, said, conversation)
+    if is_shown then
+        storage.free_unused()
+    elseif pinfo.visited then
+        -- The protocol hierarchy of Wireshark's window counts items; before 4.6 has_tree does not tell.
+        tree:add(ev3, tvb(at, message.stop))
+    end
+    return line, item
 end
 
 -- Returns the offset after the frame that starts at an offset, by its length; nil without a length.
@@ -7889,7 +7876,6 @@ do
         dissect_report(tvb, message, device, pinfo, tree)
         local conversation = not pinfo.visited and dialogues.conversation_of(device)
         if conversation and conversation.is_claimed then claiming.count(conversation, 0, number) end
-        if has_tree(tree) then storage.free_unused() end
         return true
     end
 
@@ -8602,9 +8588,7 @@ do
     -- One protocol serves all carriers, so that "Decode As" offers it everywhere by one name.
     function ev3.dissector(tvb, pinfo, tree)
         local dissect = dissectors[pinfo.port_type]
-        local taken = dissect and dissect(tvb, pinfo, tree) or 0
-        if has_tree(tree) then storage.free_unused() end
-        return taken
+        return dissect and dissect(tvb, pinfo, tree) or 0
     end
 
     function ev3.init()
@@ -8634,5 +8618,6 @@ do
         gives_bytes = ev3.prefs.bytes
         dialect = DIALECTS[ev3.prefs.firmware]
         instructions = INSTRUCTION_SETS[dialect]
+        operations.forget()
     end
 end

@@ -14,30 +14,26 @@ do
 
     local CARRIES = { direct = 0x000000, system = 0x010000, daisy = 0x020000 }
 
-    -- By place. `replies`: for a command, the number of the packet with its reply. `requests`: for a reply, the place
-    -- of its command, the seconds that passed, and the command's frame, in one text. `transfers`: for a message, the
-    -- state of its file.
+    -- By place. `replies`: for a command, the number of the packet with its reply. `requests`: for a reply, its
+    -- command. `transfers`: for a message, the state of its file.
     local replies, requests, transfers
 
     local conversations
 
     function dialogues.forget()
-        replies, requests, transfers, conversations = storage.new_notes(), storage.new_notes(), {}, {}
+        replies, requests, transfers, conversations = {}, {}, {}, {}
     end
     dialogues.forget()
 
-    -- Returns the command that a reply answers: `place`, `message`, and `delay`, the response time in seconds.
+    -- Returns the command that a reply answers: its `place`, the `delay` of the reply in seconds, and, of a direct
+    -- command, its `body`, the bytes after the type.
     function dialogues.request_of(place)
-        local known = requests.get(place)
-        if not known then return nil end
-        local command, delay, start = Struct.unpack("dd", known)
-        return { place = command, delay = delay, message = messages.read(sub(known, start)) }
+        return requests[place]
     end
 
     -- Returns the number of the packet with the reply to a command.
     function dialogues.reply_to(place)
-        local number = replies.get(place)
-        return number and tonumber(number)
+        return replies[place]
     end
 
     -- Returns the file that a message belongs to: path, size, bytes done.
@@ -66,17 +62,19 @@ do
         local commands = conversation.waiting[key] or {}
         conversation.waiting[key] = commands
         if #commands == MOST_PER_COUNTER then table.remove(commands, 1) end
-        commands[#commands + 1] = { place = place, time = pinfo.rel_ts, message = message }
+        local body = sub(message.text, HEADER_SIZE + 1)
+        -- Of a system command, its number and a handle are enough.
+        if message.command then body = sub(body, 1, 2) end
+        commands[#commands + 1] = { place = place, time = pinfo.rel_ts, body = body }
     end
 
     local function can_answer(message, command)
-        if message.type.carries ~= "system" then return true end
-        return byte(command.message.text, HEADER_SIZE + 1) == byte(message.text, HEADER_SIZE + 1)
+        return message.type.carries ~= "system" or byte(command.body, 1) == byte(message.text, HEADER_SIZE + 1)
     end
 
     -- Tells whether a reply has the size that its command requested.
     local function fits(message, command)
-        local type, sizes = message.type, reading.unsigned16(command.message.text, HEADER_SIZE)
+        local type, sizes = message.type, reading.unsigned16(command.body, 0)
         if type.carries ~= "direct" or type.is_error or not sizes then return true end
         return message.size - HEADER_SIZE == sizes % (GLOBAL_MASK + 1)
     end
@@ -85,7 +83,7 @@ do
     local function is_proof(message, command)
         local type, size = message.type, message.size
         if message.fault or type.carries == "daisy" then return false end
-        if type.carries == "direct" and command.message.stop < COMMAND_HEADER_SIZE then return false end
+        if type.carries == "direct" and #command.body < COMMAND_HEADER_SIZE - HEADER_SIZE then return false end
         if type.is_error and type.carries == "direct" then return size == HEADER_SIZE end
         return fits(message, command)
     end
@@ -135,7 +133,7 @@ do
 
     -- Returns the handle in a command for an open file, which is its first field.
     local function asked_handle(command)
-        return command and byte(command.message.text, HEADER_SIZE + 2)
+        return command and byte(command.body, 2)
     end
 
     -- The same for a reply. `request` is its command, nil if that was not captured.
@@ -174,13 +172,9 @@ do
         else
             local request = answered(conversation, message)
             if request then
-                local text = request.message.text
-                request.delay, message.request = pinfo.rel_ts - request.time, request
                 conversation.is_answered = conversation.is_answered or is_proof(message, request)
-                replies.put(request.place, format("%d", storage.number_of(place)))
-                -- The number of a system command is enough.
-                if message.command then text = sub(text, 1, HEADER_SIZE + 1) end
-                requests.put(place, Struct.pack("dd", request.place, request.delay) .. text)
+                replies[request.place] = storage.number_of(place)
+                request.delay, requests[place] = pinfo.rel_ts - request.time, request
             end
             transfer = is_on_file and follow_reply(conversation, message, request)
         end

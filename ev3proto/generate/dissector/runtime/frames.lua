@@ -59,9 +59,14 @@ local function dissect_message(tvb, at, message, conversation, place, pinfo, tre
         dialogues.take_note(place, conversation, message, pinfo)
         claiming.note(conversation, message)
     end
-    -- The protocol hierarchy counts items, even if the tree is not needed; before 4.6 has_tree does not tell.
-    if not is_shown and tree.text then tree:add(ev3, tvb(at, message.stop)) end
-    return messages.show(message, place, tvb, at, tree, is_shown, said, conversation)
+    local line, item = messages.show(message, place, tvb, at, tree, is_shown, said, conversation)
+    if is_shown then
+        storage.free_unused()
+    elseif pinfo.visited then
+        -- The protocol hierarchy of Wireshark's window counts items; before 4.6 has_tree does not tell.
+        tree:add(ev3, tvb(at, message.stop))
+    end
+    return line, item
 end
 
 -- Returns the offset after the frame that starts at an offset, by its length; nil without a length.

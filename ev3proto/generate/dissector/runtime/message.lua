@@ -49,14 +49,7 @@ do
             add_le(asked, field.globals, range)
             add_le(asked, field.locals, range)
         end
-        local sizes = reading.unsigned16(message.text, HEADER_SIZE)
-        local globals = sizes % (GLOBAL_MASK + 1)
-        local locals = (sizes - globals) / (GLOBAL_MASK + 1)
-        if message.type.wants_reply then
-            message.outputs = {}
-            view.outputs = message.outputs
-        end
-        local line, after, fault = operations.show(message.text, COMMAND_HEADER_SIZE, view, globals, locals)
+        local line, after, fault = operations.show(message.text, view)
         message.fault = fault
         if fault then add_rest(message, view, after) end
         if line ~= "" then return line end
@@ -101,11 +94,6 @@ do
         end
     end
 
-    local function first_operation(message)
-        if message.stop <= COMMAND_HEADER_SIZE then return nil end
-        return (reading.select_operation(message.text, COMMAND_HEADER_SIZE))
-    end
-
     local function show_direct_reply(message, view)
         local request, stop = view.request, message.stop
         if view.item and stop > HEADER_SIZE then
@@ -114,12 +102,12 @@ do
         if message.type.is_error then
             local reason = "the brick refused the command or failed to execute it; it does not say why"
             complain(view.target, "error_reply", reason)
-            local operation = request and first_operation(request.message)
-            return operation and "error reply to " .. operation.name or "error reply"
+            local first = request and operations.summary_of(request.body).first
+            return first and "error reply to " .. first.name or "error reply"
         end
         local size = phrases.plural(stop - HEADER_SIZE, "byte")
         if not request then return "reply: " .. size .. ", command not seen" end
-        local outputs, first = operations.read_outputs(request.message, message), first_operation(request.message)
+        local outputs, first = operations.read_outputs(request.body, message)
         if view.item then add_outputs(view, outputs) end
         local head = first and "reply to " .. first.name .. ":" or "reply:"
         if outputs[1] then return phrases.values_text(head, outputs) end
@@ -255,10 +243,8 @@ do
         at = at + DAISY_PAYLOAD
         if at == message.stop or not DAISY.carries_operations[number] then return line end
         -- The payload's layout is not certain: operations are shown only if all of it can be read.
-        local said, _, fault = operations.show(text, at, {})
-        if fault then return line end
-        operations.show(text, at, { root = view.root, item = payload, tvb = view.tvb, base = view.base })
-        return line .. ": " .. said
+        local said, _, fault = operations.show_payload(text, at, view, payload)
+        return fault and line or line .. ": " .. said
     end
 
     local function show_daisy_reply(message, view)
@@ -385,7 +371,7 @@ do
         if type and type.is_command then
             show = SHOW_COMMAND[type.carries]
         elseif type then
-            show, view.request = SHOW_REPLY[type.carries], message.request or dialogues.request_of(place)
+            show, view.request = SHOW_REPLY[type.carries], dialogues.request_of(place)
         end
         local line = show(message, view)
         check_size(message)

@@ -14,9 +14,7 @@ do
     -- One protocol serves all carriers, so that "Decode As" offers it everywhere by one name.
     function ev3.dissector(tvb, pinfo, tree)
         local dissect = dissectors[pinfo.port_type]
-        local taken = dissect and dissect(tvb, pinfo, tree) or 0
-        if has_tree(tree) then storage.free_unused() end
-        return taken
+        return dissect and dissect(tvb, pinfo, tree) or 0
     end
 
     function ev3.init()
@@ -46,5 +44,6 @@ do
         gives_bytes = ev3.prefs.bytes
         dialect = DIALECTS[ev3.prefs.firmware]
         instructions = INSTRUCTION_SETS[dialect]
+        operations.forget()
     end
 end

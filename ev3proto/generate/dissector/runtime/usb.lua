@@ -137,7 +137,6 @@ do
         dissect_report(tvb, message, device, pinfo, tree)
         local conversation = not pinfo.visited and dialogues.conversation_of(device)
         if conversation and conversation.is_claimed then claiming.count(conversation, 0, number) end
-        if has_tree(tree) then storage.free_unused() end
         return true
     end
 

@@ -9,6 +9,7 @@
     EV3() / ev3.SYS_LIST_FILES(path="/home/root/lms2012/prjs/", max_bytes=1000)
     sniff(offline="robot.pcap", session=TCPSession)
     StreamSocket(connected, EV3).sr1(question)
+    from ev3proto.scapy import *; eval(packet.command())
 
 Importing it binds EV3 to TCP port 5555. Operations are named as in the tables, with a _ for the dot (`SOUND_TONE`,
 `UI_FLUSH`), system commands SYS_LIST_FILES, their replies SYS_LIST_FILES_REPLY, and those of the bootloader
@@ -26,6 +27,7 @@ Operations are read by the instruction set that `conf.contribs["ev3"]["dialect"]
 
 from __future__ import annotations
 
+from math import inf, nan
 from typing import Any
 
 try:
@@ -35,7 +37,10 @@ except ImportError as error:
 
     raise ImportError(f"ev3proto.scapy needs scapy, which is not installed: {install_command('scapy')}") from error
 
+from scapy.packet import Padding, Raw
+
 from ev3proto.errors import near_misses
+from ev3proto.messages import GV, LV
 from ev3proto.scapy.frames import (
     EV3,
     EV3DaisyCommand,
@@ -50,6 +55,8 @@ from ev3proto.scapy.system import SYSTEM_LAYERS, EV3SystemCommand, EV3SystemRepl
 
 __all__ = [
     "EV3",
+    "GV",
+    "LV",
     "EV3DaisyCommand",
     "EV3DaisyReply",
     "EV3DirectCommand",
@@ -59,7 +66,14 @@ __all__ = [
     "EV3SystemCommand",
     "EV3SystemReply",
     "EV3Text",
+    "Padding",
+    "Raw",
+    "inf",
+    "nan",
+    *operation_names(),
+    *SYSTEM_LAYERS,
 ]
+"""What `from ev3proto.scapy import *` imports: all that `command()` of a packet may name."""
 
 
 def __getattr__(name: str) -> Any:

@@ -28,6 +28,8 @@ import click
 from scapy.packet import Packet
 
 import ev3proto.cli.commands
+from ev3proto.scapy.operations import operation_names
+from ev3proto.scapy.system import SYSTEM_LAYERS
 
 FILE = Path(__file__).parents[1] / "public_face.txt"
 RENEW = ".venv/bin/python tests/support/public_face.py"
@@ -184,7 +186,7 @@ def _value(value: Any) -> str:
 
 def _scapy() -> Iterator[str]:
     module = import_module("ev3proto.scapy")
-    for name in sorted(module.__all__):
+    for name in sorted(set(module.__all__) - {*operation_names(), *SYSTEM_LAYERS}):
         value = getattr(module, name)
         if isinstance(value, type) and issubclass(value, Packet):
             yield f"{name}({', '.join(field.name for field in value.fields_desc)})"

@@ -6,6 +6,7 @@ import socket
 import subprocess
 import sys
 import threading
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
@@ -24,6 +25,7 @@ from ev3proto import GV, LC2, LV, BuildError, direct_command, operation, parse
 from ev3proto import scapy as ev3
 from ev3proto.extras import install_command
 from ev3proto.messages import DaisyCommand, DirectCommand, SystemCommand, SystemReply
+from ev3proto.sampling import samples
 from ev3proto.scapy import (
     EV3,
     EV3DaisyCommand,
@@ -69,6 +71,14 @@ def test_an_operation_by_itself_is_put_into_a_command() -> None:
     assert bytes(EV3(counter=1) / (ev3.UI_READ_GET_VBATT() / light)) == wanted
     assert bytes(EV3(counter=1, type=0x80) / ev3.UI_READ_GET_VBATT()).hex() == "08000100800400810160"
     assert bytes(EV3(counter=1) / EV3DirectCommand(local_size=4) / light).hex() == "08000100800010821b02"
+
+
+def test_the_star_import_has_all_that_the_command_of_a_packet_names() -> None:
+    names: dict[str, Any] = {}
+    exec("from ev3proto.scapy import *", names)
+    for frame in islice(samples(frames(), seed=1), effort(300, 3000)):
+        text = EV3(frame).command()
+        assert bytes(eval(text, dict(names))) == frame, text
 
 
 def test_the_fields_of_a_system_message_get_their_number() -> None:

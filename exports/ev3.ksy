@@ -1474,7 +1474,7 @@ types:
       - {id: value, type: argument(true), doc: "number to write; NaN becomes ----"}
       - {id: figures, type: argument(false), doc: "width, including the point; negative aligns left (characters)"}
       - {id: decimals, type: argument(false), doc: digits after the point}
-      - {id: destination, type: argument(false), doc: "resulting text, zero-terminated"}
+      - {id: destination, type: argument(false), doc: "resulting text, zero-terminated (at most 128 characters)"}
   op_strings_string_to_value:
     doc: Reads a number from a text
     seq:
@@ -1490,7 +1490,7 @@ types:
     seq:
       - {id: value, type: argument(false), doc: number to write}
       - {id: figures, type: argument(false), doc: width of the text (characters)}
-      - {id: destination, type: argument(false), doc: "resulting text, zero-terminated"}
+      - {id: destination, type: argument(false), doc: "resulting text, zero-terminated (at most 128 characters)"}
   op_strings_sub:
     doc: Returns the part of a text after another text found in it
     seq:

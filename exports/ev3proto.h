@@ -507,7 +507,7 @@ enum {
      *   VALUE        DATAF       number to write; NaN becomes ----
      *   FIGURES      DATA8       width, including the point; negative aligns left (characters)
      *   DECIMALS     DATA8       digits after the point
-     *   DESTINATION  out string  resulting text, zero-terminated
+     *   DESTINATION  out string  resulting text, zero-terminated (at most 128 characters)
      */
     VALUE_TO_STRING = 6,
 
@@ -529,7 +529,7 @@ enum {
      * Writes a whole number as text, with leading zeros
      *   VALUE        DATA16      number to write
      *   FIGURES      DATA8       width of the text (characters)
-     *   DESTINATION  out string  resulting text, zero-terminated
+     *   DESTINATION  out string  resulting text, zero-terminated (at most 128 characters)
      */
     NUMBER_TO_STRING = 9,
 

@@ -16,7 +16,6 @@ from typing import Any, NamedTuple
 from ev3proto.brick.equipment import Equipment
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.open_files import OpenFile
-from ev3proto.brick.path_names import is_allowed
 from ev3proto.brick.running_programs import USER_SLOT
 from ev3proto.brick.storage import StoredFile
 from ev3proto.schema.fields import REPLIES, REQUESTS
@@ -24,6 +23,7 @@ from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.frame import MAX_FRAME
+from ev3proto.tables.paths import is_allowed
 from ev3proto.tables.system import SYSTEM_BY_NUMBER, Kind, SystemStatus
 
 HANDLES = 64

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-import re
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -22,7 +21,17 @@ from ev3proto.brick.servers.script import Script, ScriptError, read_script
 from ev3proto.brick.servers.server import Options, running
 from ev3proto.cli.ending import stopped_by_signals
 from ev3proto.cli.faults import fault_options
-from ev3proto.cli.options import FILE, FOLDER, PATH, PORT, Whole, dialect_option, given_options, incompatible
+from ev3proto.cli.options import (
+    FILE,
+    FOLDER,
+    PATH,
+    PORT,
+    SerialNumber,
+    Whole,
+    dialect_option,
+    given_options,
+    incompatible,
+)
 from ev3proto.cli.output import Failure, Printer, complain, failing_on, failing_to, flush, say
 from ev3proto.tables.discovery import TCP_PORT
 from ev3proto.temporary import temporary_folder
@@ -79,7 +88,9 @@ screenshot_option = click.option(
 )
 @click.option("--errors-only", is_flag=True, help="Report errors only.")
 @click.option("--json", "as_json", is_flag=True, help="Report one JSON object a line.")
-@click.option("--serial-number", metavar="HEX", help="Serial number of the brick, 12 hexadecimal digits.")
+@click.option(
+    "--serial-number", type=SerialNumber(), metavar="HEX", help="Serial number of the brick, 12 hexadecimal digits."
+)
 @screenshot_option
 @fault_options
 @dialect_option
@@ -150,7 +161,7 @@ def brick(
         screenshot=screenshot,
         script=read_script_file(script),
         dialect=dialect,
-        serial_number=_serial_number(serial_number),
+        serial_number=serial_number,
     )
     if (errors_only or as_json) and not report:
         raise click.UsageError("--errors-only and --json need --report")
@@ -185,14 +196,6 @@ def _with_differences(about: str) -> str:
 
 
 brick.help = _with_differences(brick.help or "")
-
-
-def _serial_number(text: str | None) -> str | None:
-    """Returns a serial number as the brick shows it. Raises click.BadParameter."""
-    if text is None or re.fullmatch(r"[0-9A-Fa-f]{12}", text):
-        return None if text is None else text.lower()
-    expected = "expected 12 hexadecimal digits"
-    raise click.BadParameter(f"invalid serial number {text[:60]!r}; {expected}", param_hint="'--serial-number'")
 
 
 async def _serve(options: Options, root: Path) -> Reporter | None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from contextlib import ExitStack, closing
+from dataclasses import replace
 from pathlib import Path
 from typing import BinaryIO, cast
 
@@ -16,6 +17,7 @@ from ev3proto.generate.captures.recording import Recording
 from ev3proto.link.carriers import open_wire
 from ev3proto.link.errors import LinkError
 from ev3proto.link.proxy import Proxy, ProxyOptions
+from ev3proto.link.serial_number import announced_number
 from ev3proto.link.targets import Target
 from ev3proto.tables.discovery import TCP_PORT
 from ev3proto.version import VERSION
@@ -27,7 +29,6 @@ _ETHERNET = 1
 """The link type of recordings, as libpcap numbers it."""
 
 _LOOPBACK = "127.0.0.1"
-_UNKNOWN_SERIAL = "0" * 12
 
 _CONFIGURATION = (
     "arg {number=0}{call=--target}{display=Brick}{type=string}{default=usb}{required=true}"
@@ -82,8 +83,7 @@ def extcap(
         for line in _CONFIGURATION:
             say(line)
     elif capture and fifo is not None:
-        announced = target.serial_number or _UNKNOWN_SERIAL
-        _capture(fifo, target, ProxyOptions(_LOOPBACK, port, is_read_only=read_only, announced=announced))
+        _capture(fifo, target, ProxyOptions(_LOOPBACK, port, is_read_only=read_only))
     else:
         raise click.UsageError("give --extcap-dlts, --extcap-config, or --capture with --fifo PATH")
 
@@ -94,6 +94,7 @@ def _capture(fifo: Path, target: Target, options: ProxyOptions) -> None:
         with failing_on(LinkError), failing_to("written", fifo):
             pipe = _Pipe(stack.enter_context(fifo.open("wb")))
             wire = stack.enter_context(closing(open_wire(target)))
+            options = replace(options, announced=announced_number(target, wire))
             recording = Recording(cast(BinaryIO, pipe))
             recording.flush()
             proxy = Proxy(wire, str(target), options, show=lambda _pair: None, say=complain, recording=recording)

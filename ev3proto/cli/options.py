@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from pathlib import Path
 from typing import Any
 
@@ -30,6 +31,19 @@ class Whole(click.IntRange):
     """A whole number in a range."""
 
     name = "integer"
+
+
+class SerialNumber(click.ParamType):
+    """A brick's serial number."""
+
+    name = "hex"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> str:
+        """Returns the number as the brick shows it, in lower case."""
+        text = str(value)
+        if not re.fullmatch("[0-9A-Fa-f]{12}", text):
+            self.fail(f"invalid serial number {text[:60]!r}; expected 12 hexadecimal digits", param, ctx)
+        return text.lower()
 
 
 FILE = click.Path(dir_okay=False, path_type=Path)

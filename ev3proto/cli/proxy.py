@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import ipaddress
 import sys
-from contextlib import ExitStack, closing
+from collections.abc import Iterator
+from contextlib import ExitStack, closing, contextmanager
+from dataclasses import replace
 from pathlib import Path
 from typing import BinaryIO, cast
 
@@ -14,21 +16,22 @@ from ev3proto.brick.servers.faults import Faults
 from ev3proto.capture.dialogues import RequestReply
 from ev3proto.cli.ending import stopped_by_signals
 from ev3proto.cli.faults import fault_options
-from ev3proto.cli.options import dialect_option, incompatible, json_option
-from ev3proto.cli.output import Failure, complain, failing_on, failing_to, flush, is_terminal, say, writing_output
+from ev3proto.cli.options import SerialNumber, dialect_option, incompatible, json_option
+from ev3proto.cli.output import Failure, complain, failing_to, flush, is_terminal, say, writing_output
 from ev3proto.cli.recorded import Dialogues
 from ev3proto.cli.show import Show
 from ev3proto.cli.targets import target_option
 from ev3proto.generate.captures.recording import Recording
 from ev3proto.link.carriers import open_wire
 from ev3proto.link.errors import LinkError
+from ev3proto.link.masking import masked_note
 from ev3proto.link.proxy import Proxy, ProxyOptions
+from ev3proto.link.serial_number import announced_number
 from ev3proto.link.targets import Target, Way
 from ev3proto.tables.discovery import TCP_PORT
 from ev3proto.whole_files import GrowingFile
 
 _LOOPBACK = "127.0.0.1"
-_UNKNOWN_SERIAL = "0" * 12
 
 
 @click.command()
@@ -41,14 +44,20 @@ _UNKNOWN_SERIAL = "0" * 12
 )
 @target_option
 @click.option("--beacon/--no-beacon", default=True, help="Announce the proxy by UDP beacon, as a brick does.")
+@click.option(
+    "--serial-number",
+    type=SerialNumber(),
+    metavar="HEX",
+    help="Serial number that the beacon announces, 12 hexadecimal digits; by default the brick's own.",
+)
 @click.option("--record", metavar="FILE", help="Record to this capture file (pcapng); - is standard output.")
-@click.option("--read-only", is_flag=True, help="Block commands that change the brick.")
+@click.option("--read-only", is_flag=True, help="Forward only commands that read.")
 @click.option(
     "--hide",
     is_flag=True,
-    help="Mask names, addresses and PINs in what is recorded and shown. This loses all values of commands about"
-    " communication and texts, faulty frames, error replies and replies without their command. Files and messages of"
-    " WRITEMAILBOX are not masked.",
+    help="Mask names, addresses and PINs in what is recorded and shown. This loses all values of commands with texts,"
+    " variables as inputs or jumps, of faulty frames, error replies and replies without their command. Files and"
+    " messages of WRITEMAILBOX are not masked.",
 )
 @click.option("--from", "only_from", metavar="ADDRESS", help="Serve only clients with this address.")
 @fault_options
@@ -58,6 +67,7 @@ def proxy(
     listen: str,
     target: Target,
     beacon: bool,
+    serial_number: str | None,
     record: str | None,
     read_only: bool,
     hide: bool,
@@ -80,14 +90,15 @@ def proxy(
     if record == "-" and as_json:
         raise incompatible("--record -", "--json", "both write to standard output")
     address, port = _place(listen)
-    announced = target.serial_number or _UNKNOWN_SERIAL if beacon else None
-    options = ProxyOptions(address, port, _address(only_from), read_only, hide, faults, dialect, announced)
+    options = ProxyOptions(address, port, _address(only_from), read_only, hide, faults, dialect)
     with ExitStack() as stack:
         recording = _recording(record, stack)
         shown = _Shown(as_json=as_json, is_quiet=record == "-")
-        with failing_on(LinkError):
+        with _failing(target, is_masked=hide):
             wire = open_wire(target)
             stack.callback(wire.close)
+            if beacon:
+                options = replace(options, announced=serial_number or announced_number(target, wire))
             standing = Proxy(wire, str(target), options, show=shown, say=complain, recording=recording)
         shown.start_ns = standing.records.start_ns
         if not ipaddress.ip_address(address).is_loopback:
@@ -112,6 +123,16 @@ class _Shown:
         if self._dialogues is not None:
             self._dialogues.show(pair, self.start_ns)
             flush()
+
+
+@contextmanager
+def _failing(target: Target, *, is_masked: bool) -> Iterator[None]:
+    """Ends the program if the brick cannot be reached, without naming it if names are masked."""
+    try:
+        yield
+    except LinkError as error:
+        text = str(error)
+        raise Failure(masked_note(text.replace(target.host or "\0", "x")) if is_masked else text) from None
 
 
 def _place(listen: str) -> tuple[str, int]:

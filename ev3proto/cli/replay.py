@@ -39,7 +39,7 @@ def _allowed(_context: click.Context, _parameter: click.Parameter, given: tuple[
         if name.lower() == _EVERYTHING:
             found |= set(Harm)
         elif name.lower() in set(Harm):
-            found.add(Harm(name.lower()))
+            found.add(Harm[name.upper()])
         elif name.upper() in known:
             found.add(name.upper())
         else:
@@ -57,8 +57,8 @@ def _allowed(_context: click.Context, _parameter: click.Parameter, given: tuple[
     multiple=True,
     callback=_allowed,
     metavar="NAME",
-    help=f"Send also commands with this effect ({', '.join(Harm)}), {_EVERYTHING}, or an operation such as"
-    " OUTPUT_START; can be repeated.",
+    help=f"Send also commands of this group ({', '.join(Harm)}), {_EVERYTHING}, or an operation such as OUTPUT_START,"
+    " besides those that read; can be repeated.",
 )
 @click.option("--dry-run", is_flag=True, help="Send nothing; show which commands would be sent or omitted.")
 @click.option("--differences", is_flag=True, help="Show only the dialogues that differ from the recorded ones.")
@@ -80,10 +80,9 @@ def replay(
     Values that differ between bricks or moments are shown, but count as recorded: times, the battery, sensors, names,
     the contents of files. The last lines count the replies, and name the brick's firmware if a command asks for it.
 
-    Commands that change or harm a brick are omitted and listed, unless --allow names their effect: deleting or writing
-    files, moving motors, changing settings, controlling programs, sending messages, pressing buttons, writing to
-    devices, restarting the brick, erasing firmware, running SYSTEM. So are commands that cannot be decoded. File
-    handles are those that the brick assigns now; message counters are new.
+    Commands that only read are sent. Others are omitted and listed, unless --allow names what they do: see its list.
+    `computing` is what changes nothing on the brick, but may take long or write over memory: texts, arrays, jumps,
+    waits. File handles are those that the brick assigns now; message counters are new.
 
     Exit status: 0 if every reply is of the recorded kind, whatever its values; 1 if one is missing or of another kind.
 
@@ -91,10 +90,10 @@ def replay(
       ev3proto replay robot.pcapng --to virtual
       ev3proto replay robot.pcapng --to usb --dry-run
       ev3proto replay robot.pcapng --to wifi --fast --allow motors,settings
-      ev3proto replay captures/conformance.pcapng --to usb --differences
+      ev3proto replay captures/conformance.pcapng --to usb --differences --allow computing
     """  # noqa: D301 - the mark by which click leaves lines as they are
     capture = CaptureSource(name, reading)
-    found = steps(dialogues(capture.events()), allowed, reading.dialect)
+    found = steps(dialogues(capture.events()), allowed)
     if not found and not capture.status:
         raise Failure(f"{capture.label}: no command found")
     if not found:

@@ -1,14 +1,14 @@
 """Masks names, addresses and PINs in frames, for recordings that are given to others.
 
-Anything not known to be harmless is overwritten. Lengths stay, so a masked frame has the same operations.
+Texts are shown only where the tables declare them public. Lengths stay, so a masked frame has the same operations.
 """
 
 from __future__ import annotations
 
+import re
 from functools import cache
 from itertools import pairwise
 
-from ev3proto.link.harm import running
 from ev3proto.messages import (
     Argument,
     DaisyCommand,
@@ -23,39 +23,39 @@ from ev3proto.messages import (
 from ev3proto.schema.fields import REPLIES, REQUESTS
 from ev3proto.schema.frame import parse
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
+from ev3proto.semantics.domain import domain_of
 from ev3proto.semantics.replies import values_of
-from ev3proto.tables import AREAS, OPCODES
-from ev3proto.tables.declaration import Declaration, Role, Type, declarations
-from ev3proto.tables.encoding import TEXT
-from ev3proto.tables.system import SYSTEM
+from ev3proto.tables.declaration import Declaration, Role, Type
+from ev3proto.tables.encoding import CONSTANT, JUMP, TEXT
+from ev3proto.tables.system import SYSTEM_BY_NUMBER, Kind
 
 MASK = ord("x")
 
 _SHORT_CONSTANT = 0
 """The constant 0 in its shortest encoding."""
 
+_UNLOCK_LINE = re.compile(
+    rb"GET /target\?sn=(?P<serial>[^\s]*)(?: ?VMTP1\.0)?\s*|Protocol: ?EV3\s*|Accept:EV340\s*|[\s\0]*"
+)
+"""The lines before the first frame that are shown."""
 
-def _is_private(declaration: Declaration) -> bool:
-    """Returns whether an operation is about names, addresses and PINs, or makes a text that may be one."""
-    parameters = declaration.parameters
-    texts = [parameter for parameter in parameters if parameter.type is Type.STRING]
-    return (
-        declaration.opcode in AREAS["com"]
-        or any(parameter.role is Role.PRIVATE for parameter in parameters)
-        or any(parameter.type is Type.VALUES for parameter in parameters)
-        or (any(text.is_output for text in texts) and not all(text.is_output for text in texts))
-    )
+_ADDRESS = re.compile(
+    r"\b\d{1,3}(?:\.\d{1,3}){3}(?::\d+)?\b"
+    r"|(?<![\w:])(?=[\da-fA-F]*:[\da-fA-F]*:)[\da-fA-F:.]{3,}(?:%\w+)?(?::\d+)?"
+    r"|\b[\da-fA-F]{12}\b"
+)
+"""An IPv4, IPv6 or MAC address, or a serial number."""
 
-
-_OPERATIONS = frozenset(declaration.name for declaration in declarations(OPCODES) if _is_private(declaration))
-_COMMANDS = frozenset(entry.number for entry in SYSTEM if any(field.name == "pin" for field in entry.request))
+_TEXTS = (Kind.TEXT, Kind.COUNTED_TEXT)
+"""The kinds of fields that hold texts; others hold numbers and the contents of files and mailboxes."""
 
 
 def masked(frame: bytes, request: bytes | None = None, dialect: str = "official") -> bytes:
     """Returns a frame without names, addresses and PINs.
 
-    Commands about communication and texts keep opcodes, CMDs, variables and lengths. What cannot be read or paired,
-    errors and daisy replies keep length, counter and type. Of other direct replies the values stay.
+    Commands keep opcodes, CMDs, variables and lengths; those without private texts stay, and the values in replies to
+    them. What cannot be read or paired, errors and daisy replies keep length, counter and type. Paths and contents of
+    files, and the messages of WRITEMAILBOX, stay.
 
     Args:
         frame: A whole frame.
@@ -67,31 +67,62 @@ def masked(frame: bytes, request: bytes | None = None, dialect: str = "official"
         return _written_over(frame)
     asked = None if request is None else parse(request, strict=False, dialect=dialect)
     if isinstance(message, DirectReply):
-        return _memory(frame, message, asked, dialect)
+        return _memory(frame, message, asked)
     if isinstance(message, DirectCommand):
-        return _code(frame, message.operations, COMMAND_HEADER_SIZE) if _is_hidden(message, dialect) else frame
+        return frame if _is_shown(message) else _code(frame, message.operations, COMMAND_HEADER_SIZE)
     if isinstance(message, SystemCommand | SystemReply):
-        is_private = any(
-            isinstance(one, SystemCommand | SystemReply) and one.number in _COMMANDS for one in (message, asked)
-        )
-        return _texts(frame, message) if is_private else frame
+        return _fields(frame, message)
     if isinstance(message, DaisyCommand):
-        return (
-            _code(frame, message.operations, HEADER_SIZE + 3)
-            if _is_hidden(message, dialect) and message.payload
-            else frame
-        )
+        is_shown = _is_shown(message) or not message.payload
+        return frame if is_shown else _code(frame, message.operations, HEADER_SIZE + 3)
     return _written_over(frame)
+
+
+def masked_opening(text: bytes) -> bytes:
+    """Returns what a WiFi client and a brick say before the first frame, without serial number and unknown lines."""
+    return b"".join(map(_masked_line, text.splitlines(keepends=True)))
+
+
+def _masked_line(line: bytes) -> bytes:
+    found = _UNLOCK_LINE.fullmatch(line)
+    if found is None:
+        return re.sub(rb"[^\r\n\0]", bytes((MASK,)), line)
+    start, end = found.span("serial")
+    return line if start < 0 else line[:start] + b"0" * (end - start) + line[end:]
+
+
+def masked_note(note: str) -> str:
+    """Returns a message for the user without IP addresses, ports and serial numbers."""
+    return _ADDRESS.sub(chr(MASK), note)
 
 
 def _written_over(frame: bytes, kept: int = HEADER_SIZE) -> bytes:
     return frame[:kept].ljust(len(frame), bytes((MASK,)))
 
 
-def _is_hidden(message: DirectCommand | DaisyCommand, dialect: str) -> bool:
-    """Returns whether a command may be about names, addresses and PINs."""
-    can_run, is_known = running(message, dialect)
-    return not is_known or any(one.full_name in _OPERATIONS for one in (*message.operations, *can_run))
+def _is_shown(message: DirectCommand | DaisyCommand) -> bool:
+    """Returns whether a command and its results have only numbers and public texts."""
+    return all(
+        not (operation.declaration.is_newer or operation.declaration.is_jump)
+        and all(map(_is_public, operation.arguments))
+        and not any(parameter.type is Type.VALUES for parameter in operation.declaration.parameters)
+        for operation in message.operations
+    )
+
+
+def _is_public(argument: Argument) -> bool:
+    """Returns whether an argument is a number or a public text, or a variable into which the brick writes one.
+
+    A variable that the brick reads may hold a part of a text, unless it selects one of few things.
+    """
+    parameter, form = argument.parameter, argument.form
+    if form.handle or form.address or form.kind in (JUMP, TEXT):
+        return False
+    if parameter.is_output or parameter.stores or form.kind == CONSTANT:
+        is_number = parameter.type is not Type.STRING and parameter.length is None
+        return parameter.role is Role.PUBLIC or (is_number and parameter.indexed_by is None)
+    domain = domain_of(parameter)
+    return domain is not None and domain.is_documented
 
 
 def _code(frame: bytes, operations: tuple[Operation, ...], start: int) -> bytes:
@@ -126,7 +157,7 @@ def _argument(argument: Argument) -> bytes:
     return _written_over(raw, 1) if argument.form.width else bytes((_SHORT_CONSTANT,))
 
 
-def _memory(frame: bytes, reply: DirectReply, asked: Message | None, dialect: str) -> bytes:
+def _memory(frame: bytes, reply: DirectReply, asked: Message | None) -> bytes:
     """Masks a direct reply except the values of a harmless command.
 
     What no output of the command covers, the end of a text among it, may be left over from an earlier command.
@@ -134,32 +165,40 @@ def _memory(frame: bytes, reply: DirectReply, asked: Message | None, dialect: st
     hidden = bytearray(_written_over(frame))
     if reply.is_error or not isinstance(asked, DirectCommand) or asked.fault is not None:
         return bytes(hidden)
-    is_hidden = _is_hidden(asked, dialect)
-    if not is_hidden:
+    is_shown = _is_shown(asked)
+    if is_shown:
         hidden[HEADER_SIZE:] = bytes(MASK if byte else 0 for byte in frame[HEADER_SIZE:])
     for value in values_of(reply, asked):
         start, end = value.offset, value.offset + value.length
         if value.type == Type.STRING.label and frame[end : end + 1] == b"\0":
             hidden[end] = 0
-        if not is_hidden:
+        if is_shown:
             hidden[start:end] = frame[start:end]
     return bytes(hidden)
 
 
-def _texts(frame: bytes, message: SystemCommand | SystemReply) -> bytes:
-    """Masks a system message except number, status and lengths."""
+def _fields(frame: bytes, message: SystemCommand | SystemReply) -> bytes:
+    """Masks the texts of a system message that are not public."""
     is_reply = isinstance(message, SystemReply)
+    entry = SYSTEM_BY_NUMBER.get(message.number)
+    if entry is None:
+        return _written_over(frame)
+    private = {
+        field.name
+        for field in (entry.reply if is_reply else entry.request)
+        if field.kind in _TEXTS and not field.is_public
+    }
     declared = (REPLIES if is_reply else REQUESTS)[message.number]
     begin = HEADER_SIZE + (2 if is_reply else 1)
-    hidden = bytearray(_written_over(frame, begin))
+    shown = bytearray(frame)
     given: dict[str, FieldValue] = {}
     start = begin
     for name, value in message.fields.items():
         given[name] = value
         end = begin + len(declared.write_present(given))
-        if isinstance(value, int):
-            hidden[start:end] = frame[start:end]
-        elif isinstance(value, str):
-            hidden[end - 1] = frame[end - 1]
+        if name in private:
+            # The last byte is the zero of a text; of one without it, the length says where it ends.
+            last = end - 1 if frame[end - 1 : end] == b"\0" else end
+            shown[start:last] = bytes((MASK,)) * (last - start)
         start = end
-    return bytes(hidden)
+    return bytes(shown)

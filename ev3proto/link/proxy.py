@@ -8,9 +8,9 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-import re
 import threading
-from collections.abc import Callable, Sequence
+from collections import deque
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 
@@ -19,32 +19,37 @@ from ev3proto.brick.servers.host import Ends, Line, ServerError
 from ev3proto.brick.servers.wifi import Wifi
 from ev3proto.capture.dialogues import RequestReply
 from ev3proto.capture.record import Record
-from ev3proto.dialogue import Pairing
 from ev3proto.generate.captures.recording import Recording
 from ev3proto.link.carriers import Wire
 from ev3proto.link.errors import ConnectionLostError, PortInUseError
-from ev3proto.link.harm import harms_of
-from ev3proto.link.masking import masked
+from ev3proto.link.harm import Harm, harms_of
+from ev3proto.link.masking import masked, masked_note, masked_opening
+from ev3proto.link.open_handles import OpenHandles
 from ev3proto.link.records import Records
+from ev3proto.link.refusals import refused
 from ev3proto.link.reply_stream import Garbage, ReplyStream
 from ev3proto.link.session import pairing_key
 from ev3proto.messages import Message, SystemCommand
 from ev3proto.schema.discovery import Beacon
-from ev3proto.schema.header import build_frame
+from ev3proto.schema.frame import parse
 from ev3proto.stream import Decoder, StreamError
+from ev3proto.system import close_filehandle
 from ev3proto.tables.carriers import Carrier
 from ev3proto.tables.discovery import BEACON_PORT
-from ev3proto.tables.frame import MAX_FRAME, MessageType
+from ev3proto.tables.frame import MAX_FRAME
 from ev3proto.tables.system import SystemStatus
 
 _CLIENT = "client"
 """The name of the one client in a recording."""
 
 _HIDDEN_HOST, _HIDDEN_PROXY = "192.0.2.1", "192.0.2.10"
-_SERIAL = re.compile(rb"(?<=sn=)\w+")
+"""The ends of a connection in recordings without addresses."""
 
 _TURN = 0.1
 _MOST_WAITING = 1024
+
+_GRACE = 10.0
+"""Seconds for which the replies to a client that has disconnected are kept from the next one."""
 
 
 @dataclass(frozen=True)
@@ -54,8 +59,8 @@ class ProxyOptions:
     address       of this computer, where clients connect
     port          0 for any that is free
     only_from     the address that clients must have; None for any
-    is_read_only  nothing goes through that changes the brick
-    is_masked     names, addresses and PINs are kept out of the recording and of what is shown
+    is_read_only  only commands that read go through
+    is_masked     names, addresses and PINs are kept out of the recording and of all that is shown and said
     faults        what happens to replies
     dialect       the firmware's instruction set
     announced     serial number in the UDP beacon, by which programs find the proxy; None: no beacon
@@ -112,13 +117,16 @@ class Proxy:
         """
         self.lost: ConnectionLostError | None = None
         packets = None if recording is None else lambda: recording.packets
+        if options.is_masked:
+            wire.label, peer = "the brick", "brick"
         self.records = Records(wire.carrier, peer, options.dialect, packets)
-        self.say_once = say
+        self.say_once: Say = (lambda note: say(masked_note(note))) if options.is_masked else say
         self._wire = wire
         self._options = options
         self._show = show
         self._recording = recording
         self._client: _Client | None = None
+        self._abandoned: list[_Sent] = []
         self._error: BaseException | None = None
         self._is_over = asyncio.Event()
         self._loop = asyncio.new_event_loop()
@@ -148,7 +156,6 @@ class Proxy:
         """Ends everything; may be called from another thread, or when a signal comes."""
         with contextlib.suppress(RuntimeError):  # it has ended already
             self._loop.call_soon_threadsafe(self._is_over.set)
-        self._wire.stop()
 
     async def _serve(self) -> None:
         serial_number = self._options.announced
@@ -178,7 +185,7 @@ class Proxy:
         self._client = _Client(self, line, name, Decoder(strict=False, dialect=self._options.dialect))
         host, proxy = ends
         if self._options.is_masked:
-            opening = [(_SERIAL.sub(lambda found: b"0" * len(found[0]), text), is_host) for text, is_host in opening]
+            opening = [(masked_opening(text), is_host) for text, is_host in opening]
             host, proxy = (_HIDDEN_HOST, host[1]), (_HIDDEN_PROXY, proxy[1])
         self._record(lambda recording: recording.opened(_CLIENT, Carrier(carrier), host, proxy))
         for text, is_from_host in opening:
@@ -210,37 +217,49 @@ class Proxy:
             self.say_once(f"{client.name} sent bytes that are not a frame: {reason}; disconnected")
         if left := client.decoder.pending:
             self._record(lambda recording: recording.data(_CLIENT, self._masked(left), True))
-        for command in client.pairing.unanswered:
-            self._show(RequestReply(command, None))
+        for sent in client.waiting:
+            self._show(RequestReply(sent.command, None))
+            sent.expires = self._loop.time() + _GRACE
+        self._abandoned += client.waiting
         self._record(lambda recording: recording.closed(_CLIENT))
+        self._close_handles(client)
+
+    def _close_handles(self, client: _Client) -> None:
+        """Closes what a client leaves open: the brick has few handles for all clients."""
+        for handle in client.handles.take() if self._options.is_read_only else ():
+            self._wire.send(close_filehandle(handle, reply=False).build())
+            self.say_once(f"{client.name} left the handle {handle} open; it was closed")
 
     def _masked(self, frame: bytes, request: bytes | None = None) -> bytes:
         return masked(frame, request, self._options.dialect) if self._options.is_masked else frame
 
     def _to_brick(self, client: _Client, message: Message) -> None:
         frame = message.build()
-        status = self._refusal(message, frame)
+        status = self._refusal(client, message, frame)
         shown = self._masked(frame)
         self._record(lambda recording: recording.data(_CLIENT, shown, True))
         command = self.records.sent(shown)
         if not message.wants_reply:
             self._show(RequestReply(command, None))
-        elif (forgotten := client.pairing.remember(pairing_key(frame), 0, command)) is not None:
-            self._show(RequestReply(forgotten, None))
+        elif (forgotten := client.remember(_Sent(client, command, frame, pairing_key(frame)))) is not None:
+            self._show(RequestReply(forgotten.command, None))
         if status is None:
             self._wire.send(frame)
-        elif message.wants_reply and isinstance(message, SystemCommand):
-            reply = build_frame(MessageType.SYSTEM_REPLY_ERROR, message.counter, bytes((message.number, status)))
-            self._to_client(reply)
-        elif message.wants_reply:
-            self._to_client(build_frame(MessageType.DIRECT_REPLY_ERROR, message.counter, b""))
+        elif (reply := refused(message, status)) is not None:
+            self._to_client(client, client.answered(reply), reply)
 
-    def _refusal(self, message: Message, frame: bytes) -> SystemStatus | None:
-        """Says why a command does not go to the brick. Returns what a system command is told; None for others."""
-        if self._options.is_read_only and (harms := harms_of(message, dialect=self._options.dialect)):
+    def _refusal(self, client: _Client, message: Message, frame: bytes) -> SystemStatus | None:
+        """Says why a message does not go to the brick. Returns what a system command is told; None for others."""
+        if self._options.is_read_only and (harms := harms_of(message, handles=client.handles)):
             reasons = ", ".join(f"{name} {harm.text}" for harm, name in harms.items())
+            status = SystemStatus.NO_PERMISSION
+            if message.type is not None and not message.type.is_command:
+                reasons = f"{message.type.name} is not a command"
+            elif isinstance(message, SystemCommand) and set(harms) == {Harm.COMPUTING}:
+                reasons = f"{message.command} names a handle that this client did not open"
+                status = SystemStatus.UNKNOWN_HANDLE
             self.say_once(f"blocked by --read-only: {reasons}")
-            return SystemStatus.NO_PERMISSION
+            return status
         if len(frame) > MAX_FRAME and self._wire.carrier is Carrier.USB:
             self.say_once(
                 f"a frame of {len(frame)} bytes was not sent: on USB a frame has at most {MAX_FRAME} bytes; send the"
@@ -262,27 +281,41 @@ class Proxy:
             self._loop.call_soon_threadsafe(self.act, partial(_raise, error))
 
     def _take(self, part: bytes | Garbage) -> None:
+        client = self._client
         if isinstance(part, Garbage):
             self.say_once(f"the brick sent {len(part.data)} bytes that are not a frame; they were dropped")
-        else:
-            self._to_client(part)
-
-    def _to_client(self, frame: bytes) -> None:
-        faults, client = self._options.faults, self._client
-        request = None if client is None else client.pairing.answered(pairing_key(frame), None)
-        sent = faults.apply_to(frame)
-        if sent is None:
-            self.say_once("a reply was dropped (--drop)")
-            if request is not None:
-                self._show(RequestReply(request, None))
-            return
-        shown = self._masked(sent, None if request is None else request.frame)
-        self._record(lambda recording: recording.data(_CLIENT, shown, False))
-        self._show(RequestReply(request, self.records.received(shown, request)))
-        if client is not None and faults.delay:
-            self._loop.call_later(faults.delay, client.line.send, sent)
+        elif (late := self._late(part)) is not None:
+            late.client.handles.learn(parse(part, strict=False))
+            self._close_handles(late.client)
         elif client is not None:
-            client.line.send(sent)
+            client.handles.learn(parse(part, strict=False))
+            self._to_client(client, client.answered(part), part)
+
+    def _late(self, frame: bytes) -> _Sent | None:
+        """Returns the command of a disconnected client that a reply answers; the brick answers in order."""
+        now = self._loop.time()
+        self._abandoned = [sent for sent in self._abandoned if sent.expires > now]
+        found = _first(self._abandoned, frame)
+        if found is not None:
+            self._abandoned.remove(found)
+        return found
+
+    def _to_client(self, client: _Client, sent: _Sent | None, frame: bytes) -> None:
+        faults = self._options.faults
+        command = None if sent is None else sent.command
+        reply = faults.apply_to(frame)
+        if reply is None:
+            self.say_once("a reply was dropped (--drop)")
+            if command is not None:
+                self._show(RequestReply(command, None))
+            return
+        shown = self._masked(reply, None if sent is None else sent.frame)
+        self._record(lambda recording: recording.data(_CLIENT, shown, False))
+        self._show(RequestReply(command, self.records.received(shown, command)))
+        if faults.delay:
+            self._loop.call_later(faults.delay, client.line.send, reply)
+        else:
+            client.line.send(reply)
 
     def _record(self, write: Callable[[Recording], None]) -> None:
         if self._recording is None:
@@ -294,21 +327,59 @@ class Proxy:
             self.say_once(f"recording ended: {error.strerror or error}")
 
 
+@dataclass(eq=False, slots=True)
+class _Sent:
+    """A command that waits for its reply.
+
+    client   who sent it
+    command  as it is shown
+    frame    as it was sent
+    key      what it shares with its reply
+    expires  when its reply is no longer expected; only for those of a client that has disconnected
+    """
+
+    client: _Client
+    command: Record
+    frame: bytes
+    key: tuple[str, int, int]
+    expires: float = 0.0
+
+
+def _first(waiting: Iterable[_Sent], reply: bytes) -> _Sent | None:
+    """Returns the first command that a reply may answer."""
+    key = pairing_key(reply)
+    return next((sent for sent in waiting if sent.key == key), None)
+
+
 class _Client:
     """The client that is served.
 
     line     its connection
     name     its address and port
     decoder  what it sent
-    pairing  its commands without a reply yet
+    waiting  its commands without a reply yet, oldest first
+    handles  its open files on the brick
     """
 
     def __init__(self, proxy: Proxy, line: Line, name: str, decoder: Decoder) -> None:
         self.line = line
         self.name = name
         self.decoder = decoder
-        self.pairing: Pairing[Record] = Pairing(_MOST_WAITING)
+        self.waiting: deque[_Sent] = deque()
+        self.handles = OpenHandles()
         self._proxy = proxy
+
+    def remember(self, sent: _Sent) -> _Sent | None:
+        """Adds a command that waits for its reply. Returns the one that is forgotten for it, if any."""
+        self.waiting.append(sent)
+        return self.waiting.popleft() if len(self.waiting) > _MOST_WAITING else None
+
+    def answered(self, reply: bytes) -> _Sent | None:
+        """Returns the command that a reply answers, which no longer waits: the newest, as a counter may be reused."""
+        found = _first(reversed(self.waiting), reply)
+        if found is not None:
+            self.waiting.remove(found)
+        return found
 
     def feed(self, data: bytes) -> None:
         """Takes bytes from the client."""

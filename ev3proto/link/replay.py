@@ -13,6 +13,7 @@ from itertools import chain
 from ev3proto.capture.dialogues import RequestReply
 from ev3proto.capture.record import Direction, Record
 from ev3proto.link.harm import Harm, harms_of
+from ev3proto.link.open_handles import OpenHandles
 from ev3proto.messages import Message, SystemReply
 from ev3proto.schema.frame import parse
 from ev3proto.schema.header import HEADER_SIZE
@@ -51,25 +52,30 @@ class Likeness(Enum):
     KIND = "otherwise"
 
 
-def steps(pairs: Iterable[RequestReply], allowed: frozenset[str], dialect: str = "official") -> list[Step]:
+def steps(pairs: Iterable[RequestReply], allowed: frozenset[str]) -> list[Step]:
     """Returns the commands of a capture in the order in which they were sent.
 
     Args:
         pairs: Its commands with their replies, in any order.
-        allowed: Allowed changes of the brick: groups of `Harm`, names of operations.
-        dialect: The firmware whose instruction set to read by.
+        allowed: What may be sent besides reading: groups of `Harm`, names of operations and system commands.
     """
-    found = [
-        Step(command, reply, _harms(command.message, allowed, dialect))
+    sent = [
+        (command, reply)
         for command, reply in pairs
         if command is not None and command.direction is not Direction.RECEIVED
     ]
-    return sorted(found, key=lambda step: (step.command.time_ns, step.command.number))
+    found, handles = [], OpenHandles()
+    for command, reply in sorted(sent, key=lambda pair: (pair[0].time_ns, pair[0].number)):
+        harms = _harms(command.message, allowed, handles)
+        found.append(Step(command, reply, harms))
+        if reply is not None and not harms:
+            handles.learn(reply.message)
+    return found
 
 
-def _harms(message: Message, allowed: frozenset[str], dialect: str) -> dict[Harm, str]:
+def _harms(message: Message, allowed: frozenset[str], handles: OpenHandles) -> dict[Harm, str]:
     """Returns why a message is omitted. One whose type is not known cannot be sent with a new counter at all."""
-    return {Harm.UNKNOWN: "the frame"} if message.type is None else harms_of(message, allowed, dialect)
+    return {Harm.UNKNOWN: "the frame"} if message.type is None else harms_of(message, allowed, handles)
 
 
 class Handles:

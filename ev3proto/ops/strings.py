@@ -87,7 +87,8 @@ def value_to_string(
         value: Number to write; NaN becomes ----; DATAF.
         figures: Width, including the point; negative aligns left; characters; DATA8.
         decimals: Digits after the point; DATA8.
-        destination: Resulting text, zero-terminated; string; an output, in global memory when omitted.
+        destination: Resulting text, zero-terminated; at most 128 characters; string; an output, in global memory when
+            omitted.
         unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["STRINGS.VALUE_TO_STRING"].draft((value, figures, decimals, destination), unchecked)
@@ -121,7 +122,8 @@ def number_to_string(value: Number, figures: Number, destination: Output = None,
     Args:
         value: Number to write; DATA16.
         figures: Width of the text; characters; DATA8.
-        destination: Resulting text, zero-terminated; string; an output, in global memory when omitted.
+        destination: Resulting text, zero-terminated; at most 128 characters; string; an output, in global memory when
+            omitted.
         unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["STRINGS.NUMBER_TO_STRING"].draft((value, figures, destination), unchecked)

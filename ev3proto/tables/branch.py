@@ -29,20 +29,28 @@ def _by_type(name: str, numbers: tuple[int, int, int, int], relation: str) -> tu
                 In("RIGHT", type_, "right side of the comparison"),
                 OFFSET,
             ),
+            effects=(Effect.COMPUTES,),
         )
         for number, (suffix, type_, size) in zip(numbers, SIZES, strict=True)
     )
 
 
 BRANCH = (
-    Opcode(0x40, "JR", "Jumps always", (OFFSET,), effects=(Effect.JUMPS_ALWAYS,)),
-    Opcode(0x41, "JR_FALSE", "Jumps if a flag is 0", (FLAG, OFFSET)),
-    Opcode(0x42, "JR_TRUE", "Jumps if a flag is not 0", (FLAG, OFFSET)),
+    Opcode(
+        0x40,
+        "JR",
+        "Jumps always",
+        (OFFSET,),
+        effects=(Effect.JUMPS_ALWAYS, Effect.COMPUTES),
+    ),
+    Opcode(0x41, "JR_FALSE", "Jumps if a flag is 0", (FLAG, OFFSET), effects=(Effect.COMPUTES,)),
+    Opcode(0x42, "JR_TRUE", "Jumps if a flag is not 0", (FLAG, OFFSET), effects=(Effect.COMPUTES,)),
     Opcode(
         0x43,
         "JR_NAN",
         "Jumps if a value is not a number, as read from a sensor without data",
         (In("VALUE", DATAF, "value to look at"), OFFSET),
+        effects=(Effect.COMPUTES,),
     ),
     *_by_type("JR_LT", (0x64, 0x65, 0x66, 0x67), "less than"),
     *_by_type("JR_GT", (0x68, 0x69, 0x6A, 0x6B), "greater than"),

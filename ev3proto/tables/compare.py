@@ -3,7 +3,7 @@
 The same operation exists once per size of its operands, so all of them are built size by size from one line each.
 """
 
-from ev3proto.tables.declaration import DATA8, DATA16, DATA32, DATAF, In, Opcode, Out
+from ev3proto.tables.declaration import DATA8, DATA16, DATA32, DATAF, Effect, In, Opcode, Out
 
 SIZES = (("8", DATA8, "8-bit"), ("16", DATA16, "16-bit"), ("32", DATA32, "32-bit"), ("F", DATAF, "floating-point"))
 
@@ -20,6 +20,7 @@ def _by_type(name: str, numbers: tuple[int, int, int, int], relation: str) -> tu
                 In("RIGHT", type_, "right side of the comparison"),
                 Out("FLAG", DATA8, "result of the comparison", range=(0, 1), special={0: "false", 1: "true"}),
             ),
+            effects=(Effect.READS,),
         )
         for number, (suffix, type_, size) in zip(numbers, SIZES, strict=True)
     )
@@ -38,6 +39,7 @@ def _select_by_type(numbers: tuple[int, int, int, int]) -> tuple[Opcode, ...]:
                 In("SOURCE2", type_, "value selected if the flag is 0"),
                 Out("RESULT", type_, "the selected value"),
             ),
+            effects=(Effect.READS,),
         )
         for number, (suffix, type_, size) in zip(numbers, SIZES, strict=True)
     )

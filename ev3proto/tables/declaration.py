@@ -76,11 +76,15 @@ class Role(Enum):
     MOTOR = "one motor port, counted from 0"
     PORT = "one port, of a sensor or a motor"
     PORTS = "a list of ports"
-    PRIVATE = "a name, an address or a PIN"
+    FORMAT = "a format of C's printf"
+    PUBLIC = "a text or list that says nothing about its owner: names of devices and modes, units, versions"
 
 
 class Effect(Enum):
-    """A side effect of an operation or system command that its parameters do not show. The value completes "it ..."."""
+    """A side effect of an operation or system command that its parameters do not show. The value completes "it ...".
+
+    READS and COMPUTES say that there is none: they are what untrusted clients, and replays, may do.
+    """
 
     STARTS_SOUND = "starts a sound and returns at once; a sound that is playing ends"
     ENDS_SOUND = "ends the sound that is playing"
@@ -113,6 +117,12 @@ class Effect(Enum):
     WRITES_FIRMWARE = "erases or writes the memory that the firmware is in"
     RUNS_SHELL = "runs a command on the brick's operating system"
     VARIES = "returns a value that differs between bricks and moments"
+    READS = "only reads: `proxy --read-only` lets it through, and `replay` sends it"
+    COMPUTES = "only computes, jumps or waits: `replay` sends it with `--allow computing`"
+    PRINTS = "changes what the display or the debug terminal shows"
+    SIGNALS = "changes the lights, or plays a signal"
+    RESETS_SENSORS = "resets what sensors have counted"
+    USES_MAILBOXES = "opens, closes or reads a mailbox, on which a program may depend"
 
 
 DATA8, DATA16, DATA32, DATAF = Type.DATA8, Type.DATA16, Type.DATA32, Type.DATAF

@@ -70,7 +70,7 @@ INPUT = (
             In("DATASETS", DATA8, "index of the value to read from each device, from 0", length="SAMPLES"),
             Out("VALUES", DATAF, "one value per device, NaN if there is none", length="SAMPLES"),
         ),
-        effects=(Effect.VARIES,),
+        effects=(Effect.VARIES, Effect.COMPUTES),
     ),
     Opcode(
         0x98,
@@ -78,10 +78,10 @@ INPUT = (
         "Lists the types of all devices, sensor ports of each layer first, then motor ports",
         (
             In("LENGTH", DATA8, "size of the array; 32 holds the whole daisy chain"),
-            Out("ARRAY", DATA8, "type of device at each port", enum=TYPE, length="LENGTH"),
+            Out("ARRAY", DATA8, "type of device at each port", enum=TYPE, length="LENGTH", role=Role.PUBLIC),
             Out("CHANGED", DATA8, "whether devices came or went since the last call", special={0: "no change"}),
         ),
-        effects=(Effect.VARIES,),
+        effects=(Effect.VARIES, Effect.READS),
     ),
     Opcode(
         0x99,
@@ -118,7 +118,7 @@ INPUT = (
                     Out("MODES", DATA8, "number of modes of the device", range=(1, 8)),
                     Out("VIEWS", DATA8, "number of modes shown to users", range=(1, 8)),
                 ),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.READS),
             ),
             Command(
                 3,
@@ -149,7 +149,7 @@ INPUT = (
                     Out("TYPE", DATA8, "type of the device", enum=TYPE),
                     Out("MODE", DATA8, "mode the device is in", range=(0, 7)),
                 ),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.READS),
             ),
             Command(
                 6,
@@ -159,9 +159,9 @@ INPUT = (
                     LAYER,
                     NO,
                     TEXT_LENGTH,
-                    Out("DESTINATION", STRING, "symbol, padded with blanks", length="LENGTH"),
+                    Out("DESTINATION", STRING, "symbol, padded with blanks", length="LENGTH", role=Role.PUBLIC),
                 ),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.READS),
             ),
             Command(
                 7,
@@ -199,20 +199,22 @@ INPUT = (
                 ),
                 effects=(Effect.WRITES_TO_DEVICES,),
             ),
-            Command(10, "CLR_ALL", "Clears counters and angles of all devices", (LAYERS,)),
+            Command(
+                10, "CLR_ALL", "Clears counters and angles of all devices", (LAYERS,), effects=(Effect.SETS_MOTORS,)
+            ),
             Command(
                 11,
                 "GET_RAW",
                 "Reads the first raw value of a device",
                 (LAYER, NO, Out("VALUE", DATA32, "raw value, NaN if there is none")),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.READS),
             ),
             Command(
                 12,
                 "GET_CONNECTION",
                 "Reports how the device at a port is connected",
                 (LAYER, NO, Out("CONN", DATA8, "kind of connection", enum=CONN)),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.READS),
             ),
             Command(13, "STOP_ALL", "Stops all devices, motors among them", (LAYERS,), effects=(Effect.STOPS_MOTORS,)),
             Command(
@@ -259,9 +261,9 @@ INPUT = (
                     LAYER,
                     NO,
                     TEXT_LENGTH,
-                    Out("DESTINATION", STRING, "name, padded with blanks", length="LENGTH"),
+                    Out("DESTINATION", STRING, "name, padded with blanks", length="LENGTH", role=Role.PUBLIC),
                 ),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.READS),
             ),
             Command(
                 22,
@@ -272,9 +274,9 @@ INPUT = (
                     NO,
                     In("MODE", DATA8, "mode to name", range=(0, 7)),
                     TEXT_LENGTH,
-                    Out("DESTINATION", STRING, "name, padded with blanks", length="LENGTH"),
+                    Out("DESTINATION", STRING, "name, padded with blanks", length="LENGTH", role=Role.PUBLIC),
                 ),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.READS),
             ),
             Command(
                 23,
@@ -293,16 +295,22 @@ INPUT = (
                     Out("FIGURES", DATA8, "total number of characters, with point and decimals"),
                     Out("DECIMALS", DATA8, "digits after the point"),
                 ),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.READS),
             ),
             Command(
                 25,
                 "GET_CHANGES",
                 "Reads how often a touch sensor changed to pressed since CLR_CHANGES",
                 (LAYER, NO, Out("VALUE", DATAF, "number of changes, 0 for other sensors")),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.READS),
             ),
-            Command(26, "CLR_CHANGES", "Sets the counts of GET_CHANGES and GET_BUMPS to zero", (LAYER, NO)),
+            Command(
+                26,
+                "CLR_CHANGES",
+                "Sets the counts of GET_CHANGES and GET_BUMPS to zero",
+                (LAYER, NO),
+                effects=(Effect.RESETS_SENSORS,),
+            ),
             Command(
                 27,
                 "READY_PCT",
@@ -314,10 +322,7 @@ INPUT = (
                     MODE_TO_SET,
                     Count("VALUES", "number of values that follow, each in percent", DATA8, Direction.OUT),
                 ),
-                effects=(
-                    Effect.WAITS,
-                    Effect.VARIES,
-                ),
+                effects=(Effect.WAITS, Effect.VARIES, Effect.READS),
             ),
             Command(
                 28,
@@ -330,10 +335,7 @@ INPUT = (
                     MODE_TO_SET,
                     Count("VALUES", "number of raw values that follow", DATA32, Direction.OUT),
                 ),
-                effects=(
-                    Effect.WAITS,
-                    Effect.VARIES,
-                ),
+                effects=(Effect.WAITS, Effect.VARIES, Effect.READS),
             ),
             Command(
                 29,
@@ -346,10 +348,7 @@ INPUT = (
                     MODE_TO_SET,
                     Count("VALUES", "number of values that follow, each in SI units", DATAF, Direction.OUT),
                 ),
-                effects=(
-                    Effect.WAITS,
-                    Effect.VARIES,
-                ),
+                effects=(Effect.WAITS, Effect.VARIES, Effect.READS),
             ),
             Command(
                 30,
@@ -361,14 +360,14 @@ INPUT = (
                     Out("MIN", DATAF, "smallest value in SI units"),
                     Out("MAX", DATAF, "largest value in SI units"),
                 ),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.READS),
             ),
             Command(
                 31,
                 "GET_BUMPS",
                 "Reads how often a touch sensor changed to released since CLR_CHANGES",
                 (LAYER, NO, Out("VALUE", DATAF, "number of changes, 0 for other sensors")),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.READS),
             ),
         ),
     ),
@@ -377,22 +376,28 @@ INPUT = (
         "INPUT_READ",
         "Sets type and mode and reads the first value in percent at once",
         (LAYER, NO, TYPE_TO_SET, MODE_TO_SET, Out("PCT", DATA8, "value, NaN if there is none", unit="%")),
-        effects=(Effect.VARIES,),
+        effects=(Effect.VARIES, Effect.READS),
     ),
     Opcode(
         0x9B,
         "INPUT_TEST",
         "Reports whether a device is still changing type or mode",
         (LAYER, NO, Out("BUSY", DATA8, "whether to wait", range=(0, 1), special={0: "ready", 1: "busy"})),
-        effects=(Effect.VARIES,),
+        effects=(Effect.VARIES, Effect.READS),
     ),
-    Opcode(0x9C, "INPUT_READY", "Waits until a device has valid values", (LAYER, NO), effects=(Effect.WAITS,)),
+    Opcode(
+        0x9C,
+        "INPUT_READY",
+        "Waits until a device has valid values",
+        (LAYER, NO),
+        effects=(Effect.WAITS, Effect.COMPUTES),
+    ),
     Opcode(
         0x9D,
         "INPUT_READSI",
         "Sets type and mode and reads the first value in SI units at once",
         (LAYER, NO, TYPE_TO_SET, MODE_TO_SET, Out("SI", DATAF, "value in the mode's unit, NaN if there is none")),
-        effects=(Effect.VARIES,),
+        effects=(Effect.VARIES, Effect.READS),
     ),
     Opcode(
         0x9E,
@@ -406,7 +411,7 @@ INPUT = (
             In("FORMAT", DATA8, "DATA_PCT, DATA_RAW or DATA_SI; others give NaN", enum=DATA_FORMAT),
             Count("VALUES", "number of values that follow, each in FORMAT", "FORMAT", Direction.OUT),
         ),
-        effects=(Effect.VARIES,),
+        effects=(Effect.VARIES, Effect.READS),
     ),
     Opcode(
         0x9F,
@@ -438,6 +443,7 @@ INPUT = (
         "Fetches the bytes that an I2C sensor answered to INPUT_IIC_WRITE",
         (LAYER, SENSOR_NO, RDLNG, RDDATA, Out("RESULT", DATA8, "OK or FAIL", enum=RESULT)),
         dialects=EXTENSIONS,
+        effects=(Effect.COMPUTES,),
     ),
     Opcode(
         0xE2,
@@ -445,6 +451,7 @@ INPUT = (
         "Reports the state of the I2C bus of a port",
         (LAYER, SENSOR_NO, Out("RESULT", DATA8, "state of the bus", enum=RESULT)),
         dialects=EXTENSIONS,
+        effects=(Effect.COMPUTES,),
     ),
     Opcode(
         0xE3,

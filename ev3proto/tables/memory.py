@@ -63,6 +63,7 @@ def _create(number: int, name: str, element: Type) -> Command:
             In("ELEMENTS", DATA32, "initial number of elements", range=NOT_NEGATIVE),
             NEW_ARRAY,
         ),
+        effects=(Effect.COMPUTES,),
     )
 
 
@@ -79,6 +80,7 @@ def _init(number: int, name: str, element: Type) -> Command:
             In("ELEMENTS", DATA32, "number of values that follow", range=NOT_NEGATIVE),
             Values("VALUES", "the values, one parameter each", element),
         ),
+        effects=(Effect.COMPUTES,),
     )
 
 
@@ -107,7 +109,7 @@ MEMORY = (
             MEMORY_SIZE,
             Out("ARRAY", DATA8, "the bytes, zeros beyond the end of the memory", length="SIZE"),
         ),
-        effects=(Effect.VARIES,),
+        effects=(Effect.VARIES, Effect.COMPUTES),
     ),
     Opcode(
         0xC0,
@@ -133,7 +135,7 @@ MEMORY = (
                     NEW_FILE,
                     Out("SIZE", DATA32, "size of the file", unit="bytes", special={0: "not found"}),
                 ),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.READS),
             ),
             Command(
                 2,
@@ -154,7 +156,7 @@ MEMORY = (
                     DELIMITER,
                     Out("VALUE", DATAF, "the number, 0 if the text is not a number"),
                 ),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.READS),
             ),
             Command(
                 4,
@@ -189,7 +191,7 @@ MEMORY = (
                         length="LENGTH",
                     ),
                 ),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.READS),
             ),
             Command(
                 6,
@@ -202,7 +204,7 @@ MEMORY = (
                 ),
                 effects=(Effect.WRITES_FILES,),
             ),
-            Command(7, "CLOSE", "Closes a file and frees its handle", (FILE_HANDLE,)),
+            Command(7, "CLOSE", "Closes a file and frees its handle", (FILE_HANDLE,), effects=(Effect.READS,)),
             Command(
                 8,
                 "LOAD_IMAGE",
@@ -218,7 +220,7 @@ MEMORY = (
                     Out("SIZE", DATA32, "size of the program", unit="bytes", special={0: "not loaded"}),
                     IMAGE_ADDRESS,
                 ),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.CONTROLS_PROGRAMS),
             ),
             Command(
                 9,
@@ -229,6 +231,7 @@ MEMORY = (
                     Out("HANDLE", HANDLE, "the open file", special={-1: "not open"}),
                     Out("WRITE", DATA8, "whether it is open for writing or appending", special=NO_YES),
                 ),
+                effects=(Effect.COMPUTES,),
             ),
             Command(
                 10,
@@ -249,7 +252,7 @@ MEMORY = (
                     Out("HANDLE", HANDLE, "handle of the block"),
                     Out("IP", DATA32, "address of the block"),
                 ),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.COMPUTES),
             ),
             Command(
                 12,
@@ -259,6 +262,7 @@ MEMORY = (
                     In("TIME", DATA32, "the common time"),
                     In("TICK", DATA32, "the brick's tick at that time"),
                 ),
+                effects=(Effect.CHANGES_SETTINGS,),
             ),
             Command(
                 13,
@@ -268,7 +272,7 @@ MEMORY = (
                     FOLDER_NAME,
                     Out("ITEMS", DATA8, "number of entries"),
                 ),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.READS),
             ),
             Command(
                 14,
@@ -278,7 +282,7 @@ MEMORY = (
                     Out("TIME", DATA32, "the common time"),
                     Out("TICK", DATA32, "the brick's tick at that time"),
                 ),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.READS),
             ),
             Command(
                 15,
@@ -295,7 +299,7 @@ MEMORY = (
                         length="LENGTH",
                     ),
                 ),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.READS),
             ),
             Command(
                 16,
@@ -329,7 +333,7 @@ MEMORY = (
                     ENTRY,
                     Out("IP", DATA32, "where it was loaded"),
                 ),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.CONTROLS_PROGRAMS),
             ),
             Command(
                 19,
@@ -340,14 +344,14 @@ MEMORY = (
                     In("STRING", STRING, "name to look for, without extension"),
                     Out("ITEM", DATA8, "number of the entry; the first is 1", range=(1, 127), special={0: "not found"}),
                 ),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.COMPUTES),
             ),
             Command(
                 20,
                 "GET_CACHE_FILES",
                 "Counts the recently run files",
                 (Out("ITEMS", DATA8, "number of files, at most 10"),),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.READS),
             ),
             Command(
                 21,
@@ -365,7 +369,7 @@ MEMORY = (
                     ROOM,
                     Out("STRING", STRING, "path of the file, empty if there is none", length="LENGTH"),
                 ),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.READS),
             ),
             Command(
                 23,
@@ -405,7 +409,7 @@ MEMORY = (
                         note="elsewhere an input; the firmware writes the path into it",
                     ),
                 ),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.READS),
             ),
             Command(
                 27,
@@ -437,7 +441,7 @@ MEMORY = (
                     BYTES_16,
                     Out("DESTINATION", DATA8, "the bytes; followed by a zero if the file ended early", length="BYTES"),
                 ),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.READS),
             ),
             Command(
                 29,
@@ -465,10 +469,7 @@ MEMORY = (
                     In("SOURCE", STRING, "path to copy from"),
                     In("DEST", STRING, "path to copy to; any existing one is deleted first"),
                 ),
-                effects=(
-                    Effect.WRITES_FILES,
-                    Effect.DELETES_FILES,
-                ),
+                effects=(Effect.WRITES_FILES, Effect.DELETES_FILES),
             ),
         ),
     ),
@@ -477,13 +478,21 @@ MEMORY = (
         "ARRAY",
         "Creates, fills, copies and resizes arrays",
         commands=(
-            Command(0, "DELETE", "Deletes an array and frees its handle", (ARRAY_HANDLE,), dialects=("official",)),
+            Command(
+                0,
+                "DELETE",
+                "Deletes an array and frees its handle",
+                (ARRAY_HANDLE,),
+                dialects=("official",),
+                effects=(Effect.COMPUTES,),
+            ),
             Command(
                 0,
                 "DESTROY",
                 "Deletes an array and frees its handle (LEGO's name for it is DELETE)",
                 (ARRAY_HANDLE,),
                 dialects=EXTENSIONS,
+                effects=(Effect.COMPUTES,),
             ),
             _create(1, "CREATE8", DATA8),
             _create(2, "CREATE16", DATA16),
@@ -497,6 +506,7 @@ MEMORY = (
                     ARRAY_HANDLE,
                     In("ELEMENTS", DATA32, "new number of elements", range=NOT_NEGATIVE),
                 ),
+                effects=(Effect.COMPUTES,),
             ),
             Command(
                 6,
@@ -506,6 +516,7 @@ MEMORY = (
                     ARRAY_HANDLE,
                     In("VALUE", ARRAY_TYPED, "the value, of the array's type"),
                 ),
+                effects=(Effect.COMPUTES,),
             ),
             Command(
                 7,
@@ -520,6 +531,7 @@ MEMORY = (
                         note="elsewhere an output; the firmware reads the handle of an array that exists",
                     ),
                 ),
+                effects=(Effect.COMPUTES,),
             ),
             _init(8, "INIT8", DATA8),
             _init(9, "INIT16", DATA16),
@@ -534,6 +546,7 @@ MEMORY = (
                     Out("ELEMENTS", DATA32, "number of elements, 0 if there is no such array"),
                 ),
                 dialects=("official",),
+                effects=(Effect.COMPUTES,),
             ),
             Command(
                 12,
@@ -544,6 +557,7 @@ MEMORY = (
                     Out("ELEMENTS", DATA32, "number of elements, 0 if there is no such array"),
                 ),
                 dialects=EXTENSIONS,
+                effects=(Effect.COMPUTES,),
             ),
             Command(
                 13,
@@ -556,6 +570,7 @@ MEMORY = (
                     BYTES_32,
                     Out("ARRAY", DATA8, "the bytes, zeros beyond the end of the array", length="BYTES"),
                 ),
+                effects=(Effect.COMPUTES,),
             ),
             Command(
                 14,
@@ -579,6 +594,7 @@ MEMORY = (
                     ARRAY_HANDLE,
                     Out("BYTES", DATA32, "number of bytes, 0 if there is no such array", unit="bytes"),
                 ),
+                effects=(Effect.COMPUTES,),
             ),
         ),
     ),
@@ -591,6 +607,7 @@ MEMORY = (
             INDEX,
             In("VALUE", ARRAY_TYPED, "the value, of the array's type"),
         ),
+        effects=(Effect.COMPUTES,),
     ),
     Opcode(
         0xC3,
@@ -601,6 +618,7 @@ MEMORY = (
             INDEX,
             Out("VALUE", ARRAY_TYPED, "the value, of the array's type"),
         ),
+        effects=(Effect.COMPUTES,),
     ),
     Opcode(
         0xC4,
@@ -610,6 +628,7 @@ MEMORY = (
             ARRAY_HANDLE,
             In("VALUE", ARRAY_TYPED, "the value, of the array's type"),
         ),
+        effects=(Effect.COMPUTES,),
     ),
     Opcode(
         0xC5,
@@ -619,7 +638,7 @@ MEMORY = (
             Out("TOTAL", DATA32, "total memory", unit="KiB"),
             Out("FREE", DATA32, "free memory", unit="KiB"),
         ),
-        effects=(Effect.VARIES,),
+        effects=(Effect.VARIES, Effect.READS),
     ),
     Opcode(
         0xC6,
@@ -634,6 +653,7 @@ MEMORY = (
                     FILE_NAME,
                     Out("FLAG", DATA8, "whether it exists", special=NO_YES),
                 ),
+                effects=(Effect.READS,),
             ),
             Command(
                 17,
@@ -644,7 +664,7 @@ MEMORY = (
                     Out("FILES", DATA32, "number of entries, including . and ..; 0 for a file"),
                     Out("SIZE", DATA32, "size of all of them, rounded up", unit="KiB"),
                 ),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.COMPUTES),
             ),
             Command(
                 18,
@@ -657,6 +677,7 @@ MEMORY = (
                     Out("NAME", STRING, "the name, without folder and extension", length="LENGTH"),
                     Out("EXT", STRING, "the extension with its dot", length="LENGTH"),
                 ),
+                effects=(Effect.COMPUTES,),
             ),
             Command(
                 19,
@@ -669,6 +690,7 @@ MEMORY = (
                     ROOM,
                     Out("FILENAME", STRING, "the path", length="LENGTH"),
                 ),
+                effects=(Effect.COMPUTES,),
             ),
             Command(
                 20,
@@ -678,6 +700,7 @@ MEMORY = (
                     In("FILENAME", STRING, "the path"),
                     Out("OK", DATA8, "whether the path can be used", special={0: "not allowed", 1: "allowed"}),
                 ),
+                effects=(Effect.COMPUTES,),
             ),
             Command(
                 21,
@@ -701,6 +724,7 @@ MEMORY = (
                     ROOM,
                     Out("FOLDERNAME", STRING, "path of the folder, without a slash at its end", length="LENGTH"),
                 ),
+                effects=(Effect.READS,),
             ),
         ),
         cmd_table="ARRAY",
@@ -715,5 +739,6 @@ MEMORY = (
             Out("SUCCESS", DATA8, "whether the file could be read", special=NO_YES),
         ),
         dialects=EXTENSIONS,
+        effects=(Effect.COMPUTES,),
     ),
 )

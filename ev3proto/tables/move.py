@@ -3,7 +3,7 @@
 All operations but one exist for every operand size and are built for each.
 """
 
-from ev3proto.tables.declaration import DATA8, DATA16, DATA32, DATAF, In, Opcode, Out, Role, Type, Values
+from ev3proto.tables.declaration import DATA8, DATA16, DATA32, DATAF, Effect, In, Opcode, Out, Role, Type, Values
 
 SIZES = (("8", DATA8, "8-bit"), ("16", DATA16, "16-bit"), ("32", DATA32, "32-bit"), ("F", DATAF, "floating-point"))
 
@@ -24,6 +24,7 @@ def _moves_from(name: str, source: Type, size: str, numbers: tuple[int, int, int
             f"MOVE{name}_{suffix}",
             _move_text(source, size, destination, to),
             (In("SOURCE", source, "value to copy"), Out("DESTINATION", destination, "copy of the value")),
+            effects=(Effect.READS,),
         )
         for number, (suffix, destination, to) in zip(numbers, SIZES, strict=True)
     )
@@ -51,6 +52,7 @@ def _reads(numbers: tuple[int, int, int, int]) -> tuple[Opcode, ...]:
                 INDEX,
                 Out("DESTINATION", type_, "the element's value"),
             ),
+            effects=(Effect.READS,),
         )
         for number, (suffix, type_, size) in zip(numbers, SIZES, strict=True)
     )
@@ -74,6 +76,7 @@ def _writes(numbers: tuple[int, int, int, int]) -> tuple[Opcode, ...]:
                     stores=True,
                 ),
             ),
+            effects=(Effect.READS,),
         )
         for number, (suffix, type_, size) in zip(numbers, SIZES, strict=True)
     )
@@ -89,6 +92,7 @@ MOVE = (
             In("LENGTH", DATA32, "number of values that follow; a negative count hangs the brick", unit="bytes"),
             Values("SOURCE", "the values, one per byte", DATA8),
         ),
+        effects=(Effect.READS,),
     ),
     *_moves_from("8", DATA8, "8-bit", (0x30, 0x31, 0x32, 0x33)),
     *_moves_from("16", DATA16, "16-bit", (0x34, 0x35, 0x36, 0x37)),

@@ -166,27 +166,21 @@ OUTPUT = (
             Out("SPEED", DATA8, "current speed", unit="%", range=(-100, 100)),
             Out("TACHO", DATA32, "angle since OUTPUT_RESET", unit="degrees"),
         ),
-        effects=(Effect.VARIES,),
+        effects=(Effect.VARIES, Effect.READS),
     ),
     Opcode(
         0xA9,
         "OUTPUT_TEST",
         "Reports whether one of the motors is still in a move that ends by itself",
         (LAYER, NOS, Out("BUSY", DATA8, "whether to wait", range=(0, 1), special={0: "ready", 1: "busy"})),
-        effects=(
-            Effect.WAITS,
-            Effect.VARIES,
-        ),
+        effects=(Effect.WAITS, Effect.VARIES, Effect.READS),
     ),
     Opcode(
         0xAA,
         "OUTPUT_READY",
         "Waits until the moves of the motors have ended; ignores those from OUTPUT_START",
         (LAYER, NOS),
-        effects=(
-            Effect.WAITS,
-            Effect.AWAITS_MOVE,
-        ),
+        effects=(Effect.WAITS, Effect.AWAITS_MOVE, Effect.COMPUTES),
     ),
     Opcode(
         0xAB,
@@ -212,10 +206,7 @@ OUTPUT = (
             In("STEP", DATA32, "angle of the faster motor", unit="degrees", range=(0, MOST), special={0: "endless"}),
             BRAKE,
         ),
-        effects=(
-            Effect.STARTS_MOVE,
-            Effect.RUNS_MOTORS,
-        ),
+        effects=(Effect.STARTS_MOVE, Effect.RUNS_MOTORS),
     ),
     Opcode(
         0xB1,
@@ -229,10 +220,7 @@ OUTPUT = (
             In("TIME", DATA32, "how long to run", unit="ms", range=(0, MOST), special={0: "endless"}),
             BRAKE,
         ),
-        effects=(
-            Effect.STARTS_MOVE,
-            Effect.RUNS_MOTORS,
-        ),
+        effects=(Effect.STARTS_MOVE, Effect.RUNS_MOTORS),
     ),
     Opcode(
         0xB2,
@@ -259,7 +247,7 @@ OUTPUT = (
             ),
             Out("TACHO", DATA32, "angle since OUTPUT_CLR_COUNT", unit="degrees"),
         ),
-        effects=(Effect.VARIES,),
+        effects=(Effect.VARIES, Effect.READS),
     ),
     Opcode(
         0xB4,

@@ -1,6 +1,12 @@
-"""Paths on the brick: maximum lengths, each including the zero. The firmware refuses longer ones."""
+"""Paths on the brick: their parts, maximum lengths (each including the zero), and allowed characters."""
+
+from __future__ import annotations
+
+import string
+from typing import NamedTuple
 
 from ev3proto.tables.constants import CONSTANTS
+from ev3proto.tables.encoding import STRING_CODING
 
 WHOLE = int(CONSTANTS["FILENAMESIZE"])
 """Bytes of a whole path."""
@@ -21,3 +27,40 @@ USUAL_FOLDERS = (
     *(f"tools/{name}" for name in ("Bluetooth", "Brick Info", "Sleep", "Volume", "WiFi")),
 )
 """Folders of a brick as LEGO delivers it, below /home/root/lms2012."""
+
+ALLOWED = frozenset((string.ascii_letters + string.digits + "_-./~ ").encode(STRING_CODING))
+"""Characters of file names."""
+
+
+class FileName(NamedTuple):
+    """A file's name in its parts.
+
+    folder     with its closing slash; may be empty
+    name       up to the first point after the last slash
+    extension  with its point; may be empty
+    """
+
+    folder: bytes
+    name: bytes
+    extension: bytes
+
+
+def split(path: bytes) -> FileName:
+    """Splits a path: the extension begins at the first point, so `a.b.c` is `a` and `.b.c`."""
+    slash = path.rfind(b"/") + 1
+    point = path.find(b".", slash)
+    end = point if point >= 0 else len(path)
+    return FileName(path[:slash], path[slash:end], path[end:])
+
+
+def has_room(path: bytes) -> bool:
+    """Returns whether a path and its parts are short enough for the firmware."""
+    parts = split(path)
+    return (
+        len(path) < WHOLE and len(parts.folder) < FOLDER and len(parts.name) < NAME and len(parts.extension) < EXTENSION
+    )
+
+
+def is_allowed(path: bytes) -> bool:
+    """Returns whether all characters are allowed and nothing is too long."""
+    return has_room(path) and ALLOWED.issuperset(path)

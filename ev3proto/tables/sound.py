@@ -52,7 +52,12 @@ SOUND = (
                 (VOLUME, NAME),
                 effects=(Effect.STARTS_SOUND,),
             ),
-            Command(4, "SERVICE", "Does nothing; the number is used inside the firmware to feed the sound driver"),
+            Command(
+                4,
+                "SERVICE",
+                "Does nothing; the number is used inside the firmware to feed the sound driver",
+                effects=(Effect.COMPUTES,),
+            ),
         ),
     ),
     Opcode(
@@ -60,18 +65,12 @@ SOUND = (
         "SOUND_TEST",
         "Reports whether a sound is playing",
         (Out("BUSY", DATA8, "whether a sound is playing", range=(0, 1), special={0: "ready", 1: "busy"}),),
-        effects=(
-            Effect.WAITS,
-            Effect.VARIES,
-        ),
+        effects=(Effect.WAITS, Effect.VARIES, Effect.READS),
     ),
     Opcode(
         0x96,
         "SOUND_READY",
         "Waits until the sound has ended (forever after REPEAT or an endless tone)",
-        effects=(
-            Effect.WAITS,
-            Effect.AWAITS_SOUND,
-        ),
+        effects=(Effect.WAITS, Effect.AWAITS_SOUND, Effect.COMPUTES),
     ),
 )

@@ -31,6 +31,7 @@ class Field(NamedTuple):
     optional  senders may omit it
     most      largest number of bytes, where the firmware has a limit
     is_message  the message of a mailbox (text, number or logic value), which `tables.mailboxes` reads
+    is_public   a text of files and mailboxes, which `proxy --hide` shows as it shows their contents
     """
 
     name: str
@@ -40,6 +41,7 @@ class Field(NamedTuple):
     optional: bool = False
     most: int | None = None
     is_message: bool = False
+    is_public: bool = False
 
 
 class SystemStatus(IntEnum):
@@ -91,7 +93,9 @@ class SystemCommand(NamedTuple):
     statuses: tuple[tuple[SystemStatus, str], ...] = ()
 
 
-_PATH = Field("path", Kind.TEXT, "path of the file or folder, absolute or relative to /home/root/lms2012/sys")
+_PATH = Field(
+    "path", Kind.TEXT, "path of the file or folder, absolute or relative to /home/root/lms2012/sys", is_public=True
+)
 _HANDLE = Field("handle", Kind.U8, "the open file on the brick, as its reply to BEGIN_... gave it")
 _REPLY_HANDLE = Field("handle", Kind.U8, "the open file, for the messages that follow")
 _SIZE = Field("size", Kind.U32, "bytes of the whole file")
@@ -158,7 +162,7 @@ SYSTEM = (
         (_MAX_BYTES, _PATH),
         (_SIZE, _REPLY_HANDLE, _DATA),
         transfer="begin",
-        effects=(Effect.VARIES,),
+        effects=(Effect.VARIES, Effect.READS),
         statuses=(
             (SystemStatus.END_OF_FILE, "this reply holds the whole file"),
             (SystemStatus.UNKNOWN_HANDLE, "no such file"),
@@ -172,7 +176,7 @@ SYSTEM = (
         (_HANDLE, _MAX_BYTES),
         (_REPLY_HANDLE, _DATA),
         transfer="continue",
-        effects=(Effect.VARIES,),
+        effects=(Effect.VARIES, Effect.READS),
         statuses=(
             (SystemStatus.END_OF_FILE, "that was the last piece of the file"),
             (SystemStatus.HANDLE_NOT_READY, "the handle is known, but its file is not open"),
@@ -186,7 +190,7 @@ SYSTEM = (
         (_MAX_BYTES, _PATH),
         (_SIZE, _REPLY_HANDLE, _DATA),
         transfer="begin",
-        effects=(Effect.VARIES,),
+        effects=(Effect.VARIES, Effect.READS),
         statuses=(
             (SystemStatus.END_OF_FILE, "this reply holds all that the file has so far"),
             (SystemStatus.HANDLE_NOT_READY, "no such file"),
@@ -200,7 +204,7 @@ SYSTEM = (
         (_HANDLE, _MAX_BYTES),
         (_SIZE, _REPLY_HANDLE, _DATA),
         transfer="continue",
-        effects=(Effect.VARIES,),
+        effects=(Effect.VARIES, Effect.READS),
         statuses=(
             (SystemStatus.END_OF_FILE, "that was the last of what the file has so far"),
             (SystemStatus.HANDLE_NOT_READY, "the handle is known, but its file is not open"),
@@ -216,6 +220,7 @@ SYSTEM = (
         (Field("handle", Kind.U8, "the file that was closed", optional=True),),
         transfer="close",
         statuses=((SystemStatus.UNKNOWN_HANDLE, "no file is open under that handle"),),
+        effects=(Effect.READS,),
     ),
     SystemCommand(
         0x99,
@@ -224,7 +229,7 @@ SYSTEM = (
         (_MAX_BYTES, _PATH),
         (Field("list_size", Kind.U32, "bytes of the whole listing"), _REPLY_HANDLE, _LIST),
         transfer="begin",
-        effects=(Effect.VARIES,),
+        effects=(Effect.VARIES, Effect.READS),
         statuses=(
             (SystemStatus.END_OF_FILE, "this reply holds the whole listing"),
             (SystemStatus.UNKNOWN_ERROR, "no such folder, or no free handle"),
@@ -237,7 +242,7 @@ SYSTEM = (
         (_HANDLE, _MAX_BYTES),
         (_REPLY_HANDLE, _LIST),
         transfer="continue",
-        effects=(Effect.VARIES,),
+        effects=(Effect.VARIES, Effect.READS),
         statuses=(
             (SystemStatus.END_OF_FILE, "that was the last piece of the listing"),
             (SystemStatus.UNKNOWN_ERROR, "the handle holds no listing"),
@@ -275,6 +280,7 @@ SYSTEM = (
         "Asks which file handles are in use",
         (),
         (Field("handles", Kind.DATA, "one bit per handle, set while it is in use"),),
+        effects=(Effect.READS,),
     ),
     SystemCommand(
         0x9E,
@@ -283,7 +289,7 @@ SYSTEM = (
         (
             # The published text counts the name without its zero; the firmware counts the zero, too.
             Field("name_length", Kind.U8, "bytes of the name, with or without its zero", counts="name"),
-            Field("name", Kind.COUNTED_TEXT, "the mailbox"),
+            Field("name", Kind.COUNTED_TEXT, "the mailbox", is_public=True),
             Field("payload_length", Kind.U16, "bytes of the message", counts="payload"),
             Field(
                 "payload",
@@ -363,6 +369,7 @@ SYSTEM = (
         (_ADDRESS, _IMAGE_SIZE),
         (Field("checksum", Kind.U32, "CRC-32 of the region"),),
         bootloader=True,
+        effects=(Effect.COMPUTES,),
     ),
     SystemCommand(
         0xF6,
@@ -375,6 +382,7 @@ SYSTEM = (
             Field("firmware_version", Kind.U32, "version of the updater"),
         ),
         bootloader=True,
+        effects=(Effect.COMPUTES,),
     ),
 )
 

@@ -100,13 +100,13 @@ TOTAL = Out("TOTAL", DATA32, "size", unit="KiB")
 FREE = Out("FREE", DATA32, "free space", unit="KiB")
 
 
-def _string(text: str) -> tuple[Parameter, ...]:
-    """Builds the parameters of a command that only returns a string."""
-    return (LENGTH_OR_ALL, Out("DESTINATION", STRING, text, length="LENGTH"))
+def _version(text: str) -> tuple[Parameter, ...]:
+    """Builds the parameters of a command that only returns a version."""
+    return (LENGTH_OR_ALL, Out("DESTINATION", STRING, text, length="LENGTH", role=Role.PUBLIC))
 
 
 UI = (
-    Opcode(0x80, "UI_FLUSH", "Sends the contents of the terminal's output buffer"),
+    Opcode(0x80, "UI_FLUSH", "Sends the contents of the terminal's output buffer", effects=(Effect.PRINTS,)),
     Opcode(
         0x81,
         "UI_READ",
@@ -117,21 +117,21 @@ UI = (
                 "GET_VBATT",
                 "Reads the battery voltage",
                 (Out("VALUE", DATAF, "voltage", unit="V"),),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.READS),
             ),
             Command(
                 2,
                 "GET_IBATT",
                 "Reads the battery current",
                 (Out("VALUE", DATAF, "current", unit="A"),),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.READS),
             ),
             Command(
                 3,
                 "GET_OS_VERS",
                 "Reads name and version of the operating system",
-                _string("system and kernel release, such as Linux 2.6.33-rc4"),
-                effects=(Effect.VARIES,),
+                _version("system and kernel release, such as Linux 2.6.33-rc4"),
+                effects=(Effect.VARIES, Effect.READS),
             ),
             Command(
                 4,
@@ -149,28 +149,28 @@ UI = (
                         },
                     ),
                 ),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.COMPUTES),
             ),
             Command(
                 5,
                 "GET_TBATT",
                 "Reads the rise in battery temperature, estimated from the current",
                 (Out("VALUE", DATAF, "estimated rise in temperature", unit="°C"),),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.READS),
             ),
             Command(
                 6,
                 "GET_IINT",
                 "Reads the battery current smoothed over time",
                 (Out("IINT", DATAF, "integrated current", unit="A"),),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.READS),
             ),
             Command(
                 7,
                 "GET_IMOTOR",
                 "Reads the current of all motors together",
                 (Out("VALUE", DATAF, "current", unit="A"),),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.READS),
             ),
             Command(
                 8,
@@ -186,48 +186,42 @@ UI = (
                     ),
                     Out("DESTINATION", STRING, "the line", length="LENGTH"),
                 ),
-                effects=(
-                    Effect.WAITS,
-                    Effect.VARIES,
-                ),
+                effects=(Effect.WAITS, Effect.VARIES, Effect.COMPUTES),
             ),
             Command(
                 9,
                 "GET_HW_VERS",
                 "Reads the hardware version",
-                _string("hardware version, such as V0.60"),
-                effects=(Effect.VARIES,),
+                _version("hardware version, such as V0.60"),
+                effects=(Effect.VARIES, Effect.READS),
             ),
             Command(
                 10,
                 "GET_FW_VERS",
                 "Reads the firmware version",
-                _string("firmware version, such as V1.04H"),
-                effects=(Effect.VARIES,),
+                _version("firmware version, such as V1.04H"),
+                effects=(Effect.VARIES, Effect.READS),
             ),
             Command(
                 11,
                 "GET_FW_BUILD",
                 "Reads the build time of the firmware",
-                _string("build time as yymmddhhmm"),
-                effects=(Effect.VARIES,),
+                _version("build time as yymmddhhmm"),
+                effects=(Effect.VARIES, Effect.READS),
             ),
             Command(
                 12,
                 "GET_OS_BUILD",
                 "Reads the build time of the operating system",
-                _string("build time as yymmddhhmm"),
-                effects=(Effect.VARIES,),
+                _version("build time as yymmddhhmm"),
+                effects=(Effect.VARIES, Effect.READS),
             ),
             Command(
                 13,
                 "GET_ADDRESS",
                 "Waits for a decimal number typed at the terminal and reads it (debugging)",
                 (Out("VALUE", DATA32, "the number, meant as an address"),),
-                effects=(
-                    Effect.WAITS,
-                    Effect.VARIES,
-                ),
+                effects=(Effect.WAITS, Effect.VARIES, Effect.COMPUTES),
             ),
             Command(
                 14,
@@ -244,38 +238,35 @@ UI = (
                     Out("GLOBAL", DATA32, "address of the program's global variables"),
                     Out("FLAG", DATA8, "whether the program can be started; 1 or unchanged", special={1: "ready"}),
                 ),
-                effects=(
-                    Effect.WAITS,
-                    Effect.VARIES,
-                ),
+                effects=(Effect.WAITS, Effect.VARIES),
             ),
             Command(
                 15,
                 "KEY",
                 "Takes one key from the terminal without waiting",
                 (Out("VALUE", DATA8, "character code of the key", special={0: "no key"}),),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.COMPUTES),
             ),
             Command(
                 16,
                 "GET_SHUTDOWN",
                 "Reads and clears the request to shut down (used by the brick's own menus)",
                 (Out("FLAG", DATA8, "whether the brick wants to shut down", range=(0, 1), special=NO_YES),),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.COMPUTES),
             ),
             Command(
                 17,
                 "GET_WARNING",
                 "Reads the brick's warnings",
                 (Out("WARNINGS", DATA8, "one bit for each warning", enum=WARNING, special={0: "none"}),),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.READS),
             ),
             Command(
                 18,
                 "GET_LBATT",
                 "Reads the battery level, derived from its voltage",
                 (Out("PCT", DATA8, "battery level", range=(0, 100), unit="%"),),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.READS),
             ),
             Command(
                 21,
@@ -295,14 +286,14 @@ UI = (
                         note="published as an input DATA8; the firmware writes a string there",
                     ),
                 ),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.COMPUTES),
             ),
             Command(
                 26,
                 "GET_VERSION",
                 "Reads name, version and build date of the firmware in one string",
-                _string("such as LMS2012 V1.04H(Jul 26 2013 12:00:00)"),
-                effects=(Effect.VARIES,),
+                _version("such as LMS2012 V1.04H(Jul 26 2013 12:00:00)"),
+                effects=(Effect.VARIES, Effect.READS),
             ),
             Command(
                 27,
@@ -310,9 +301,9 @@ UI = (
                 "Reads the brick's IP address",
                 (
                     LENGTH_OR_ALL,
-                    Out("DESTINATION", STRING, "address in dotted notation", length="LENGTH", role=Role.PRIVATE),
+                    Out("DESTINATION", STRING, "address in dotted notation", length="LENGTH"),
                 ),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.READS),
             ),
             Command(
                 29,
@@ -325,21 +316,21 @@ UI = (
                     Out("IMOTOR", DATAF, "current of all motors together", unit="A"),
                 ),
                 newer=True,
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.COMPUTES),
             ),
             Command(
                 30,
                 "GET_SDCARD",
                 "Reads whether an SD card is present, and its space",
                 (STATE_PRESENT, TOTAL, FREE),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.READS),
             ),
             Command(
                 31,
                 "GET_USBSTICK",
                 "Reads whether a USB stick is present, and its space",
                 (STATE_PRESENT, TOTAL, FREE),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.READS),
             ),
         ),
     ),
@@ -348,12 +339,18 @@ UI = (
         "UI_WRITE",
         "Writes to the terminal or sets lights and states of the brick",
         commands=(
-            Command(1, "WRITE_FLUSH", "Sends the contents of the terminal's output buffer, like UI_FLUSH"),
+            Command(
+                1,
+                "WRITE_FLUSH",
+                "Sends the contents of the terminal's output buffer, like UI_FLUSH",
+                effects=(Effect.PRINTS,),
+            ),
             Command(
                 2,
                 "FLOATVALUE",
                 "Writes a number in a fixed format to the terminal",
                 (In("VALUE", DATAF, "number to write"), FIGURES_SIGNED, DECIMALS),
+                effects=(Effect.PRINTS,),
             ),
             Command(
                 3,
@@ -367,17 +364,43 @@ UI = (
                         note="published as DATA8; the firmware prints a string from there",
                     ),
                 ),
+                effects=(Effect.PRINTS,),
             ),
-            Command(8, "PUT_STRING", "Writes text to the terminal", (In("STRING", STRING, "text to write"),)),
-            Command(9, "VALUE8", "Writes a whole number to the terminal", (In("VALUE", DATA8, "number to write"),)),
+            Command(
+                8,
+                "PUT_STRING",
+                "Writes text to the terminal",
+                (In("STRING", STRING, "text to write"),),
+                effects=(Effect.PRINTS,),
+            ),
+            Command(
+                9,
+                "VALUE8",
+                "Writes a whole number to the terminal",
+                (In("VALUE", DATA8, "number to write"),),
+                effects=(Effect.PRINTS,),
+            ),
             Command(
                 10,
                 "VALUE16",
                 "Writes an unsigned whole number to the terminal",
                 (In("VALUE", DATA16, "number to write", unsigned=True),),
+                effects=(Effect.PRINTS,),
             ),
-            Command(11, "VALUE32", "Writes a whole number to the terminal", (In("VALUE", DATA32, "number to write"),)),
-            Command(12, "VALUEF", "Writes a number to the terminal", (In("VALUE", DATAF, "number to write"),)),
+            Command(
+                11,
+                "VALUE32",
+                "Writes a whole number to the terminal",
+                (In("VALUE", DATA32, "number to write"),),
+                effects=(Effect.PRINTS,),
+            ),
+            Command(
+                12,
+                "VALUEF",
+                "Writes a number to the terminal",
+                (In("VALUE", DATAF, "number to write"),),
+                effects=(Effect.PRINTS,),
+            ),
             Command(
                 13,
                 "ADDRESS",
@@ -400,7 +423,12 @@ UI = (
                     In("LENGTH", DATA32, "number of bytes", unit="bytes"),
                 ),
             ),
-            Command(15, "DOWNLOAD_END", "Plays the sound of a finished download and refreshes the file browser"),
+            Command(
+                15,
+                "DOWNLOAD_END",
+                "Plays the sound of a finished download and refreshes the file browser",
+                effects=(Effect.SIGNALS,),
+            ),
             Command(
                 16,
                 "SCREEN_BLOCK",
@@ -414,6 +442,7 @@ UI = (
                         special={0: "normal", 1: "blocked"},
                     ),
                 ),
+                effects=(Effect.CHANGES_SETTINGS,),
             ),
             Command(
                 17,
@@ -421,6 +450,7 @@ UI = (
                 "Selects the debug pulses that are shown (only in debug builds of the firmware)",
                 (In("VALUE", DATA8, "sum of bits", special={1: "menu background", 2: "browser", 4: "key"}),),
                 newer=True,
+                effects=(Effect.SIGNALS,),
             ),
             Command(
                 18,
@@ -428,6 +458,7 @@ UI = (
                 "Raises debug pulses (only in debug builds of the firmware)",
                 (In("VALUE", DATA8, "sum of bits", special={1: "menu background", 2: "browser", 4: "key"}),),
                 newer=True,
+                effects=(Effect.SIGNALS,),
             ),
             Command(
                 21,
@@ -445,12 +476,14 @@ UI = (
                     DELIMITER,
                     In("SOURCE", STRING, "line to append"),
                 ),
+                effects=(Effect.COMPUTES,),
             ),
             Command(
                 22,
                 "SET_BUSY",
                 "Sets or clears the busy bit among the warnings",
                 (In("VALUE", DATA8, "whether the brick counts as busy", range=(0, 1), special=NO_YES),),
+                effects=(Effect.CHANGES_SETTINGS,),
             ),
             Command(
                 24,
@@ -459,26 +492,36 @@ UI = (
                 (In("STATE", DATA8, "level of the pin", range=(0, 1), special={0: "low", 1: "high"}),),
                 effects=(Effect.WRITES_TO_DEVICES,),
             ),
-            Command(25, "INIT_RUN", "Shows the animation of a running program until something draws"),
-            Command(26, "UPDATE_RUN", "Does nothing"),
+            Command(
+                25,
+                "INIT_RUN",
+                "Shows the animation of a running program until something draws",
+                effects=(Effect.PRINTS,),
+            ),
+            Command(26, "UPDATE_RUN", "Does nothing", effects=(Effect.PRINTS,)),
             Command(
                 27,
                 "LED",
                 "Sets colour and blinking of the light around the buttons",
                 (In("PATTERN", DATA8, "colour and rhythm", enum=LEDPATTERN),),
+                effects=(Effect.SIGNALS,),
             ),
             Command(
                 29,
                 "POWER",
                 "Sets the flag that makes the power driver switch off when the firmware ends",
                 (In("VALUE", DATA8, "the flag", range=(0, 1)),),
+                effects=(Effect.CHANGES_SETTINGS,),
             ),
-            Command(30, "GRAPH_SAMPLE", "Adds the current values to the graph of GRAPH_SETUP"),
+            Command(
+                30, "GRAPH_SAMPLE", "Adds the current values to the graph of GRAPH_SETUP", effects=(Effect.PRINTS,)
+            ),
             Command(
                 31,
                 "TERMINAL",
                 "Switches the debug terminal on or off",
                 (In("STATE", DATA8, "whether the terminal is on", range=(0, 1), special={0: "off", 1: "on"}),),
+                effects=(Effect.CHANGES_SETTINGS,),
             ),
         ),
     ),
@@ -492,22 +535,22 @@ UI = (
                 "SHORTPRESS",
                 "Reports whether a button was pressed since the last query, and clears the press",
                 (BUTTON, WAS_PRESSED),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.COMPUTES),
             ),
             Command(
                 2,
                 "LONGPRESS",
                 "Reports whether a button was held for 3 s since the last query, and clears it",
                 (BUTTON, WAS_HELD),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.COMPUTES),
             ),
             Command(
                 3,
                 "WAIT_FOR_PRESS",
                 "Waits until any button has been pressed, by hand or by PRESS",
-                effects=(Effect.WAITS,),
+                effects=(Effect.WAITS, Effect.COMPUTES),
             ),
-            Command(4, "FLUSH", "Clears all pending presses"),
+            Command(4, "FLUSH", "Clears all pending presses", effects=(Effect.COMPUTES,)),
             Command(
                 5,
                 "PRESS",
@@ -529,21 +572,21 @@ UI = (
                         special={-1: "left", 1: "right", 0: "not pressed"},
                     ),
                 ),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.COMPUTES),
             ),
             Command(
                 8,
                 "GET_VERT",
                 "Reads the up and down buttons as one axis, and clears their presses",
                 (Out("VALUE", DATA16, "direction", range=(-1, 1), special={-1: "up", 1: "down", 0: "not pressed"}),),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.COMPUTES),
             ),
             Command(
                 9,
                 "PRESSED",
                 "Reports whether a button is down at the moment",
                 (BUTTON, IS_DOWN),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.READS),
             ),
             Command(
                 10,
@@ -573,21 +616,21 @@ UI = (
                         special={0: "not blocked", 1: "blocked"},
                     ),
                 ),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.READS),
             ),
             Command(
                 12,
                 "TESTSHORTPRESS",
                 "Reports, like SHORTPRESS, whether a button was pressed, without clearing the press",
                 (BUTTON, WAS_PRESSED),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.READS),
             ),
             Command(
                 13,
                 "TESTLONGPRESS",
                 "Reports, like LONGPRESS, whether a button was held for 3 s, without clearing it",
                 (BUTTON, WAS_HELD),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.READS),
             ),
             Command(
                 14,
@@ -596,7 +639,7 @@ UI = (
                 (BUTTON, WAS_BUMPED),
                 dialects=("official", "xtended"),
                 note="spelling of LEGO's headers; lms2012-compat says GET_BUMPED",
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.COMPUTES),
             ),
             Command(
                 14,
@@ -605,13 +648,14 @@ UI = (
                 (BUTTON, WAS_BUMPED),
                 dialects=("compat",),
                 note="GET_BUMBED in LEGO's headers",
+                effects=(Effect.COMPUTES,),
             ),
             Command(
                 15,
                 "GET_CLICK",
                 "Reports whether a key click is due for a handled press, and clears it",
                 (Out("CLICK", DATA8, "whether a click is due", range=(0, 1), special=NO_YES),),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.COMPUTES),
             ),
         ),
     ),
@@ -630,10 +674,7 @@ UI = (
                 1,
                 "CLEAN",
                 "Clears the canvas to white, and restores the normal font",
-                effects=(
-                    Effect.DRAWS,
-                    Effect.WIPES,
-                ),
+                effects=(Effect.DRAWS, Effect.WIPES),
             ),
             Command(
                 2,
@@ -721,10 +762,7 @@ UI = (
                     In("STRING", STRING, "text beside the icons; may be empty"),
                     DIALOGUE_STATE,
                 ),
-                effects=(
-                    Effect.DIALOG,
-                    Effect.WAITS,
-                ),
+                effects=(Effect.DIALOG, Effect.WAITS),
             ),
             Command(
                 12,
@@ -746,10 +784,7 @@ UI = (
                         special={0: "no", 1: "yes", -1: "closed with the back button"},
                     ),
                 ),
-                effects=(
-                    Effect.DIALOG,
-                    Effect.WAITS,
-                ),
+                effects=(Effect.DIALOG, Effect.WAITS),
             ),
             Command(
                 13,
@@ -781,13 +816,9 @@ UI = (
                         STRING,
                         "entered text; the variable's previous text is edited, the back button empties it",
                         length="LENGTH",
-                        role=Role.PRIVATE,
                     ),
                 ),
-                effects=(
-                    Effect.DIALOG,
-                    Effect.WAITS,
-                ),
+                effects=(Effect.DIALOG, Effect.WAITS),
             ),
             Command(
                 14,
@@ -808,10 +839,7 @@ UI = (
                         length="LENGTH",
                     ),
                 ),
-                effects=(
-                    Effect.DIALOG,
-                    Effect.WAITS,
-                ),
+                effects=(Effect.DIALOG, Effect.WAITS),
             ),
             Command(
                 15,
@@ -841,6 +869,7 @@ UI = (
                 "SELECT_FONT",
                 "Chooses the font for text, until UPDATE, CLEAN or FILLWINDOW",
                 (In("TYPE", DATA8, "font", range=(0, 3), enum=FONTTYPE),),
+                effects=(Effect.PRINTS,),
             ),
             Command(
                 18,
@@ -855,6 +884,7 @@ UI = (
                         special={0: "disabled", 1: "enabled"},
                     ),
                 ),
+                effects=(Effect.PRINTS,),
             ),
             Command(
                 19,
@@ -878,10 +908,7 @@ UI = (
                         special={0: "down to the bottom"},
                     ),
                 ),
-                effects=(
-                    Effect.DRAWS,
-                    Effect.WIPES,
-                ),
+                effects=(Effect.DRAWS, Effect.WIPES),
             ),
             Command(
                 20,
@@ -937,16 +964,13 @@ UI = (
             Command(
                 24, "FILLCIRCLE", "Draws a filled circle", (COLOR, X_CENTRE, Y_CENTRE, RADIUS), effects=(Effect.DRAWS,)
             ),
-            Command(25, "STORE", "Keeps a copy of the canvas", (STORED_SCREEN,)),
+            Command(25, "STORE", "Keeps a copy of the canvas", (STORED_SCREEN,), effects=(Effect.PRINTS,)),
             Command(
                 26,
                 "RESTORE",
                 "Restores a canvas kept by STORE",
                 (STORED_SCREEN,),
-                effects=(
-                    Effect.DRAWS,
-                    Effect.WIPES,
-                ),
+                effects=(Effect.DRAWS, Effect.WIPES),
             ),
             Command(
                 27,
@@ -965,10 +989,7 @@ UI = (
                         note="the firmware writes the choice; its documentation lists it among the inputs",
                     ),
                 ),
-                effects=(
-                    Effect.DIALOG,
-                    Effect.WAITS,
-                ),
+                effects=(Effect.DIALOG, Effect.WAITS),
             ),
             Command(
                 28,
@@ -998,10 +1019,7 @@ UI = (
                 "POPUP",
                 "Opens a window that only its opener can draw on, or closes it and restores the display",
                 (In("OPEN", DATA8, "action", range=(0, 1), special={0: "close", 1: "open"}),),
-                effects=(
-                    Effect.DIALOG,
-                    Effect.WAITS,
-                ),
+                effects=(Effect.DIALOG, Effect.WAITS),
             ),
             Command(
                 30,
@@ -1031,6 +1049,7 @@ UI = (
                         validated=DATA16,
                     ),
                 ),
+                effects=(Effect.PRINTS,),
             ),
             Command(
                 31,
@@ -1071,10 +1090,7 @@ UI = (
                         validated=DATA8,
                     ),
                 ),
-                effects=(
-                    Effect.DIALOG,
-                    Effect.WAITS,
-                ),
+                effects=(Effect.DIALOG, Effect.WAITS),
             ),
         ),
     ),
@@ -1083,6 +1099,6 @@ UI = (
         "KEEP_ALIVE",
         "Restarts the timer that switches off an idle brick, and reads its time",
         (Out("MINUTES", DATA8, "idle time before switching off", unit="min", special={0: "never"}),),
-        effects=(Effect.VARIES,),
+        effects=(Effect.VARIES, Effect.COMPUTES),
     ),
 )

@@ -26,6 +26,7 @@ from ev3proto.tables.enumerations import OBJSTAT, RESULT, SLOT
 PRGID = In("PRGID", DATA16, "program slot", enum=SLOT)
 OBJID = In("OBJID", DATA16, "object of the program, counted from 1", role=Role.OBJECT)
 SOURCE1 = In("SOURCE1", STRING, "text to work on")
+NUMBER_TEXT = Out("DESTINATION", STRING, "resulting text, zero-terminated", most=129)
 DESTINATION = Out("DESTINATION", STRING, "resulting text, zero-terminated")
 PORT = In("PORT", DATA8, "sensor port minus one", range=(0, 3), role=Role.PORT)
 PINS_PORT = In("PORT", DATA8, "connector: 0..3 are sensor ports 1-4, 16..19 are motor ports A-D", range=(0, 19))
@@ -55,7 +56,7 @@ def _dynload_entries(numbers: tuple[int, ...]) -> tuple[Opcode, ...]:
 
 VM = (
     Opcode(0x00, "ERROR", "Ends the program with a failure; never valid on the wire", effects=(Effect.NEVER_RUNS,)),
-    Opcode(0x01, "NOP", "Does nothing; a harmless way to test whether the brick answers"),
+    Opcode(0x01, "NOP", "Does nothing; a harmless way to test whether the brick answers", effects=(Effect.READS,)),
     Opcode(
         0x02,
         "PROGRAM_STOP",
@@ -69,10 +70,7 @@ VM = (
                 special={0: "all programs", -1: "the calling program"},
             ),
         ),
-        effects=(
-            Effect.MAY_END,
-            Effect.CONTROLS_PROGRAMS,
-        ),
+        effects=(Effect.MAY_END, Effect.CONTROLS_PROGRAMS),
     ),
     Opcode(
         0x03,
@@ -91,10 +89,7 @@ VM = (
         "OBJECT_STOP",
         "Stops an object of its own program",
         (OBJID,),
-        effects=(
-            Effect.MAY_END,
-            Effect.OF_PROGRAMS,
-        ),
+        effects=(Effect.MAY_END, Effect.OF_PROGRAMS),
     ),
     Opcode(0x05, "OBJECT_START", "Starts an object of its own program", (OBJID,), effects=(Effect.OF_PROGRAMS,)),
     Opcode(
@@ -109,19 +104,13 @@ VM = (
         "OBJECT_WAIT",
         "Waits until an object has ended",
         (OBJID,),
-        effects=(
-            Effect.WAITS,
-            Effect.OF_PROGRAMS,
-        ),
+        effects=(Effect.WAITS, Effect.OF_PROGRAMS),
     ),
     Opcode(
         0x08,
         "RETURN",
         "Returns from a subroutine to its caller",
-        effects=(
-            Effect.ENDS,
-            Effect.OF_PROGRAMS,
-        ),
+        effects=(Effect.ENDS, Effect.OF_PROGRAMS),
     ),
     Opcode(
         0x09,
@@ -137,21 +126,15 @@ VM = (
                 any_type=True,
             ),
         ),
-        effects=(
-            Effect.WAITS,
-            Effect.OF_PROGRAMS,
-        ),
+        effects=(Effect.WAITS, Effect.OF_PROGRAMS),
     ),
     Opcode(
         0x0A,
         "OBJECT_END",
         "Ends the object; the firmware appends one to every direct command",
-        effects=(
-            Effect.ENDS,
-            Effect.ENDS_CODE,
-        ),
+        effects=(Effect.ENDS, Effect.ENDS_CODE, Effect.COMPUTES),
     ),
-    Opcode(0x0B, "SLEEP", "Gives up the rest of the thread's time slice"),
+    Opcode(0x0B, "SLEEP", "Gives up the rest of the thread's time slice", effects=(Effect.COMPUTES,)),
     Opcode(
         0x0C,
         "PROGRAM_INFO",
@@ -176,21 +159,21 @@ VM = (
                 "GET_STATUS",
                 "Asks whether a program runs",
                 (PRGID, Out("DATA", DATA8, "state of the program", enum=OBJSTAT)),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.COMPUTES),
             ),
             Command(
                 23,
                 "GET_SPEED",
                 "Asks for a program's speed",
                 (PRGID, Out("DATA", DATA32, "speed since the program started", unit="instructions/s")),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.COMPUTES),
             ),
             Command(
                 24,
                 "GET_PRGRESULT",
                 "Asks how a program ended",
                 (PRGID, Out("DATA", DATA8, "OK, BUSY (still running) or FAIL", enum=RESULT)),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.COMPUTES),
             ),
             Command(
                 25,
@@ -217,6 +200,7 @@ VM = (
                     ),
                 ),
                 dialects=EXTENSIONS,
+                effects=(Effect.COMPUTES,),
             ),
         ),
     ),
@@ -225,6 +209,7 @@ VM = (
         "LABEL",
         "Marks a place that jumps can name; does nothing itself",
         (In("NO", LABEL, "number of the label", range=(0, 31), role=Role.LABEL),),
+        effects=(Effect.COMPUTES,),
     ),
     Opcode(
         0x0E,
@@ -268,10 +253,7 @@ VM = (
                 special={0: "success", -1: "could not run"},
             ),
         ),
-        effects=(
-            Effect.WAITS,
-            Effect.RUNS_SHELL,
-        ),
+        effects=(Effect.WAITS, Effect.RUNS_SHELL),
     ),
     Opcode(
         0x61,
@@ -289,6 +271,7 @@ VM = (
                 special={0: "no", 1: "yes"},
             ),
         ),
+        effects=(Effect.READS,),
     ),
     Opcode(
         0x62,
@@ -299,6 +282,7 @@ VM = (
             LAYER_OUT,
             Out("PortOut", DATA8, "sensor port minus one, as in INPUT_*", range=(0, 3)),
         ),
+        effects=(Effect.READS,),
     ),
     Opcode(
         0x63,
@@ -308,6 +292,7 @@ VM = (
             In("NOTE", STRING, "C4 to B6, sharps as C#4"),
             Out("FREQ", DATA16, "frequency; 440 for an unknown note", unit="Hz", range=(262, 1976)),
         ),
+        effects=(Effect.COMPUTES,),
     ),
     Opcode(
         0x7C,
@@ -319,13 +304,14 @@ VM = (
                 "SET_ERROR",
                 "Adds an error to the brick's error log",
                 (In("NUMBER", DATA8, "number of the error", role=Role.ERROR, special={0: "nothing is logged"}),),
+                effects=(Effect.CHANGES_SETTINGS,),
             ),
             Command(
                 2,
                 "GET_ERROR",
                 "Removes and returns the oldest error of the brick's error log",
                 (Out("NUMBER", DATA8, "number of the error", role=Role.ERROR, special={0: "the log is empty"}),),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.COMPUTES),
             ),
             Command(
                 3,
@@ -340,15 +326,22 @@ VM = (
                         unit="bytes",
                         special={-1: "no limit"},
                     ),
-                    Out("DESTINATION", STRING, "name of the error, at most 31 characters", length="LENGTH"),
+                    Out(
+                        "DESTINATION",
+                        STRING,
+                        "name of the error, at most 31 characters",
+                        length="LENGTH",
+                        role=Role.PUBLIC,
+                    ),
                 ),
+                effects=(Effect.READS,),
             ),
             Command(
                 4,
                 "GET_VOLUME",
                 "Reads the volume setting",
                 (Out("VALUE", DATA8, "volume", range=(0, 100), unit="%"),),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.READS),
             ),
             Command(
                 5,
@@ -362,7 +355,7 @@ VM = (
                 "GET_MINUTES",
                 "Reads the idle time after which the brick powers off",
                 (Out("VALUE", DATA8, "idle time", range=(0, 120), unit="min", special={0: "never"}),),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.READS),
             ),
             Command(
                 7,
@@ -383,12 +376,14 @@ VM = (
                 "GET_SIZE",
                 "Reads the length of a text",
                 (SOURCE1, Out("SIZE", DATA16, "its length, not including the zero", unit="bytes")),
+                effects=(Effect.COMPUTES,),
             ),
             Command(
                 2,
                 "ADD",
                 "Joins two texts",
                 (In("SOURCE1", STRING, "first part"), In("SOURCE2", STRING, "second part"), DESTINATION),
+                effects=(Effect.COMPUTES,),
             ),
             Command(
                 3,
@@ -401,8 +396,9 @@ VM = (
                         "RESULT", DATA8, "whether they are equal", range=(0, 1), special={0: "different", 1: "the same"}
                     ),
                 ),
+                effects=(Effect.COMPUTES,),
             ),
-            Command(5, "DUPLICATE", "Copies a text", (SOURCE1, DESTINATION)),
+            Command(5, "DUPLICATE", "Copies a text", (SOURCE1, DESTINATION), effects=(Effect.COMPUTES,)),
             Command(
                 6,
                 "VALUE_TO_STRING",
@@ -411,8 +407,9 @@ VM = (
                     In("VALUE", DATAF, "number to write; NaN becomes ----"),
                     In("FIGURES", DATA8, "width, including the point; negative aligns left", unit="characters"),
                     In("DECIMALS", DATA8, "digits after the point"),
-                    DESTINATION,
+                    NUMBER_TEXT,
                 ),
+                effects=(Effect.COMPUTES,),
             ),
             Command(
                 7,
@@ -422,8 +419,9 @@ VM = (
                     In("SOURCE1", STRING, "text to read; a comma counts as decimal point"),
                     Out("DESTINATION", DATAF, "the number"),
                 ),
+                effects=(Effect.COMPUTES,),
             ),
-            Command(8, "STRIP", "Removes every space from a text", (SOURCE1, DESTINATION)),
+            Command(8, "STRIP", "Removes every space from a text", (SOURCE1, DESTINATION), effects=(Effect.COMPUTES,)),
             Command(
                 9,
                 "NUMBER_TO_STRING",
@@ -431,8 +429,9 @@ VM = (
                 (
                     In("VALUE", DATA16, "number to write"),
                     In("FIGURES", DATA8, "width of the text", unit="characters"),
-                    DESTINATION,
+                    NUMBER_TEXT,
                 ),
+                effects=(Effect.COMPUTES,),
             ),
             Command(
                 10,
@@ -443,6 +442,7 @@ VM = (
                     In("SOURCE2", STRING, "text to find; must occur"),
                     DESTINATION,
                 ),
+                effects=(Effect.COMPUTES,),
             ),
             Command(
                 11,
@@ -450,10 +450,11 @@ VM = (
                 "Writes a floating-point number as text in a format of C's printf",
                 (
                     In("VALUE", DATAF, "number to write"),
-                    In("FORMAT", STRING, "format, such as %5.2f"),
+                    In("FORMAT", STRING, "format, such as %5.2f", role=Role.FORMAT),
                     In("SIZE", DATA8, "size of the text buffer, including the zero", unit="bytes"),
                     Out("DESTINATION", STRING, "resulting text", length="SIZE"),
                 ),
+                effects=(Effect.COMPUTES,),
             ),
             Command(
                 12,
@@ -461,17 +462,38 @@ VM = (
                 "Writes a whole number as text in a format of C's printf",
                 (
                     In("VALUE", DATA32, "number to write"),
-                    In("FORMAT", STRING, "format, such as %05d or %X"),
+                    In("FORMAT", STRING, "format, such as %05d or %X", role=Role.FORMAT),
                     In("SIZE", DATA8, "size of the text buffer, including the zero", unit="bytes"),
                     Out("DESTINATION", STRING, "resulting text", length="SIZE"),
                 ),
+                effects=(Effect.COMPUTES,),
             ),
         ),
     ),
-    Opcode(0x88, "BP0", "Stops at breakpoint 0; BP_SET puts it over the instruction it replaces"),
-    Opcode(0x89, "BP1", "Stops at breakpoint 1; BP_SET puts it over the instruction it replaces"),
-    Opcode(0x8A, "BP2", "Stops at breakpoint 2; BP_SET puts it over the instruction it replaces"),
-    Opcode(0x8B, "BP3", "Pulses test pin TP4 and continues; BP_SET puts it over the instruction it replaces"),
+    Opcode(
+        0x88,
+        "BP0",
+        "Stops at breakpoint 0; BP_SET puts it over the instruction it replaces",
+        effects=(Effect.CONTROLS_PROGRAMS,),
+    ),
+    Opcode(
+        0x89,
+        "BP1",
+        "Stops at breakpoint 1; BP_SET puts it over the instruction it replaces",
+        effects=(Effect.CONTROLS_PROGRAMS,),
+    ),
+    Opcode(
+        0x8A,
+        "BP2",
+        "Stops at breakpoint 2; BP_SET puts it over the instruction it replaces",
+        effects=(Effect.CONTROLS_PROGRAMS,),
+    ),
+    Opcode(
+        0x8B,
+        "BP3",
+        "Pulses test pin TP4 and continues; BP_SET puts it over the instruction it replaces",
+        effects=(Effect.CONTROLS_PROGRAMS,),
+    ),
     Opcode(
         0x8C,
         "BP_SET",
@@ -514,8 +536,13 @@ VM = (
         "TST",
         "Tests the hardware, as the factory does; all fail before TST_OPEN",
         commands=(
-            Command(10, "TST_OPEN", "Allows test commands for 10 seconds; each one restarts the timer"),
-            Command(11, "TST_CLOSE", "Ends the test mode"),
+            Command(
+                10,
+                "TST_OPEN",
+                "Allows test commands for 10 seconds; each one restarts the timer",
+                effects=(Effect.WRITES_TO_DEVICES,),
+            ),
+            Command(11, "TST_CLOSE", "Ends the test mode", effects=(Effect.WRITES_TO_DEVICES,)),
             Command(
                 12,
                 "TST_READ_PINS",
@@ -525,7 +552,7 @@ VM = (
                     In("LENGTH", DATA8, "number of pins to read, usually 5"),
                     Out("STRING", DATA8, "one character per pin: 0 low, 1 high", length="LENGTH"),
                 ),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.COMPUTES),
             ),
             Command(
                 13,
@@ -562,7 +589,7 @@ VM = (
                     ),
                     Out("VALUE", DATA16, "raw reading", range=(0, 4095), unit="counts"),
                 ),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.COMPUTES),
             ),
             Command(
                 15,
@@ -584,7 +611,7 @@ VM = (
                     In("LENGTH", DATA8, "number of bytes to read", unit="bytes", range=(0, 63)),
                     Out("STRING", DATA8, "the bytes, padded with zeros", length="LENGTH"),
                 ),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.COMPUTES),
             ),
             Command(
                 17,
@@ -612,7 +639,7 @@ VM = (
                         special={0: "other batteries", 1: "rechargeable battery"},
                     ),
                 ),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.COMPUTES),
             ),
             Command(
                 20,
@@ -625,7 +652,7 @@ VM = (
                 "TST_POLL_MODE2",
                 "Asks for the state of the start of Bluetooth mode 2",
                 (Out("STATUS", DATA8, "OK, BUSY (still starting) or FAIL", range=(0, 2), enum=RESULT),),
-                effects=(Effect.VARIES,),
+                effects=(Effect.VARIES, Effect.COMPUTES),
             ),
             Command(22, "TST_CLOSE_MODE2", "Ends Bluetooth mode 2", effects=(Effect.WRITES_TO_DEVICES,)),
             Command(
@@ -633,6 +660,7 @@ VM = (
                 "TST_RAM_CHECK",
                 "Asks for the result of the memory test at power-on",
                 (Out("STATUS", DATA8, "OK or FAIL", range=(0, 2), enum=RESULT),),
+                effects=(Effect.COMPUTES,),
             ),
         ),
         cmd_table="INFO",

@@ -12,7 +12,7 @@ import sys
 from pathlib import Path
 
 from support.announcing import Announcing, free_udp_port
-from support.server import free_port, served
+from support.server import beacon_port, free_port, served
 
 from ev3proto.brick.servers.server import Options
 
@@ -55,3 +55,27 @@ def test_both_print_the_same(tmp_path: Path) -> None:
         ours = program.replace("import ev3_dc as ev3", "import ev3proto as ev3")
         by_ev3proto = printed(ours, EV3PROTO_TARGET=f"wifi:127.0.0.1:{brick.port}")
     assert by_ev3proto == by_ev3_dc
+
+
+def test_ev3_dc_finds_the_proxy_by_the_serial_number_of_its_brick(tmp_path: Path) -> None:
+    port = free_port()
+    program = (
+        "import ev3_dc as ev3\n"
+        "with ev3.EV3(protocol=ev3.WIFI, host='00:16:53:40:AB:CD') as my_ev3:\n"
+        "    print(my_ev3.send_direct_cmd(ev3.opInfo + ev3.GET_VOLUME + ev3.GVX(0), global_mem=1))\n"
+    )
+    with (
+        served(tmp_path, Options(port=0, beacon=False, serial_number="00165340abcd")) as brick,
+        beacon_port(),
+        subprocess.Popen(
+            [
+                *(sys.executable, "-m", "ev3proto", "proxy", "--to", f"wifi:127.0.0.1:{brick.port}"),
+                *("--listen", f"wifi:127.0.0.1:{port}", "--read-only"),
+            ],
+            stdout=subprocess.PIPE,
+        ) as proxy,
+    ):
+        assert proxy.stdout is not None
+        assert proxy.stdout.readline() == f"listening on 127.0.0.1:{port}\n".encode()
+        assert printed(f"{OTHER_PORT.format(3015)}\n{program}") == ["b'd'"]
+        proxy.terminate()

@@ -20,11 +20,12 @@ from typing import Any
 
 import pytest
 from support.cli import ROOT, run_ev3proto_text
-from support.server import ACCEPT, UNLOCK, Client, command, free_port, served, system
+from support.server import ACCEPT, UNLOCK, Client, Served, command, frame, free_port, served, system
 
 import ev3proto
 from ev3proto import EV3
 from ev3proto.brick.servers.faults import Faults
+from ev3proto.brick.servers.server import Options
 from ev3proto.capture import Record, read
 from ev3proto.capture.dialogues import RequestReply
 from ev3proto.generate.captures import write_pcapng
@@ -33,6 +34,7 @@ from ev3proto.link.carriers import open_wire
 from ev3proto.link.errors import ConnectionLostError, PortInUseError
 from ev3proto.link.masking import masked
 from ev3proto.link.proxy import Proxy, ProxyOptions
+from ev3proto.link.serial_number import announced_number
 from ev3proto.link.targets import Target
 from ev3proto.tables.carriers import Carrier
 from ev3proto.tables.system import SystemStatus
@@ -117,15 +119,17 @@ def test_replay_leaves_out_what_changes_the_brick() -> None:
     done = run_ev3proto_text("replay", WIFI_CAPTURE, "--to", "virtual", "--dry-run")
     assert done.returncode == 0
     left_out = [line for line in done.stdout.splitlines() if line.startswith("omitted")]
-    assert "OUTPUT_START makes motors turn or stop (--allow motors)" in left_out[0]
-    assert "OUTPUT_STOP makes motors turn or stop (--allow motors)" in left_out[1]
-    assert "BEGIN_DOWNLOAD creates or changes files (--allow files)" in left_out[2]
-    assert done.stderr == "16 commands would be sent, 8 omitted\n"
+    assert "SOUND.TONE starts or ends a sound (--allow sounds)" in left_out[0]
+    assert "UI_WRITE.LED changes the lights, or plays a signal (--allow lights)" in left_out[1]
+    assert "OUTPUT_START makes motors turn or stop (--allow motors)" in left_out[2]
+    assert "OUTPUT_STOP makes motors turn or stop (--allow motors)" in left_out[3]
+    assert "BEGIN_DOWNLOAD creates or changes files (--allow files)" in left_out[4]
+    assert done.stderr == "14 commands would be sent, 10 omitted\n"
 
 
 def test_replay_allows_what_is_named() -> None:
     done = run_ev3proto_text("replay", WIFI_CAPTURE, "--to", "virtual", "--dry-run", "--allow", "motors,BEGIN_DOWNLOAD")
-    assert done.stderr == "20 commands would be sent, 4 omitted\n"
+    assert done.stderr == "18 commands would be sent, 6 omitted\n"
     done = run_ev3proto_text("replay", WIFI_CAPTURE, "--to", "virtual", "--dry-run", "--allow", "engines")
     assert done.returncode == 2
     assert "unknown operation or group 'engines'" in done.stderr
@@ -138,12 +142,14 @@ def test_replay_tells_how_the_replies_differ() -> None:
     battery = next(number for number, line in enumerate(lines) if "UI_READ.GET_VBATT(VALUE=GV(0)) -> VALUE=7.5" in line)
     assert lines[battery + 1] == "recorded: VALUE=7.92 V"
     assert done.stderr.endswith(
-        "16 commands sent, 8 omitted; answered 8 as recorded, 1 with other values, 7 otherwise\n"
+        "14 commands sent, 10 omitted; answered 6 as recorded, 1 with other values, 7 otherwise\n"
     )
 
 
 def test_the_conformance_capture_is_answered_by_the_virtual_brick_as_recorded() -> None:
-    done = run_ev3proto_text("replay", CONFORMANCE, "--to", "virtual", "--fast", "--differences")
+    done = run_ev3proto_text(
+        "replay", CONFORMANCE, "--to", "virtual", "--fast", "--differences", "--allow", "computing"
+    )
     assert (done.returncode, done.stdout) == (0, "")
     assert done.stderr == (
         "the firmware of the brick is V1.04H\n"
@@ -170,10 +176,30 @@ def test_a_reply_that_only_another_firmware_gives_is_shown(tmp_path: Path) -> No
     assert done.stderr == "2 commands sent, 0 omitted; answered 1 as recorded, 1 with other values, 0 otherwise\n"
 
 
-def test_all_of_the_conformance_capture_is_harmless() -> None:
+def test_the_conformance_capture_only_reads_and_computes() -> None:
     done = run_ev3proto_text("replay", CONFORMANCE, "--to", "usb", "--dry-run")
+    assert done.stderr == "224 commands would be sent, 76 omitted\n"
+    done = run_ev3proto_text("replay", CONFORMANCE, "--to", "usb", "--dry-run", "--allow", "computing")
     assert done.stderr == "300 commands would be sent, 0 omitted\n"
     assert not re.search("OUTPUT_(?!GET|TEST|READ)|SOUND_?[.](TONE|PLAY)|UI_DRAW|UI_WRITE|_SET", done.stdout)
+
+
+def test_replay_leaves_the_files_of_others_alone(tmp_path: Path) -> None:
+    """The capture begins in the middle of a transfer; another one was not sent, so its handle is another file's now."""
+    frames = [
+        ev3proto.system.close_filehandle(5, counter=1),
+        ev3proto.system.begin_download("../prjs/x", 10, counter=2),
+        ev3proto.system_reply("BEGIN_DOWNLOAD", counter=2, handle=6),
+        ev3proto.system.close_filehandle(6, counter=3),
+        ev3proto.system.continue_upload(7, 10, counter=4),
+    ]
+    capture = tmp_path / "middle.pcapng"
+    with capture.open("wb") as stream:
+        write_pcapng(frames, stream)
+    done = run_ev3proto_text("replay", capture, "--to", "virtual", "--dry-run")
+    assert done.stderr == "0 commands would be sent, 4 omitted\n"
+    done = run_ev3proto_text("replay", capture, "--to", "virtual", "--dry-run", "--allow", "files")
+    assert done.stderr == "2 commands would be sent, 2 omitted\n"
 
 
 def test_replay_of_a_transfer_uses_the_handle_that_the_brick_gives(tmp_path: Path) -> None:
@@ -280,8 +306,115 @@ def test_read_only_lets_nothing_through_that_changes_the_brick() -> None:
         assert found.said == [
             "blocked by --read-only: COM_SET.SET_BRICKNAME changes settings",
             "blocked by --read-only: CREATE_DIR creates or changes files",
-            "blocked by --read-only: the frame does what is not known, because not all of it can be read",
+            "blocked by --read-only: the frame may do anything",
         ]
+
+
+def system_7(number: int, body: bytes) -> bytes:
+    return frame(7, 0x01, bytes((number,)) + body)
+
+
+@pytest.mark.parametrize(
+    ("sent", "reply", "sentence"),
+    [
+        (command("UI_WRITE(LED, 1)", 7), "03 00 07 00 04", "UI_WRITE.LED changes the lights, or plays a signal"),
+        (command("SOUND(BREAK)", 7), "03 00 07 00 04", "SOUND.BREAK starts or ends a sound"),
+        (
+            command("UI_DRAW(UPDATE)", 7),
+            "03 00 07 00 04",
+            "UI_DRAW.UPDATE changes what the display or the terminal shows",
+        ),
+        (
+            command("DATA32 x\nTIMER_WAIT(5, x)", 7),
+            "07 00 07 00 04 00 00 00 00",
+            "TIMER_WAIT does more than read, such as computing, jumping or waiting",
+        ),
+        (command("JR(-2)", 7), "03 00 07 00 04", "JR does more than read, such as computing, jumping or waiting"),
+        (b"\x06\0\x07\0\0\0\0\xff", "03 00 07 00 04", "the frame may do anything"),
+        (system_7(0x9B, b"x\0"), "05 00 07 00 05 9b 05", "CREATE_DIR creates or changes files"),
+        (system_7(0x92, b"\5\0\0\0x\0"), "06 00 07 00 05 92 05 ff", "BEGIN_DOWNLOAD creates or changes files"),
+        (system_7(0x55, b""), "05 00 07 00 05 55 05", "the frame may do anything"),
+        (
+            system_7(0x98, b"\0"),
+            "06 00 07 00 05 98 01 ff",
+            "CLOSE_FILEHANDLE names a handle that this client did not open",
+        ),
+        (
+            system_7(0x95, b"\0\0\2"),
+            "06 00 07 00 05 95 01 ff",
+            "CONTINUE_UPLOAD names a handle that this client did not open",
+        ),
+        (bytes.fromhex("0600 0700 0a a0 00 01"), "05 00 07 00 09 01 00", "the frame may do anything"),
+        (bytes.fromhex("0300 0700 02"), "", "DIRECT_REPLY is not a command"),
+        (bytes.fromhex("0500 0700 03 98 00"), "", "SYSTEM_REPLY is not a command"),
+        (bytes.fromhex("0600 0700 80 0000 0a"), "", "OBJECT_END does more than read"),
+        (bytes.fromhex("0400 0700 77 01"), "", "the frame may do anything"),
+    ],
+)
+def test_what_read_only_blocks(sent: bytes, reply: str, sentence: str) -> None:
+    with standing("virtual", is_read_only=True) as found, Client(found.proxy.port) as client:
+        forwarded: list[bytes] = []
+        send = found.wire.send
+        found.wire.send = lambda frame: (forwarded.append(frame), send(frame))[1]  # type: ignore[method-assign]
+        client.send(sent)
+        if reply:
+            assert client.reply() == bytes.fromhex(reply)
+        nop = command("NOP()", 9)
+        assert client.ask(nop) == bytes.fromhex("0300090002")
+        assert forwarded == [nop]
+        (said,) = found.said
+        assert said.startswith(f"blocked by --read-only: {sentence}")
+
+
+def test_read_only_leaves_the_download_of_another_client_alone(tmp_path: Path) -> None:
+    with (
+        served(tmp_path, Options(port=0, beacon=False, clients=2)) as brick,
+        standing(f"wifi:127.0.0.1:{brick.port}", is_read_only=True) as found,
+        Client(brick.port) as other,
+        Client(found.proxy.port) as client,
+    ):
+        handle = other.ask(system(0x92, b"\5\0\0\0../prjs/x.rtf\0"))[7:8]
+        for number in (0x98, 0x95, 0x97, 0x9A):
+            assert client.ask(system(number, handle + (b"" if number == 0x98 else b"\0\2")))[6] == 1
+        assert other.ask(system(0x93, handle + b"hello"))[6] == 8
+    assert (tmp_path / "prjs/x.rtf").read_bytes() == b"hello"
+
+
+def handles_in_use(brick: Served) -> int:
+    return len(brick.now.brick._system._transfers)
+
+
+def test_read_only_closes_what_a_client_leaves_open(tmp_path: Path) -> None:
+    (tmp_path / "prjs").mkdir()
+    (tmp_path / "prjs" / "x.rtf").write_bytes(bytes(3000))
+    with served(tmp_path) as brick:
+        with standing(f"wifi:127.0.0.1:{brick.port}", is_read_only=True) as found:
+            upload_begun = system(0x94, b"\x0a\0../prjs/x.rtf\0")
+            with Client(found.proxy.port) as client:
+                handle = client.ask(upload_begun)[11:12]
+                assert client.ask(system(0x98, handle))[6] == 0
+                assert client.ask(system(0x98, handle))[6] == 1  # it is closed
+                client.ask(upload_begun)
+                # The replies to these come when the client is gone.
+                client.send(system(0x99, b"\x0a\0../prjs/\0") * 3)
+            with Client(found.proxy.port) as client:
+                assert client.ask(command("NOP()", 7)) == bytes.fromhex("0300070002")
+                assert client.is_silent()
+                assert len([said for said in found.said if said.endswith("open; it was closed")]) == 4
+                assert handles_in_use(brick) == 0
+                client.ask(upload_begun)
+                # The proxy ends while this client is connected.
+                found.proxy.stop()
+                found.thread.join(30)
+        assert handles_in_use(brick) == 0
+
+
+def test_a_client_gets_no_reply_to_another_one() -> None:
+    with standing("virtual") as found:
+        with Client(found.proxy.port) as client:
+            client.send(command("DATA32 t\nTIMER_WAIT(300, t)\nTIMER_READY(t)", 7))
+        with Client(found.proxy.port) as client:
+            assert client.ask(command("NOP()", 7)) == bytes.fromhex("0300070002")
 
 
 PROGRAM = Random(1).randbytes(1187)
@@ -370,12 +503,53 @@ def test_names_and_pins_can_be_left_out(tmp_path: Path) -> None:
     assert b"secret" not in stream.getvalue()
 
 
+@pytest.mark.parametrize("words", [[], ["--json"]])
+def test_addresses_can_be_left_out(tmp_path: Path, words: list[str]) -> None:
+    """Those of brick and client: in lines, JSON, messages and recordings."""
+    recording = tmp_path / "talk.pcapng"
+    with served(tmp_path) as brick:
+        target = f"wifi:127.0.0.1:{brick.port}"
+        call = ["proxy", "--to", target, "--listen", "wifi:127.0.0.1:0", "--no-beacon", "--hide", "--record", recording]
+        process = subprocess.Popen(
+            [sys.executable, "-m", "ev3proto", *call, *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+        )
+        assert process.stdout is not None
+        port = int(process.stdout.readline().rpartition(":")[2])
+        with Client(port, unlocks=False) as client:
+            client.send(b"GET /target?sn=0016533f0c1e VMTP1.0\r\nHost: annas-laptop\r\nProtocol: EV3\r\n\r\n")
+            assert client.read(len(ACCEPT)) == ACCEPT
+            assert client.ask(command("NOP()", 7)) == bytes.fromhex("0300070002")
+            peer = client.socket.getsockname()[1]
+            client.send(b"\xff" * 9)
+            with pytest.raises(ConnectionError):
+                client.reply()
+    shown, said = process.communicate(timeout=30)
+    assert process.returncode == 1
+    first, last = said.splitlines()
+    assert first.startswith("x sent bytes that are not a frame")
+    assert last == "the brick closed the connection; connect again"
+    assert "NOP" in shown
+    recorded = recording.read_bytes()
+    for secret in ("127.0.0.1", str(brick.port), str(peer), "0016533f0c1e", "annas-laptop"):
+        assert secret not in shown
+        assert secret.encode() not in recorded
+    assert socket.inet_aton("127.0.0.1") not in recorded
+
+
+def test_a_brick_that_is_not_found_is_not_named_with_hide() -> None:
+    for words in (("--to", "wifi:127.0.0.1:1"), ("--to", "wifi:annas-brick.invalid")):
+        done = run_ev3proto_text("proxy", *words, "--hide", "--listen", "wifi:127.0.0.1:0", "--no-beacon")
+        assert done.returncode == 1
+        assert "127.0.0.1" not in done.stderr
+        assert "annas" not in done.stderr
+
+
 def test_what_is_masked() -> None:
     pin = ev3proto.system_command("BLUETOOTHPIN", mac="001653120001", pin="1200")
     assert masked(pin.build()) == pin.build().replace(b"001653120001", b"x" * 12).replace(b"1200\0", b"xxxx\0")
     told = ev3proto.system_reply("BLUETOOTHPIN", mac="001653120001", pin="1200")
     assert b"1200" not in masked(told.build())
-    tone = ev3proto.command(ev3proto.ops.sound.play(100, "./ui/x")).build()
+    tone = ev3proto.command(ev3proto.ops.sound.tone(1, 440, 1000)).build()
     assert masked(tone) == tone
 
 
@@ -512,6 +686,21 @@ def test_the_proxy_announces_itself() -> None:
             datagram, _ = listener.recvfrom(1024)
     port = str(found.proxy.port).encode()
     assert datagram == b"Serial-Number: 001653000001\r\nPort: " + port + b"\r\nName: EV3\r\nProtocol: EV3\r\n"
+
+
+def test_the_proxy_announces_the_serial_number_of_its_brick(tmp_path: Path) -> None:
+    number = "00165340abcd"
+    with (
+        served(tmp_path, Options(port=0, beacon=False, serial_number=number, clients=4)) as brick,
+        contextlib.closing(open_wire(Target.parse(f"wifi:127.0.0.1:{brick.port}"))) as wire,
+    ):
+        assert announced_number(Target.parse("wifi:127.0.0.1"), wire) == number
+        assert announced_number(Target.parse("wifi:00:16:53:00:00:01"), wire) == "001653000001"
+        brick.now.brick.settings.bluetooth_address = "none"
+        assert announced_number(Target.parse("wifi:127.0.0.1"), wire) == "000000000000"
+    done = run_ev3proto_text("proxy", "--to", "virtual", "--serial-number", "xyz")
+    assert done.returncode == 2
+    assert "invalid serial number 'xyz'; expected 12 hexadecimal digits" in done.stderr
 
 
 def test_the_proxy_says_where_it_listens_and_who_may_come() -> None:

@@ -1,4 +1,4 @@
-"""What `--hide` overwrites: everything that is not known to be harmless."""
+"""What `--hide` overwrites: every text that is not declared public."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from support.effort import effort
 
 import ev3proto
 from ev3proto import GV, LV, Operation, operation
-from ev3proto.link.masking import masked
+from ev3proto.link.masking import masked, masked_note, masked_opening
 from ev3proto.schema.argument import encode_as
 from ev3proto.testing import frames, mutated_frames
 
@@ -54,6 +54,27 @@ MEMORY = SECRET.encode().ljust(16, b"\0")
         # A jump into a text that may contain an operation about communication.
         asking(operation("JR", 3), operation("SOUND.PLAY", 100, SECRET)),
         asking(operation("UI_DRAW.KEYBOARD", 1, 0, 0, 0, 16, SECRET, LV(20), LV(0))),
+        *(
+            asking(text)
+            for text in (
+                operation("SYSTEM", SECRET, LV(0)),
+                operation("UI_DRAW.TEXT", 1, 0, 0, SECRET),
+                operation("UI_DRAW.VIEW_UNIT", 1, 0, 0, 1.0, 4, 1, 8, SECRET),
+                operation("UI_WRITE.PUT_STRING", SECRET),
+                operation("UI_WRITE.STAMP", SECRET),
+                operation("FILENAME.EXIST", SECRET, LV(0)),
+                operation("FILENAME.MERGE", SECRET, SECRET, SECRET, 60, LV(0)),
+                operation("FILE.OPEN_READ", SECRET, LV(0), LV(4)),
+                operation("FILE.WRITE_TEXT", 1, 0, SECRET),
+                operation("SOUND.PLAY", 100, SECRET),
+                operation("STRINGS.COMPARE", SECRET, SECRET, LV(0)),
+                operation("NOTE_TO_FREQ", SECRET, LV(0)),
+                operation("MAILBOX_WRITE", SECRET, 0, SECRET, 4, [encode_as("LCS", SECRET)]),
+                operation("INPUT_DEVICE.INSERT_TYPE", SECRET, 0, LV(0)),
+                operation("INPUT_WRITE", 0, 0, 11, encode_as("LCS", SECRET)),
+            )
+        ),
+        ev3proto.system_command("SETBUNDLEID", id=SECRET).build(),
     ],
 )
 def test_commands(frame: bytes) -> None:
@@ -85,6 +106,21 @@ def test_commands(frame: bytes) -> None:
             asking(operation("COM_GET.GET_BRICKNAME", 16, LV(0)), operation("STRINGS.ADD", LV(0), LV(0), GV(0))),
         ),
         (replying(MEMORY)[:-1], BATTERY),
+        # Memory keeps its contents from one command to the next.
+        *(
+            (replying(MEMORY), asking(*operations))
+            for operations in (
+                [operation("MOVE32_32", GV(at), GV(at)) for at in (0, 4, 8)],
+                [operation("ADD8", GV(at), 0, GV(at)) for at in range(11)],
+                [operation("STRINGS.DUPLICATE", GV(0), GV(0))],
+                [operation("SELECT32", 1, GV(0), GV(4), GV(0)), operation("SELECT32", 1, GV(4), GV(8), GV(4))],
+                [operation("MEMORY_READ", 1, 0, 0, 16, GV(0))],
+                [operation("ARRAY_READ", LV(0), at, GV(at)) for at in range(11)],
+                [operation("FILE.GET_SUBFOLDER_NAME", "../prjs/", 1, 16, GV(0))],
+                [operation("UI_READ.TEXTBOX_READ", GV(0), 16, 0, 16, 1, GV(0))],
+                [operation("JR", 3), operation("UI_READ.GET_VBATT", GV(0))],
+            )
+        ),
     ],
 )
 def test_replies(reply: bytes, request_: bytes | None) -> None:
@@ -110,12 +146,17 @@ def test_a_masked_command_has_the_same_operations() -> None:
 
 
 def test_what_is_harmless_stays() -> None:
-    for frame in (BATTERY, asking(operation("SOUND.PLAY", 100, "./ui/x"))):
+    tone = asking(operation("SOUND.TONE", 1, 440, 1000))
+    sensor = asking(operation("INPUT_DEVICE.READY_SI", 0, 1, 32, 3, [GV(0), GV(4)]))
+    name = asking(operation("INPUT_DEVICE.GET_NAME", 0, 2, 16, GV(0)))
+    for frame in (BATTERY, tone, sensor, name):
         assert masked(frame) == frame
     reply = replying(bytes.fromhex("00 00 f0 40").ljust(16, b"\0"))
     assert masked(reply, BATTERY) == reply
     version = replying(b"V1.04H".ljust(16, b"\0"))
     assert masked(version, asking(operation("UI_READ.GET_FW_VERS", 16, GV(0)))) == version
+    for public, memory in ((sensor, bytes(range(8)).ljust(16, b"\0")), (name, b"COL-REFLECT".ljust(16, b"\0"))):
+        assert masked(replying(memory), public) == replying(memory)
     listing = ev3proto.system_command("LIST_FILES", path="../prjs/", max_bytes=900).build()
     assert masked(listing) == listing
 
@@ -136,3 +177,40 @@ def test_a_mask_keeps_length_counter_and_type(frame: bytes, request: bytes | Non
         assert hidden[5:] == b"x" * len(frame[5:])
     elif getattr(message, "operations", ()):
         assert [one.full_name for one in shown.operations] == [one.full_name for one in message.operations]  # type: ignore[attr-defined]
+
+
+@pytest.mark.parametrize(
+    ("text", "shown"),
+    [
+        (
+            b"GET /target?sn=0016533f0c1e VMTP1.0\r\nProtocol: EV3\r\n\r\n",
+            b"GET /target?sn=000000000000 VMTP1.0\r\nProtocol: EV3\r\n\r\n",
+        ),
+        (b"GET /target?sn=Anna VMTP1.0\nProtocol:EV3\n", b"GET /target?sn=0000 VMTP1.0\nProtocol:EV3\n"),
+        (
+            b"GET /target?sn= VMTP1.0\r\nHost: annas-laptop\r\nProtocol: EV3 of Anna\r\n",
+            b"GET /target?sn= VMTP1.0\r\nxxxxxxxxxxxxxxxxxx\r\nxxxxxxxxxxxxxxxxxxxxx\r\n",
+        ),
+        (b"AnnaGET /target?sn=0016533f0c1e\r\n", b"x" * 31 + b"\r\n"),
+        (b"Accept:EV340\r\n\r\n\0", b"Accept:EV340\r\n\r\n\0"),
+    ],
+)
+def test_the_unlock_text(text: bytes, shown: bytes) -> None:
+    assert masked_opening(text) == shown
+
+
+@pytest.mark.parametrize(
+    ("note", "shown"),
+    [
+        ("192.0.2.7:61234 sent bytes that are not a frame", "x sent bytes that are not a frame"),
+        ("192.0.2.7 was disconnected: only 192.0.2.10 is served", "x was disconnected: only x is served"),
+        ("fe80::1%eth0:61234 sent", "x sent"),
+        ("::1 was disconnected", "x was disconnected"),
+        ("the brick 0016533f0c1e was unplugged", "the brick x was unplugged"),
+        ("00:16:53:3F:0C:1E did not answer", "x did not answer"),
+        ("blocked by --read-only: SOUND.TONE starts a sound", "blocked by --read-only: SOUND.TONE starts a sound"),
+        ("offset 0: length 29264: text", "offset 0: length 29264: text"),
+    ],
+)
+def test_messages(note: str, shown: str) -> None:
+    assert masked_note(note) == shown

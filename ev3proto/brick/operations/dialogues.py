@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from itertools import islice
 
-from ev3proto.brick import path_names
 from ev3proto.brick.devices.buttons import BUTTONS
 from ev3proto.brick.devices.display.screen_dialog import ScreenDialog
 from ev3proto.brick.handlers import handles
@@ -13,6 +12,7 @@ from ev3proto.brick.machine import Machine
 from ev3proto.brick.operation_exits import Busy
 from ev3proto.brick.places import Place
 from ev3proto.brick.text_lines import DELIMITERS, line_of, lines_of
+from ev3proto.tables import paths
 from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.enumerations import FILETYPE
@@ -190,7 +190,7 @@ def browse(vm: Machine, _: int, x: int, y: int, width: int, height: int, length:
         return
     whole = folder.rstrip(b"/") + b"/" + names[chosen]
     is_folder = vm.brick.files.is_folder(whole)
-    extension = path_names.split(whole).extension
+    extension = paths.split(whole).extension
     kind.write8(FILETYPE.members["TYPE_FOLDER"] if is_folder else _KINDS.get(extension, 0))
     vm.write_limited(path, whole, length)
 

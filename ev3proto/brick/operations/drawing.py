@@ -6,7 +6,6 @@ from collections.abc import Callable, Mapping
 from functools import partial
 from typing import Any
 
-from ev3proto.brick import path_names
 from ev3proto.brick.devices.display import Canvas, Display
 from ev3proto.brick.devices.display.graph import Graph, Scale, Summary
 from ev3proto.brick.devices.display.pictures import read_picture
@@ -15,6 +14,7 @@ from ev3proto.brick.machine import Machine
 from ev3proto.brick.operation_exits import Busy, WildAccess
 from ev3proto.brick.operations.files import checked_name
 from ev3proto.brick.places import Place
+from ev3proto.tables import paths
 from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.declaration import DATA16, DATAF
 from ev3proto.tables.encoding import STRING_CODING
@@ -119,7 +119,7 @@ def bmpfile(vm: Machine, color: int, x: int, y: int, name: Place) -> None:
     path = None if _is_blocked(vm) else checked_name(vm, name)
     if path is None:
         return
-    data = vm.brick.files.read(path if path_names.split(path).extension else path + _EXTENSION)
+    data = vm.brick.files.read(path if paths.split(path).extension else path + _EXTENSION)
     if data is not None:
         _draw_picture(vm, color, x, y, read_picture(data))
 

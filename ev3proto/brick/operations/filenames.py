@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 
-from ev3proto.brick import archives, path_names
+from ev3proto.brick import archives
 from ev3proto.brick.handlers import computes, handles
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.operations.files import checked_name, in_own_folder
 from ev3proto.brick.places import Place
+from ev3proto.tables import paths
 from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.encoding import STRING_CODING
 
@@ -44,7 +45,7 @@ computes({"FILENAME.EXIST": _exists, "FILENAME.TOTALSIZE": _total_size})
 @handles("FILENAME.SPLIT")
 def split(vm: Machine, path: bytes, length: int, folder: Place, name: Place, extension: Place) -> None:
     """Writes each part, cut to the room for it."""
-    parts = path_names.split(path)
+    parts = paths.split(path)
     for place, text in zip((folder, name, extension), parts, strict=True):
         _write(vm, place, text, length)
 
@@ -76,7 +77,7 @@ def folder_name(vm: Machine, length: int, destination: Place) -> None:
 
 
 def _archive(path: bytes) -> bytes:
-    parts = path_names.split(path.rstrip(b"/"))
+    parts = paths.split(path.rstrip(b"/"))
     return parts.folder + parts.name + ARCHIVE_EXTENSION
 
 

@@ -285,7 +285,7 @@ def load_image(vm: Machine, slot: int, place: Place, size: Place, address: Place
     name = checked_name(vm, place)
     if name is None:
         return
-    parts = path_names.split(name)
+    parts = paths.split(name)
     image = vm.brick.files.read(name if parts.extension else name + IMAGE_EXTENSION)
     if image is None:
         size.write32(0)

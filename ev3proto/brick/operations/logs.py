@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import struct
 
-from ev3proto.brick import path_names
 from ev3proto.brick.handlers import handles
 from ev3proto.brick.handles import NO_HANDLE, Array
 from ev3proto.brick.machine import Machine
@@ -15,6 +14,7 @@ from ev3proto.brick.open_files import OpenFile
 from ev3proto.brick.operation_exits import Failure
 from ev3proto.brick.operations.files import checked_name, find_open, open_to_write, opened_name
 from ev3proto.brick.places import Place
+from ev3proto.tables import paths
 from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.declaration import Type
 from ev3proto.tables.encoding import STRING_CODING
@@ -52,7 +52,7 @@ class LogBuffer(Array):
 
 
 def _with_extension(name: bytes) -> bytes:
-    return name if path_names.split(name).extension else name + LOG_EXTENSION
+    return name if paths.split(name).extension else name + LOG_EXTENSION
 
 
 @handles("FILE.OPEN_LOG", places=("NAME",))

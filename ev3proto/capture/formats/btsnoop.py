@@ -2,21 +2,19 @@
 
 from __future__ import annotations
 
+import struct
 from collections.abc import Iterator
 from typing import BinaryIO
 
-from construct import Bytes, Int32ub, Int64ub, Struct
-
 from ev3proto.capture.packets import MOST_PACKET, Interface, Packet
 from ev3proto.capture.record import CaptureError
-from ev3proto.schema.bytewise import packed
 from ev3proto.tables.carriers import Link
 
-HEADER = Struct("magic" / Bytes(8), "version" / Int32ub, "link" / Int32ub)
-RECORD = Struct("size" / Int32ub, "length" / Int32ub, "flags" / Int32ub, "drops" / Int32ub, "microseconds" / Int64ub)
+_header = struct.Struct(">8sII")
+"""Magic, version, link type."""
 
-_header = packed(HEADER, ">")
-_record = packed(RECORD, ">")
+_record = struct.Struct(">IIIIQ")
+"""Size, captured length, flags, number of dropped packets, microseconds."""
 
 # Times count from the year 0.
 _EPOCH = 0x00DCDDB30F2F8000

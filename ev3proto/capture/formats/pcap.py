@@ -6,27 +6,20 @@ https://www.ietf.org/archive/id/draft-ietf-opsawg-pcap-04.html
 from __future__ import annotations
 
 import io
+import struct
 from collections.abc import Iterator
-
-from construct import Int16ul, Int32ul, Struct
 
 from ev3proto.capture.packets import MOST_PACKET, Interface, Packet
 from ev3proto.capture.record import CaptureError
-from ev3proto.schema.bytewise import packed
 
 MICROSECONDS, NANOSECONDS = 0xA1B2C3D4, 0xA1B23C4D
 """The first four bytes in the byte order of the file, which tell the unit of times."""
 
-HEADER = Struct(
-    "magic" / Int32ul,
-    "major" / Int16ul,
-    "minor" / Int16ul,
-    "zone" / Int32ul,
-    "accuracy" / Int32ul,
-    "most" / Int32ul,
-    "link" / Int32ul,
-)
-PACKET_HEAD = Struct("seconds" / Int32ul, "fraction" / Int32ul, "length" / Int32ul, "size" / Int32ul)
+HEADER = "IHHIIII"
+"""The header of the file: magic, version in two parts, time zone, accuracy, largest packet, link type."""
+
+PACKET_HEAD = "IIII"
+"""The header of a packet: seconds, fraction, captured length, size."""
 
 # The upper bits of the field tell whether Ethernet packets have their checksum.
 _LINK_MASK = 0xFFFF
@@ -43,15 +36,15 @@ def packets(stream: io.BufferedIOBase) -> Iterator[Packet]:
     Raises:
         CaptureError: The file is damaged. Everything readable was yielded before.
     """
-    size = packed(HEADER).size
+    size = struct.calcsize("<" + HEADER)
     head = stream.read(size)
     if len(head) < size:
         raise CaptureError("the file is cut off in its header")
     order = "<" if int.from_bytes(head[:4], "little") in (MICROSECONDS, NANOSECONDS) else ">"
-    magic, *_, link = packed(HEADER, order).unpack(head)
+    magic, *_, link = struct.unpack(order + HEADER, head)
     unit = 1 if magic == NANOSECONDS else 1000
     interface = Interface(link & _LINK_MASK, None, order)
-    head_layout = packed(PACKET_HEAD, order)
+    head_layout = struct.Struct(order + PACKET_HEAD)
     size, unpack_from = head_layout.size, head_layout.unpack_from
     # Packets are cut out of large chunks: a read for each packet and each header takes twice as long.
     number, offset, piece, at = 0, len(head), b"", 0

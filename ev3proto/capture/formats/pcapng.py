@@ -12,11 +12,8 @@ from contextlib import suppress
 from dataclasses import dataclass
 from typing import BinaryIO
 
-from construct import Int16ul, Int32ul, Int64ul, Struct
-
 from ev3proto.capture.packets import MOST_PACKET, Interface, Packet
 from ev3proto.capture.record import CaptureError
-from ev3proto.schema.bytewise import packed
 
 SECTION, INTERFACE, SIMPLE_PACKET, PACKET = 0x0A0D0D0A, 1, 3, 6
 """The blocks that are read; all others are skipped."""
@@ -24,11 +21,6 @@ SECTION, INTERFACE, SIMPLE_PACKET, PACKET = 0x0A0D0D0A, 1, 3, 6
 _MAGIC = SECTION.to_bytes(4, "big")
 _ORDER_MARK = 0x1A2B3C4D
 _ORDERS = {_ORDER_MARK.to_bytes(4, "little"): "<", _ORDER_MARK.to_bytes(4, "big"): ">"}
-
-BLOCK = Struct("type" / Int32ul, "length" / Int32ul)
-INTERFACE_HEAD = Struct("link" / Int16ul, "reserved" / Int16ul, "most" / Int32ul)
-PACKET_HEAD = Struct("interface" / Int32ul, "high" / Int32ul, "low" / Int32ul, "captured" / Int32ul, "size" / Int32ul)
-OPTION = Struct("code" / Int16ul, "length" / Int16ul)
 
 END_OF_OPTIONS, NAME, RESOLUTION, TIME_OFFSET = 0, 2, 9, 14
 """Options of an interface."""
@@ -61,12 +53,12 @@ class _Section:
 
     def __init__(self, order: str) -> None:
         self.order = order
-        self.block = packed(BLOCK, order)
-        self.interface = packed(INTERFACE_HEAD, order)
-        self.packet = packed(PACKET_HEAD, order)
-        self.option = packed(OPTION, order)
-        self.number = packed(Struct("value" / Int64ul), order)
-        self.size = packed(Struct("size" / Int32ul), order)
+        self.block = struct.Struct(order + "II")  # type, length
+        self.interface = struct.Struct(order + "HHI")  # link type, reserved, largest packet
+        self.packet = struct.Struct(order + "IIIII")  # interface, both halves of the time, captured length, size
+        self.option = struct.Struct(order + "HH")  # code, length
+        self.number = struct.Struct(order + "Q")
+        self.size = struct.Struct(order + "I")
         self.clocks: list[_InterfaceTime] = []
 
     def add_interface(self, body: bytes) -> None:

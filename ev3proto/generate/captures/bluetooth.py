@@ -159,9 +159,9 @@ class Writer:
 
     def _packet(self, is_from_host: bool, channel: int, data: bytes) -> bytes:
         """Builds an L2CAP packet."""
-        data = L2CAP.build({"length": len(data), "channel": channel}) + data
+        data = L2CAP.pack(len(data), channel) + data
         boundary = 0 if is_from_host else 2
-        head = ACL.build({"handle": CONNECTION | boundary << HANDLE_BITS, "length": len(data)})
+        head = ACL.pack(CONNECTION | boundary << HANDLE_BITS, len(data))
         self._unconfirmed += is_from_host
         return _hci(is_from_host, ACL_PACKET, head + data)
 
@@ -207,7 +207,7 @@ class Writer:
 
 
 def _hci(is_from_host: bool, kind: int, data: bytes) -> bytes:
-    return bytes(DIRECTION.build({"received": int(not is_from_host)})) + bytes((kind,)) + data
+    return DIRECTION.pack(not is_from_host) + bytes((kind,)) + data
 
 
 def _command(code: int, parameters: bytes) -> bytes:

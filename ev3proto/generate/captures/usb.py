@@ -216,26 +216,24 @@ def record(
     is_control = endpoint & ~IN == 0
     is_in = bool(endpoint & IN)
     carries = is_in == (event == DONE)
-    head = USBMON.build(
-        {
-            "id": 0xFFFF888000000000 | device << 16 | endpoint << 8,
-            "event": event,
-            "transfer": CONTROL if is_control else INTERRUPT,
-            "endpoint": endpoint,
-            "device": device,
-            "bus": bus,
-            "has_no_setup": _HAS_SETUP if setup else _HAS_NO_SETUP,
-            "has_no_data": 0 if carries else ord("<" if is_in else ">"),
-            "seconds": 0,
-            "microseconds": 0,
-            "status": (_IN_PROGRESS if event == SUBMITTED else status) % 2**32,
-            "size": size,
-            "captured": len(data),
-            "setup": setup or bytes(8),
-        }
+    head = USBMON["<"].pack(
+        0xFFFF888000000000 | device << 16 | endpoint << 8,
+        event,
+        CONTROL if is_control else INTERRUPT,
+        endpoint,
+        device,
+        bus,
+        _HAS_SETUP if setup else _HAS_NO_SETUP,
+        0 if carries else ord("<" if is_in else ">"),
+        0,
+        0,
+        (_IN_PROGRESS if event == SUBMITTED else status) % 2**32,
+        size,
+        len(data),
+        setup or bytes(8),
     )
     more = {"interval": 0 if is_control else _INTERVAL, "start_frame": 0, "flags": flags, "descriptors": 0}
-    return bytes(head) + (bytes(MORE.build(more)) if is_padded else b"") + data
+    return head + (bytes(MORE.build(more)) if is_padded else b"") + data
 
 
 def _request(event: int, endpoint: int, data: bytes = b"", *, status: int = 0) -> bytes:

@@ -6,28 +6,27 @@ channel. A packet that the capture has cut counts on channels that had whole one
 
 from __future__ import annotations
 
+import struct
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
-from construct import Int16ub, Int16ul, Int32ub, Struct
-
 from ev3proto.bounded import Bounded
 from ev3proto.capture.packets import Packet
 from ev3proto.capture.record import HOST
-from ev3proto.schema.bytewise import packed
 from ev3proto.tables.carriers import Link
 
-ACL = Struct("handle" / Int16ul, "length" / Int16ul)
-"""The header of a data packet; the upper bits of the handle tell whether it starts or continues a packet."""
+ACL = struct.Struct("<HH")
+"""The header of a data packet: handle and length. The upper bits of the handle tell whether it starts a packet."""
 
-L2CAP = Struct("length" / Int16ul, "channel" / Int16ul)
-DIRECTION = Struct("received" / Int32ub)
-MONITOR = Struct("adapter" / Int16ub, "kind" / Int16ub)
-"""The header that Linux's monitor writes before each packet."""
+L2CAP = struct.Struct("<HH")
+"""The header of an L2CAP packet: length and channel."""
 
-_acl, _l2cap = packed(ACL), packed(L2CAP)
-_direction, _monitor = packed(DIRECTION, ">"), packed(MONITOR, ">")
+DIRECTION = struct.Struct(">I")
+"""Whether the packet after it was received."""
+
+_MONITOR = struct.Struct(">HH")
+"""The header that Linux's monitor writes before each packet: adapter and kind."""
 
 COMMAND_PACKET, ACL_PACKET, EVENT_PACKET = 1, 2, 4
 """Packet types of HCI."""
@@ -165,7 +164,7 @@ class Bluetooth:
         """Yields what a packet completes; a number is the captured bytes of other traffic."""
         kind, is_from_host, body = _unwrap(packet)
         adapter: object = packet.interface if packet.interface.link != Link.BLUETOOTH_MONITOR else _adapter(packet)
-        if kind == ACL_PACKET and len(body) >= _acl.size:
+        if kind == ACL_PACKET and len(body) >= ACL.size:
             yield from self._data(adapter, is_from_host, body, len(packet.data))
             return
         if kind == EVENT_PACKET:
@@ -204,12 +203,12 @@ class Bluetooth:
     def _data(
         self, adapter: object, is_from_host: bool | None, body: bytes, weight: int
     ) -> Iterator[Carried | Closed | int]:
-        word, length = _acl.unpack_from(body)
+        word, length = ACL.unpack_from(body)
         handle, start = word & _HANDLE_MASK, word >> HANDLE_BITS & 3
         if (adapter, handle) not in self._connections:
             yield from self._connect(adapter, handle, None)
         connection = self._connections[adapter, handle]
-        data = body[_acl.size : _acl.size + length]
+        data = body[ACL.size : ACL.size + length]
         # Without a direction, the kind of start tells which of two unfinished packets continues.
         side: object = start if is_from_host is None else is_from_host
         if start == _GOES_ON:
@@ -224,10 +223,10 @@ class Bluetooth:
             before = connection.parts.pop(side, None)
             if before is not None:
                 yield before.weight
-            if len(data) < _l2cap.size:
+            if len(data) < L2CAP.size:
                 yield weight
                 return
-            part = _Part(data, _l2cap.size + _l2cap.unpack_from(data)[0], weight)
+            part = _Part(data, L2CAP.size + L2CAP.unpack_from(data)[0], weight)
         # Of a packet that the capture has cut, the remaining part is read.
         is_cut = len(data) < length
         if len(part.data) < part.size and not is_cut:
@@ -243,19 +242,19 @@ def _unwrap(packet: Packet) -> tuple[int | None, bool | None, bytes]:
     data, link = packet.data, packet.interface.link
     if link == Link.BLUETOOTH_MONITOR:
         if packet.flags is None:
-            if len(data) < _monitor.size:
+            if len(data) < _MONITOR.size:
                 return None, None, b""
-            kind, data = _monitor.unpack_from(data)[1], data[_monitor.size :]
+            kind, data = _MONITOR.unpack_from(data)[1], data[_MONITOR.size :]
         else:
             kind = packet.flags & 0xFFFF
         packet_type, is_received = _MONITOR_KINDS.get(kind, (None, False))
         return packet_type, not is_received, data
     is_from_host: bool | None = None
     if link == Link.HCI_WITH_DIRECTION:
-        if len(data) < _direction.size:
+        if len(data) < DIRECTION.size:
             return None, None, b""
-        is_from_host = not _direction.unpack_from(data)[0] & _RECEIVED
-        data = data[_direction.size :]
+        is_from_host = not DIRECTION.unpack_from(data)[0] & _RECEIVED
+        data = data[DIRECTION.size :]
     elif packet.flags is not None:
         is_from_host = not packet.flags & _RECEIVED
     return (data[0] if data else None), is_from_host, data[1:]
@@ -276,8 +275,8 @@ def _address(data: bytes) -> str:
 
 def _serial(connection: _Connection, is_from_host: bool | None, part: _Part) -> Serial | None:
     """Returns the RFCOMM frame in an L2CAP packet, if there is one."""
-    _, channel = _l2cap.unpack_from(part.data)
-    data = part.data[_l2cap.size : part.size]
+    _, channel = L2CAP.unpack_from(part.data)
+    data = part.data[L2CAP.size : part.size]
     way = is_from_host, channel
     is_known_cut = len(part.data) < part.size and way in connection.channels
     if channel < _LEAST_DYNAMIC or len(data) < 4 or not data[0] & 1:

@@ -2,51 +2,27 @@
 
 from __future__ import annotations
 
+import struct
 from typing import NamedTuple
 
-from construct import Bytes, Int8ul, Int16ul, Int32ul, Int64ul, Struct
-
 from ev3proto.capture.packets import Packet
-from ev3proto.schema.bytewise import packed
 from ev3proto.tables.carriers import Link
 
-USBMON = Struct(
-    "id" / Int64ul,
-    "event" / Int8ul,
-    "transfer" / Int8ul,
-    "endpoint" / Int8ul,
-    "device" / Int8ul,
-    "bus" / Int16ul,
-    "has_no_setup" / Int8ul,
-    "has_no_data" / Int8ul,
-    "seconds" / Int64ul,
-    "microseconds" / Int32ul,
-    "status" / Int32ul,
-    "size" / Int32ul,
-    "captured" / Int32ul,
-    "setup" / Bytes(8),
-)
-"""Linux's header of each packet (Documentation/usb/usbmon), in the byte order of the machine."""
+USBMON = {order: struct.Struct(order + "QBBBBHBBQIIII8s") for order in "<>"}
+"""Linux's header of each packet (Documentation/usb/usbmon), in the byte order of the machine.
+
+Identifier, event, transfer type, endpoint, device, bus, whether setup and data are missing, seconds, microseconds,
+status, size, captured length, setup.
+"""
 
 USBMON_MORE = 16
 """Size of the part that newer kernels add, in bytes."""
 
-USBPCAP = Struct(
-    "header" / Int16ul,
-    "id" / Int64ul,
-    "status" / Int32ul,
-    "function" / Int16ul,
-    "info" / Int8ul,
-    "bus" / Int16ul,
-    "device" / Int16ul,
-    "endpoint" / Int8ul,
-    "transfer" / Int8ul,
-    "captured" / Int32ul,
-)
-"""USBPcap's header of each packet (https://desowin.org/usbpcap/captureformat.html)."""
+_USBPCAP = struct.Struct("<HQIHBHHBBI")
+"""USBPcap's header of each packet (https://desowin.org/usbpcap/captureformat.html).
 
-_usbmon = {order: packed(USBMON, order) for order in "<>"}
-_usbpcap = packed(USBPCAP)
+Size of the header, identifier, status, function, direction, bus, device, endpoint, transfer type, captured length.
+"""
 
 CONTROL, INTERRUPT = 2, 1
 """Transfer types."""
@@ -84,11 +60,11 @@ def urb(packet: Packet) -> Urb | None:
     data = packet.data
     link = packet.interface.link
     if link == Link.USBPCAP:
-        if len(data) < _usbpcap.size:
+        if len(data) < _USBPCAP.size:
             return None
-        head, _, _, _, _, bus, device, endpoint, transfer, _ = _usbpcap.unpack_from(data)
+        head, _, _, _, _, bus, device, endpoint, transfer, _ = _USBPCAP.unpack_from(data)
         return Urb(f"{bus}.{device}", endpoint, transfer, data[head:])
-    header = _usbmon[packet.interface.order]
+    header = USBMON[packet.interface.order]
     size = header.size + (USBMON_MORE if link == Link.USBMON_PADDED else 0)
     if len(data) < size:
         return None

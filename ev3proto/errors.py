@@ -28,9 +28,9 @@ class Fault(NamedTuple):
 class DecodeError(ConstructError, ValueError):  # type: ignore[misc]
     """Bytes that are not a valid frame; `offset` counts from the start of the frame or stream."""
 
-    def __init__(self, offset: int, reason: str, truncated: bool = False) -> None:
+    def __init__(self, offset: int, reason: str, truncated: bool = False, path: str | None = None) -> None:
         self.fault = Fault(offset, reason, truncated)
-        super().__init__(str(self.fault))
+        super().__init__(str(self.fault), path)
 
     @property
     def offset(self) -> int:
@@ -47,8 +47,8 @@ class DecodeError(ConstructError, ValueError):  # type: ignore[misc]
         """Whether the bytes ended before their contents did."""
         return self.fault.truncated
 
-    def __reduce__(self) -> tuple[type[DecodeError], tuple[int, str, bool]]:
-        return (type(self), (self.offset, self.reason, self.truncated))
+    def __reduce__(self) -> tuple[type[DecodeError], tuple[int, str, bool, str | None]]:
+        return (type(self), (*self.fault, self.path))
 
 
 class BuildError(ConstructError, ValueError):  # type: ignore[misc]

@@ -167,7 +167,10 @@ class OperationReader(Protocol):
     """The interface of a schema that an operation uses."""
 
     declaration: Declaration
-    has_outputs: bool
+
+    @property
+    def has_outputs(self) -> bool:
+        """Whether the brick writes any of its parameters."""
 
     def __hash__(self) -> int:
         """Hashes by identity; facts about a schema are cached by it."""

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ev3proto.errors import DecodeError, Fault, as_bytes, counted
 from ev3proto.messages import Message
-from ev3proto.schema.frame import frame_schema
+from ev3proto.schema.frame import frame_reader
 from ev3proto.schema.header import frame_size, out_of_step
 from ev3proto.tables.frame import LENGTH_FIELD
 
@@ -33,7 +33,7 @@ class Decoder:
         Raises:
             ValueError: The dialect is unknown.
         """
-        self._schema = frame_schema(dialect)
+        self._schema = frame_reader(dialect)
         self._strict = strict
         self._buffer = bytearray()
         self._position = 0

@@ -43,7 +43,7 @@ from ev3proto.program.parameters import ProgramParameter, code_of, has_size, tab
 from ev3proto.schema import constructors
 from ev3proto.schema.argument import ENCODINGS, SHORT_VALUES
 from ev3proto.schema.frame import parse
-from ev3proto.schema.header import HEADER, HEADER_SIZE, MEMORY, MEMORY_SIZE
+from ev3proto.schema.header import HEADER_SIZE, MEMORY_SIZE, build_frame, write_memory
 from ev3proto.schema.instructions import operation
 from ev3proto.semantics.domain import domain_of
 from ev3proto.semantics.drafts.functions import drafts
@@ -592,8 +592,7 @@ def system_replies(draw: DrawFn, chosen: Choice = ALL) -> SystemReply:
 
 
 def _frame(member: MessageType, counter: int, body: bytes) -> bytes:
-    header = {"length": HEADER_SIZE - LENGTH_FIELD + len(body), "counter": counter, "type": member}
-    return bytes(HEADER.build(header)) + body
+    return build_frame(member, counter, body, HEADER_SIZE - LENGTH_FIELD + len(body))
 
 
 @st.composite
@@ -652,8 +651,7 @@ def _raw_direct_commands(dialect: str, chosen: Choice) -> SearchStrategy[bytes]:
     room = MAX_FRAME - HEADER_SIZE - MEMORY_SIZE
 
     def frame(member: MessageType, counter: int, sizes: Mapping[str, int], found: list[bytes]) -> bytes:
-        memory = MEMORY.build({"globals": sizes["global_size"], "locals": sizes["local_size"]})
-        return _frame(member, counter, bytes(memory) + b"".join(_that_fit(found, room)))
+        return _frame(member, counter, write_memory(**sizes) + b"".join(_that_fit(found, room)))
 
     return st.builds(
         frame,

@@ -13,7 +13,7 @@ from ev3proto.messages import (
     SystemCommand,
     SystemReply,
 )
-from ev3proto.schema.frame import FrameSchema, frame_schema
+from ev3proto.schema.frame import FrameReader, frame_reader
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
 from ev3proto.semantics.domain import domain_of
 from ev3proto.tables import OPCODES
@@ -38,7 +38,7 @@ _NOT_TELLING, _ONLY_IN_PROGRAMS = (
 )
 
 
-def is_plausible(message: Message, schema: FrameSchema, *, is_cut: bool = False) -> bool:
+def is_plausible(message: Message, schema: FrameReader, *, is_cut: bool = False) -> bool:
     """Returns whether a message is a command that a program would send to a brick, not one by chance.
 
     Args:
@@ -54,7 +54,7 @@ def is_plausible(message: Message, schema: FrameSchema, *, is_cut: bool = False)
         return False
     if _fits(message, is_cut=is_cut):
         return True
-    others = (each for each in map(frame_schema, DIALECTS) if each is not schema)
+    others = (each for each in map(frame_reader, DIALECTS) if each is not schema)
     readings = (each.read_frame(message.build(), strict=False) for each in others)
     return any(isinstance(reading, DirectCommand) and _fits(reading, is_cut=is_cut) for reading in readings)
 

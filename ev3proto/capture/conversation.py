@@ -6,7 +6,7 @@ from ev3proto.bounded import Budget
 from ev3proto.capture.record import Answered, Record, Route
 from ev3proto.dialogue import Pairing, Transfers
 from ev3proto.messages import Message, SystemCommand, SystemReply
-from ev3proto.schema.frame import FrameSchema
+from ev3proto.schema.frame import FrameReader
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, Header, read_memory, unpack_header
 from ev3proto.tables.frame import COUNTERS, MessageType
 
@@ -55,7 +55,7 @@ def _is_failure(message: Message) -> bool:
 class Conversation:
     """A conversation: pairs replies with commands by their headers, so that messages are parsed only on request."""
 
-    def __init__(self, schema: FrameSchema, budget: Budget | None = None) -> None:
+    def __init__(self, schema: FrameReader, budget: Budget | None = None) -> None:
         self._schema = schema
         self._pairing: Pairing[Record] = Pairing(MOST_PENDING, budget, _size_of)
         self._budget = budget

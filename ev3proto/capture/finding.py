@@ -13,7 +13,7 @@ from enum import Enum, auto
 from itertools import islice
 
 from ev3proto.capture.claims import is_plausible, is_sensible
-from ev3proto.schema.frame import FrameSchema
+from ev3proto.schema.frame import FrameReader
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, frame_size, may_have_length
 from ev3proto.tables import system
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_LENGTH, MIN_LENGTH, SYSTEM_COMMAND_TYPES, MessageType
@@ -85,7 +85,7 @@ class Finder:
 
     __slots__ = ("_schema",)
 
-    def __init__(self, schema: FrameSchema) -> None:
+    def __init__(self, schema: FrameReader) -> None:
         self._schema = schema
 
     def may_start(self, buffer: bytes, at: int) -> bool:

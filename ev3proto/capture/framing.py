@@ -13,8 +13,8 @@ from typing import NamedTuple
 
 from ev3proto.capture.finding import Accepts, Finder, Found, polls_end
 from ev3proto.errors import DecodeError, counted
-from ev3proto.schema.discovery import UNLOCK
-from ev3proto.schema.frame import FrameSchema
+from ev3proto.schema.discovery import Unlock
+from ev3proto.schema.frame import FrameReader
 from ev3proto.schema.header import HEADER_SIZE, frame_size, impossible_length, may_have_length
 from ev3proto.tables.discovery import ACCEPT, MOST_UNLOCK, UNLOCK_REQUEST
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME
@@ -81,7 +81,7 @@ class Cutter:
         "accepts",
     )
 
-    def __init__(self, schema: FrameSchema, *, in_step: bool, may_gap: bool = False) -> None:
+    def __init__(self, schema: FrameReader, *, in_step: bool, may_gap: bool = False) -> None:
         self._finder = Finder(schema)
         self._buffer = b""
         self._marks: list[tuple[int, int]] = []  # the offset in the buffer and the number of each packet
@@ -424,7 +424,7 @@ class Cutter:
             return None
 
         try:
-            unlock, end = UNLOCK.read(buffer, at)
+            unlock, end = Unlock.read(buffer, at)
         except DecodeError:
             return None
         if unlock.endings and self._is_frame_rather(buffer, end - 1):

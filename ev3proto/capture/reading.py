@@ -14,7 +14,7 @@ from ev3proto.capture.carriers.streams import Context
 from ev3proto.capture.formats import CaptureFile
 from ev3proto.capture.packets import Packet
 from ev3proto.capture.record import CaptureError, Event, Record
-from ev3proto.schema.frame import frame_schema
+from ev3proto.schema.frame import frame_reader
 from ev3proto.tables import check_dialect
 from ev3proto.tables.carriers import Carrier
 from ev3proto.tables.discovery import TCP_PORT
@@ -136,7 +136,7 @@ def _events_in(
         CaptureError: After everything readable, if the packets raised it, or have unknown link types.
     """
     budget = Budget(memory)
-    context = Context(frame_schema(dialect), account, frozenset(ports), budget)
+    context = Context(frame_reader(dialect), account, frozenset(ports), budget)
     readers: dict[Carrier, CarrierReader] = {}
     unknown: set[int] = set()
     trouble: CaptureError | None = None

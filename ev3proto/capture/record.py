@@ -11,7 +11,7 @@ from typing import NamedTuple
 from ev3proto.dialogue import Exchange, Transfer, Value, values_of
 from ev3proto.messages import Message
 from ev3proto.schema.discovery import Beacon, Unlock
-from ev3proto.schema.frame import FrameSchema
+from ev3proto.schema.frame import FrameReader
 from ev3proto.tables.carriers import Carrier
 
 NANOSECONDS = 1_000_000_000
@@ -102,7 +102,7 @@ class Record:
         numbers: tuple[int, ...],
         time_ns: int,
         route: Route,
-        reader: FrameSchema,
+        reader: FrameReader,
         request: Record | None = None,
         transfer: Transfer | None = None,
         note: str | None = None,

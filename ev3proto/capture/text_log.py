@@ -11,7 +11,7 @@ from ev3proto.capture.byte_account import Account
 from ev3proto.capture.conversation import Conversation
 from ev3proto.capture.reading import Capture
 from ev3proto.capture.record import HOST, NANOSECONDS, Direction, Event, Route
-from ev3proto.schema.frame import frame_schema
+from ev3proto.schema.frame import frame_reader
 from ev3proto.schema.header import HEADER_SIZE, frame_size, may_have_length, unpack_header
 from ev3proto.tables.carriers import DEFAULT_CARRIER
 from ev3proto.tables.frame import MessageType
@@ -105,7 +105,7 @@ def read_log(pieces: Iterable[Pasted], *, dialect: str = "official", memory: int
 
 
 def _events(pieces: Iterable[Pasted], account: Account, dialect: str, budget: Budget) -> Iterator[Event]:
-    conversation = Conversation(frame_schema(dialect), budget)
+    conversation = Conversation(frame_reader(dialect), budget)
     clock = Clock()
     routes = {
         (direction, is_timed): Route(DEFAULT_CARRIER, *ends, direction, None, BRICK, is_text=True, is_timed=is_timed)

@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 from ev3proto.capture.dialogues import is_error
 from ev3proto.capture.record import HOST, Answered, Direction, Record, Route
-from ev3proto.schema.frame import frame_schema
+from ev3proto.schema.frame import frame_reader
 from ev3proto.tables.carriers import Carrier
 
 
@@ -29,7 +29,7 @@ class Records:
         self.start_ns = time.time_ns()
         self._sent = Route(carrier, HOST, peer, Direction.SENT, None, peer)
         self._received = Route(carrier, peer, HOST, Direction.RECEIVED, None, peer)
-        self._schema = frame_schema(dialect)
+        self._schema = frame_reader(dialect)
         self._count = 0
 
     def sent(self, frame: bytes) -> Record:

@@ -17,7 +17,7 @@ from ev3proto.capture.conversation import Conversation
 from ev3proto.capture.record import HOST, NANOSECONDS
 from ev3proto.errors import DecodeError
 from ev3proto.schema.discovery import Beacon, Unlock
-from ev3proto.schema.frame import frame_schema
+from ev3proto.schema.frame import frame_reader
 from ev3proto.schema.header import HEADER_SIZE, may_have_length
 from ev3proto.tables.discovery import ACCEPT, BEACON_LINES, UNLOCK_REQUEST
 
@@ -114,7 +114,7 @@ class Events:
             memory: Memory limit for unanswered commands, in bytes.
         """
         self._account = account
-        self._schema = frame_schema(dialect)
+        self._schema = frame_reader(dialect)
         self._budget = Budget(memory)
         self._conversations: Bounded[Hashable, Conversation] = Bounded(MOST_CONNECTIONS)
         self._routes: Bounded[Route, Route] = Bounded(MOST_CONNECTIONS)

@@ -21,9 +21,9 @@ from scapy.packet import NoPayload, Packet, Padding, Raw, bind_bottom_up, bind_l
 from ev3proto.errors import BuildError, DecodeError
 from ev3proto.scapy.operations import EV3Operation, OperationsField, in_a_row, memory_of
 from ev3proto.scapy.system import SYSTEM_BODIES, EV3SystemCommand, EV3SystemReply
-from ev3proto.schema.discovery import UNLOCK
-from ev3proto.schema.frame import SENSOR_REPORT
+from ev3proto.schema.discovery import Unlock
 from ev3proto.schema.header import HEADER_SIZE, MEMORY_SIZE, Header, build_frame, frame_size, may_have_length
+from ev3proto.schema.wire_format import SENSOR_REPORT
 from ev3proto.tables.daisy import DaisyCommand
 from ev3proto.tables.discovery import ACCEPT, BEACON_PORT, MOST_UNLOCK, TCP_PORT, UNLOCK_REQUEST
 from ev3proto.tables.frame import (
@@ -138,7 +138,7 @@ def _text(data: bytes) -> Packet | None:
         return None
     else:
         try:
-            _, end = UNLOCK.read(data, 0)
+            _, end = Unlock.read(data)
         except DecodeError:
             return None if len(data) < MOST_UNLOCK else Raw(data)
     text: Packet = EV3Text(data[:end])

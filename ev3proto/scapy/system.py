@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import io
 from typing import Any
 
 from scapy.fields import ByteEnumField, ByteField, Field, FieldLenField, LEIntField, LEShortField, StrField
 from scapy.packet import Packet, Raw, bind_layers
 
 from ev3proto.errors import DecodeError
-from ev3proto.schema.fields import REPLIES, CountedText
+from ev3proto.schema.fields import REPLIES
+from ev3proto.schema.wire_format import counted_text
 from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.system import SYSTEM, Kind, SystemCommand, SystemStatus
 from ev3proto.tables.system import Field as Declared
@@ -23,6 +25,9 @@ RENAMED = {
     "payload_length": "message_length",
 }
 """Fields whose names are reserved in Scapy packets, and those that count them."""
+
+
+_COUNTED = counted_text("length")
 
 
 class TextField(Field[str, bytes]):
@@ -70,9 +75,10 @@ class CountedTextField(TextField):
         super().__init__(name)
 
     def getfield(self, pkt: Packet, s: bytes) -> tuple[bytes, str]:
-        """Returns the bytes after the text and its zero, and the text. Raises DecodeError."""
-        text, end = CountedText(int(pkt.getfieldval(self.counter))).read(s, 0)
-        return s[end:], text
+        """Returns the bytes after the text and its zero, and the text. Raises ConstructError."""
+        stream = io.BytesIO(s)
+        text = _COUNTED.parse_stream(stream, length=int(pkt.getfieldval(self.counter)))
+        return s[stream.tell() :], text
 
 
 def layer_name(entry: SystemCommand) -> str:

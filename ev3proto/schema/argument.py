@@ -1,6 +1,6 @@
-"""One argument of an operation: an identification byte and its value, read for one declared parameter.
+"""One argument of an operation: an identification byte and its value, read and written for one declared parameter.
 
-The byte alone is a schema, too.
+The meaning of each identification byte comes from the declaration in `wire_format`.
 """
 
 from __future__ import annotations
@@ -11,12 +11,12 @@ from collections.abc import Callable, Iterable
 from itertools import product
 from typing import Any
 
-from construct import Array, BitsInteger, BitStruct, Bitwise, Const, Construct, Flag, IfThenElse, Struct, this
+from construct import Array, Struct
 from construct.lib import integer2bits
 
 from ev3proto.errors import BuildError, DecodeError, counted
 from ev3proto.messages import Argument, Variable
-from ev3proto.schema.bytewise import Bytewise
+from ev3proto.schema.wire_format import LONG_FORM, SHORT_CONSTANT, SHORT_VARIABLE
 from ev3proto.tables.declaration import Direction, Parameter, Type
 from ev3proto.tables.encoding import (
     ADDRESS_BIT,
@@ -37,35 +37,6 @@ from ev3proto.tables.encoding import (
     WIDTHS,
     Encoding,
 )
-
-_FORM_BITS = 6
-"""Number of bits after the first two, which select their meaning."""
-
-LONG_FORM = Struct(
-    "selector" / Flag,  # for variables: global; for constants: label
-    "handle" / Flag,
-    "address" / Flag,
-    "width" / BitsInteger(3),
-)
-"""Bits 5 to 0 if the value is in the bytes that follow."""
-
-SHORT_CONSTANT = Struct("value" / BitsInteger(_FORM_BITS, signed=True))
-SHORT_VARIABLE = Struct("is_global" / Flag, "value" / BitsInteger(5))
-
-_BITS = Struct(
-    "is_long" / Flag,
-    "is_variable" / Flag,
-    "form" / IfThenElse(this.is_long, LONG_FORM, IfThenElse(this.is_variable, SHORT_VARIABLE, SHORT_CONSTANT)),
-)
-"""The whole byte: bit 7 long, bit 6 variable, then what the two select."""
-
-IDENTIFICATION = Bitwise(_BITS)
-"""The byte in a frame."""
-
-LABEL_BYTE = BitStruct(Const(True, Flag), Const(False, Flag), Const(True, Flag), Const(0, BitsInteger(5))).build(None)[
-    0
-]
-"""The identification byte of a label (LAB1)."""
 
 
 def _long_encoding(is_variable: bool, selector: bool, handle: bool, address: bool, width: int) -> Encoding | None:
@@ -88,7 +59,7 @@ _SHORT_CONSTANT = Encoding("LC0", CONSTANT, 0)
 _SHORT_VARIABLE = {False: Encoding("LV0", LOCAL, 0), True: Encoding("GV0", GLOBAL, 0)}
 
 
-def _readings(form: Construct) -> list[tuple[Any, ...]]:
+def _readings(form: Struct) -> list[tuple[Any, ...]]:
     """Returns the values of a form's fields for all combinations of its bits, in order.
 
     Parses each field for its own bits only: parsing the whole byte 256 times takes ten times as long, at each import.
@@ -227,11 +198,10 @@ def _unreadable(parameter: Parameter, data: bytes, at: int, end: int) -> DecodeE
     return DecodeError(at, reason, truncated=True)
 
 
-class ArgumentSchema(Bytewise):
-    """The schema of one parameter's argument."""
+class ArgumentSchema:
+    """Reads and writes the arguments of one parameter."""
 
     def __init__(self, parameter: Parameter) -> None:
-        super().__init__()
         self.parameter = parameter
         self.reader = reader_of(parameter)
         limits = None if parameter.direction is Direction.OUT else RANGES.get(parameter.type)
@@ -330,12 +300,20 @@ class ArgumentSchema(Bytewise):
         return encode_integer(int(value))
 
 
+def shortest(parameter: Parameter, value: Any) -> bytes:
+    """Returns the shortest encoding of a value for a parameter, as `ArgumentSchema.write` chooses it."""
+    return ArgumentSchema(parameter).write(value)
+
+
 _BY_NAME = {
     (encoding.name, encoding.handle, encoding.address): byte
     for byte, encoding in reversed(list(enumerate(ENCODINGS)))
     if encoding is not None
 }
 """The lowest identification byte of each encoding."""
+
+LABEL_BYTE = _BY_NAME["LAB1", False, False]
+"""The identification byte of a label."""
 
 _NAN_ENCODING = {1: "LC1", 2: "LC2", 4: "LC4"}
 """The encoding in which a type's lowest number means "not a number", by the size of the type."""

@@ -5,16 +5,10 @@ They are lines of text, not frames, and come before the first frame.
 
 from __future__ import annotations
 
-import io
 import re
-from collections.abc import Mapping
-from dataclasses import asdict, dataclass
-from typing import Any
-
-from construct import Struct
+from dataclasses import dataclass
 
 from ev3proto.errors import BuildError, DecodeError, as_bytes
-from ev3proto.schema.bytewise import Bytewise
 from ev3proto.tables.discovery import (
     BEACON_LINES,
     PROTOCOL,
@@ -32,30 +26,8 @@ _PORT = re.compile(r"[0-9]{1,9}")
 _LAST_PORT = 0xFFFF
 
 
-class Line(Bytewise):
-    """One line, `label: text`; its value is the text."""
-
-    def __init__(self, label: str) -> None:
-        super().__init__()
-        self.head = f"{label}: ".encode(STRING_CODING)
-
-    def read(self, data: bytes, at: int) -> tuple[str, int]:
-        """Returns the text of the line at an offset, and the offset after the line. Raises DecodeError."""
-        end = data.find(NEWLINE, at)
-        if end < 0 or not data.startswith(self.head, at):
-            raise DecodeError(at, f"expected a line '{self.head.decode()}...' that ends with \\r\\n")
-        return data[at + len(self.head) : end].decode(STRING_CODING), end + len(NEWLINE)
-
-    def write(self, value: Any) -> bytes:
-        """Returns the line. Raises BuildError for a line break or a character outside ISO-8859-1."""
-        if not isinstance(value, str) or set(value) & set("\r\n\0") or any(ord(letter) > 0xFF for letter in value):
-            raise BuildError(f"{self.head.decode()[:-2]} cannot be {value!r}: it must be one line of ISO-8859-1 text")
-        return self.head + value.encode(STRING_CODING) + NEWLINE
-
-
-LINES = {name: Line(label) for name, label in BEACON_LINES.items()}
-BEACON = Struct(*(name / line for name, line in LINES.items()))
-"""The datagram that a brick broadcasts every few seconds."""
+_HEADS = {name: f"{label}: ".encode(STRING_CODING) for name, label in BEACON_LINES.items()}
+"""The start of each line of a beacon, whose text follows."""
 
 
 def is_beacon(datagram: bytes, *, is_cut: bool = False) -> bool:
@@ -74,7 +46,7 @@ def is_beacon(datagram: bytes, *, is_cut: bool = False) -> bool:
     """
     if not isinstance(datagram, bytes):
         datagram = as_bytes(datagram, "a datagram")
-    first, second, *_, last = (line.head for line in LINES.values())
+    first, second, *_, last = _HEADS.values()
     if not datagram.startswith(first):
         return False
     rest = datagram.partition(NEWLINE)[2]
@@ -104,17 +76,32 @@ class Beacon:
     @classmethod
     def parse(cls, datagram: bytes) -> Beacon:
         """Parses a datagram. Raises DecodeError that names the faulty line."""
-        stream = io.BytesIO(datagram)
-        found = BEACON.parse_stream(stream)
-        at = stream.tell()
+        found, at = {}, 0
+        for name, head in _HEADS.items():
+            end = datagram.find(NEWLINE, at)
+            if end < 0 or not datagram.startswith(head, at):
+                raise DecodeError(at, f"expected a line '{head.decode()}...' that ends with \\r\\n")
+            found[name] = datagram[at + len(head) : end].decode(STRING_CODING)
+            at = end + len(NEWLINE)
         if at < len(datagram):
             raise DecodeError(at, f"{len(datagram) - at} bytes follow the beacon's last line")
-        return cls(**{name: found[name] for name in LINES})
+        return cls(**found)
 
     def build(self) -> bytes:
         """Builds the datagram. Raises BuildError for a line break or a character outside ISO-8859-1."""
-        built: bytes = BEACON.build(asdict(self))
-        return built
+        return b"".join(self._line(head, getattr(self, name)) for name, head in _HEADS.items())
+
+    @staticmethod
+    def _line(head: bytes, text: str) -> bytes:
+        if not isinstance(text, str) or set(text) & set("\r\n\0") or any(ord(letter) > 0xFF for letter in text):
+            raise BuildError(f"{head.decode()[:-2]} cannot be {text!r}: it must be one line of ISO-8859-1 text")
+        return head + text.encode(STRING_CODING) + NEWLINE
+
+
+_UNLOCK = re.compile(
+    rf"{re.escape(UNLOCK_REQUEST)}([\w:]*?)( ?)((?:{re.escape(UNLOCK_VERSION)})?)(\r?\n)"
+    rf"{re.escape(UNLOCK_PROTOCOL)}( ?){PROTOCOL}((?:\4){{0,{UNLOCK_ENDINGS}}})".encode()
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -139,57 +126,37 @@ class Unlock:
     @classmethod
     def parse(cls, text: bytes) -> Unlock:
         """Parses exactly one unlock text. Raises DecodeError for anything else."""
-        unlock, end = UNLOCK.read(text, 0)
+        unlock, end = cls.read(text)
         if end < len(text):
             raise DecodeError(end, f"{len(text) - end} bytes follow the unlock text")
         return unlock
 
-    def build(self) -> bytes:
-        """Builds the text. Raises BuildError for a serial number that is not a word."""
-        return UNLOCK.write(self)
-
-
-class UnlockSchema(Bytewise):
-    """The schema of the unlock text."""
-
-    FORM = re.compile(
-        rf"{re.escape(UNLOCK_REQUEST)}([\w:]*?)( ?)((?:{re.escape(UNLOCK_VERSION)})?)(\r?\n)"
-        rf"{re.escape(UNLOCK_PROTOCOL)}( ?){PROTOCOL}((?:\4){{0,{UNLOCK_ENDINGS}}})".encode()
-    )
-
-    def read(self, data: bytes, at: int) -> tuple[Unlock, int]:
+    @classmethod
+    def read(cls, data: bytes, at: int = 0) -> tuple[Unlock, int]:
         """Returns the unlock text at an offset, and the offset after it. Raises DecodeError."""
-        found = self.FORM.match(data, at)
+        found = _UNLOCK.match(data, at)
         if found is None:
             raise DecodeError(at, "expected an unlock text: 'GET /target?sn=... VMTP1.0' and a line 'Protocol: EV3'")
         serial, space, version, newline, gap, ending = found.groups()
         endings = len(ending) // len(newline)
-        return Unlock(serial.decode(), bool(space), newline.decode(), endings, bool(version), bool(gap)), found.end()
+        return cls(serial.decode(), bool(space), newline.decode(), endings, bool(version), bool(gap)), found.end()
 
-    def write(self, value: Any) -> bytes:
-        """Returns the text. Raises BuildError."""
-        if isinstance(value, Mapping):
-            value = Unlock(**value)
-        if not isinstance(value, Unlock):
-            raise BuildError(f"expected an Unlock, not {type(value).__name__}")
-        if value.endings not in range(UNLOCK_ENDINGS + 1):
+    def build(self) -> bytes:
+        """Builds the text. Raises BuildError for a serial number that is not a word."""
+        if self.endings not in range(UNLOCK_ENDINGS + 1):
             raise BuildError(
-                f"an unlock text has 0 to {UNLOCK_ENDINGS} line ends after its last line, not {value.endings!r}"
+                f"an unlock text has 0 to {UNLOCK_ENDINGS} line ends after its last line, not {self.endings!r}"
             )
-        version = " " * bool(value.space) + UNLOCK_VERSION * bool(value.version)
-        protocol = UNLOCK_PROTOCOL + " " * bool(value.gap) + PROTOCOL
-        text = f"{UNLOCK_REQUEST}{value.serial}{version}{value.newline}{protocol}{value.newline * value.endings}"
+        version = " " * bool(self.space) + UNLOCK_VERSION * bool(self.version)
+        protocol = UNLOCK_PROTOCOL + " " * bool(self.gap) + PROTOCOL
+        text = f"{UNLOCK_REQUEST}{self.serial}{version}{self.newline}{protocol}{self.newline * self.endings}"
         try:
-            found = self.FORM.fullmatch(text.encode(STRING_CODING))
+            found = _UNLOCK.fullmatch(text.encode(STRING_CODING))
         except UnicodeEncodeError:
             found = None
         if found is None:
             raise BuildError(
-                f"an unlock text cannot have the serial number {value.serial!r} and line ends {value.newline!r}: use"
+                f"an unlock text cannot have the serial number {self.serial!r} and line ends {self.newline!r}: use"
                 " letters, digits and colons for the number, \\r\\n or \\n for line ends"
             )
         return found.group()
-
-
-UNLOCK = UnlockSchema()
-"""The schema of the first text that a host sends."""

@@ -1,62 +1,21 @@
-"""The fields of a system message: numbers, texts, lengths with what they count, and the remaining bytes."""
+"""The fields of a system message, read and written one by one through their declaration in Construct."""
 
 from __future__ import annotations
 
 import io
 from collections.abc import Mapping
+from functools import cached_property
 from typing import Any
 
-from construct import Construct, GreedyBytes, Int8ul, Int16ul, Int32ul, NullTerminated, StringEncoded
+from construct import Construct
 from construct.core import ConstructError
 
 from ev3proto.errors import BuildError, DecodeError, counted, near_misses
 from ev3proto.messages import FieldValue
 from ev3proto.schema.argument import text_bytes
-from ev3proto.schema.bytewise import Bytewise
-from ev3proto.tables.encoding import STRING_CODING
+from ev3proto.schema.wire_format import NUMBERS, fields_of
 from ev3proto.tables.mailboxes import message_of
 from ev3proto.tables.system import SYSTEM, SYSTEM_BY_NUMBER, Field, Kind, SystemCommand
-
-NUMBERS: dict[Kind, Construct] = {Kind.U8: Int8ul, Kind.U16: Int16ul, Kind.U32: Int32ul}
-
-KINDS: dict[Kind, Construct] = {
-    **NUMBERS,
-    Kind.TEXT: StringEncoded(NullTerminated(GreedyBytes), STRING_CODING),
-    Kind.DATA: GreedyBytes,
-    Kind.LISTING: StringEncoded(GreedyBytes, STRING_CODING),
-}
-"""The Construct of each kind of field. A counted text needs its length and has its own node."""
-
-
-class CountedText(Bytewise):
-    """A text after its length. Some senders include its zero in the length, some do not; the zero is always present."""
-
-    def __init__(self, length: int) -> None:
-        super().__init__()
-        self.length = length
-
-    def read(self, data: bytes, at: int) -> tuple[str, int]:
-        """Returns the text at an offset, and the offset after its zero. Raises DecodeError."""
-        text = data[at : at + self.length]
-        end = at + self.length
-        if len(text) < self.length:
-            raise DecodeError(at, f"a text of {self.length} bytes runs past the end of the frame", truncated=True)
-        if text.endswith(b"\0"):
-            return text[:-1].decode(STRING_CODING), end
-        if end >= len(data):
-            raise DecodeError(at, "the terminating zero of a text is missing", truncated=True)
-        if data[end]:
-            raise DecodeError(end, f"a text of {self.length} bytes must end with a zero, not with 0x{data[end]:02X}")
-        return text.decode(STRING_CODING), end + 1
-
-    def write(self, value: str) -> bytes:
-        """Returns the text and its zero. Raises BuildError if it does not have the stated length."""
-        text = _text(value, "the text", zeros=True)
-        if self.length not in (len(text), len(text) + 1):
-            raise BuildError(
-                f"{value!r} has {len(text)} bytes, {len(text) + 1} with its zero, but its length says {self.length}"
-            )
-        return text + b"\0"
 
 
 def _text(value: Any, name: str, zeros: bool = False) -> bytes:
@@ -65,31 +24,17 @@ def _text(value: Any, name: str, zeros: bool = False) -> bytes:
     return text_bytes(value, name, zeros=zeros)
 
 
-class Fields(Bytewise):
-    """The schema of a system message's fields, one after the other to the end of the frame."""
+class Fields:
+    """Reads and writes a system message's fields, one after the other to the end of the frame."""
 
     def __init__(self, fields: tuple[Field, ...]) -> None:
-        super().__init__()
         self.fields = fields
         self.by_name = {field.name: field for field in fields}
+        self._counters = {field.counts: field.name for field in fields if field.counts is not None}
 
-    def read(self, data: bytes, at: int) -> tuple[dict[str, FieldValue], int]:
-        """Reads all fields, up to the end of the bytes.
-
-        Args:
-            data: The bytes that contain the fields.
-            at: The offset of the first field.
-
-        Returns:
-            The values by field name, and the end.
-
-        Raises:
-            DecodeError: A field is faulty, or bytes are left over.
-        """
-        values, at, fault = self.read_leniently(data, at, complete=True)
-        if fault is not None:
-            raise fault
-        return values, at
+    @cached_property
+    def _declared(self) -> dict[str, Construct]:
+        return {node.name: node for node in fields_of(self.fields).subcons if node.name}
 
     def read_leniently(
         self, data: bytes, at: int, *, complete: bool
@@ -105,41 +50,36 @@ class Fields(Bytewise):
             The values by field name, the offset after them, and what is wrong with the next field.
         """
         values: dict[str, FieldValue] = {}
+        stream = io.BytesIO(data)
+        stream.seek(at)
         for field in self.fields:
             if at == len(data) and (field.optional or not complete):
                 break
             try:
-                values[field.name], at = self._field(field, values, data, at)
-            except DecodeError as fault:
-                return values, at, fault
+                values[field.name] = self._declared[field.name].parse_stream(stream, **values)
+            except ConstructError:
+                return values, at, self._fault(field, values, data, at)
+            at = stream.tell()
         if at < len(data):
             left = len(data) - at
             return values, at, DecodeError(at, f"{counted(left, 'byte')} left over after the last field")
         return values, at, None
 
-    def _field(self, field: Field, before: Mapping[str, FieldValue], data: bytes, at: int) -> tuple[FieldValue, int]:
-        if field.kind is Kind.COUNTED_TEXT:
-            return CountedText(self._length_of(field, before)).read(data, at)
-        stream = io.BytesIO(data)
-        stream.seek(at)
-        try:
-            value: FieldValue = KINDS[field.kind].parse_stream(stream)
-        except ConstructError:
-            raise DecodeError(at, _too_short(field), truncated=True) from None
-        if field.kind in (Kind.DATA, Kind.LISTING):
-            self._check_count(field, before, len(data) - at, at)
-        return value, stream.tell()
-
-    def _length_of(self, field: Field, before: Mapping[str, FieldValue]) -> int:
-        length = next(before[counter.name] for counter in self.fields if counter.counts == field.name)
+    def _fault(self, field: Field, before: Mapping[str, FieldValue], data: bytes, at: int) -> DecodeError:
+        """Returns why a field cannot be read."""
+        counter = self._counters.get(field.name)
+        if counter is None:
+            return DecodeError(at, _too_short(field), truncated=True)
+        length, left = before[counter], len(data) - at
         assert isinstance(length, int)
-        return length
-
-    def _check_count(self, field: Field, before: Mapping[str, FieldValue], size: int, at: int) -> None:
-        counter = next((counter for counter in self.fields if counter.counts == field.name), None)
-        if counter is not None and before[counter.name] != size:
-            stated = before[counter.name]
-            raise DecodeError(at, f"{counter.name} says {stated!r} bytes, but {size} follow to the end of the frame")
+        if field.kind is Kind.DATA:
+            return DecodeError(at, _wrong_count(counter, length, left))
+        if left < length:
+            return DecodeError(at, f"a text of {length} bytes runs past the end of the frame", truncated=True)
+        if left == length:
+            return DecodeError(at, "the terminating zero of a text is missing", truncated=True)
+        end = at + length
+        return DecodeError(end, f"a text of {length} bytes must end with a zero, not with 0x{data[end]:02X}")
 
     def write(self, value: Mapping[str, Any]) -> bytes:
         """Writes fields.
@@ -211,19 +151,23 @@ class Fields(Bytewise):
         return len(value[name])
 
     def _piece(self, field: Field, value: Any, values: Mapping[str, Any]) -> bytes:
+        counter = self._counters.get(field.name)
         if field.kind in NUMBERS:
             high = (1 << 8 * NUMBERS[field.kind].sizeof()) - 1
             if isinstance(value, bool) or not isinstance(value, int) or not 0 <= value <= high:
                 raise BuildError(f"{field.name} cannot be {value!r}: it is a whole number from 0 to {high}")
-        elif field.kind is Kind.COUNTED_TEXT:
-            counter = next(counter.name for counter in self.fields if counter.counts == field.name)
-            return CountedText(values[counter]).write(value)
         elif field.kind is Kind.DATA:
             if not isinstance(value, bytes):
                 raise BuildError(f"{field.name} takes bytes, not {value!r}")
+            if counter is not None and len(value) != values[counter]:
+                raise BuildError(_wrong_count(counter, values[counter], len(value)))
         else:
-            _text(value, field.name, zeros=field.kind is Kind.LISTING)
-        built: bytes = KINDS[field.kind].build(value)
+            size = len(_text(value, field.name, zeros=field.kind is not Kind.TEXT))
+            if counter is not None and values[counter] not in (size, size + 1):
+                raise BuildError(
+                    f"{value!r} has {size} bytes, {size + 1} with its zero, but its length says {values[counter]}"
+                )
+        built: bytes = self._declared[field.name].build(value, **values)
         return built
 
 
@@ -237,6 +181,10 @@ def _message(name: str, value: Any) -> bytes:
         return message_of(value)
     except OverflowError:
         raise BuildError(f"{name} cannot be {value!r}: a number in a message is a single (4 bytes)") from None
+
+
+def _wrong_count(counter: str, stated: int, size: int) -> str:
+    return f"{counter} says {stated} bytes, but {size} follow to the end of the frame"
 
 
 def _too_short(field: Field) -> str:

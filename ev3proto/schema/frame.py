@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import fields as dataclass_fields
 from dataclasses import replace
 from functools import lru_cache
-from typing import Any, TypeVar, overload
+from typing import TypeVar, overload
 
-from construct import Bytes, GreedyBytes, Int8ul, Struct
 from construct.core import ConstructError
 
 from ev3proto.errors import BuildError, DecodeError, Fault, as_bytes
@@ -25,13 +23,11 @@ from ev3proto.messages import (
     SystemReply,
     builds_messages,
 )
-from ev3proto.schema.bytewise import Bytewise
-from ev3proto.schema.fields import REPLIES, REQUESTS, Fields, system_entry
+from ev3proto.schema.fields import REPLIES, REQUESTS, Fields
 from ev3proto.schema.header import (
     COMMAND_HEADER_SIZE,
     HEADER_SIZE,
     build_frame,
-    frame_size,
     may_be_long,
     may_have_length,
     read_memory,
@@ -39,6 +35,7 @@ from ev3proto.schema.header import (
     write_memory,
 )
 from ev3proto.schema.instructions import InstructionSet, instruction_set
+from ev3proto.schema.wire_format import SENSOR_REPORT
 from ev3proto.tables import daisy, system
 from ev3proto.tables.frame import (
     LENGTH_FIELD,
@@ -48,30 +45,16 @@ from ev3proto.tables.frame import (
     MessageType,
 )
 
-SENSOR_REPORT = Struct(
-    "layer" / Int8ul,
-    "port" / Int8ul,
-    "status" / Int8ul,
-    "type" / Int8ul,
-    "mode" / Int8ul,
-    "data" / Bytes(daisy.SENSOR_DATA_SIZE),
-    "checksum" / Int8ul,
-    "busy" / GreedyBytes,
-)
-"""A sensor of another layer in a daisy reply."""
-
-
 Body = tuple[Message | None, bytes, DecodeError | None]
 """A message (None if its fixed part is cut), the unreadable bytes at its end, and the reason."""
 
 BodyReader = Callable[[bytes, int, MessageType], Body]
 
 
-class FrameSchema(Bytewise):
-    """The schema of one frame, for one dialect."""
+class FrameReader:
+    """Reads the frames of one dialect."""
 
     def __init__(self, dialect: str) -> None:
-        super().__init__()
         self._dialect = dialect
         self.instructions: InstructionSet = instruction_set(dialect)
         bodies: dict[str, tuple[type[Message], BodyReader]] = {
@@ -84,30 +67,9 @@ class FrameSchema(Bytewise):
         }
         self._types = {member.value: (member, *bodies[member.kind]) for member in MessageType}
 
-    def __reduce__(self) -> tuple[Callable[[str], FrameSchema], tuple[str]]:
-        """Pickles as the schema of its dialect, which is shared within a process."""
-        return frame_schema, (self._dialect,)
-
-    # Reading
-
-    def read(self, data: bytes, at: int) -> tuple[Message, int]:
-        """Reads the frame at an offset.
-
-        Args:
-            data: The bytes that contain the frame. More frames may follow.
-            at: The offset of its length field.
-
-        Returns:
-            The message, and the offset after the frame.
-
-        Raises:
-            DecodeError: The frame is faulty.
-
-        """
-        if len(data) - at < LENGTH_FIELD:
-            raise DecodeError(at, "a frame starts with two bytes of length", truncated=True)
-        end = at + frame_size(data, at)
-        return self.read_frame(data[at:end]), end
+    def __reduce__(self) -> tuple[Callable[[str], FrameReader], tuple[str]]:
+        """Pickles as the reader of its dialect, which is shared within a process."""
+        return frame_reader, (self._dialect,)
 
     def read_frame(self, frame: bytes, *, strict: bool = True) -> Message:
         """Reads exactly one frame.
@@ -270,54 +232,6 @@ class FrameSchema(Bytewise):
         )
         return message, b"", None
 
-    # Building
-
-    def write(self, value: Message | Mapping[str, Any]) -> bytes:
-        """Builds the frame of a message.
-
-        Args:
-            value: The message, or its attributes by name: `type` (a `MessageType`, its name or number) and the
-                attributes of its class without a default. Operations may be mappings, too. System commands need only
-                `command`; lengths among their fields are computed.
-
-        Returns:
-            The frame.
-
-        Raises:
-            BuildError: The message does not fit into a frame.
-
-        """
-        return (value if isinstance(value, Message) else self._message(value)).build()
-
-    def _message(self, given: Mapping[str, Any]) -> Message:
-        if not isinstance(given, Mapping):
-            raise BuildError(f"expected a message or its attributes by name, not {given!r}")
-        member = _member(given.get("type"))
-        kind = self._types[member][1]
-        known = {one.name for one in dataclass_fields(kind) if one.name != "flaw"}
-        values = {name: value for name, value in given.items() if name != "length"}  # which is computed
-        for name in values:
-            if name not in known:
-                raise BuildError(f"a {kind.__name__} has no attribute {name}: it has {', '.join(sorted(known))}")
-        if "operations" in values:
-            values["operations"] = self.instructions.parse(self.instructions.build(values["operations"]))
-        if issubclass(kind, SystemCommand | SystemReply):
-            entry = system_entry(values.get("number", values.get("command")))
-            schema = (REQUESTS if member.is_command else REPLIES)[entry.number]
-            fields = schema.completed(values.get("fields", {}))
-            values |= {"number": entry.number, "command": entry.name, "fields": fields}
-        return kind(**{**values, "type": member})
-
-
-def _member(given: Any) -> MessageType:
-    """Returns a message type from itself, its name or its number."""
-    for member in MessageType:
-        if given in (member, member.name):
-            return member
-    raise BuildError(
-        f"unknown message type {given!r}: the types are {', '.join(member.name for member in MessageType)}"
-    )
-
 
 @builds_messages
 def _build(message: Message) -> bytes:
@@ -412,24 +326,24 @@ def _worse(envelope: DecodeError | None, inner: DecodeError | None) -> Fault:
     return Fault(envelope.offset, f"{envelope.reason}; and at offset {inner.offset}: {inner.reason}")
 
 
-_SCHEMAS: dict[str, FrameSchema] = {}
+_READERS: dict[str, FrameReader] = {}
 
 
-def frame_schema(dialect: str = "official") -> FrameSchema:
-    """Returns the schema of frames for a dialect, created once.
+def frame_reader(dialect: str = "official") -> FrameReader:
+    """Returns the reader of frames of a dialect, created once.
 
     Args:
         dialect: "official", "xtended" or "compat".
 
     Returns:
-        The schema.
+        The reader.
 
     Raises:
         ValueError: The dialect is unknown.
     """
-    if dialect not in _SCHEMAS:
-        _SCHEMAS[dialect] = FrameSchema(dialect)
-    return _SCHEMAS[dialect]
+    if dialect not in _READERS:
+        _READERS[dialect] = FrameReader(dialect)
+    return _READERS[dialect]
 
 
 # Checking and then showing a frame reads it twice; one more entry is for the fixed frame.
@@ -447,7 +361,7 @@ def read_last(frame: bytes, dialect: str) -> Message:
     Raises:
         ValueError: The dialect is unknown.
     """
-    return frame_schema(dialect).read_frame(frame, strict=False)
+    return frame_reader(dialect).read_frame(frame, strict=False)
 
 
 M = TypeVar("M", bound=Message)
@@ -490,8 +404,8 @@ def parse(
     """
     if type(frame) is not bytes:
         frame = as_bytes(frame, "a frame")
-    schema = _SCHEMAS.get(dialect) or frame_schema(dialect)
-    message = schema.read_frame(frame, strict=strict)
+    reader = _READERS.get(dialect) or frame_reader(dialect)
+    message = reader.read_frame(frame, strict=strict)
     if expect is not Message and not isinstance(message, expect):
         raise DecodeError(HEADER_SIZE - 1, f"expected a {expect.__name__}, but this is a {type(message).__name__}")
     return message

@@ -1,7 +1,7 @@
 """The header of every frame, and the memory request of a direct command right after it.
 
-Two Constructs declare the bytes. The whole project reads and writes headers by these functions:
-`Header.read` parses one, `frame_size` returns the length of a frame, `build_frame` builds a frame.
+The whole project reads and writes headers by these functions: `Header.read` parses one, `frame_size` returns the
+length of a frame, `build_frame` builds a frame.
 """
 
 from __future__ import annotations
@@ -10,15 +10,11 @@ import re
 import struct
 from typing import NamedTuple
 
-from construct import BitsInteger, BitStruct, ByteSwapped, Int8ul, Int16ul, Struct
-
 from ev3proto.errors import BuildError
-from ev3proto.schema.bytewise import packed
 from ev3proto.tables.frame import (
     COUNTERS,
     GLOBAL_BITS,
     LENGTH_FIELD,
-    LOCAL_BITS,
     MAX_FRAME,
     MAX_GLOBALS,
     MAX_LENGTH,
@@ -29,20 +25,14 @@ from ev3proto.tables.frame import (
 )
 from ev3proto.tables.system import LONG_COMMANDS
 
-HEADER = Struct("length" / Int16ul, "counter" / Int16ul, "type" / Int8ul)
-"""The start of every frame."""
+_header = struct.Struct("<HHB")
+_memory = struct.Struct("<H")
+_length = struct.Struct("<H")
 
-MEMORY = ByteSwapped(BitStruct("locals" / BitsInteger(LOCAL_BITS), "globals" / BitsInteger(GLOBAL_BITS)))
-"""The memory request of a direct command: the bits of two bytes, read as one little-endian number."""
-
-HEADER_SIZE: int = HEADER.sizeof()
-MEMORY_SIZE: int = MEMORY.sizeof()
+HEADER_SIZE = _header.size
+MEMORY_SIZE = _memory.size
 COMMAND_HEADER_SIZE = HEADER_SIZE + MEMORY_SIZE
 """Offset of the first operation of a direct command."""
-
-_header = packed(HEADER)
-_memory = packed(Struct("memory" / Int16ul))
-_length = packed(Struct("length" / Int16ul))
 
 unpack_header = _header.unpack_from
 """Length field, counter and type number of the header in `(data, offset)`. Needs `HEADER_SIZE` bytes."""

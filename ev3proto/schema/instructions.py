@@ -13,7 +13,6 @@ from typing import Any
 from ev3proto.errors import BuildError, DecodeError, near_misses
 from ev3proto.messages import Argument, Operation, PartialOperation
 from ev3proto.schema.argument import ArgumentSchema, Reader, encode_integer, read_arguments, reader_of
-from ev3proto.schema.bytewise import Bytewise
 from ev3proto.tables import OPCODES, check_dialect
 from ev3proto.tables.declaration import DATA8, Command, Declaration, Direction, Opcode, Parameter, Type
 from ev3proto.tables.encoding import CONSTANT, RANGES
@@ -27,11 +26,10 @@ _LISTS = (Type.COUNT, Type.VALUES)
 _IN_ORDER = (tuple, list)
 
 
-class OperationSchema(Bytewise):
-    """The schema of one opcode/CMD pair."""
+class OperationSchema:
+    """Reads and writes the operations of one opcode/CMD pair."""
 
     def __init__(self, declaration: Declaration) -> None:
-        super().__init__()
         self.declaration = declaration
         opcode, command, parameters = declaration.opcode, declaration.command, declaration.parameters
         self.head = bytes((opcode.number,)) + (encode_integer(command.number) if command else b"")
@@ -54,21 +52,6 @@ class OperationSchema(Bytewise):
         return tuple(ArgumentSchema(parameter) for parameter in self._parameters)
 
     # Reading
-
-    def read(self, data: bytes, at: int) -> tuple[Operation, int]:
-        """Returns the operation at an offset, and the offset after it. Raises DecodeError for any other bytes."""
-        if not data.startswith(self.head[:1], at):
-            raise DecodeError(at, f"the opcode of {self.declaration.name} is 0x{self.head[0]:02X}")
-        start, end = at, at + 1
-        if self.declaration.command is not None:
-            cmd, end = CMD.read(data, end)
-            if cmd.kind != CONSTANT or cmd.value != self.declaration.command.number:
-                raise DecodeError(
-                    cmd.offset, f"the CMD of {self.declaration.name} is {self.declaration.command.number}"
-                )
-        found: list[Argument] = []
-        end = self._read_arguments(data, end, found)
-        return Operation((self, data, start, end, tuple(found))), end
 
     def _read_arguments(self, data: bytes, at: int, found: list[Argument]) -> int:
         at = read_arguments(self.readers, data, at, len(data), found)
@@ -316,8 +299,8 @@ class FamilySchema:
         self.short = {schema.head[1]: schema for schema in self.commands.values() if len(schema.head) == 2}
 
 
-class InstructionSet(Bytewise):
-    """The schema of byte code: operations in a row up to the end of the bytes.
+class InstructionSet:
+    """Reads byte code: operations in a row up to the end of the bytes.
 
     dialect   its firmware
     opcodes   the schema of each opcode without CMDs, None for all others
@@ -326,7 +309,6 @@ class InstructionSet(Bytewise):
     """
 
     def __init__(self, dialect: str) -> None:
-        super().__init__()
         self.dialect = check_dialect(dialect)
         self.opcodes: list[OperationSchema | None] = [None] * 256
         self.families: list[FamilySchema | None] = [None] * 256
@@ -360,24 +342,6 @@ class InstructionSet(Bytewise):
         if found is None:
             raise KeyError(f"the {self.dialect} firmware has no operation {name}{near_misses(name, self.by_name)}")
         return found
-
-    def read(self, data: bytes, at: int) -> tuple[tuple[Operation, ...], int]:
-        """Reads all operations from an offset to the end of the bytes.
-
-        Args:
-            data: The byte code.
-            at: The offset of the first opcode.
-
-        Returns:
-            The operations, and the end.
-
-        Raises:
-            DecodeError: An operation is faulty.
-        """
-        operations, fault = self.scan(data, at, len(data))
-        if fault is not None:
-            raise fault
-        return tuple(operations), len(data)
 
     def scan(self, data: bytes, at: int, end: int) -> tuple[list[Operation], DecodeError | None]:
         """Reads the operations from one offset to another, up to the first faulty one.
@@ -432,30 +396,6 @@ class InstructionSet(Bytewise):
             known = ", ".join(f"{number} {found.declaration.command.name}" for number, found in _first(family.commands))
             raise DecodeError(at + 1, f"{family.opcode.name} has no CMD {number} (it has {known}, ...)")
         return schema, stop
-
-    def write(self, value: Any) -> bytes:
-        """Writes operations as byte code.
-
-        Args:
-            value: The operations in order. A mapping is accepted, too: `name` and `command` as in an `Operation`,
-                and `arguments` as for `OperationSchema.write`.
-
-        Returns:
-            The byte code.
-
-        Raises:
-            BuildError: An item is not an operation, or an operation has invalid arguments.
-
-        """
-        return b"".join([self._written(operation) for operation in value])
-
-    def _written(self, operation: Any) -> bytes:
-        if isinstance(operation, Operation):
-            return operation.raw
-        if not isinstance(operation, Mapping) or "name" not in operation:
-            raise BuildError(f"{operation!r} is not an operation: create one with ev3proto.operation")
-        name = ".".join(filter(None, (operation["name"], operation.get("command"))))
-        return self.named(name).write(operation.get("arguments", ()))
 
     def named(self, name: str) -> OperationSchema:
         """Returns the schema of one operation, like `[name]`. Raises BuildError if it is unknown."""

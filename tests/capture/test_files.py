@@ -24,7 +24,7 @@ from ev3proto.capture.record import CaptureError
 from ev3proto.capture.safe_paths import MOST_BYTES, parts_of, safe_name
 from ev3proto.dialogue import Dialogue
 from ev3proto.messages import FieldValue, Message
-from ev3proto.schema.frame import frame_schema
+from ev3proto.schema.frame import frame_reader
 
 CAPTURES = Path(__file__).parents[2] / "captures"
 
@@ -51,7 +51,7 @@ class Brick:
         route = Route(Carrier.USB, "host", self.peer, None, None, self.peer)
         number = len(self.events) + 1
         request = None if exchange.request is None else self._requests[exchange.request]
-        record = Record(message.build(), (number,), number, route, frame_schema(), request, exchange.transfer)
+        record = Record(message.build(), (number,), number, route, frame_reader(), request, exchange.transfer)
         self._requests[message] = record
         self.events.append(record)
 

@@ -28,7 +28,7 @@ from ev3proto.capture.record import Answered
 from ev3proto.capture.text_log import read_log
 from ev3proto.dialogue import Transfer
 from ev3proto.messages import DaisyReply, Message, SensorReport
-from ev3proto.schema.frame import frame_schema
+from ev3proto.schema.frame import frame_reader
 from ev3proto.tables.frame import MessageType
 from ev3proto.text.paste import read_text
 
@@ -50,7 +50,7 @@ def seen(
     transfer: Transfer | None = None,
 ) -> Record:
     frame = message if isinstance(message, bytes) else message.build()
-    return Record(frame, numbers, START + round(after * 1e9), route, frame_schema(), request, transfer)
+    return Record(frame, numbers, START + round(after * 1e9), route, frame_reader(), request, transfer)
 
 
 def holds(text: str, record: Record) -> bool:

@@ -22,7 +22,7 @@ from ev3proto.capture.record import Answered
 from ev3proto.capture.statistics import MOST_LISTED, MOST_PEERS, MOST_PENDING, Noted, Statistics, Summary
 from ev3proto.dialogue import Transfer
 from ev3proto.messages import Message
-from ev3proto.schema.frame import frame_schema
+from ev3proto.schema.frame import frame_reader
 
 CAPTURES = Path(__file__).parents[2] / "captures"
 MADE = sorted(
@@ -46,7 +46,7 @@ def seen(
     time_ns = START + round(milliseconds * 1e6)
     if request is not None:
         request.answered = Answered(time_ns, failed=False)
-    return Record(frame, (number,), time_ns, route, frame_schema(), request, transfer)
+    return Record(frame, (number,), time_ns, route, frame_reader(), request, transfer)
 
 
 def summary(events: Iterable[Event]) -> Summary:

@@ -52,7 +52,7 @@ from ev3proto.capture.timeline.marks import MOST_BINS, OTHERS, Bins
 from ev3proto.cli.timeline import timeline as command
 from ev3proto.extras import install_command
 from ev3proto.schema.discovery import Beacon
-from ev3proto.schema.frame import frame_schema
+from ev3proto.schema.frame import frame_reader
 from ev3proto.tables.carriers import Carrier
 
 CAPTURES = Path(__file__).parents[2] / "captures"
@@ -68,7 +68,7 @@ class Brick:
     """A brick in a dialogue: its records have consecutive numbers and the given times."""
 
     def __init__(self, peer: str = "1.7", carrier: Carrier = Carrier.USB) -> None:
-        self._conversation = Conversation(frame_schema())
+        self._conversation = Conversation(frame_reader())
         self._out = Route(carrier, "host", peer, Direction.SENT, None, peer)
         self._back = Route(carrier, peer, "host", Direction.RECEIVED, None, peer)
         self._number = 0

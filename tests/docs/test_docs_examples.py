@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import pdb
 import re
 import shlex
 import subprocess
@@ -16,6 +17,7 @@ from support.announcing import Announcing, free_udp_port
 from support.cli import run_ev3proto_text
 from support.wireshark import Tshark
 
+from ev3proto import DecodeError
 from ev3proto.brick import Brick
 
 ROOT = Path(__file__).parents[2]
@@ -288,6 +290,16 @@ def test_the_program_for_pyshark_prints_what_is_in_packets(tshark: Tshark) -> No
     assert lines[0].startswith("1 DirectCommand(DIRECT_COMMAND_REPLY, counter=1000")
     assert lines[1].startswith("3 DirectReply(DIRECT_REPLY, counter=1000")
     assert lines[2].startswith("answers DirectCommand(DIRECT_COMMAND_REPLY, counter=1000")
+
+
+def test_construct_stops_at_a_fault(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    programs = [block for language in ("python", "py") for block in blocks(ROOT / "docs" / "construct.md", language)]
+    stops: list[object] = []
+    monkeypatch.setattr(pdb, "post_mortem", stops.append)
+    with pytest.raises(DecodeError, match="argument FREQUENCY"):
+        exec("\n".join(programs), {})
+    assert len(stops) == 1
+    assert "offset 10: undefined identification byte 0x85" in capsys.readouterr().out
 
 
 def test_there_are_commands_and_programs() -> None:

@@ -41,9 +41,11 @@ MODULES = (
     "ev3proto.dialogue",
     "ev3proto.messages",
     "ev3proto.stream",
+    "ev3proto.schema",
     "ev3proto.schema.constructors",
     "ev3proto.schema.discovery",
     "ev3proto.schema.instructions",
+    "ev3proto.schema.wire_format",
     "ev3proto.testing",
     "ev3proto.sampling",
 )

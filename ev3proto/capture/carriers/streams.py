@@ -14,7 +14,7 @@ from ev3proto.capture.packets import Packet
 from ev3proto.capture.record import Announcement, Event, Route, Skipped, TextKind
 from ev3proto.errors import counted
 from ev3proto.schema.discovery import Unlock
-from ev3proto.schema.frame import FrameSchema
+from ev3proto.schema.frame import FrameReader
 from ev3proto.schema.header import HEADER_SIZE, frame_size
 
 TOO_MUCH = "the rest of the frame was given up: too much is pending"
@@ -49,7 +49,7 @@ class Context:
 
     __slots__ = ("account", "budget", "finder", "late", "ports", "schema")
 
-    def __init__(self, schema: FrameSchema, account: Account, ports: frozenset[int], budget: Budget) -> None:
+    def __init__(self, schema: FrameReader, account: Account, ports: frozenset[int], budget: Budget) -> None:
         self.schema = schema
         self.account = account
         self.ports = ports

@@ -10,9 +10,9 @@ from ev3proto.checking.report import Finding
 from ev3proto.checking.verdict import Reason
 from ev3proto.errors import counted
 from ev3proto.messages import DaisyCommand, DirectCommand, Message, SystemCommand
-from ev3proto.schema.fields import NUMBERS
-from ev3proto.schema.frame import frame_schema
+from ev3proto.schema.frame import frame_reader
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, MEMORY_SIZE, frame_size, may_be_long, with_length
+from ev3proto.schema.wire_format import NUMBERS
 from ev3proto.tables import daisy, mailboxes, paths
 from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.frame import GRANTED_GLOBALS, LENGTH_FIELD, MAX_FRAME, REPORT_SIZES, MessageType
@@ -131,7 +131,7 @@ def _ways_out(frame: bytes, stated: int, follow: int, context: CheckContext) -> 
 
 
 def _reads_to_its_end(frame: bytes, context: CheckContext) -> bool:
-    return is_plausible(frame_schema(context.dialect).read_frame(frame, strict=False))
+    return is_plausible(frame_reader(context.dialect).read_frame(frame, strict=False))
 
 
 def is_plausible(message: Message) -> bool:

@@ -12,8 +12,8 @@ from construct.core import SizeofError
 from ev3proto.generate.dissector.lua import Name, Source, Table, hexadecimal, literal
 from ev3proto.generate.dissector.names import HEXADECIMAL, filter_name, label
 from ev3proto.schema.argument import ENCODINGS, SHORT_VALUES
-from ev3proto.schema.frame import SENSOR_REPORT
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
+from ev3proto.schema.wire_format import SENSOR_REPORT
 from ev3proto.semantics.domain import domain_of
 from ev3proto.tables import OPCODES, carriers, claims, daisy, discovery, enumerations, frame
 from ev3proto.tables.declaration import DIALECTS, Command, Direction, Enumeration, Opcode, Parameter, Role, Type

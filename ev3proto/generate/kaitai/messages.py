@@ -6,7 +6,7 @@ from construct import Bytes, GreedyBytes
 
 from ev3proto.generate.kaitai.naming import field_name, identifier, system_name
 from ev3proto.generate.kaitai.yaml import Block, Hexadecimal, Value
-from ev3proto.schema.frame import SENSOR_REPORT
+from ev3proto.schema.wire_format import SENSOR_REPORT
 from ev3proto.tables import daisy
 from ev3proto.tables.encoding import STRING_OLD, STRING_ZERO, WIDTHS
 from ev3proto.tables.frame import GLOBAL_BITS, MAX_GLOBALS, MAX_LENGTH, MIN_LENGTH, MessageType

@@ -15,8 +15,8 @@ from ev3proto.generate.modules.source import (
     joined,
     sentence,
 )
-from ev3proto.schema.fields import NUMBERS
 from ev3proto.schema.header import HEADER_SIZE
+from ev3proto.schema.wire_format import NUMBERS
 from ev3proto.tables.frame import MAX_FRAME
 from ev3proto.tables.system import SYSTEM, Field, Kind, SystemCommand
 

@@ -9,10 +9,11 @@ from ev3proto.errors import BuildError, near_misses
 from ev3proto.messages import DaisyCommand as DaisyMessage
 from ev3proto.messages import DaisyReply, DirectCommand, FieldValue, Flaw, Message, Operation
 from ev3proto.schema.argument import text_bytes
-from ev3proto.schema.fields import NUMBERS, REPLIES, REQUESTS, Fields
+from ev3proto.schema.fields import REPLIES, REQUESTS, Fields
 from ev3proto.schema.frame import parse
 from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.schema.instructions import instruction_set
+from ev3proto.schema.wire_format import NUMBERS
 from ev3proto.semantics.footprint import footprints
 from ev3proto.tables.daisy import DaisyCommand
 from ev3proto.tables.encoding import GLOBAL, LOCAL, STRING_CODING

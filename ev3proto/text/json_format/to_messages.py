@@ -24,9 +24,10 @@ from ev3proto.messages import (
     SystemReply,
 )
 from ev3proto.schema.argument import ArgumentSchema, encode_as, encode_float, with_bits
-from ev3proto.schema.fields import NUMBERS, REPLIES, REQUESTS, Fields
+from ev3proto.schema.fields import REPLIES, REQUESTS, Fields
 from ev3proto.schema.frame import parse
 from ev3proto.schema.instructions import OperationSchema, instruction_set
+from ev3proto.schema.wire_format import NUMBERS
 from ev3proto.tables.declaration import Parameter, Type
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, LOCAL, TEXT
 from ev3proto.tables.frame import COUNTERS, MAX_GLOBALS, MAX_LOCALS, MessageType

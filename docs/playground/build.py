@@ -6,6 +6,7 @@ and in packages.zip ev3proto with the packages that it needs, as they are instal
 
 from __future__ import annotations
 
+import hashlib
 import importlib.metadata
 import json
 import re
@@ -23,11 +24,27 @@ from sphinx.errors import ExtensionError
 from ev3proto.version import VERSION
 
 HERE = Path(__file__).parent
-LESSON = HERE.parents[1] / "captures" / "lesson-02.log"
+CAPTURES = HERE.parents[1] / "captures"
+LESSON = CAPTURES / "lesson-02.log"
+CONFORMANCE = CAPTURES / "conformance.pcapng"
 WITHOUT = "no_playground"
 """The tag with which Sphinx builds everything except the playground."""
 
-PAGE = ("index.html", "playground.css", "playground.js", "worker.js")
+PAGE = (
+    "index.html",
+    "playground.css",
+    "playground.js",
+    "address.js",
+    "carriers.js",
+    "editor.js",
+    "elements.js",
+    "made.js",
+    "python.js",
+    "real_brick.js",
+    "view.js",
+    "worker.js",
+)
+SERVICE_WORKER = "service-worker.js"
 BRICK = ("brick.css", "brick.js", "icon.svg")
 PYODIDE = ("pyodide.mjs", "pyodide.asm.js", "pyodide.asm.wasm", "pyodide-lock.json", "python_stdlib.zip")
 VEGA = ("vega/build/vega.min.js", "vega-lite/build/vega-lite.min.js", "vega-interpreter/build/vega-interpreter.js")
@@ -89,8 +106,24 @@ def build(site: Path, npm: Path) -> None:
         text = re.sub(r"^//# sourceMappingURL=.*$", "", text, flags=re.MULTILINE)
         (site / "vega" / Path(name).name).write_text(text, encoding="utf-8")
     (site / "lesson.json").write_text(json.dumps(list(_lesson()), indent=1), encoding="utf-8")
+    shutil.copy(CONFORMANCE, site / CONFORMANCE.name)
     _pack(site / "packages.zip")
     (site / "licences.txt").write_text("\n".join([*_licences(modules), ""]), encoding="utf-8")
+    _name_files(site)
+
+
+def _name_files(site: Path) -> None:
+    """Tells the service worker the files of the site, and the version that they are together."""
+    worker = site / SERVICE_WORKER
+    worker.unlink(missing_ok=True)
+    names = sorted(file.relative_to(site).as_posix() for file in site.rglob("*") if file.is_file())
+    digest = hashlib.sha256()
+    for name in names:
+        digest.update(name.encode())
+        digest.update((site / name).read_bytes())
+    text = (HERE / SERVICE_WORKER).read_text(encoding="utf-8")
+    text = text.replace("@FILES_VERSION@", digest.hexdigest()[:16]).replace("@FILES@", json.dumps(names, indent=1))
+    worker.write_text(text, encoding="utf-8")
 
 
 def _installed(npm: Path) -> Path:
@@ -117,7 +150,8 @@ def _modules() -> Iterator[tuple[str, Path]]:
     own = Path(str(files("ev3proto")))
     for file in own.rglob("*.py"):
         yield f"ev3proto/{file.relative_to(own).as_posix()}", file
-    yield "bridge.py", HERE / "bridge.py"
+    for file in (HERE / "bridge").glob("*.py"):
+        yield f"bridge/{file.name}", file
     for package in PACKAGES:
         for entry in importlib.metadata.files(package) or ():
             # Distributions have their licences next to the code.

@@ -1,219 +1,184 @@
-// The page: the input, and Python's answers about it. Every text is set as text, never as markup.
+// The page: the input, who reads it, and where it goes. Every text is set as text, never as markup.
 
+import { fragmentOf, linkTo, textOf } from "./address.js";
 import { showBrick } from "./brick.js";
+import { edit, offerCompletions, replace } from "./editor.js";
+import { copy, find, flash, make } from "./elements.js";
+import { showMade } from "./made.js";
+import { Python } from "./python.js";
+import { realBrick } from "./real_brick.js";
+import { onLine, view } from "./view.js";
 
-const MOST_LINK = 4000;
+/** Characters or bytes that the Python of the brick reads itself, at once. */
+const LITTLE = 4000;
 const MOST_FILE = 32 << 20;
+const MOST_EDITED = 100_000;
+const PAUSE = 400, SOON = 300, LATE = 1000;
+const EXAMPLES = [
+  ["A frame that plays a tone", "0x|0E:00|2A:00|80|00:00|94:01:01:82:B8:01:82:E8:03|"],
+  ["A log with a mistake in it", `# What a program sent and received
+09:12:31.011558 Sent 0x|0B:00|2A:00|00|04:00|81:01:60:81:12:64|
+09:12:31.014092 Recv 0x|07:00|2A:00|02|66:66:F6:40|
+09:12:31.520417 Sent 0x|08:00|2B:00|80|00:00|81:01:60|
+`],
+  ["A program that blinks", `vmthread MAIN
+{
+  DATA32 Timer
+  DATA8 Round
+  MOVE8_8(0, Round)
+Again:
+  UI_WRITE(LED, LED_ORANGE)
+  TIMER_WAIT(500, Timer)
+  TIMER_READY(Timer)
+  UI_WRITE(LED, LED_GREEN)
+  TIMER_WAIT(500, Timer)
+  TIMER_READY(Timer)
+  ADD8(Round, 1, Round)
+  JR_LT8(Round, 20, Again)
+}
+`],
+];
 
-const find = (id) => document.getElementById(id);
-const make = (tag, text = "", className = "") => {
-  const element = document.createElement(tag);
-  element.textContent = text;
-  element.className = className;
-  return element;
-};
 const input = find("input");
+const status = (text) => { find("status").textContent = text; };
+const note = (text) => { find("note").textContent = text; };
 
-// Python, in a worker
+// Python: one that has the bricks, and a second one for what takes long, which starts when it is first needed
 
-const worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
-const waiting = new Map();
-let calls = 0;
-const ask = (call, ...given) => new Promise((resolve, reject) => {
-  waiting.set(++calls, { resolve, reject });
-  worker.postMessage({ number: calls, call, given });
-});
-worker.onerror = (event) => { fail(event.message || "worker.js cannot be loaded"); };
-worker.onmessage = ({ data }) => {
-  if (data.status) find("status").textContent = data.status;
-  else if (data.brick) brick.take(data.brick);
-  else if (data.failed) fail(data.failed);
-  else if (data.ready) begin();
-  else {
-    const { resolve, reject } = waiting.get(data.number);
-    waiting.delete(data.number);
-    if (data.error === undefined) resolve(data.answer); else reject(new Error(data.error));
-  }
+let home = null, reader = null;
+
+const hear = (said) => {
+  if (said.status) status(said.status);
+  else if (said.failed) status(`Python cannot be loaded: ${said.failed}`);
+  else if (said.brick) brick.take(said.brick);
+  else if (said.real) real.take(said.real);
+  else if (said.carry) real.carry(said.carry);
+  else if (said.ready) begin();
 };
-const fail = (text) => { find("status").textContent = `Python cannot be loaded: ${text}`; };
+const start = () => new Python("brick", hear);
 
 const brick = showBrick(find("brick"), async (action) => {
-  const said = await ask("act", JSON.stringify(action));
+  const said = await home.ask("act", JSON.stringify(action));
   if (said) brick.take(said);
 });
+const real = realBrick(() => home);
 
-// Only the newest question waits while Python works on an older one
+// Reading: only the newest question counts
 
-let wanted = null, isAtWork = false, shown = { lines: [], frames: [], made: {} };
-const look = (call, ...given) => {
-  wanted = [call, ...given];
-  if (!isAtWork) work();
+let turn = 0, source = null, busy = null, atHome = Promise.resolve(), current = Promise.resolve(), isFile = false;
+
+/** Has Python read something, and shows what it says as it comes. */
+const look = (size, isTyped, call, ...given) => {
+  const mine = ++turn, isLong = size > LITTLE;
+  if (busy && busy === reader) stopReader();
+  const reading = (async () => {
+    if (isLong && isTyped) await new Promise((resolve) => { setTimeout(resolve, PAUSE); });
+    else if (!isLong) await atHome;
+    if (mine === turn) await readBy(isLong ? theReader() : home, mine, call, given);
+  })();
+  if (!isLong) atHome = reading;
+  current = reading;
 };
-const work = async () => {
-  isAtWork = true;
-  while (wanted) {
-    const question = wanted;
-    wanted = null;
-    const late = setTimeout(() => { find("status").textContent = "Reading …"; }, 300);
-    try {
-      show(await ask(...question));
-      find("status").textContent = "";
-    } catch (error) {
-      find("error").textContent = `ev3proto has a bug, please report it: ${error.message}`;
+
+const theReader = () => (reader ??= new Python("reader", (said) => { if (said.failed) hear(said); }));
+
+const readBy = async (python, mine, call, given) => {
+  const isNow = () => mine === turn;
+  const soon = setTimeout(() => { if (isNow()) status("Reading …"); }, SOON);
+  const late = setTimeout(() => { if (isNow()) showProgress({ part: 0, count: 0 }); }, LATE);
+  const hearPart = ({ answer, ...progress }) => {
+    if (!isNow()) return;
+    source = python;
+    if (answer) show(answer);
+    else if (!find("progress").hidden) showProgress(progress);
+  };
+  busy = python;
+  try {
+    const answer = await python.follow(hearPart, call, ...given);
+    if (isNow()) {
+      source = python;
+      show(answer);
     }
-    clearTimeout(late);
+  } catch (error) {
+    find("error").textContent = `ev3proto has a bug, please report it: ${error.message}`;
   }
-  isAtWork = false;
+  clearTimeout(soon);
+  clearTimeout(late);
+  if (isNow()) endReading();
 };
+
+const showProgress = ({ part, count }) => {
+  find("progress").hidden = false;
+  find("progress").querySelector("progress").value = part;
+  find("progress").querySelector("span").textContent = count ? `${count.toLocaleString("en")} frames` : "Reading …";
+};
+const endReading = () => {
+  busy = null;
+  status("");
+  find("progress").hidden = true;
+};
+const stopReader = () => {
+  reader.end();
+  reader = busy = null;
+};
+find("cancel").addEventListener("click", () => {
+  if (!busy) return;
+  turn++;
+  if (busy === reader) {
+    note(`Cancelled after ${find("progress").querySelector("span").textContent}.`);
+    stopReader();
+  } else {
+    note("Cancelled. The virtual brick was switched off and on.");
+    real.drop();
+    home.end();
+    home = start();
+  }
+  atHome = current = Promise.resolve();
+  endReading();
+});
 
 const show = (answer) => {
-  shown = answer;
   find("error").textContent = answer.error;
-  showTree();
-  showFindings(answer.findings);
-  showMade(answer.made);
+  find("fix").hidden = !answer.isFixable || isFile;
+  view(answer, (code) => source.ask("explain", code));
+  showMade(answer, (form) => source.ask("made", form));
   showDialogues(answer.dialogues);
 };
 
-// The tree beside the bytes
-
-let line = -1, byte = -1;
-
-const showTree = () => {
-  line = byte = -1;
-  find("bytes").replaceChildren();
-  find("tree").replaceChildren(...shown.lines.map(([text, frame], number) => {
-    const element = make("span", `${text}\n`);
-    if (frame >= 0) {
-      element.role = "option";
-      element.id = `line-${number}`;
-      element.onclick = () => choose(number);
-    }
-    return element;
-  }));
-  const first = shown.lines.findIndex(([, frame]) => frame >= 0);
-  if (first >= 0) choose(first);
+find("fix").onclick = async () => {
+  const before = input.value;
+  const fixed = await source.ask("fix");
+  if (input.value !== before) return;
+  if (fixed === before) note("The way in which this is written cannot be edited; the help says what to change.");
+  else replace(fixed);
 };
 
-/** Chooses a line, and marks its bytes. */
-const choose = (number, at = -1) => {
-  const before = shown.lines[line]?.[1];
-  mark(find("tree"), line, number);
-  line = number;
-  const [, frame, offset, length] = shown.lines[line];
-  byte = at < 0 ? offset : at;
-  if (frame !== before) {
-    const bytes = shown.frames[frame].match(/../g) ?? [];
-    find("bytes").replaceChildren(...bytes.map((text, index) => {
-      const element = make("span", text.toUpperCase());
-      element.role = "option";
-      element.id = `byte-${index}`;
-      element.onclick = () => chooseByte(index);
-      return element;
-    }));
-  }
-  [...find("bytes").children].forEach((element, index) => {
-    const isIn = index >= offset && index < offset + length;
-    element.classList.toggle("chosen", isIn);
-    element.setAttribute("aria-selected", isIn);
-  });
-  find("bytes").setAttribute("aria-activedescendant", `byte-${byte}`);
-};
-
-/** Chooses a byte, and the shortest line that is about it. */
-const chooseByte = (index) => {
-  const frame = shown.lines[line][1];
-  let best = -1;
-  shown.lines.forEach(([, of, offset, length], number) => {
-    if (of !== frame || index < offset || index >= offset + length) return;
-    if (best < 0 || length <= shown.lines[best][3]) best = number;
-  });
-  if (best >= 0) choose(best, index);
-  find("tree").children[line]?.scrollIntoView({ block: "nearest" });
-};
-
-const mark = (list, before, now) => {
-  const elements = list.children;
-  for (const [number, isChosen] of [[before, false], [now, true]]) {
-    elements[number]?.classList.toggle("chosen", isChosen);
-    elements[number]?.setAttribute("aria-selected", isChosen);
-  }
-  list.setAttribute("aria-activedescendant", elements[now]?.id ?? "");
-};
-
-find("tree").onkeydown = (event) => {
-  const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
-  if (!step) return;
-  event.preventDefault();
-  let next = line + step;
-  while (shown.lines[next] && shown.lines[next][1] < 0) next += step;
-  if (!shown.lines[next]) return;
-  choose(next);
-  find("tree").children[next].scrollIntoView({ block: "nearest" });
-};
-find("bytes").onkeydown = (event) => {
-  const next = byte + ({ ArrowRight: 1, ArrowLeft: -1 }[event.key] ?? 0);
-  if (next === byte || !find("bytes").children[next]) return;
-  event.preventDefault();
-  chooseByte(next);
-};
-
-// Findings
-
-const showFindings = (findings) => {
-  find("fix").hidden = !findings.some(({ code }) => code) || !shown.frames.length;
-  find("findings").replaceChildren(...findings.flatMap(({ text, code }) => {
-    if (!code) return [make("pre", text)];
-    const more = make("details"), body = make("pre");
-    more.append(make("summary", `What ${code} means`), body);
-    more.ontoggle = async () => { if (!body.textContent) body.textContent = await ask("explain", code); };
-    return [make("pre", text), more];
-  }));
-};
-find("fix").onclick = async () => type(await ask("fix"));
-
-// The frame in several notations
-
-const showMade = ({ hex = "", c = "", python = "" }) => {
-  const frames = hex.split("\n").filter((each) => each.startsWith("0x|")).map((each) => each.slice(3).match(/[0-9A-F]{2}/g));
-  find("frame").textContent = hex.trimEnd();
-  find("hex").textContent = frames.map((bytes) => bytes.join(" ")).join("\n");
-  find("c").textContent = c.trimEnd();
-  find("python").textContent = python.trimEnd();
-  find("javascript").textContent = frames.map((bytes, index) => {
-    const name = frames.length > 1 ? `frame${index + 1}` : "frame";
-    return `const ${name} = new Uint8Array([${bytes.map((each) => `0x${each.toLowerCase()}`).join(", ")}]);`;
-  }).join("\n");
-};
-for (const button of document.querySelectorAll("[data-copy]")) {
-  button.setAttribute("aria-label", `Copy as ${button.parentElement.firstChild.textContent.trim()}`);
-  button.onclick = () => copy(find(button.dataset.copy).textContent, button);
-}
-const copy = async (text, button) => {
-  const before = button.textContent;
-  try {
-    await navigator.clipboard.writeText(text);
-    button.textContent = "Copied";
-  } catch {
-    button.textContent = "The browser did not allow it";
-  }
-  setTimeout(() => { button.textContent = before; }, 1500);
-};
-find("link").onclick = () => copy(location.href, find("link"));
+onLine((line) => {
+  if (isFile) return;
+  const lines = input.value.split("\n");
+  const begin = lines.slice(0, line - 1).reduce((sum, each) => sum + each.length + 1, 0);
+  const top = (input.scrollHeight / lines.length) * (line - 1);
+  input.setSelectionRange(begin, begin + lines[line - 1].length);
+  if (top < input.scrollTop || top > input.scrollTop + input.clientHeight - 20) input.scrollTop = top - input.clientHeight / 2;
+});
 
 // Dialogues
 
-const showDialogues = (dialogues) => {
-  find("dialogues").hidden = find("timeline").hidden = !dialogues.length;
-  showTimeline();
-  find("dialogues").querySelector("tbody").replaceChildren(...dialogues.map(({ text, latency }) => {
+const showDialogues = ({ count, rows }) => {
+  find("dialogues").hidden = find("timeline").hidden = !count;
+  find("dialogues").querySelector("summary").textContent = `Dialogues (${count.toLocaleString("en")})`;
+  const fill = (found) => find("dialogues").querySelector("tbody").replaceChildren(...found.map((cells) => {
     const row = make("tr");
-    const [, time = "", rest] = text.match(/^(\d+\.\d+)?\s*(.*?)(?:\s+[\d.]+ m?s)?$/);
-    const [said, reply = ""] = rest.split(" -> ", 2);
-    const waited = latency == null ? "" : `${(latency * 1000).toFixed(3)} ms`;
-    row.append(...[time, said, reply, waited].map((each) => make("td", each)));
+    row.append(...cells.map((each) => make("td", each)));
     return row;
   }));
+  fill(rows);
+  const fillAll = async () => {
+    if (find("dialogues").open && rows.length < count) fill(await source.ask("all_dialogues"));
+  };
+  find("dialogues").ontoggle = fillAll;
+  fillAll();
+  showTimeline();
 };
 
 // The timeline, drawn on request. Vega interprets its expressions: the page's policy forbids eval.
@@ -221,11 +186,11 @@ const showDialogues = (dialogues) => {
 const showTimeline = async () => {
   const place = find("timeline").querySelector("div");
   place.replaceChildren();
-  if (!find("timeline").open) return;
+  if (!find("timeline").open || find("timeline").hidden) return;
   await import("./vega/vega.min.js");
   await import("./vega/vega-lite.min.js");
   const { expressionInterpreter } = await import("./vega/vega-interpreter.js");
-  const chart = await ask("timeline");
+  const chart = await source.ask("timeline");
   if (!chart) {
     place.textContent = "Nothing to draw.";
     return;
@@ -236,28 +201,38 @@ const showTimeline = async () => {
   parameter("margin").value = Math.min(parameter("margin").value, Math.max(110, 0.36 * width));
   if (width < 700) parameter("kinds").value = 0;
   parameter("room").value = Math.max(120, width - parameter("margin").value);
-  for (const view of chart.vconcat) view.width = parameter("room").value;
+  for (const each of chart.vconcat) each.width = parameter("room").value;
   const { spec } = globalThis.vegaLite.compile(chart);
   const flow = globalThis.vega.parse(spec, null, { ast: true });
-  const view = new globalThis.vega.View(flow, { renderer: "canvas", container: place, hover: true, expr: expressionInterpreter });
-  await view.runAsync();
+  const drawn = new globalThis.vega.View(flow, { renderer: "canvas", container: place, hover: true, expr: expressionInterpreter });
+  await drawn.runAsync();
 };
 find("timeline").ontoggle = showTimeline;
 
 // The input
 
-const type = (text) => {
-  input.value = text;
-  find("file").value = "";
-  changed();
-};
 const changed = () => {
   const text = input.value;
-  // Longer links do not work in forums.
-  history.replaceState(null, "", text && text.length <= MOST_LINK ? `#text=${encodeURIComponent(text)}` : location.pathname);
-  look("look", text);
+  isFile = false;
+  find("file").value = "";
+  input.placeholder = "";
+  note("");
+  find("start").hidden = text !== "";
+  setAddress(text);
+  look(text.length, true, "look", text);
 };
-input.oninput = () => { find("file").value = ""; changed(); suggest(); };
+input.addEventListener("input", changed);
+
+const setAddress = async (text) => {
+  const fragment = text.length <= LITTLE ? fragmentOf(text) : null;
+  // A short text is in the address at once.
+  put(text && text.length <= LITTLE ? `#text=${encodeURIComponent(text)}` : "");
+  const found = await (fragment ?? fragmentOf(text));
+  if (found && input.value === text && !isFile) put(found);
+};
+const put = (fragment) => {
+  try { history.replaceState(null, "", fragment || location.pathname + location.search); } catch { /* too often for Safari */ }
+};
 
 const open = async (file) => {
   if (!file) return;
@@ -267,78 +242,57 @@ const open = async (file) => {
   }
   const bytes = new Uint8Array(await file.arrayBuffer());
   const text = new TextDecoder().decode(bytes);
-  if (bytes.length <= 100_000 && !/[\0-\x08\ufffd]/.test(text)) {
-    type(text);
+  if (bytes.length <= MOST_EDITED && !/[\0-\x08\ufffd]/.test(text)) {
+    replace(text.replaceAll("\r\n", "\n"));
     return;
   }
-  input.value = "";
+  if (input.value) replace("");
+  find("file").value = "";
+  isFile = true;
+  note("");
   input.placeholder = file.name;
-  history.replaceState(null, "", location.pathname);
-  look("open_file", file.name, bytes);
+  find("start").hidden = true;
+  put("");
+  look(bytes.length, false, "open_file", file.name, bytes);
 };
 find("file").onchange = () => open(find("file").files[0]);
 document.ondragover = (event) => { event.preventDefault(); document.body.classList.add("dropping"); };
-document.ondragleave = () => document.body.classList.remove("dropping");
+document.ondragleave = (event) => { if (!event.relatedTarget) document.body.classList.remove("dropping"); };
 document.ondrop = (event) => {
   event.preventDefault();
   document.body.classList.remove("dropping");
   open(event.dataTransfer.files[0]);
 };
 
-find("send").onclick = async () => {
-  const said = await ask("send");
-  if (said) find("error").textContent = said;
+find("link").onclick = async ({ target }) => {
+  if (isFile) note("A file is not part of a link. Upload it where you ask, and name it there.");
+  else if (!input.value) note("There is nothing to link to yet.");
+  else {
+    const link = await linkTo(input.value);
+    if (link) copy(link, target);
+    else note(`The text is too long for a link: ${input.value.length.toLocaleString("en")} characters. Attach it as a file where you ask.`);
+  }
 };
 
-// Completion
+find("send").onclick = async ({ target }) => {
+  await current;
+  const given = await source.ask("to_send");
+  const said = real.isConnected ? await real.send(given) : await home.ask("play", JSON.stringify(given));
+  find("error").textContent = said;
+  if (!said) {
+    flash(target, "Sent");
+    if (getComputedStyle(find("show-brick")).display !== "none") showBench(true);
+  }
+};
 
-let words = [], chosen = -1, word = "";
-const suggest = async () => {
-  const before = input.value.slice(0, input.selectionStart);
-  const at = before.lastIndexOf("\n") + 1;
-  const answer = await ask("complete", before.slice(at));
-  if (input.value.slice(0, input.selectionStart) !== before) return;
-  word = answer.word;
-  words = answer.words;
-  chosen = -1;
-  const hint = answer.hint ? [make("li", answer.hint)] : [];
-  const items = words.map(([, label], number) => {
-    const item = make("li", label);
-    item.role = "option";
-    item.id = `word-${number}`;
-    item.onpointerdown = (event) => { event.preventDefault(); insert(number); };
-    return item;
-  });
-  find("words").replaceChildren(...items, ...hint);
-  find("words").hidden = !items.length && !hint.length;
-};
-const insert = (number) => {
-  const [name] = words[number];
-  const [head, cmd] = name.split(".");
-  const isCall = !/\([^()]*$/.test(input.value.slice(0, input.selectionStart - word.length).split("\n").pop());
-  const text = isCall ? (cmd ? `${head}(${cmd}, ` : `${head}(`) : name;
-  input.setRangeText(text, input.selectionStart - word.length, input.selectionStart, "end");
-  find("words").hidden = true;
-  changed();
-  suggest();
-};
-input.onkeydown = (event) => {
-  if (find("words").hidden || !words.length) return;
-  const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
-  if (step) {
-    const next = Math.max(0, Math.min(words.length - 1, chosen + step));
-    mark(find("words"), chosen, next);
-    chosen = next;
-    input.setAttribute("aria-activedescendant", `word-${next}`);
-    find("words").children[next].scrollIntoView({ block: "nearest" });
-  } else if ((event.key === "Enter" || event.key === "Tab") && chosen >= 0) insert(chosen);
-  else if (event.key === "Escape") find("words").hidden = true;
-  else return;
-  event.preventDefault();
-};
-input.onblur = () => { find("words").hidden = true; };
+offerCompletions((before) => home.ask("complete", before));
 
-// The lesson
+const examples = EXAMPLES.map(([title, text]) => {
+  const button = make("button", title);
+  button.onclick = () => edit(text);
+  return button;
+});
+find("start").querySelector(".row").append(...examples);
 
 fetch(new URL("./lesson.json", import.meta.url)).then((found) => found.json()).then((lesson) => {
   for (const { title, frame } of lesson) {
@@ -347,24 +301,48 @@ fetch(new URL("./lesson.json", import.meta.url)).then((found) => found.json()).t
     find("lesson").append(option);
   }
 });
-find("lesson").onchange = async () => {
-  const frame = find("lesson").value;
-  if (frame) type((await ask("as_assembly", frame)).trim());
+find("lesson").onchange = async ({ target }) => {
+  const frame = target.value;
+  target.value = "";
+  if (frame) replace((await home.ask("as_assembly", frame)).trim());
 };
+
+// The brick on a phone: behind a button
+
+const showBench = (isShown) => {
+  document.body.classList.toggle("bench", isShown);
+  find("show-brick").setAttribute("aria-expanded", isShown);
+  find("show-brick").textContent = isShown ? "Back to the input" : "Show the brick";
+};
+find("show-brick").onclick = () => showBench(!document.body.classList.contains("bench"));
 
 // The start
 
-const given = () => {
-  const [, text] = location.hash.match(/^#text=(.*)$/) ?? [];
-  if (text === undefined) return null;
-  try { return decodeURIComponent(text); } catch { return text; }
+/** Opens what the address has. Returns whether it has something. */
+const openLink = async () => {
+  try {
+    const text = await textOf(location.hash);
+    if (text === null) return false;
+    if (text !== input.value) {
+      input.value = text;
+      isFile = false;
+      find("start").hidden = text !== "";
+      look(text.length, false, "look", text);
+    }
+  } catch (error) {
+    find("error").textContent = error.message;
+  }
+  return true;
 };
-const begin = () => {
-  find("status").textContent = "";
+const begin = async () => {
+  status("");
+  source = home;
   find("send").disabled = false;
-  const text = given();
-  if (text !== null) input.value = text;
-  look("look", input.value);
+  if (document.body.dataset.ready) return;
+  find("start").hidden = input.value !== "";
+  if (!await openLink()) look(input.value.length, false, "look", input.value);
   document.body.dataset.ready = "true";
+  navigator.serviceWorker?.register(new URL("./service-worker.js", import.meta.url)).catch(() => {});
 };
-window.onhashchange = () => { const text = given(); if (text !== null && text !== input.value) type(text); };
+window.onhashchange = openLink;
+home = start();

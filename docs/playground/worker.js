@@ -1,4 +1,4 @@
-// Runs Python in a worker: ev3proto's command line, and a virtual brick that lives as long as the page.
+// A worker that runs Python: the one that is named "brick" also lets the time of the bricks pass.
 
 import { loadPyodide } from "./pyodide/pyodide.mjs";
 
@@ -20,10 +20,15 @@ const start = async () => {
 
 const started = start();
 
-onmessage = async ({ data: { number, call, given } }) => {
+const carry = (frame) => say({ carry: frame });
+const tell = (news) => say({ real: JSON.parse(news) });
+
+onmessage = async ({ data: { number, call, given, isFollowed } }) => {
   const bridge = await started;
+  const publish = (part) => say({ number, part: JSON.parse(part) });
+  const more = call === "connect" ? [carry, tell] : isFollowed ? [publish] : [];
   try {
-    say({ number, answer: JSON.parse(bridge[call](...given)) });
+    say({ number, answer: JSON.parse(bridge[call](...given, ...more)) });
   } catch (error) {
     say({ number, error: String(error.message ?? error) });
   }
@@ -31,11 +36,13 @@ onmessage = async ({ data: { number, call, given } }) => {
 
 started.then((bridge) => {
   say({ ready: true });
+  if (self.name !== "brick") return;
   let before = performance.now();
   setInterval(() => {
     const now = performance.now();
     const news = bridge.tick((now - before) / 1000);
     before = now;
     if (news) say({ brick: JSON.parse(news) });
+    bridge.turn();
   }, PERIOD);
 }, (error) => say({ failed: String(error.message ?? error) }));

@@ -100,7 +100,7 @@ class Brick(Equipment):
     ) -> None:
         if stretch is not None and (not isinstance(stretch, int | float) or not stretch >= 0):
             raise ValueError(f"stretch must be seconds, 0 or more, or None, not {stretch!r}")
-        super().__init__(root, check_dialect(dialect), self._stop_user_program)
+        super().__init__(root, check_dialect(dialect), self.stop)
         self.is_computing = False
         self.has_ended_command = False
         self.machine = Machine(self, dispatch_table(self.dialect))
@@ -161,7 +161,7 @@ class Brick(Equipment):
         """Releases a button. ValueError for an unknown name."""
         self.buttons.release(button, self.microseconds)
 
-    def _stop_user_program(self) -> None:
+    def stop(self) -> None:
         """Stops the user's program, as the back button does."""
         program = self.machine.slots[USER_SLOT]
         if program is not None:

@@ -29,12 +29,13 @@ class Show:
 
     style    one of FORMATS, or a format for programs only; None for the default
     at_once  flush after every message, because the next one may take long
+    printer  takes the lines; by default standard output
     """
 
-    def __init__(self, style: str | None, *, at_once: bool = False) -> None:
+    def __init__(self, style: str | None, *, at_once: bool = False, printer: Printer | None = None) -> None:
         self._program_style = style
         self._style = style if style in FORMATS else FORMATS[0]
-        self._printer = Printer(at_once=at_once)
+        self._printer = Printer(at_once=at_once) if printer is None else printer
         self.is_json = self._style == "json"
         self.count = 0
 

@@ -2,33 +2,42 @@
 
 from __future__ import annotations
 
-import http.server
+import base64
 import json
 import os
+import random
 import re
+import struct
 import subprocess
 import sys
-import threading
 import time
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
-from functools import partial
+import zlib
+from collections.abc import Iterator
+from html.parser import HTMLParser
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 from urllib.parse import quote
 
 import pytest
-from selenium.webdriver import Chrome, Keys
+from selenium.webdriver import ActionChains, Chrome, Keys
 from selenium.webdriver.common.by import By
-from selenium.webdriver.support.ui import Select, WebDriverWait
+from selenium.webdriver.support.ui import Select
 from support.browser import chromium, complaints, scrolls_sideways
 from support.cli import run_ev3proto
+from support.playground import Page, fragment, put_fakes, served_site
 from support.site import built_site
 
 ROOT = Path(__file__).parents[2]
 CAPTURES = ROOT / "captures"
 TONE = "0e002a0080000094010182b80182e803"
 HOSTILE = "<img src=x onerror=alert(1)> 0e002a0080000094010182b80182e803 <script>alert(1)</script>"
+LOG = """\
+# Lesson 2, at home
+09:12:31.011558 Sent 0x|0E:00|2A:00|80|00:00|94:01:01:82:B8:01:82:E8:03|
+09:12:31.5 Sent 0x|08:00|01:00|00|01:00|81:01:60|
+09:12:31.6 Recv 0x|07:00|01:00|02|66:66:F6:40|
+"""
+BATTERY = "0x|08:00|2A:00|00|04:00|81:01:60|"
 
 
 def printed(*words: str | Path) -> str:
@@ -36,11 +45,6 @@ def printed(*words: str | Path) -> str:
     done = run_ev3proto(*words)
     assert (done.returncode, done.stderr) == (0, b"")
     return done.stdout.decode()
-
-
-class _Silent(http.server.SimpleHTTPRequestHandler):
-    def log_message(self, format: str, *arguments: object) -> None:
-        pass
 
 
 @pytest.fixture(scope="session")
@@ -52,66 +56,50 @@ def built(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture(scope="module")
 def address(built: Path) -> Iterator[str]:
     """The site, served as a folder is by Python."""
-    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), partial(_Silent, directory=str(built))) as server:
-        threading.Thread(target=server.serve_forever, daemon=True).start()
-        yield f"http://127.0.0.1:{server.server_port}/playground/index.html"
-        server.shutdown()
+    with served_site(built) as address:
+        yield address
 
 
-class Page(NamedTuple):
-    """The page in a browser."""
-
-    browser: Chrome
-
-    def text(self, name: str) -> str:
-        """All text of an element, shown or not."""
-        return str(self.browser.execute_script("return document.getElementById(arguments[0]).textContent", name))
-
-    def wait(self, condition: Callable[[], object], seconds: float = 30) -> None:
-        WebDriverWait(self.browser, seconds, 0.02).until(lambda _: condition())
-
-    @property
-    def is_ready(self) -> bool:
-        return bool(self.browser.execute_script("return document.body.dataset.ready === 'true'"))
-
-    def type(self, text: str) -> None:
-        """Puts a text into the input, as pasting does."""
-        self.browser.execute_script(
-            "const input = document.getElementById('input'); input.value = arguments[0];"
-            "input.dispatchEvent(new Event('input'))",
-            text,
-        )
-
-    def click(self, name: str) -> None:
-        self.browser.find_element(By.ID, name).click()
-
-    def pixel(self, x: int, y: int) -> bool:
-        """Whether a pixel of the display is dark."""
-        script = "return document.getElementById('display').getContext('2d').getImageData(...arguments, 1, 1).data[0]"
-        return int(self.browser.execute_script(script, x, y)) < 100
-
-    @property
-    def input(self) -> str:
-        return str(self.browser.find_element(By.ID, "input").get_property("value"))
+@pytest.fixture(scope="module")
+def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Chrome]:
+    """One browser for all tests, whose pages find fakes for USB and Bluetooth."""
+    with chromium(tmp_path_factory.mktemp("browser") / "profile") as browser:
+        put_fakes(browser)
+        yield browser
 
 
-@contextmanager
-def opened(address: str, folder: Path, *, width: int = 1400) -> Iterator[Page]:
-    with chromium(folder / "profile", width) as browser:
-        page = Page(browser)
-        begin = time.monotonic()
-        browser.get(address)
-        page.wait(lambda: "cannot" in page.text("status") or page.is_ready, 60)
-        assert page.is_ready, page.text("status")
-        # Other tests run beside this one; alone it takes 3 s.
-        assert time.monotonic() - begin < 30
-        yield page
-        assert complaints(browser) == []
+@pytest.fixture(scope="module")
+def loaded(browser: Chrome, address: str) -> Page:
+    """The page, loaded once."""
+    page = Page(browser, address)
+    begin = time.monotonic()
+    page.open()
+    # Other tests run beside this one; alone it takes 3 s.
+    assert time.monotonic() - begin < 60
+    return page
+
+
+@pytest.fixture
+def page(loaded: Page) -> Iterator[Page]:
+    """The loaded page, with an empty input and without a real brick."""
+    loaded.disconnect()
+    loaded.run("fake.sent.length = 0")
+    loaded.steer(isRefused=False, isSilent=False, isUnplugged=False, isBusy=False, delay=0, requests=0)
+    loaded.type("")
+    loaded.wait(lambda: loaded.text("tree") == "" and loaded.text("status") == "")
+    complaints(loaded.browser)
+    yield loaded
+    assert complaints(loaded.browser) == []
+
+
+# The input
 
 
 @pytest.mark.parametrize("width", [390, 1400])
 def test_a_link_opens_with_its_frame_read(address: str, tmp_path: Path, width: int) -> None:
-    with opened(f"{address}#text={TONE}", tmp_path, width=width) as page:
+    with chromium(tmp_path / "profile", width) as browser:
+        page = Page(browser, address)
+        page.open(fragment(TONE))
         page.wait(lambda: page.text("tree"))
         assert page.text("tree") == printed("decode", TONE)
         assert page.text("findings") == printed("check", TONE)
@@ -121,153 +109,598 @@ def test_a_link_opens_with_its_frame_read(address: str, tmp_path: Path, width: i
         assert "unsigned char" in page.text("c")
         assert "b'" in page.text("python")
         assert page.text("error") == ""
-        assert page.text("leds") == "LED_GREEN"
-        assert not scrolls_sideways(page.browser)
+        page.wait(lambda: page.text("leds") == "LED_GREEN")
+        assert not scrolls_sideways(browser)
+        if width < 500:
+            _look_at_a_phone(page)
+        assert complaints(browser) == []
 
 
-def test_what_is_typed_is_read_and_stands_in_the_link(address: str, tmp_path: Path) -> None:
-    with opened(address, tmp_path) as page:
-        page.type("UI_WRITE(LED, LED_RED)")
-        page.wait(lambda: page.text("frame") == "0x|08:00|00:00|80|00:00|82:1B:02|")
-        assert page.browser.current_url.endswith("#text=" + quote("UI_WRITE(LED, LED_RED)", safe="()"))
-        page.type("UI_WRITE(LED, LED_RDE)")
-        page.wait(lambda: "did you mean LED_RED" in page.text("error"))
-        assert page.text("tree") == page.text("frame") == ""
-        page.type("09:00|2A:00|80|00:00|81|01|60|")
-        page.wait(lambda: "error[E102]" in page.text("findings"))
-        page.browser.find_element(By.CSS_SELECTOR, "#findings summary").click()
-        page.wait(lambda: "the length field" in page.text("findings").partition("What E102 means")[2])
-        page.click("fix")
-        page.wait(lambda: page.input == "0x|08:00|2A:00|00|04:00|81:01:60|")
-        page.wait(lambda: page.text("findings") == "accepted: no findings\n")
-        page.type("")
-        page.wait(lambda: page.text("tree") == "")
-        assert "#" not in page.browser.current_url
+def _look_at_a_phone(page: Page) -> None:
+    """The brick is behind a button, and what can be tapped is large enough."""
+    assert not page.is_shown("display")
+    small = """
+        return [...document.querySelectorAll('button, select, summary, nav a, #bytes [data-at], #tree [role]')]
+            .filter((each) => each.getClientRects().length && each.getBoundingClientRect().height < 44)
+            .map((each) => each.outerHTML)"""
+    assert page.run(small) == []
+    page.click("show-brick")
+    assert page.is_shown("display")
+    assert page.run(small) == []
+    assert not scrolls_sideways(page.browser)
+    page.click("show-brick")
+    assert not page.is_shown("display")
+    page.click("send")
+    page.wait(lambda: page.is_shown("display"))
 
 
-def test_the_tutorial_begins_with_what_the_page_shows(address: str, tmp_path: Path) -> None:
+def test_what_is_typed_is_read_and_stands_in_the_link(page: Page) -> None:
+    page.type("UI_WRITE(LED, LED_RED)")
+    page.wait(lambda: page.text("frame") == "0x|08:00|00:00|80|00:00|82:1B:02|")
+    assert page.browser.current_url.endswith("#text=" + quote("UI_WRITE(LED, LED_RED)", safe="()"))
+    page.type("UI_WRITE(LED, LED_RDE)")
+    page.wait(lambda: "did you mean LED_RED" in page.text("error"))
+    assert page.text("tree") == page.text("frame") == ""
+    page.type("09:00|2A:00|80|00:00|81|01|60|")
+    page.wait(lambda: "error[E102]" in page.text("findings"))
+    page.browser.find_element(By.CSS_SELECTOR, "#findings summary").click()
+    page.wait(lambda: "the length field" in page.text("findings").partition("What E102 means")[2])
+    page.type("")
+    page.wait(lambda: page.text("tree") == "")
+    assert "#" not in page.browser.current_url
+    for name in ("check", "read", "make", "fix"):
+        assert not page.is_shown(name)
+
+
+def test_the_tutorial_begins_with_what_the_page_shows(page: Page) -> None:
     tutorial = (ROOT / "docs" / "tutorial.md").read_text(encoding="utf-8")
-    (fragment,) = re.findall(r'href="playground/index.html(#text=[^"]+)"', tutorial)
+    (link,) = re.findall(r'href="playground/index.html(#text=[^"]+)"', tutorial)
     shown = tutorial.partition("```text\n")[2].partition("```")[0]
-    with opened(address + fragment, tmp_path) as page:
+    page.run("location.hash = arguments[0]", link)
+    page.wait(lambda: page.text("tree"))
+    assert f"\n    {page.input}\n" in tutorial
+    assert page.text("tree") == shown
+    frame = page.input
+    page.type(frame.replace("0E", "0F", 1))
+    page.wait(lambda: "error[E102]" in page.text("findings"))
+    page.click("fix")
+    page.wait(lambda: page.input == frame)
+    page.type("UI_WRITE(LED, LED_ORANGE)")
+    page.wait(lambda: page.text("c"))
+    page.click("send")
+    page.wait(lambda: page.text("leds") == "LED_ORANGE")
+
+
+def test_a_fix_changes_the_line_that_it_fixes_and_can_be_undone(page: Page) -> None:
+    field = page.browser.find_element(By.ID, "input")
+    page.type(LOG)
+    page.wait(lambda: page.is_shown("fix"))
+    page.click("fix")
+    fixed = LOG.replace("01:00|00|01:00", "01:00|00|04:00")
+    page.wait(lambda: page.input == fixed)
+    page.wait(lambda: not page.is_shown("fix"))
+    field.send_keys(Keys.CONTROL, "z")
+    page.wait(lambda: page.input == LOG)
+    page.wait(lambda: page.is_shown("fix"))
+    # Without anything to fix, or in assembly, there is nothing to press.
+    for text in (TONE, "UI_READ(GET_VBATT, GV0(1))"):
+        page.read(text)
+        page.wait(lambda: page.text("findings"))
+        assert not page.is_shown("fix")
+
+
+def test_choosing_an_example_can_be_undone(page: Page) -> None:
+    field = page.browser.find_element(By.ID, "input")
+    field.send_keys("UI_WRITE(LED, LED_RED) // mine")
+    Select(page.browser.find_element(By.ID, "lesson")).select_by_visible_text("Tones and lights")
+    page.wait(lambda: "// mine" not in page.input and "opUI_WRITE" in page.input)
+    field.send_keys(Keys.CONTROL, "z")
+    page.wait(lambda: page.input == "UI_WRITE(LED, LED_RED) // mine")
+
+
+def test_an_empty_page_offers_three_examples(page: Page) -> None:
+    titles = page.texts("#start button")
+    assert len(titles) == 3
+    for title in titles:
+        page.type("")
+        page.wait(lambda: page.is_shown("start") and page.text("tree") == "")
+        page.browser.find_element(By.XPATH, f"//button[text()='{title}']").click()
         page.wait(lambda: page.text("tree"))
-        assert f"\n    {page.input}\n" in tutorial
-        assert page.text("tree") == shown
-        frame = page.input
-        page.type(frame.replace("0E", "0F", 1))
-        page.wait(lambda: "error[E102]" in page.text("findings"))
-        page.click("fix")
-        page.wait(lambda: page.input == frame)
-        page.type("UI_WRITE(LED, LED_ORANGE)")
-        page.wait(lambda: page.text("c"))
-        page.click("send")
-        page.wait(lambda: page.text("leds") == "LED_ORANGE")
+        assert (page.text("error"), page.is_shown("start")) == ("", False)
+        page.wait(lambda: page.text("findings"))
+        assert page.is_shown("fix") == ("mistake" in title)
 
 
-def test_lines_mark_their_bytes_and_bytes_their_lines(address: str, tmp_path: Path) -> None:
-    with opened(f"{address}#text={TONE}", tmp_path) as page:
-        page.wait(lambda: page.text("tree"))
-
-        def chosen(name: str) -> str:
-            return "".join(each.text for each in page.browser.find_elements(By.CSS_SELECTOR, f"#{name} .chosen"))
-
-        tree = page.browser.find_element(By.ID, "tree")
-        tree.send_keys(Keys.ARROW_DOWN)
-        assert (chosen("tree").split()[1], chosen("bytes")) == ("SOUND.TONE", "94010182B80182E803")
-        page.browser.find_elements(By.CSS_SELECTOR, "#bytes span")[11].click()
-        assert (chosen("tree").split()[1], chosen("bytes")) == ("FREQUENCY", "82B801")
-        page.browser.find_element(By.ID, "bytes").send_keys(Keys.ARROW_RIGHT, Keys.ARROW_RIGHT)
-        assert (chosen("tree").split()[1], chosen("bytes")) == ("DURATION", "82E803")
-
-
-def test_completion(address: str, tmp_path: Path) -> None:
-    with opened(address, tmp_path) as page:
-        field = page.browser.find_element(By.ID, "input")
-        field.send_keys("sound.to")
-        page.wait(lambda: "SOUND(TONE, VOLUME, FREQUENCY, DURATION)" in page.text("words"))
-        field.send_keys(Keys.ARROW_DOWN, Keys.ENTER)
-        page.wait(lambda: page.input == "SOUND(TONE, ")
-        field.send_keys("1, ")
-        page.wait(lambda: "FREQUENCY: pitch" in page.text("words"))
-        field.send_keys("440, 1000)", Keys.ENTER, "UI_WRITE(LED, LED_GREEN_F")
-        page.wait(lambda: page.text("words").startswith("LED_GREEN_FLASH"))
-        field.send_keys(Keys.ARROW_DOWN, Keys.TAB, ")")
-        page.wait(lambda: "82:1B:04" in page.text("frame"))
+def test_findings_come_first_by_line_errors_before_warnings(page: Page) -> None:
+    warning, error = "0x|0E:00|2A:00|80|00:00|94:01:01:82:0A:00:82:E8:03|", "0x|08:00|01:00|00|01:00|81:01:60|"
+    page.type("\n".join([TONE] * 3 + [warning, error] + [TONE] * 16 + [error]))
+    page.wait(lambda: page.text("findings"))
+    places = [found for text in page.texts("#findings .finding") for found in re.findall(r"^input, line (\d+):", text)]
+    assert places == ["5", "22", "4"]
+    assert "22 frames: 2 errors, 1 warning" in page.text("findings")
+    accepted = page.browser.find_element(By.CSS_SELECTOR, "#findings .accepted")
+    assert accepted.text == "19 accepted"
+    assert "input, line 21: accepted: no findings" in str(accepted.get_property("textContent"))
+    # Choosing a finding selects its line.
+    page.browser.find_elements(By.CSS_SELECTOR, "#findings .error")[1].click()
+    assert page.run("return input.value.slice(input.selectionStart, input.selectionEnd)") == error
 
 
-def test_the_lesson_draws_its_triangle(address: str, tmp_path: Path) -> None:
-    with opened(address, tmp_path) as page:
-        lesson = Select(page.browser.find_element(By.ID, "lesson"))
-        assert len(lesson.options) == 20
-        lesson.select_by_visible_text("A triangle, timed by the brick")
-        page.wait(lambda: "opUI_DRAW, LC0(LINE)" in page.input)
-        page.wait(lambda: page.text("tree"))
-        page.click("send")
-        page.wait(lambda: page.pixel(2, 125) and page.pixel(88, 2))
-        page.wait(lambda: page.pixel(174, 125))
-        assert "UI_DRAW.LINE" in page.text("talks")
-        assert not page.pixel(88, 60)
-        lesson.select_by_visible_text("Tones and lights")
-        page.wait(lambda: "LED" in page.input)
-        page.click("send")
-        page.wait(lambda: page.text("leds") == "LED_RED")
+def test_findings_come_before_the_tree_and_beside_the_brick(page: Page) -> None:
+    page.type("0x|08:00|01:00|00|05:00|81:01:61|")
+    page.wait(lambda: page.text("findings"))
+    tops = page.run(
+        "return ['write', 'check', 'read', 'make', 'display'].map((id) => {"
+        " const box = document.getElementById(id).getBoundingClientRect(); return [box.left, box.top]; })"
+    )
+    lefts, heights = zip(*tops, strict=True)
+    assert list(heights[:4]) == sorted(heights[:4])
+    assert len(set(lefts[:4])) == 1
+    assert lefts[4] > 700
+    page.run("scrollTo(0, document.body.scrollHeight)")
+    assert page.run("return document.getElementById('display').getBoundingClientRect().bottom > 100")
+    # Long lines of help wrap.
+    assert page.run("return findings.scrollWidth <= findings.clientWidth")
 
 
-def test_files(address: str, tmp_path: Path) -> None:
+# Marks
+
+
+def test_lines_mark_their_bytes_and_bytes_their_lines(page: Page) -> None:
+    page.read(TONE)
+
+    def chosen(name: str) -> str:
+        return "".join(each.text for each in page.browser.find_elements(By.CSS_SELECTOR, f"#{name} .chosen"))
+
+    tree = page.browser.find_element(By.ID, "tree")
+    tree.send_keys(Keys.ARROW_DOWN)
+    assert (chosen("tree").split()[1], chosen("bytes")) == ("SOUND.TONE", "94010182B80182E803")
+    page.browser.find_element(By.CSS_SELECTOR, "#bytes [data-at='11']").click()
+    assert (chosen("tree").split()[1], chosen("bytes")) == ("FREQUENCY", "82B801")
+    page.browser.find_element(By.ID, "bytes").send_keys(Keys.ARROW_RIGHT, Keys.ARROW_RIGHT)
+    assert (chosen("tree").split()[1], chosen("bytes")) == ("DURATION", "82E803")
+    # Pointing marks for as long as it lasts.
+    page.run("scrollTo(0, 0)")
+    ActionChains(page.browser).move_to_element(page.browser.find_elements(By.CSS_SELECTOR, "#tree [role]")[2]).perform()
+    assert (chosen("tree").split()[1], chosen("bytes")) == ("VOLUME", "01")
+    ActionChains(page.browser).move_to_element(page.browser.find_element(By.TAG_NAME, "h1")).perform()
+    assert (chosen("tree").split()[1], chosen("bytes")) == ("DURATION", "82E803")
+    assert page.texts("#bytes i") == ["0000"]
+    assert page.texts("#bytes code") == ["··*·············"]
+    links = page.run("return [...document.querySelectorAll('#tree a')].map((each) => each.getAttribute('href'))")
+    assert links == ["../reference/sound.html#sound-tone"]
+
+
+def test_a_finding_marks_its_bytes_and_its_line(page: Page) -> None:
+    page.read("0x|08:00|01:00|00|05:00|81:01:61|")
+    finding = page.browser.find_element(By.CSS_SELECTOR, "#findings .error")
+    ActionChains(page.browser).move_to_element(finding).perform()
+    assert page.texts("#bytes .chosen") == ["61"]
+    assert page.texts("#tree .chosen") == ["     9    VALUE = GV(1)  GV0: voltage\n"]
+    page.browser.find_element(By.CSS_SELECTOR, "#bytes [data-at='9']").click()
+    assert "chosen" in str(finding.get_attribute("class"))
+
+
+class _Ids(HTMLParser):
+    """The ids of a page."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.found: set[str] = set()
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        """Takes an element."""
+        self.found |= {value for name, value in attrs if name == "id" and value}
+
+
+def test_every_operation_has_its_place_in_the_reference(built: Path) -> None:
+    script = "import json; from bridge.rows import _LINKS; print(json.dumps(_LINKS))"
+    links: dict[str, str] = json.loads(_bridge(script))
+    pages: dict[str, set[str]] = {}
+    for name, link in links.items():
+        page, _, anchor = link.partition("#")
+        if page not in pages:
+            parser = _Ids()
+            parser.feed((built / "reference" / page).read_text(encoding="utf-8"))
+            pages[page] = parser.found
+        assert anchor in pages[page], name
+    assert len(links) > 300
+
+
+# Completion
+
+
+def test_completion(page: Page) -> None:
+    field = page.browser.find_element(By.ID, "input")
+    field.send_keys("sound.to")
+    page.wait(lambda: "SOUND(TONE, VOLUME, FREQUENCY, DURATION)" in page.text("words"))
+    field.send_keys(Keys.ARROW_DOWN, Keys.ENTER)
+    page.wait(lambda: page.input == "SOUND(TONE, ")
+    field.send_keys("1, ")
+    page.wait(lambda: "FREQUENCY: pitch" in page.text("words"))
+    field.send_keys("440, 1000)", Keys.ENTER, "UI_WRITE(LED, LED_GREEN_F")
+    page.wait(lambda: page.text("words").startswith("LED_GREEN_FLASH"))
+    field.send_keys(Keys.ARROW_DOWN, Keys.TAB, ")")
+    page.wait(lambda: "82:1B:04" in page.text("frame"))
+
+
+# Links
+
+
+def test_long_texts_are_deflated_in_the_address(page: Page) -> None:
+    long = "\n".join(f"# line {number}\n{TONE}" for number in range(200))
+    page.type(long)
+    page.wait(lambda: "#z=" in page.browser.current_url)
+    packed = page.browser.current_url.partition("#z=")[2]
+    assert len(page.browser.current_url) < 8192
+    assert zlib.decompress(base64.urlsafe_b64decode(packed + "=" * (-len(packed) % 4)), -15).decode() == long
+    page.type("")
+    page.wait(lambda: "#" not in page.browser.current_url)
+    page.run("location.hash = arguments[0]", f"#z={packed}")
+    page.wait(lambda: page.input == long)
+    # What is too long for a link is not in the address, and a sentence says so.
+    noise = random.Random(1).randbytes(8000).hex()
+    page.type(noise)
+    page.wait(lambda: "#" not in page.browser.current_url)
+    page.click("link")
+    page.wait(lambda: "too long for a link" in page.text("note"))
+
+
+@pytest.mark.parametrize(
+    ("data", "sentence"),
+    [
+        (zlib.compress(bytes(1 << 24), wbits=-15), "more than 1 MiB"),
+        (b"\xff\xff\xff", "The link is damaged"),
+    ],
+)
+def test_a_link_that_cannot_be_unpacked(page: Page, data: bytes, sentence: str) -> None:
+    page.run("location.hash = arguments[0]", f"#z={base64.urlsafe_b64encode(data).decode().rstrip('=')}")
+    page.wait(lambda: sentence in page.text("error"))
+
+
+def test_there_is_no_link_to_nothing_or_to_a_file(page: Page) -> None:
+    page.click("link")
+    page.wait(lambda: "nothing to link to" in page.text("note"))
+    assert page.text("link") == "Copy a link"
+    page.browser.find_element(By.ID, "file").send_keys(str(CAPTURES / "usb.pcapng"))
+    page.wait(lambda: page.text("tree"))
+    page.click("link")
+    page.wait(lambda: "A file is not part of a link" in page.text("note"))
+    assert page.run("return input.placeholder") == "usb.pcapng"
+    page.type(TONE)
+    page.wait(lambda: page.text("note") == "")
+    assert page.run("return input.placeholder + file.value") == ""
+
+
+# Notations
+
+
+def test_make_has_a_tab_for_each_notation_and_remembers_it(page: Page) -> None:
+    page.read(TONE)
+    for tab, panel in (("hex", "hex"), ("c", "c"), ("python", "python"), ("javascript", "javascript")):
+        page.browser.find_element(By.CSS_SELECTOR, f"#tabs [data-tab={tab}]").click()
+        assert page.is_shown(panel)
+        assert not page.is_shown("frame")
+        assert page.text("frame").startswith("0x|0E:00|")
+    page.open(fragment(TONE))
+    page.wait(lambda: page.text("frame"))
+    assert page.is_shown("javascript")
+    page.browser.find_element(By.CSS_SELECTOR, "#tabs [data-tab=lesson]").click()
+    assert page.is_shown("frame")
+
+
+# The virtual brick
+
+
+def test_the_lesson_draws_its_triangle(page: Page) -> None:
+    lesson = Select(page.browser.find_element(By.ID, "lesson"))
+    assert len(lesson.options) == 20
+    lesson.select_by_visible_text("A triangle, timed by the brick")
+    page.wait(lambda: "opUI_DRAW, LC0(LINE)" in page.input)
+    page.wait(lambda: page.text("tree"))
+    page.click("send")
+    page.wait(lambda: page.pixel(2, 125) and page.pixel(88, 2))
+    page.wait(lambda: page.pixel(174, 125))
+    assert "UI_DRAW.LINE" in page.text("talks")
+    assert not page.pixel(88, 60)
+
+
+def test_a_running_program_is_said_and_can_be_stopped(page: Page) -> None:
+    page.browser.find_element(By.XPATH, "//button[text()='A program that blinks']").click()
+    page.wait(lambda: "vmthread" in page.text("tree"))
+    assert not page.is_shown("running")
+    page.click("send")
+    page.wait(lambda: page.is_shown("running"))
+    page.click("stop")
+    page.wait(lambda: not page.is_shown("running"))
+    # Programs have bytes, too.
+    page.browser.find_element(By.XPATH, "//*[@id='tree']//*[text()='UI_WRITE']").find_element(By.XPATH, "..").click()
+    page.wait(lambda: page.texts("#bytes .chosen")[:2] == ["82", "1B"])
+
+
+# Files
+
+
+def test_files(page: Page, tmp_path: Path) -> None:
     source = ROOT / "tests" / "support" / "sources" / "menu.lms"
     image = tmp_path / "menu.rbf"
     assert run_ev3proto("encode", source, "-o", image).returncode == 0
-    with opened(address, tmp_path) as page:
-        file = page.browser.find_element(By.ID, "file")
-        file.send_keys(str(CAPTURES / "ev3_dc.pcap"))
-        page.wait(lambda: "received beacon" in page.text("tree"))
-        shown, _, rest = page.text("tree").partition("... and ")
-        assert printed("decode", CAPTURES / "ev3_dc.pcap").startswith(shown)
-        assert (len(shown) > 190_000, rest.split(" ", 1)[1]) == (
-            True,
-            "more lines; ev3proto on the command line shows all\n",
-        )
-        page.browser.find_element(By.CSS_SELECTOR, "#dialogues summary").click()
-        row = [each.text for each in page.browser.find_elements(By.CSS_SELECTOR, "#dialogues tbody tr:nth-child(2) td")]
-        assert row[0] == "0.004973"
-        assert row[1].endswith("COM_GET.GET_NETWORK(HARDWARE=HW_WIFI, LENGTH=42, NAME=GV(0), MAC=GV(42), IP=GV(84))")
-        assert row[2:] == ['NAME="ev3proto", MAC="44:49:94:0F:0C:1E", IP="127.0.0.1"', "0.273 ms"]
-        page.browser.find_element(By.CSS_SELECTOR, "#timeline summary").click()
-        page.wait(lambda: page.browser.find_elements(By.CSS_SELECTOR, "#timeline canvas"))
-        assert int(page.browser.find_element(By.CSS_SELECTOR, "#timeline canvas").size["height"]) > 300
-        file.send_keys(str(image))
-        page.wait(lambda: "vmthread" in page.text("tree"))
-        file.send_keys(str(source))
-        page.wait(lambda: page.input == source.read_text(encoding="utf-8"))
-        page.wait(lambda: "vmthread" in page.text("tree"))
+    file = page.browser.find_element(By.ID, "file")
+    file.send_keys(str(CAPTURES / "ev3_dc.pcap"))
+    page.wait(lambda: "received beacon" in page.text("tree"))
+    shown, _, rest = page.text("tree").partition("... and ")
+    assert printed("decode", CAPTURES / "ev3_dc.pcap").startswith(shown)
+    assert len(shown) > 190_000
+    assert rest == "many more lines; ev3proto on the command line shows all\n"
+    page.browser.find_element(By.CSS_SELECTOR, "#dialogues summary").click()
+    row = [each.text for each in page.browser.find_elements(By.CSS_SELECTOR, "#dialogues tbody tr:nth-child(2) td")]
+    assert row[0] == "0.004973"
+    assert row[1].endswith("COM_GET.GET_NETWORK(HARDWARE=HW_WIFI, LENGTH=42, NAME=GV(0), MAC=GV(42), IP=GV(84))")
+    assert row[2:] == ['NAME="ev3proto", MAC="44:49:94:0F:0C:1E", IP="127.0.0.1"', "0.273 ms"]
+    page.browser.find_element(By.CSS_SELECTOR, "#timeline summary").click()
+    page.wait(lambda: page.browser.find_elements(By.CSS_SELECTOR, "#timeline canvas"))
+    assert int(page.browser.find_element(By.CSS_SELECTOR, "#timeline canvas").size["height"]) > 300
+    file.send_keys(str(image))
+    page.wait(lambda: "vmthread" in page.text("tree"))
+    assert len(page.browser.find_elements(By.CSS_SELECTOR, "#bytes [data-at]")) == image.stat().st_size
+    file.send_keys(str(source))
+    page.wait(lambda: page.input == source.read_text(encoding="utf-8"))
+    page.wait(lambda: "vmthread" in page.text("tree") and page.text("status") == "")
+    page.click("send")
+    page.wait(lambda: page.pixel(8, 109))
+    assert page.text("error") == ""
+    assert "a ; means nothing: it is omitted (warning)" in page.text("findings")
+
+
+def test_a_file_can_be_dropped_anywhere(page: Page) -> None:
+    page.run(
+        "const data = new DataTransfer(); data.items.add(new File([arguments[0]], 'robot.log'));"
+        "document.body.dispatchEvent(new DragEvent('drop', {bubbles: true, cancelable: true, dataTransfer: data}))",
+        LOG,
+    )
+    page.wait(lambda: page.input == LOG)
+
+
+# Never blocked
+
+
+def test_long_texts_are_read_beside_the_brick_and_can_be_cancelled(page: Page) -> None:
+    draw = random.Random(1)
+    starts = ((number, draw.randrange(250, 5000), draw.randrange(1, 2000)) for number in range(6060))
+    lines = [
+        struct.pack("<HHBHBBBBHBH", 14, number, 0x80, 0, 0x94, 1, 1, 0x82, hertz, 0x82, time).hex()
+        for number, hertz, time in starts
+    ]
+    page.type("\n".join(lines))
+    page.wait(lambda: page.is_shown("progress"))
+    # The brick plays on meanwhile, and what was read is shown as it comes.
+    button = "document.querySelector('[data-button=right]')"
+    page.run(f"{button}.dispatchEvent(new Event('pointerdown'))")
+    page.wait(lambda: page.run(f"return {button}.classList.contains('down')"), 10)
+    page.run(f"{button}.dispatchEvent(new Event('pointerup'))")
+    assert page.is_shown("progress")
+    page.click("cancel")
+    page.wait(lambda: "Cancelled" in page.text("note"))
+    assert not page.is_shown("progress")
+    page.read("UI_WRITE(LED, LED_RED)")
+    page.click("send")
+    page.wait(lambda: page.text("leds") == "LED_RED")
+    page.type("\n".join(lines))
+    page.wait(lambda: "6060 frames: 0 errors" in page.text("findings"), 120)
+    assert page.text("tree").endswith("... and many more lines; ev3proto on the command line shows all\n")
+    assert page.text("frame").startswith("0x|0E:00|00:00|80|00:00|94:01:01:82:")
+    assert page.text("count") == "6,060 frames"
+    page.browser.find_element(By.CSS_SELECTOR, "#tabs [data-tab=c]").click()
+    page.wait(lambda: "frame_1[16]" in page.text("c"))
+    page.browser.find_element(By.CSS_SELECTOR, "#tabs [data-tab=lesson]").click()
+
+
+# A real brick
+
+
+@pytest.mark.parametrize("carrier", ["usb", "bluetooth"])
+def test_a_real_brick(page: Page, carrier: str, tmp_path: Path) -> None:
+    assert page.connection == "none"
+    page.read(BATTERY)
+    page.connect(carrier)
+    assert "Connected by" in page.text("brick-status")
+    page.click("send")
+    page.wait(lambda: "VALUE = 7.5 V" in page.text("answer"))
+    assert re.search(r"answered after \d+\.\d ms:\nDIRECT_REPLY, counter 42, 9 bytes: ok\n", page.text("answer"))
+    assert page.fact("sent") == ["08002a00000400810160"]
+    page.click("watch")
+    page.wait(lambda: "Battery" in page.text("facts") and "Firmware" in page.text("facts"))
+    assert "7.50 V, 0.20 A, 100 %" in page.text("facts")
+    page.click("watch")
+    page.run(
+        "URL.createObjectURL = (blob) => { blob.arrayBuffer().then((data) => {"
+        " saved = [...new Uint8Array(data)]; }); return 'about:blank#'; }; saved = null;"
+        "HTMLAnchorElement.prototype.click = () => {}"
+    )
+    page.click("record")
+    page.wait(lambda: page.run("return saved"))
+    capture = tmp_path / "ev3.pcapng"
+    capture.write_bytes(bytes(page.run("return saved")))
+    assert f"{carrier} " in printed("decode", "--dialogues", capture)
+    assert "UI_READ.GET_VBATT(VALUE=GV(0)) -> VALUE=7.5 V" in printed("decode", "--dialogues", capture)
+    page.click("disconnect")
+    page.wait(lambda: page.connection == "none")
+    # The next one is another one: the browser asks again.
+    page.connect(carrier)
+    assert page.fact("requests") >= 1
+
+
+def test_a_known_brick_is_connected_without_asking(page: Page) -> None:
+    page.run("navigator.hid.permitted = [navigator.hid.device]")
+    page.open(fragment(BATTERY))
+    page.run("navigator.hid.permitted = [navigator.hid.device]")
+    page.connect("usb")
+    assert page.fact("requests") == 0
+
+
+@pytest.mark.parametrize("carrier", ["usb", "bluetooth"])
+def test_a_refused_or_busy_brick_is_a_sentence(page: Page, carrier: str) -> None:
+    page.run("navigator.hid.permitted = []; navigator.serial.permitted = []")
+    page.steer(isRefused=True)
+    page.click(f"connect-{carrier}")
+    page.wait(lambda: "was chosen" in page.text("brick-status"))
+    assert page.connection == "none"
+    page.steer(isRefused=False, isBusy=True)
+    page.click(f"connect-{carrier}")
+    page.wait(lambda: "cannot be opened" in page.text("brick-status"))
+    assert page.is_shown(f"connect-{carrier}")
+
+
+@pytest.mark.parametrize("carrier", ["usb", "bluetooth"])
+def test_a_brick_that_is_unplugged_during_a_command(page: Page, carrier: str) -> None:
+    page.read(BATTERY)
+    page.connect(carrier)
+    page.steer(isUnplugged=True)
+    page.click("send")
+    page.wait(lambda: page.connection == "none")
+    assert "unplugged or switched off" in page.text("brick-status")
+    page.wait(lambda: "no answer: the brick was unplugged" in page.text("answer"))
+    page.steer(isUnplugged=False)
+    page.connect(carrier)
+    page.click("send")
+    page.wait(lambda: "VALUE = 7.5 V" in page.text("answer"))
+
+
+@pytest.mark.parametrize("carrier", ["usb", "bluetooth"])
+def test_a_brick_that_answers_late_or_never(page: Page, carrier: str) -> None:
+    page.read(BATTERY)
+    page.connect(carrier)
+    page.steer(delay=6000)
+    page.click("send")
+    page.wait(lambda: "waiting for the answer" in page.text("answer"))
+    page.wait(lambda: "no answer within 5 s" in page.text("answer"))
+    page.steer(isSilent=True)
+    page.wait(lambda: "answered late, after" in page.text("answer"))
+    assert "VALUE = 7.5 V" in page.text("answer")
+    assert page.connection == carrier
+
+
+def test_what_does_not_only_read_asks_first(page: Page) -> None:
+    page.read("OUTPUT_START(0, 1)")
+    page.connect("usb")
+    page.click("send")
+    page.wait(lambda: page.is_shown("allow"))
+    assert "OUTPUT_START makes motors turn or stop" in page.text("ask")
+    page.browser.switch_to.active_element.send_keys(Keys.ESCAPE)
+    page.wait(lambda: not page.is_shown("allow"))
+    page.click("send")
+    page.wait(lambda: page.is_shown("allow"))
+    page.click("cancel")
+    page.wait(lambda: not page.is_shown("allow"))
+    assert page.fact("sent") == []
+    page.click("send")
+    page.wait(lambda: page.is_shown("allow"))
+    page.click("allow")
+    page.wait(lambda: page.fact("sent") == ["08000000800000a60001"])
+    # What the brick would wait for is not sent at all.
+    page.read("09:00|2A:00|80|00:00|81|01|60|")
+    page.click("send")
+    page.wait(lambda: "would wait for the rest" in page.text("error"))
+    assert len(page.fact("sent")) == 1
+
+
+def test_a_brick_is_compared_with_the_virtual_one(page: Page) -> None:
+    page.connect("usb")
+    page.click("computes")
+    page.click("compare")
+    page.wait(lambda: "answers differ" in page.text("comparison"), 120)
+    assert re.match(r"0 of (\d+) answers differ\.", page.text("comparison"))
+    page.click("computes")
+    page.steer(isSilent=True)
+    page.click("compare")
+    page.wait(lambda: "ended early: the brick does not answer" in page.text("comparison"))
+    assert page.text("comparison").startswith("3 of 3 answers differ")
+
+
+def test_two_tabs_do_not_disturb_each_other(page: Page) -> None:
+    page.read(BATTERY)
+    page.connect("usb")
+    first = page.browser.current_window_handle
+    page.browser.switch_to.new_window("tab")
+    try:
+        put_fakes(page.browser)
+        page.open(fragment(BATTERY))
+        page.connect("usb")
         page.click("send")
-        page.wait(lambda: page.pixel(8, 109))
-        assert page.text("error") == ""
-        assert "a ; means nothing: it is omitted (warning)" in page.text("findings")
+        page.wait(lambda: "VALUE = 7.5 V" in page.text("answer"))
+    finally:
+        page.browser.close()
+        page.browser.switch_to.window(first)
+    assert page.text("answer") == ""
+    # What another tab was answered is not an answer here.
+    page.run(
+        "const data = new DataView(new ArrayBuffer(1024)); data.setUint16(0, 3, true); data.setUint8(4, 2);"
+        "navigator.hid.device.dispatchEvent(Object.assign(new Event('inputreport'), {reportId: 0, data}))"
+    )
+    page.click("send")
+    page.wait(lambda: "VALUE = 7.5 V" in page.text("answer"))
+    assert "unasked" not in page.text("answer")
 
 
-def test_hostile_text_stays_text(address: str, tmp_path: Path) -> None:
-    with opened(f"{address}#text={quote(HOSTILE)}", tmp_path) as page:
+def test_a_browser_without_usb_and_bluetooth(page: Page) -> None:
+    page.run("for (const name of ['hid', 'serial']) Object.defineProperty(navigator, name, {value: undefined})")
+    page.click("connect-usb")
+    page.wait(lambda: "neither WebHID nor Web Serial" in page.text("brick-status"))
+    assert "snap" in page.text("brick-status")
+    page.open()
+
+
+# Without a network
+
+
+def test_the_page_is_kept_for_use_without_a_network(built: Path, tmp_path: Path) -> None:
+    with chromium(tmp_path / "profile") as browser:
+        with served_site(built) as address:
+            page = Page(browser, address)
+            page.open()
+            active = "return navigator.serviceWorker.ready.then((it) => it.active.state)"
+            page.wait(lambda: page.run(active) == "activated", 120)
+        page.open(fragment(TONE))
         page.wait(lambda: page.text("tree"))
-        assert page.input == HOSTILE
-        page.type(HOSTILE.replace("0e002a", "0f002a"))
-        page.wait(lambda: page.text("error"))
-        page.type('UI_DRAW(<script>, "<img src=x>", 1)')
-        page.wait(lambda: "<script>" in page.text("error"))
-        assert page.browser.find_elements(By.CSS_SELECTOR, "main img, main script, main b") == []
+        assert page.run("return caches.keys().then((names) => names.length)") == 1
+
+
+# Its files
+
+
+def test_hostile_text_stays_text(page: Page) -> None:
+    page.run("location.hash = arguments[0]", fragment(HOSTILE))
+    page.wait(lambda: page.text("tree"))
+    assert page.input == HOSTILE
+    page.type(HOSTILE.replace("0e002a", "ff7f2a"))
+    page.wait(lambda: page.text("error"))
+    page.type('UI_DRAW(<script>, "<img src=x>", 1)')
+    page.wait(lambda: "<script>" in page.text("error"))
+    assert page.browser.find_elements(By.CSS_SELECTOR, "main img, main script, main b") == []
 
 
 def test_nothing_inline_and_nothing_from_elsewhere(built: Path) -> None:
-    page = (built / "playground" / "index.html").read_text(encoding="utf-8")
+    site = built / "playground"
+    page = (site / "index.html").read_text(encoding="utf-8")
     assert "default-src 'none'" in page
+    assert "connect-src 'self'" in page
+    assert "worker-src 'self'" in page
     assert "unsafe" not in page
     assert not re.search(r"<script(?![^>]*src=)|<style|\sstyle=|\son\w+=", page)
-    own = [each for each in (built / "playground").iterdir() if each.suffix in (".html", ".js", ".css")]
-    assert len(own) == 6
+    own = [each for each in site.iterdir() if each.suffix in (".html", ".js", ".css")]
+    assert {each.name for each in own} >= {"index.html", "playground.js", "service-worker.js", "brick.js"}
     for file in own:
-        assert "//" not in re.sub(r"^ *//.*$| // .*$", "", file.read_text(encoding="utf-8"), flags=re.MULTILINE), file
-    lesson: list[Any] = json.loads((built / "playground" / "lesson.json").read_text(encoding="utf-8"))
+        text = file.read_text(encoding="utf-8")
+        assert "//" not in re.sub(r"^ *//.*$| // .*$", "", text, flags=re.MULTILINE), file
+        assert "innerHTML" not in text or file.name == "brick.js"
+    assert sum(each.stat().st_size for each in site.rglob("*") if each.is_file()) < 15 << 20
+    lesson: list[Any] = json.loads((site / "lesson.json").read_text(encoding="utf-8"))
     assert lesson[0]["title"].startswith("Setting the name of the brick")
+    kept: list[str] = json.loads(
+        (site / "service-worker.js").read_text(encoding="utf-8").partition("FILES = ")[2].partition(";")[0]
+    )
+    there = {each.relative_to(site).as_posix() for each in site.rglob("*") if each.is_file()}
+    assert set(kept) == there - {"service-worker.js"}
 
 
 def test_the_licences_of_what_it_contains_are_there_in_full(built: Path) -> None:
@@ -296,16 +729,20 @@ def test_the_licences_of_what_it_contains_are_there_in_full(built: Path) -> None
     assert '<a href="licences.txt">' in page
 
 
-def test_its_python_runs_here_too() -> None:
-    command = [sys.executable, "-c", f"import bridge; print(bridge.look({TONE!r}))"]
+def _bridge(script: str) -> str:
+    """What a script with the Python side of the page prints."""
     environment = {**os.environ, "PYTHONPATH": str(ROOT / "docs" / "playground")}
-    done = subprocess.run(command, cwd=ROOT, env=environment, capture_output=True, text=True, check=True)
-    assert json.loads(done.stdout)["lines"][3] == [
-        "    10    FREQUENCY = 440 Hz  LC2: pitch; the driver clamps it to the range",
-        0,
-        10,
-        3,
-    ]
+    command = [sys.executable, "-c", script]
+    return subprocess.run(command, cwd=ROOT, env=environment, capture_output=True, text=True, check=True).stdout
+
+
+def test_its_python_runs_here_too() -> None:
+    answer = json.loads(_bridge(f"import bridge; print(bridge.look({TONE!r}))"))
+    pieces, *place = answer["lines"][3]
+    assert "".join(text for text, *_ in pieces) == (
+        "    10    FREQUENCY = 440 Hz  LC2: pitch; the driver clamps it to the range"
+    )
+    assert place == [0, 10, 3]
 
 
 def test_without_npm_the_rest_can_be_built(tmp_path: Path) -> None:

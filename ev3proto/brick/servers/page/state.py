@@ -134,7 +134,7 @@ def answer(brick: Brick, text: str) -> dict[str, Any] | None:
 
     Args:
         brick: The brick to act on.
-        text: A JSON object with `do`: press, release, plug, read, list, fetch.
+        text: A JSON object with `do`: press, release, stop, plug, read, list, fetch.
 
     Returns:
         What to send back to the page, or None; an `error` if the action is impossible.
@@ -153,6 +153,8 @@ def _act(brick: Brick, action: Any) -> dict[str, Any] | None:
             brick.press(button)
         case {"do": "release", "button": str(button)}:
             brick.release(button)
+        case {"do": "stop"}:
+            brick.stop()
         case {"do": "plug", "port": int() | str() as port, "type": int(number)}:
             brick.plug(port, number)
         case {"do": "read", "port": int(port), "mode": int(mode), "values": list(values)}:

@@ -22,6 +22,7 @@ const BRICK = `
     <span></span>
   </div>
   <p>Light: <span id="leds"></span></p>
+  <p id="running" role="status" hidden>A program is running. <button id="stop">Stop it</button></p>
   <p><label><input type="checkbox" id="sound"> Sound</label> <button id="save">Save the display</button></p>
   <pre id="terminal" hidden></pre>
 </section>
@@ -136,6 +137,9 @@ export const showBrick = (place, send) => {
     const name = button.dataset.button;
     onHold(button, () => send({ do: "press", button: name }), () => send({ do: "release", button: name }));
   }
+
+  show.program = (isRunning) => { find("running").hidden = !isRunning; };
+  find("stop").onclick = () => send({ do: "stop" });
 
   // Motors and sensors
 

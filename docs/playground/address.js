@@ -1,0 +1,74 @@
+// The text in the address: #text= as it is, or #z= deflated, for links to what the page shows.
+
+export const MOST_TEXT = 4000;
+const MOST_LINK = 8192;
+const MOST_INFLATED = 1 << 20;
+
+const DEFLATE = "deflate-raw";
+
+const base64url = (bytes) => {
+  let text = "";
+  for (let at = 0; at < bytes.length; at += 4096) text += String.fromCharCode(...bytes.subarray(at, at + 4096));
+  return btoa(text).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
+};
+
+const bytesOf = (text) => Uint8Array.from(atob(text.replaceAll("-", "+").replaceAll("_", "/")), (it) => it.charCodeAt(0));
+
+const plain = (text) => `#text=${encodeURIComponent(text)}`;
+
+const deflated = async (text) => {
+  if (!("CompressionStream" in globalThis)) return null;
+  const stream = new Blob([text]).stream().pipeThrough(new CompressionStream(DEFLATE));
+  return `#z=${base64url(new Uint8Array(await new Response(stream).arrayBuffer()))}`;
+};
+
+const isShort = (fragment) => location.href.split("#")[0].length + fragment.length <= MOST_LINK;
+
+/** The fragment for the address bar; empty for a text that is too long. */
+export const fragmentOf = async (text) => {
+  if (!text) return "";
+  if (text.length <= MOST_TEXT) return plain(text);
+  const found = await deflated(text);
+  return found && isShort(found) ? found : "";
+};
+
+/** The shortest link to a text; null if there is none. */
+export const linkTo = async (text) => {
+  const found = [text.length <= MOST_TEXT ? plain(text) : null, await deflated(text)].filter((it) => it && isShort(it));
+  if (!found.length) return null;
+  const shortest = found.reduce((one, other) => (other.length < one.length ? other : one));
+  return location.href.split("#")[0] + shortest;
+};
+
+/** The text of a fragment; null if it has none. Throws an Error with a sentence if it cannot be read. */
+export const textOf = async (fragment) => {
+  const [, kind, given] = fragment.match(/^#(text|z)=(.*)$/s) ?? [];
+  if (kind === undefined) return null;
+  if (kind === "text") {
+    try { return decodeURIComponent(given); } catch { return given; }
+  }
+  return inflated(given);
+};
+
+const inflated = async (given) => {
+  if (!("DecompressionStream" in globalThis)) throw new Error("This browser cannot read the link: it lacks DecompressionStream.");
+  const parts = [];
+  let size = 0;
+  try {
+    const stream = new Blob([bytesOf(given)]).stream().pipeThrough(new DecompressionStream(DEFLATE));
+    for (const reader = stream.getReader(); ;) {
+      const { done, value } = await reader.read();
+      if (done) break;
+      size += value.length;
+      if (size > MOST_INFLATED) {
+        reader.cancel().catch(() => {});
+        break;
+      }
+      parts.push(value);
+    }
+  } catch {
+    throw new Error("The link is damaged: the text in it cannot be unpacked. Was it copied as a whole?");
+  }
+  if (size > MOST_INFLATED) throw new Error("The link unpacks to more than 1 MiB, which this page does not read.");
+  return new Blob(parts).text();
+};

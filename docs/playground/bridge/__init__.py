@@ -1,0 +1,268 @@
+"""The Python side of the playground: what is read, a virtual brick, and a session with a real one.
+
+Every function takes and returns types that JavaScript also has; answers are JSON. It runs in Pyodide and in CPython.
+"""
+
+from __future__ import annotations
+
+import base64
+import io
+import json
+import re
+from collections.abc import Callable
+from contextlib import redirect_stderr, redirect_stdout, suppress
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import TYPE_CHECKING, Any
+
+from ev3proto.cli.commands import cli
+
+from .completing import complete
+from .reading import MOST_SENT, Publish, Reading
+from .virtual_brick import VirtualBrick
+
+if TYPE_CHECKING:
+    from .real_brick import RealBrick
+
+__all__ = [
+    "act",
+    "all_dialogues",
+    "as_assembly",
+    "compare",
+    "complete",
+    "connect",
+    "end_comparison",
+    "explain",
+    "fix",
+    "gone",
+    "heard",
+    "look",
+    "made",
+    "open_file",
+    "play",
+    "record",
+    "sent",
+    "talk",
+    "tick",
+    "timeline",
+    "to_send",
+    "turn",
+    "watch",
+]
+
+_FILE_NAME = re.compile(r"\w[\w .()-]{0,80}", re.ASCII)
+
+_folder = TemporaryDirectory()
+_PLACE = Path(_folder.name)
+_TEXT, _CHART = _PLACE / "input", _PLACE / "chart.json"
+
+
+# The input
+
+_now = Reading()
+_path = _TEXT
+
+
+def _nothing(_: str) -> None:
+    """Publishes nothing."""
+
+
+def look(text: str, publish: Publish = _nothing) -> str:
+    """Reads what was typed or pasted.
+
+    Args:
+        text: The text.
+        publish: Is called with JSON, as long as it takes: `part` and `count` of what was read, or an `answer` so far.
+
+    Returns:
+        The answer: see `Reading.answer`.
+    """
+    global _now, _path
+    _now, _path = Reading(publish), _TEXT
+    _TEXT.write_text(text, encoding="utf-8", errors="surrogatepass")
+    _now.type(text)
+    return json.dumps(_now.answer())
+
+
+def open_file(name: str, data: Any, publish: Publish = _nothing) -> str:
+    """Reads a file, as `look` reads a text.
+
+    Args:
+        name: The name of the file, which is shown.
+        data: The contents, as bytes or as a JavaScript array.
+        publish: As for `look`.
+    """
+    global _now, _path
+    _now = Reading(publish)
+    _path = _PLACE / (name if _FILE_NAME.fullmatch(name) else f"file{Path(name).suffix if name.isprintable() else ''}")
+    _path.write_bytes(_bytes(data))
+    _now.open(_path)
+    return json.dumps(_now.answer())
+
+
+def made(form: str) -> str:
+    """Returns the frames in a notation: `c`, `python`."""
+    return json.dumps(_now.made(form))
+
+
+def all_dialogues() -> str:
+    """Returns all dialogues that are shown."""
+    return json.dumps(_now.all_dialogue_rows())
+
+
+def timeline() -> str:
+    """Returns the timeline of the input as a Vega-Lite specification with its data; null if it is empty."""
+    _command("timeline", str(_path), "-o", str(_CHART))
+    if not _CHART.exists():
+        return "null"
+    chart = _CHART.read_text(encoding="utf-8")
+    _CHART.unlink()
+    return chart
+
+
+def explain(code: str) -> str:
+    """Returns what a code of `check` means."""
+    return json.dumps(_command("check", "--explain", code))
+
+
+def fix() -> str:
+    """Returns the text with every certain fix in it."""
+    return json.dumps(_now.fixed())
+
+
+def to_send() -> str:
+    """Returns what the input has to send: see `Reading.to_send`."""
+    return json.dumps(_now.to_send())
+
+
+def as_assembly(frame: str) -> str:
+    """Returns a frame as text that can be edited and encoded again."""
+    return json.dumps(_command("decode", "--format", "asm", "--", frame))
+
+
+def _command(*arguments: str) -> str:
+    """Runs a subcommand of ev3proto. Returns its output."""
+    with io.TextIOWrapper(io.BytesIO(), "utf-8") as out, redirect_stdout(out), redirect_stderr(io.StringIO()):
+        with suppress(SystemExit):
+            cli(arguments, prog_name="ev3proto")
+        out.seek(0)
+        return out.read()
+
+
+def _bytes(data: Any) -> bytes:
+    return data if isinstance(data, bytes) else data.to_bytes()
+
+
+# The virtual brick
+
+_brick: VirtualBrick | None = None
+
+
+def _virtual() -> VirtualBrick:
+    """Returns the brick, which is switched on at its first use."""
+    global _brick
+    _brick = _brick or VirtualBrick()
+    return _brick
+
+
+def tick(seconds: float) -> str:
+    """Advances the clock of the virtual brick. Returns what is new on it; empty if nothing is."""
+    return _virtual().tick(seconds)
+
+
+def act(action: str) -> str:
+    """Runs an action on the virtual brick, given as JSON. Returns the answer for the page."""
+    return _virtual().act(action)
+
+
+def play(sent: str) -> str:
+    """Sends what `to_send` returned to the virtual brick. Returns an error message, or ""."""
+    given = json.loads(sent)
+    if given["error"]:
+        return json.dumps(given["error"])
+    if given["program"] is not None:
+        return json.dumps(_virtual().start(bytes.fromhex(given["program"])))
+    for frame in given["frames"]:
+        if said := _virtual().send(bytes.fromhex(frame)):
+            return json.dumps(said)
+    left = given["count"] - len(given["frames"])
+    return json.dumps(f"Only the first {MOST_SENT} of {given['count']} commands were sent." if left else "")
+
+
+# A real brick
+
+_real: RealBrick | None = None
+
+
+def connect(carrier: str, label: str, carry: Callable[[str], object], tell: Callable[[str], object]) -> str:
+    """Begins a session: see `RealBrick`."""
+    global _real
+    from .real_brick import RealBrick  # takes 60 ms, which only a real brick needs
+
+    _real = RealBrick(carrier, label, carry, tell)
+    return "null"
+
+
+def sent(at: float) -> str:
+    """Takes the time at which a frame was carried."""
+    if _real is not None:
+        _real.sent(at)
+    return "null"
+
+
+def heard(data: Any, at: float) -> str:
+    """Takes bytes from the brick, and when they came."""
+    if _real is not None:
+        _real.heard(_bytes(data), at)
+    return "null"
+
+
+def turn() -> None:
+    """Lets time pass for the session."""
+    if _real is not None and _real.is_open:
+        _real.turn()
+
+
+def gone(reason: str) -> str:
+    """Ends the session; its recording stays."""
+    if _real is not None:
+        _real.gone(reason)
+    return "null"
+
+
+def talk(given: str, is_allowed: bool) -> str:
+    """Sends what `to_send` returned to the brick: see `RealBrick.send`."""
+    assert _real is not None
+    wanted = json.loads(given)
+    error = wanted["error"]
+    if wanted["program"] is not None:
+        error = "A program is started on the virtual brick only; `ev3proto run` starts it on a real one."
+    if error:
+        return json.dumps({"error": error})
+    return json.dumps(_real.send([bytes.fromhex(frame) for frame in wanted["frames"]], is_allowed=is_allowed))
+
+
+def watch(is_wanted: bool) -> str:
+    """Begins or ends asking for battery and ports every second."""
+    assert _real is not None
+    _real.watch(is_wanted)
+    return "null"
+
+
+def record() -> str:
+    """Returns what was said to and by the brick, as pcapng in base64; empty without a session."""
+    return json.dumps("" if _real is None else base64.b64encode(_real.recording()).decode())
+
+
+def compare(capture: Any, computes: bool) -> str:
+    """Compares the brick with the virtual one: see `RealBrick.compare`."""
+    assert _real is not None
+    _real.compare(_bytes(capture), computes=computes)
+    return "null"
+
+
+def end_comparison() -> str:
+    """Ends a comparison early."""
+    if _real is not None:
+        _real.end_comparison()
+    return "null"

@@ -1,0 +1,487 @@
+"""A session with a real brick. JavaScript moves the bytes; what they mean is decided by ev3proto's own session."""
+
+from __future__ import annotations
+
+import io
+import json
+import random
+import time
+from collections import deque
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from ev3proto.bounded import Bounded
+from ev3proto.capture import read
+from ev3proto.capture.dialogues import dialogues
+from ev3proto.capture.formats import CaptureFile
+from ev3proto.checking.checking import check
+from ev3proto.dialogue import Dialogue
+from ev3proto.generate.captures.recording import Recording
+from ev3proto.link import questions
+from ev3proto.link.commands import Prepared, SyncMode, direct
+from ev3proto.link.errors import LinkError
+from ev3proto.link.harm import Harm, harms_of
+from ev3proto.link.open_handles import OpenHandles
+from ev3proto.link.questions import Question
+from ev3proto.link.replay import Handles, Likeness, Step, compare, steps
+from ev3proto.link.session import Answered, Oddity, Request, Session, Stray
+from ev3proto.ops import input_readsi
+from ev3proto.schema.frame import parse
+from ev3proto.schema.header import HEADER_SIZE, Header, frame_size
+from ev3proto.semantics.replies import Value
+from ev3proto.tables.carriers import Carrier
+from ev3proto.tables.devices import DEVICE_TYPES
+from ev3proto.tables.enumerations import TYPE
+from ev3proto.tables.frame import COUNTERS, LENGTH_FIELD, MAX_FRAME, MessageType
+from ev3proto.tables.input import MOTOR_PORTS
+from ev3proto.tables.input import PORTS as SENSOR_PORTS
+from ev3proto.text.phrases import Seen, command_spans
+from ev3proto.text.spans import Line, Role, plain_text
+from ev3proto.text.tree import tree
+from ev3proto.version import VERSION
+
+from .rows import pieces
+
+PATIENCE = 5.0
+"""Seconds after which a command counts as unanswered. A later answer is shown all the same."""
+
+PERIOD = 1.0
+"""Seconds between two questions for battery and ports."""
+
+MOST_SILENT = 3
+"""Unanswered commands in a row after which a comparison ends."""
+
+MOST_RECORDED = 1 << 26
+"""Bytes of a recording; what follows is not recorded."""
+
+MOST_ANSWERS = 100
+"""Answers that are shown."""
+
+MOST_LATE = 256
+
+DIALECT = "official"
+_KEY = 0
+_NO_CHANGE = -1
+_DEVICES = DEVICE_TYPES.keys() - {TYPE.members["TYPE_NONE"]}
+_TYPES = {number: name.removeprefix("TYPE_") for name, number in TYPE.members.items()}
+_PORT_NAMES = (*(str(port + 1) for port in SENSOR_PORTS), *(chr(ord("A") + number) for number in range(4)))
+
+
+@dataclass(eq=False, slots=True)
+class Job:
+    """A command that waits for its turn.
+
+    start     makes it a command of the session
+    answer    takes the reply and the milliseconds that it took; None and 0 for a command that wants none
+    silence   takes the reason why no answer came
+    request   the command, once it is sent
+    sent      when, in milliseconds of the page's clock
+    deadline  when it counts as unanswered, in seconds of Python's clock
+    is_late   whether that was before its reply came
+    """
+
+    start: Callable[[Session], Request]
+    answer: Callable[[Job, bytes | None, float], None]
+    silence: Callable[[Job, str], None]
+    request: Request | None = None
+    sent: float = 0.0
+    deadline: float = 0.0
+    is_late: bool = False
+
+    @property
+    def frame(self) -> bytes:
+        """Its bytes, once it is sent."""
+        assert self.request is not None
+        return self.request.frame
+
+
+class RealBrick:
+    """A connection to a brick. One command at a time is on its way.
+
+    is_open  whether the connection is there
+    """
+
+    def __init__(self, carrier: str, label: str, carry: Callable[[str], object], tell: Callable[[str], object]) -> None:
+        """Begins a session.
+
+        Args:
+            carrier: "usb" or "bluetooth".
+            label: Which brick, as sentences call it.
+            carry: Takes a frame for the brick, in hex.
+            tell: Takes news for the page, as JSON.
+        """
+        self._carrier = Carrier(carrier)
+        self._label = label
+        self._carry = carry
+        self._tell = tell
+        # Other tabs and programs may see the same replies: their counters should differ.
+        self._session = Session(random.randrange(COUNTERS))
+        self._handles = OpenHandles()
+        self._jobs: deque[Job] = deque()
+        self._now: Job | None = None
+        self._late: Bounded[int, Job] = Bounded(MOST_LATE)
+        self._answers: list[list[Line]] = []
+        self._file = io.BytesIO()
+        self._recording = Recording(self._file)
+        self._recording.opened(_KEY, self._carrier, ("", 0), ("", 0))
+        self._watches = False
+        self._due = 0.0
+        self._facts: dict[str, Any] = {}
+        self._comparison: Comparison | None = None
+        self.is_open = True
+
+    # Bytes
+
+    def sent(self, at: float) -> None:
+        """Takes the time at which a frame was carried, in milliseconds of the page's clock."""
+        if self._now is not None:
+            self._now.sent = at
+
+    def heard(self, data: bytes, at: float) -> None:
+        """Takes what came from the brick.
+
+        Args:
+            data: A report of USB, or any bytes of a serial port.
+            at: When, in milliseconds of the page's clock.
+        """
+        if self._carrier is Carrier.USB and len(data) >= LENGTH_FIELD:
+            data = data[: frame_size(data)]
+        for event in self._session.feed(data):
+            if isinstance(event, Answered):
+                self._record(event.frame, False)
+                job, self._now = self._now, None
+                assert job is not None
+                job.answer(job, event.frame, at - job.sent)
+            elif isinstance(event, Stray):
+                self._record(event.frame, False)
+                self._stray(event, at)
+        self._advance()
+
+    def _stray(self, event: Stray, at: float) -> None:
+        if event.oddity is Oddity.LATE:
+            job = self._late.pop(Header.read(event.frame).counter, None)
+            if job is not None:
+                job.is_late = True
+                job.answer(job, event.frame, at - job.sent)
+        elif event.oddity is Oddity.UNASKED:
+            self._show([[("sent by the brick, unasked:", Role.HEADING)], *_tree(event.frame, None)])
+
+    def turn(self) -> None:
+        """Lets time pass: ends what waits for too long, and asks what is asked for every second."""
+        now = time.monotonic()
+        job = self._now
+        if job is not None and now > job.deadline:
+            self._now = None
+            assert job.request is not None
+            self._session.abandon(job.request)
+            self._late.add(job.request.counter, job)
+            job.silence(job, f"no answer within {PATIENCE:g} s; a late one is shown when it comes")
+        if self._watches and self._now is None and not self._jobs and now >= self._due:
+            self._due = now + PERIOD
+            self._watch()
+        self._advance()
+
+    def gone(self, reason: str) -> None:
+        """Ends the session."""
+        if not self.is_open:
+            return
+        self.is_open = False
+        job, self._now = self._now, None
+        self._jobs.clear()
+        self._watches = False
+        if self._comparison is not None:
+            self._comparison.end(reason)
+        if job is not None:
+            job.silence(job, f"no answer: {reason}")
+        self._recording.close()
+
+    def _advance(self) -> None:
+        """Sends commands until one waits for its reply."""
+        while self._now is None and self._jobs:
+            job = self._jobs.popleft()
+            try:
+                job.request = job.start(self._session)
+            except LinkError as error:
+                self._show([[(str(error), Role.FAULT)]])
+                continue
+            self._record(job.request.frame, True)
+            if job.request.wants_reply:
+                self._now = job
+                job.deadline = time.monotonic() + PATIENCE
+            self._carry(job.request.frame.hex())
+            if not job.request.wants_reply:
+                job.answer(job, None, 0.0)
+
+    def _record(self, frame: bytes, is_sent: bool) -> None:
+        if self._file.tell() < MOST_RECORDED:
+            self._recording.data(_KEY, frame, is_sent)
+
+    def recording(self) -> bytes:
+        """Returns what was said so far, as pcapng."""
+        return self._file.getvalue()
+
+    # Commands of the input
+
+    def send(self, frames: list[bytes], *, is_allowed: bool) -> dict[str, Any]:
+        """Sends commands.
+
+        Args:
+            frames: The commands.
+            is_allowed: Whether they may do what is not on the list of reading operations.
+
+        Returns:
+            `error`, or `ask`: what they may do, if that has to be allowed first.
+        """
+        for frame in frames:
+            if len(frame) != frame_size(frame):
+                return {
+                    "error": "The length field does not match: the brick would wait for the rest. See the findings."
+                }
+            if self._carrier is Carrier.USB and len(frame) > MAX_FRAME:
+                return {"error": f"The frame has {len(frame)} bytes; USB carries {MAX_FRAME}."}
+        asks = [] if is_allowed else list(dict.fromkeys(ask for frame in frames for ask in _asks(frame, self._handles)))
+        if asks:
+            return {"ask": asks}
+        self._answers = []
+        for frame in frames:
+            self._jobs.append(Job(_adopting(frame), self._answered, self._silent))
+        self._show([])
+        self._advance()
+        return {}
+
+    def _answered(self, job: Job, reply: bytes | None, latency: float) -> None:
+        command = command_spans(parse(job.frame, strict=False))
+        if reply is None:
+            self._show([command, [("sent; it wants no answer", Role.ASIDE)]])
+            return
+        self._handles.learn(parse(reply, strict=False))
+        late = "late, " if job.is_late else ""
+        self._show([command, [(f"answered {late}after {latency:.1f} ms:", Role.ASIDE)], *_tree(reply, job.frame)])
+
+    def _silent(self, job: Job, reason: str) -> None:
+        self._show([command_spans(parse(job.frame, strict=False)), [(reason, Role.FAULT)]])
+
+    def _show(self, lines: list[Line]) -> None:
+        """Shows an answer below the ones before it."""
+        if lines:
+            self._answers = [*self._answers, lines][-MOST_ANSWERS:]
+        shown = [[pieces(line) for line in answer] for answer in self._answers]
+        self._tell(json.dumps({"answers": shown, "isWaiting": bool(self._jobs or self._now)}))
+
+    # What is asked for every second
+
+    def watch(self, is_wanted: bool) -> None:
+        """Begins or ends asking for name, firmware, battery and ports every second."""
+        self._watches = is_wanted
+        self._due = 0.0
+        self.turn()
+
+    def _watch(self) -> None:
+        self._ask(questions.NAME, lambda name: self._know(name=name))
+        self._ask(questions.SYSTEM, lambda system: self._know(firmware=system.fw_version))
+        self._ask(questions.BATTERY, self._know_battery)
+        self._ask(_TYPES_AND_MODES, self._ask_values)
+
+    def _know_battery(self, battery: questions.Battery) -> None:
+        self._know(battery=f"{battery.voltage:.2f} V, {battery.current:.2f} A, {battery.percentage} %")
+
+    def _ask_values(self, found: list[tuple[int, int]]) -> None:
+        """Asks for the values of the devices that are plugged in."""
+        plugged = [(at, kind, mode) for at, (kind, mode) in enumerate(found) if kind in _DEVICES]
+        drafts = tuple(input_readsi(0, _PORTS[at], 0, _NO_CHANGE) for at, _, _ in plugged)
+        if not drafts:
+            self._know(ports=[])
+            return
+
+        def know(values: list[float]) -> None:
+            rows = zip(plugged, values, strict=True)
+            self._know(
+                ports=[[_PORT_NAMES[at], _TYPES[kind], _value(kind, mode, value)] for (at, kind, mode), value in rows]
+            )
+
+        self._ask(Question(drafts, lambda values: values), know)
+
+    def _ask(self, question: Question[Any], know: Callable[[Any], None]) -> None:
+        prepared = direct(question.operations, 0, 0, SyncMode.SYNC, DIALECT)
+
+        def answered(job: Job, reply: bytes | None, _: float) -> None:
+            values = _values(prepared, job.frame, reply)
+            if values is not None:
+                know(question.read(values))
+
+        self._jobs.append(Job(lambda session: session.command(prepared.kind, prepared.body), answered, self._unknown))
+
+    def _unknown(self, _: Job, reason: str) -> None:
+        self._know(silence=reason)
+
+    def _know(self, *, silence: str = "", **facts: Any) -> None:
+        self._facts |= facts
+        self._tell(json.dumps({"facts": self._facts | {"silence": silence}}))
+
+    # The comparison with the virtual brick
+
+    def compare(self, capture: bytes, *, computes: bool) -> None:
+        """Sends the commands of a capture that only read, and compares the answers.
+
+        Args:
+            capture: A capture of the virtual brick.
+            computes: Whether to send also what only computes.
+        """
+        allowed = frozenset({Harm.COMPUTING} if computes else ())
+        events = read(CaptureFile(io.BytesIO(capture))).events()
+        found = [step for step in steps(dialogues(events), allowed) if not step.harms]
+        self._ask(questions.SYSTEM, lambda system: self._know(firmware=system.fw_version))
+        self._comparison = Comparison(self, found, self._carrier)
+        self._comparison.next()
+        self._advance()
+
+    def end_comparison(self) -> None:
+        """Ends a comparison early."""
+        if self._comparison is not None:
+            self._comparison.end("cancelled")
+
+    def put(self, job: Job) -> None:
+        """Takes a command of a comparison."""
+        self._jobs.append(job)
+
+    def tell(self, **news: Any) -> None:
+        """Tells the page."""
+        self._tell(json.dumps(news))
+
+    @property
+    def firmware(self) -> str | None:
+        """The version of the firmware, if the brick was asked for it."""
+        return self._facts.get("firmware")
+
+
+class Comparison:
+    """The commands of a capture, sent again one after the other, and the answers that differ."""
+
+    def __init__(self, brick: RealBrick, found: list[Step], carrier: Carrier) -> None:
+        self._brick = brick
+        self._steps = found
+        self._carrier = carrier
+        self._handles = Handles()
+        self._at = 0
+        self._silent = 0
+        self._differences: list[dict[str, Any]] = []
+        self._is_over = False
+
+    def next(self) -> None:
+        """Sends the next command."""
+        if self._is_over:
+            return
+        if self._at == len(self._steps):
+            self.end("")
+            return
+        step = self._steps[self._at]
+        frame = self._handles.frame_for(step.command)
+        kind = MessageType(Header.read(frame).type)
+        self._brick.put(
+            Job(lambda session: session.command(kind, frame[HEADER_SIZE:]), self._answered, self._unanswered)
+        )
+        if self._at % 10 == 0:
+            self._brick.tell(comparing={"done": self._at, "count": len(self._steps)})
+
+    def _answered(self, job: Job, reply: bytes | None, _: float) -> None:
+        if not job.is_late:
+            self._silent = 0
+            self._take(job.frame, reply)
+
+    def _unanswered(self, job: Job, _: str) -> None:
+        self._silent += 1
+        self._take(job.frame, None)
+
+    def _take(self, frame: bytes, reply: bytes | None) -> None:
+        if self._is_over:
+            return
+        step = self._steps[self._at]
+        self._at += 1
+        if reply is not None:
+            self._handles.learn(step.reply, reply)
+        likeness, difference = compare(step, frame, reply, DIALECT)
+        if likeness is not Likeness.SAME:
+            self._differences.append(
+                {
+                    "command": plain_text(command_spans(step.command.message)),
+                    "sent": frame.hex(),
+                    "recorded": None if step.reply is None else step.reply.frame.hex(),
+                    "answered": None if reply is None else reply.hex(),
+                    "difference": difference,
+                    "answer": "no answer" if reply is None else _summary(reply, frame),
+                }
+            )
+        if self._silent == MOST_SILENT:
+            self.end("the brick does not answer")
+        self.next()
+
+    def end(self, reason: str) -> None:
+        """Ends it, and tells the result."""
+        if self._is_over:
+            return
+        self._is_over = True
+        text = f"{len(self._differences)} of {self._at} answers differ"
+        self._brick.tell(
+            comparison={
+                "ev3proto": VERSION,
+                "carrier": str(self._carrier),
+                "firmware": self._brick.firmware,
+                "result": f"{text}; ended early: {reason}" if reason else text,
+                "answers": self._at,
+                "differ": len(self._differences),
+                "differences": self._differences,
+            }
+        )
+
+
+_PORTS = (*SENSOR_PORTS, *MOTOR_PORTS)
+_TYPES_AND_MODES = Question(
+    questions.SENSORS.operations, lambda values: list(zip(map(int, values[::2]), map(int, values[1::2]), strict=True))
+)
+
+
+def _adopting(frame: bytes) -> Callable[[Session], Request]:
+    return lambda session: session.adopt(frame)
+
+
+def _asks(frame: bytes, handles: OpenHandles) -> Iterator[str]:
+    """Yields what has to be allowed before a command is sent."""
+    report = check(frame)
+    if not report.accepted:
+        yield f"The brick refuses it, and may have to be restarted: {report.findings[0].message}."
+    for harm, name in harms_of(parse(frame, strict=False), handles=handles).items():
+        yield f"{name} {harm.text}."
+
+
+def _tree(reply: bytes, command: bytes | None) -> list[Line]:
+    dialogue = Dialogue()
+    if command is not None:
+        dialogue.follow(parse(command, strict=False))
+    return list(tree(dialogue.follow(parse(reply, strict=False)), Seen()))
+
+
+def _summary(reply: bytes, command: bytes) -> str:
+    return "; ".join(plain_text(line).strip() for line in _tree(reply, command))
+
+
+def _values(prepared: Prepared, frame: bytes, reply: bytes | None) -> list[Value] | None:
+    """Returns the values in a reply; None for an error."""
+    if reply is None:
+        return None
+    try:
+        values = prepared.result(frame, reply)
+    except LinkError:
+        return None
+    assert isinstance(values, list)
+    return values
+
+
+def _value(kind: int, mode: int, value: float) -> str:
+    """Returns a sensor's value as the brick shows it."""
+    modes = DEVICE_TYPES[kind].modes
+    if value != value:
+        return "-"
+    if mode >= len(modes):
+        return f"{value:g}"
+    return f"{value:.{modes[mode].decimals}f} {modes[mode].symbol}".strip()

@@ -1,0 +1,56 @@
+"""The virtual brick of the page, which lives as long as the page."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from ev3proto.brick import Brick
+from ev3proto.brick.servers.page.state import Changes, answer
+from ev3proto.brick.servers.page.watcher import Watcher
+from ev3proto.schema.header import frame_size
+
+MOST_STEP = 0.25
+"""Maximum seconds that the brick's clock advances per tick: a page that was asleep does not catch up."""
+
+STRETCH = 0.02
+"""Seconds that a command or program may run before the page gets its turn."""
+
+
+class VirtualBrick:
+    """A brick with one client, the page."""
+
+    number = 1
+    name = "playground"
+
+    def __init__(self) -> None:
+        """Switches the brick on."""
+        self._folder = TemporaryDirectory()
+        self._brick = Brick(Path(self._folder.name), stretch=STRETCH)
+        self._watcher = Watcher(lambda: self._brick.microseconds / 1_000_000)
+        self._changes = Changes(self._brick, self._watcher.open(), tuple)
+
+    def tick(self, seconds: float) -> str:
+        """Advances the brick's clock. Returns what is new on it as JSON; empty if nothing is."""
+        for _, reply in self._brick.advance_all(min(seconds, MOST_STEP)):
+            self._watcher.frame(self, reply, False)
+        new = self._changes.take()
+        return json.dumps(new) if new else ""
+
+    def act(self, action: str) -> str:
+        """Runs an action, given as JSON. Returns the answer for the page, as JSON."""
+        return json.dumps(answer(self._brick, action))
+
+    def start(self, image: bytes) -> str:
+        """Starts a program. Returns an error message, or ""."""
+        return "" if self._brick.start(image) is not None else "The brick refuses the program; see the findings."
+
+    def send(self, frame: bytes) -> str:
+        """Sends a command. Returns an error message, or ""."""
+        if len(frame) < frame_size(frame):
+            return "The frame is cut off: a brick would wait for the rest."
+        self._watcher.frame(self, frame, True)
+        for _, reply in self._brick.receive_from(self, frame):
+            self._watcher.frame(self, reply, False)
+        return ""

@@ -1,0 +1,91 @@
+// The input: edits that Ctrl-Z undoes, and completion.
+
+import { find, make } from "./elements.js";
+
+const input = find("input"), list = find("words");
+
+let isOurs = false;
+
+/** Replaces a part of the input as typing does: it can be undone, and `input` events follow. */
+export const edit = (text, start = 0, end = input.value.length) => {
+  isOurs = true;
+  input.focus({ preventScroll: true });
+  input.setSelectionRange(start, end);
+  const isDone = start === end && !text || document.execCommand(text ? "insertText" : "delete", false, text);
+  if (!isDone) {
+    input.setRangeText(text, start, end, "end");
+    input.dispatchEvent(new Event("input"));
+  }
+  isOurs = false;
+  // Only who types needs the keyboard of a phone.
+  if (matchMedia("(pointer: coarse)").matches) input.blur();
+};
+
+/** Replaces the whole text, but only the lines that differ are edited. */
+export const replace = (text) => {
+  const before = input.value;
+  let start = 0, end = 0;
+  const most = Math.min(before.length, text.length);
+  while (start < most && before[start] === text[start]) start++;
+  while (end < most - start && before.at(-1 - end) === text.at(-1 - end)) end++;
+  edit(text.slice(start, text.length - end), start, before.length - end);
+};
+
+/**
+ * Offers completions.
+ *
+ * @param {(before: string) => Promise<{word: string, words: string[][], hint: string}>} complete  what fits at the cursor
+ */
+export const offerCompletions = (complete) => {
+  let words = [], chosen = -1, word = "";
+  const hide = () => { list.hidden = true; };
+
+  const suggest = async () => {
+    const before = input.value.slice(0, input.selectionStart);
+    const answer = await complete(before.slice(before.lastIndexOf("\n") + 1));
+    if (input.value.slice(0, input.selectionStart) !== before || document.activeElement !== input) return;
+    word = answer.word;
+    words = answer.words;
+    chosen = -1;
+    const items = words.map(([, label], number) => {
+      const item = make("li", label);
+      item.role = "option";
+      item.id = `word-${number}`;
+      item.onpointerdown = (event) => { event.preventDefault(); insert(number); };
+      return item;
+    });
+    list.replaceChildren(...items, ...(answer.hint ? [make("li", answer.hint, "aside")] : []));
+    list.hidden = !list.children.length;
+    input.removeAttribute("aria-activedescendant");
+  };
+
+  const insert = (number) => {
+    const [name] = words[number];
+    const [head, cmd] = name.split(".");
+    const start = input.selectionStart - word.length;
+    const isCall = !/\([^()]*$/.test(input.value.slice(0, start).split("\n").pop());
+    edit(isCall ? (cmd ? `${head}(${cmd}, ` : `${head}(`) : name, start, input.selectionStart);
+    suggest();
+  };
+
+  const mark = (number) => {
+    list.children[chosen]?.classList.remove("chosen");
+    chosen = number;
+    for (const [at, item] of [...list.children].entries()) item.setAttribute("aria-selected", at === chosen);
+    list.children[chosen].classList.add("chosen");
+    list.children[chosen].scrollIntoView({ block: "nearest" });
+    input.setAttribute("aria-activedescendant", `word-${chosen}`);
+  };
+
+  input.addEventListener("input", () => { if (isOurs) hide(); else suggest(); });
+  input.addEventListener("blur", hide);
+  input.addEventListener("keydown", (event) => {
+    if (list.hidden || !words.length) return;
+    const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
+    if (step) mark(Math.max(0, Math.min(words.length - 1, chosen + step)));
+    else if ((event.key === "Enter" || event.key === "Tab") && chosen >= 0) insert(chosen);
+    else if (event.key === "Escape") hide();
+    else return;
+    event.preventDefault();
+  });
+};

@@ -1,0 +1,276 @@
+// What the input says: findings, the bytes as a dump, the tree. Pointing at one of them marks all three; a click keeps it.
+
+import { filled, find, make } from "./elements.js";
+
+const MOST_BYTES = 4096;
+const COLUMNS = 16, FEW_COLUMNS = 8;
+const WIDE = 560;
+const MOST_ROWS_SHOWN = 10;
+const HEADER = [2, 4, 5, 7];
+
+const bytesBox = find("bytes"), treeBox = find("tree"), findingsBox = find("findings");
+
+let shown = { lines: [], frames: {}, findings: { blocks: [], places: [] } };
+let rowsOf = new Map();
+/** What is kept by a click, and what is marked now: frame, offset, length, and a row of the tree. */
+let kept = null, marked = null, isKept = false;
+/** The frame in the dump, and its first byte that is shown. */
+let dumped = { frame: -1, start: 0, columns: COLUMNS };
+
+/**
+ * Shows an answer of Python.
+ *
+ * @param {object} answer  see Reading.answer
+ * @param {(code: string) => Promise<string>} explain  tells what a code means
+ */
+export const view = (answer, explain) => {
+  shown = answer;
+  rowsOf = Map.groupBy([...shown.lines.keys()].filter((number) => shown.lines[number][1] >= 0), (number) => shown.lines[number][1]);
+  find("read").hidden = !shown.lines.length;
+  find("count").textContent = shown.count > 1 ? `${shown.count.toLocaleString("en")} frames` : "";
+  showTree();
+  showFindings(explain);
+  marked = null;
+  isKept = false;
+  dumped = { frame: -1, start: 0, columns: columns() };
+  fitDump();
+  const first = shown.lines.findIndex(([, frame]) => frame >= 0);
+  // The first message is chosen for the keyboard, but a mark over all of it would say nothing.
+  kept = first < 0 ? null : targetOf(first);
+  if (kept) dump(kept.frame, 0);
+};
+
+const targetOf = (row) => {
+  const [, frame, offset, length] = shown.lines[row];
+  return { frame, offset, length, row };
+};
+
+/** The smallest row about a byte of a frame. */
+const rowAt = (frame, at) => {
+  let best = -1;
+  for (const row of rowsOf.get(frame) ?? []) {
+    const [, , offset, length] = shown.lines[row];
+    if (at >= offset && at < offset + length && (best < 0 || length <= shown.lines[best][3])) best = row;
+  }
+  return best;
+};
+
+// The tree
+
+const showTree = () => {
+  treeBox.replaceChildren(...shown.lines.map(([pieces, frame], number) => {
+    const row = filled(make("span"), pieces);
+    row.append("\n");
+    if (frame >= 0) {
+      row.role = "treeitem";
+      row.id = `line-${number}`;
+      row.dataset.row = number;
+    }
+    return row;
+  }));
+};
+
+// Findings
+
+const showFindings = (explain) => {
+  const { summary, blocks, accepted, places } = shown.findings;
+  const elements = summary ? [make("p", `${summary}\n`, "summary")] : [];
+  find("check").hidden = !summary && !blocks.length;
+  blocks.forEach((block, number) => {
+    const box = make("div", "", `finding ${block.severity}`);
+    if (block.frame >= 0) box.dataset.block = number;
+    for (const pieces of block.lines) {
+      const text = pieces.map(([it]) => it).join("");
+      const line = filled(make("div", "", /^ *(\+\d+)? \|/.test(text) ? "excerpt" : text ? "" : "gap"), pieces);
+      line.append("\n");
+      box.append(line);
+    }
+    for (const code of block.codes) box.append(explanation(code, explain));
+    elements.push(box);
+  });
+  if (accepted) {
+    const more = make("details", "", "accepted");
+    const left = accepted - places.length;
+    const lines = [...places.map((place) => `${place}: accepted: no findings`), ...(left ? [`... and ${left} more`] : [])];
+    more.append(make("summary", `${accepted.toLocaleString("en")} accepted`), make("pre", lines.join("\n")));
+    elements.push(more);
+  }
+  findingsBox.replaceChildren(...elements);
+};
+
+const explanation = (code, explain) => {
+  const more = make("details"), body = make("pre");
+  more.append(make("summary", `What ${code} means`), body);
+  more.ontoggle = async () => { if (!body.textContent) body.textContent = await explain(code); };
+  return more;
+};
+
+// The dump
+
+const columns = () => (bytesBox.parentElement.clientWidth < WIDE ? FEW_COLUMNS : COLUMNS);
+
+/** Makes the box high enough for the longest frame, so that pointing at another one moves nothing. */
+const fitDump = () => {
+  const most = Math.max(0, ...Object.values(shown.frames).map((hex) => hex.length / 2));
+  bytesBox.style.setProperty("--rows", Math.min(Math.ceil(most / dumped.columns), MOST_ROWS_SHOWN));
+  if (!most) bytesBox.replaceChildren();
+};
+
+const dump = (frame, at) => {
+  const hex = shown.frames[frame] ?? "";
+  const size = hex.length / 2;
+  // Of a long program only a part is in the page.
+  const start = size <= MOST_BYTES ? 0 : Math.max(0, Math.floor((at - MOST_BYTES / 2) / COLUMNS) * COLUMNS);
+  const isThere = dumped.frame === frame && (size <= MOST_BYTES || (at >= dumped.start && at < dumped.start + MOST_BYTES));
+  if (isThere) return;
+  dumped = { frame, start, columns: dumped.columns };
+  const cuts = new Set(shown.isProgram ? [] : HEADER);
+  for (const row of rowsOf.get(frame) ?? []) {
+    const [, , offset, length] = shown.lines[row];
+    cuts.add(offset);
+    cuts.add(offset + length);
+  }
+  const end = Math.min(size, start + MOST_BYTES);
+  let tint = false;
+  const rows = [];
+  for (let row = start; row < end; row += dumped.columns) {
+    const line = make("div"), letters = make("code");
+    line.append(make("i", row.toString(16).toUpperCase().padStart(4, "0")));
+    for (let index = row; index < Math.min(end, row + dumped.columns); index++) {
+      if (cuts.has(index)) tint = !tint;
+      const text = hex.slice(2 * index, 2 * index + 2).toUpperCase();
+      const byte = make("span", text, tint ? "tint" : "");
+      byte.role = "option";
+      byte.id = `byte-${index}`;
+      byte.dataset.at = index;
+      const number = parseInt(text, 16);
+      const letter = make("samp", number > 31 && number < 127 ? String.fromCharCode(number) : "·");
+      letter.dataset.letter = index;
+      letters.append(letter);
+      line.append(byte);
+    }
+    for (let index = end; index < row + dumped.columns; index++) line.append(make("u"));
+    line.append(letters);
+    rows.push(line);
+  }
+  const isCut = start > 0 || end < size;
+  bytesBox.replaceChildren(...rows, ...(isCut ? [make("div", `bytes ${start} to ${end - 1} of ${size}`, "aside")] : []));
+};
+
+// Marks
+
+/** Marks a target in all three, and takes the marks of the one before away. */
+const mark = (target) => {
+  for (const element of document.querySelectorAll("#bytes .chosen, #bytes .named, #tree .chosen, #findings .chosen")) {
+    element.classList.remove("chosen", "named");
+    if (element.role) element.setAttribute("aria-selected", "false");
+  }
+  marked = target;
+  if (!target) return;
+  const { frame, offset, length, row } = target;
+  dump(frame, offset);
+  const at = target.at ?? offset;
+  for (let index = offset; index < offset + length; index++) {
+    const byte = find(`byte-${index}`);
+    byte?.classList.add("chosen");
+    byte?.setAttribute("aria-selected", "true");
+  }
+  for (const letter of bytesBox.querySelectorAll("[data-letter]")) {
+    const index = Number(letter.dataset.letter);
+    if (index >= offset && index < offset + length) letter.classList.add("named");
+  }
+  bytesBox.setAttribute("aria-activedescendant", `byte-${at}`);
+  const line = treeBox.children[row];
+  line?.classList.add("chosen");
+  line?.setAttribute("aria-selected", "true");
+  treeBox.setAttribute("aria-activedescendant", line?.id ?? "");
+  shown.findings.blocks.forEach((block, number) => {
+    const isAbout = block.codes.length && block.frame === frame && block.offset < offset + length && offset < block.offset + block.length;
+    if (isAbout && (length < (shown.frames[frame]?.length ?? 0) / 2 || target.block === number)) {
+      findingsBox.querySelector(`[data-block="${number}"]`)?.classList.add("chosen");
+    }
+  });
+};
+
+const scroll = (box, element) => {
+  if (!element) return;
+  const { top, bottom } = element.getBoundingClientRect(), outer = box.getBoundingClientRect();
+  if (top < outer.top) box.scrollTop -= outer.top - top;
+  else if (bottom > outer.bottom) box.scrollTop += bottom - outer.bottom;
+};
+
+const keep = (target) => {
+  kept = target;
+  isKept = true;
+  mark(target);
+  scroll(treeBox, treeBox.children[target.row]);
+  scroll(bytesBox, find(`byte-${target.at ?? target.offset}`));
+};
+
+/** What an event is about: a row, a byte or letter, a finding. */
+const pointed = ({ target }) => {
+  const element = target.closest("[data-row], [data-at], [data-letter], [data-block]");
+  if (!element) return null;
+  if (element.dataset.row !== undefined) return targetOf(Number(element.dataset.row));
+  if (element.dataset.block !== undefined) {
+    const number = Number(element.dataset.block);
+    const { frame, offset, length, line } = shown.findings.blocks[number];
+    return { frame, offset, length, line, block: number, row: rowAt(frame, offset) };
+  }
+  const at = Number(element.dataset.at ?? element.dataset.letter);
+  return byteTarget(dumped.frame, at);
+};
+
+const byteTarget = (frame, at) => {
+  const row = rowAt(frame, at);
+  return row < 0 ? { frame, offset: at, length: 1, row, at } : { ...targetOf(row), at };
+};
+
+/** Calls a function when a finding is chosen that is in a line of the text. */
+export const onLine = (choose) => {
+  findingsBox.addEventListener("click", (event) => {
+    const target = pointed(event);
+    if (target?.line) choose(target.line);
+  });
+};
+
+for (const box of [bytesBox, treeBox, findingsBox]) {
+  box.addEventListener("pointerover", (event) => {
+    if (event.pointerType === "touch") return;
+    const target = pointed(event);
+    if (!target) return;
+    mark(target);
+    if (box !== bytesBox) scroll(bytesBox, find(`byte-${target.offset}`));
+  });
+  box.addEventListener("pointerleave", (event) => {
+    if (event.pointerType !== "touch" && marked !== kept) mark(isKept ? kept : null);
+  });
+  box.addEventListener("click", (event) => {
+    if (event.target.closest("a, summary, details")) return;
+    const target = pointed(event);
+    if (target) keep(target);
+  });
+}
+treeBox.addEventListener("keydown", (event) => {
+  const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
+  if (!step || !kept) return;
+  event.preventDefault();
+  let next = kept.row + step;
+  while (shown.lines[next] && shown.lines[next][1] < 0) next += step;
+  if (shown.lines[next]) keep(targetOf(next));
+});
+bytesBox.addEventListener("keydown", (event) => {
+  const step = { ArrowRight: 1, ArrowLeft: -1, ArrowDown: dumped.columns, ArrowUp: -dumped.columns }[event.key];
+  if (!step || !kept) return;
+  event.preventDefault();
+  const next = (kept.at ?? kept.offset) + step;
+  if (next >= 0 && next < (shown.frames[kept.frame]?.length ?? 0) / 2) keep(byteTarget(kept.frame, next));
+});
+new ResizeObserver(() => {
+  const now = columns();
+  if (now === dumped.columns) return;
+  dumped = { frame: -1, start: 0, columns: now };
+  fitDump();
+  if (kept) dump(kept.frame, kept.offset);
+  mark(marked);
+}).observe(bytesBox.parentElement);

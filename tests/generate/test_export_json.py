@@ -130,6 +130,4 @@ def test_the_form_of_the_files() -> None:
         assert text.endswith("}\n")
         assert [line for line in text.split("\n") if line != line.rstrip()] == []
     # What fits in one line is in one.
-    assert (
-        '\n          {"number": 11, "name": "TST_CLOSE", "text": "Ends the test mode", "parameters": []},\n' in TEXTS[0]
-    )
+    assert '\n    {"name": "DATA8", "size": 1, "range": [-127, 127], "nan": -128},\n' in TEXTS[0]

@@ -90,7 +90,7 @@ def assemble(
         raise AssemblyError(1, 1, f"the source has {len(text)} characters; at most {MAX_SOURCE} can be assembled")
     if dialect is None and _SIGNS_OF_BASIC.search(text):
         wanted = [SourceDialect.BASIC]
-    lines = Lines(text, STRICT.newline)
+    lines = Lines(text)
     failed: list[list[SourceError]] = []
     for one in wanted:
         errors, warnings, image = _tried(text, coding, _NOTATIONS[one], version, shortest)

@@ -128,7 +128,6 @@ def test_a_constant_of_the_strict_dialect(written: str, encoded: str) -> None:
         ("+5", "05"),
         ("1.5", "01"),
         ("08", "08"),
-        ("-010", "36"),
         ("4294967297", "01"),
         (r"'\\'", "80 5C 5C 00"),
         (r"'\\n'", "80 5C 0A 00"),
@@ -503,7 +502,6 @@ def test_every_error_has_its_line() -> None:
 @pytest.mark.parametrize(
     ("source", "words"),
     [
-        ("vmthread M { MOVE8_8(08, 1) }", "a 0 in front makes it octal"),
         ("vmthread M { MOVE8_8(1.5, 1) }", "floats end in F"),
         ("vmthread M { MOVE8_8(4294967296, 1) }", "more than 32 bits"),
         (r"vmthread M { MOVE8_8('\d', 1) }", "unknown escape"),

@@ -55,7 +55,7 @@ def assembled(
     else:
         yield from work.finish()
     if work.errors:
-        raise Lines(text, MACROS.newline).error(work.errors)
+        raise Lines(text).error(work.errors)
 
 
 class _Work:

@@ -7,6 +7,9 @@ from bisect import bisect_right
 from collections.abc import Iterable
 from typing import NamedTuple
 
+NEWLINE = r"\r\n|\r|\n"
+"""Pattern of what ends a line."""
+
 MOST_ERRORS = 20
 """Errors of one text that are reported; what follows the twentieth mostly follows from the others."""
 
@@ -81,9 +84,9 @@ class SourceWarning(NamedTuple):
 class Lines:
     """The lines of a text, for turning offsets into lines and columns."""
 
-    def __init__(self, text: str, newline: str) -> None:
+    def __init__(self, text: str) -> None:
         self._text = text
-        self._starts = [0, *(found.end() for found in re.finditer(newline, text))]
+        self._starts = [0, *(found.end() for found in re.finditer(NEWLINE, text))]
 
     def place(self, at: int) -> tuple[int, int]:
         """Line and column of an offset, both counted from 1."""

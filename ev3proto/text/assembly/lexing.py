@@ -8,8 +8,8 @@ from functools import cache
 from typing import NamedTuple
 
 from ev3proto.tables.encoding import STRING_CODING
-from ev3proto.text.assembly.errors import SourceError
-from ev3proto.text.assembly.notations import Notation
+from ev3proto.text.assembly.errors import NEWLINE, SourceError
+from ev3proto.text.assembly.notations import NUMBER_PATTERN, Notation
 
 NAME, NUMBER, WORD, TEXT, MARK, BAD, END = "name", "number", "word", "text", "mark", "bad", "end"
 """Kinds of tokens. A word starts like a number and is not one: hex, where bytes are written."""
@@ -43,10 +43,10 @@ class Token(NamedTuple):
 def _pattern(notation: Notation) -> re.Pattern[str]:
     """Returns the pattern of a piece of the text. It matches everywhere, each piece in linear time."""
     pieces = {
-        "blank": rf"(?>(?:{notation.blank})+)|{notation.comment}[^\r\n]*+",
-        "newline": notation.newline,
+        "blank": rf"(?>(?:{notation.blank})+)",
+        "newline": NEWLINE,
         "comment": r"/\*[\s\S]*?\*/",
-        NUMBER: rf"(?:{notation.number})(?![\w.])",
+        NUMBER: rf"(?:{NUMBER_PATTERN})(?![\w.])",
         NAME: r"[A-Za-z_]\w*+(?>(?:\.[A-Za-z_]\w*+)*)",
         WORD: r"\.?\w[\w.]*+",
         TEXT: rf'"(?>(?:[^"\\\r\n]|\\[^\r\n])*)"|{notation.text}',
@@ -142,7 +142,7 @@ def _unescaped(token: Token, body: str) -> str:
 def _replaced(token: Token, body: str, notation: Notation, warnings: list[tuple[int, str]]) -> str:
     """Returns the text with the escapes of a program's notation, which are replaced kind after kind."""
     escapes = notation.escapes or ()
-    if not notation.keeps_escapes:
+    if not notation.by_line:
         known = {escape[1] for escape, _ in escapes}
         for found in _ESCAPE.finditer(body):
             if found[1][0] not in known:

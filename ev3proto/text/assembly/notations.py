@@ -17,7 +17,6 @@ from typing import NamedTuple
 from ev3proto.tables.source import (
     BACKSLASH,
     ESCAPES,
-    HANDLE_PARAMETERS,
     LEGO_ESCAPES,
     OBJECT_WORDS,
     OLD_WORDS,
@@ -25,6 +24,15 @@ from ev3proto.tables.source import (
     VARIABLE_WORDS,
 )
 from ev3proto.tables.system import SystemCommand
+from ev3proto.text.assembly.errors import NEWLINE
+
+NUMBER_PATTERN = r"(?:0[xX]|\$)[0-9a-fA-F]+|0[bB][01]+|(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?[fF]?"
+"""Pattern of a number."""
+
+TEMPLATES = ("INIT", "INLINE")
+"""Words of EV3 Basic that begin pieces of code for its compiler, which become no object."""
+
+_BLANK = r"[ \t\f\v\x1a\ufeff]"
 
 MESSAGE = "message"
 """Begins a message, with the facts of its header."""
@@ -99,38 +107,6 @@ OF_BASIC = Rules("basic", Jumps.FORWARD, lowest=(-32, -128, -32768), long_floats
 """EV3 Basic aligns elements, too, which its notation says: a source that was written back has its places already."""
 
 
-class Point(Enum):
-    """What a number with a point and without an F is."""
-
-    FLOAT = "a float"
-    WHOLE = "cut to a whole number"
-    WRONG = "an error"
-
-
-class Octal(Enum):
-    """What a number with a 0 in front is."""
-
-    WRONG = "an error, but for 00 to 07"
-    READ = "octal, or an error"
-    LENIENT = "octal where its digits are, else decimal"
-    DECIMAL = "decimal"
-
-
-class Arithmetic(Enum):
-    """How expressions are worked out.
-
-    USUAL  anywhere, products before sums, floats too
-    LEFT   in parentheses, from left to right, each step cut to 32 bits
-    EXACT  in defines and sizes, products before sums, with fractions; parentheses are blanks
-    NONE   nothing is worked out
-    """
-
-    USUAL = "usual"
-    LEFT = "left"
-    EXACT = "exact"
-    NONE = "none"
-
-
 class Known(Enum):
     """Where a name is looked up; a notation has them in its order."""
 
@@ -146,145 +122,86 @@ class Known(Enum):
     CALLED = "objects, where the parameter is one"
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Notation:
-    """A notation.
+    """The syntax of one notation.
 
-    name             as people choose it
-    newline          what ends a line
-    blank            what separates tokens
-    comment          what starts a comment to the line's end
-    text             a text in quotes
-    marks            single characters that are tokens
-    number           what a number looks like
-    folds            names are read in upper case
-    by_line          a statement a line, blanks between arguments; else statements are tokens with parentheses
-    has_messages     frames: headers, macro operations, bytes, names in front of values
-    needs_commas     between arguments
-    needs_braces     `{` after the head of an object
-    heads            the words that begin objects
-    declaring        the words that declare variables and parameters
-    templates        the words that begin pieces of code for a compiler, which become no object
-    escapes          those in single quotes, replaced kind after kind; None: as in C
-    keeps_escapes    an unknown escape is left as it is, else an error
-    octal, point     see there
-    bits             size of whole numbers in bits; 0: unlimited
-    cuts             longer ones are cut to that, else refused
-    hex_is_bits      hex is a pattern of bits: 0xFF may be -1
-    arithmetic       see there
-    lookup           where names are looked up
-    last_counts      of what is declared twice the last one counts; else that is an error
-    rules            how values are encoded
+    name          as users choose it
+    blank         pattern of what separates tokens, comments to the end of the line included
+    text          pattern of a text in quotes
+    marks         pattern of the characters that are tokens
+    heads         words that begin objects
+    escapes       those in single quotes, replaced kind after kind; None: as in C
+    lookup        where names are looked up
+    rules         how values are encoded
+    has_messages  frames: headers, macros, bytes, names in front of values, expressions everywhere, unlimited numbers
+    by_line       a statement a line, blanks between arguments, unknown escapes stay; else tokens with parentheses
+    last_counts   LEGO's: the last of several declarations counts, numbers are cut, defines may have expressions
+    folds         EV3 Basic's: names are read in upper case, no expressions
     """
 
     name: str
-    newline: str = r"\r\n|\r|\n"
-    blank: str = r"[ \t\f\v\x1a\ufeff]"
-    comment: str = "//"
+    blank: str = rf"{_BLANK}|//[^\r\n]*+"
     text: str = r"'[^'\r\n]*'"
     marks: str = r"[-+*/(){},:@&!]"
-    number: str = r"0[xX][0-9a-fA-F]+|(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?F?"
-    folds: bool = False
-    by_line: bool = False
-    has_messages: bool = False
-    needs_commas: bool = False
-    needs_braces: bool = False
     heads: tuple[str, ...] = OBJECT_WORDS
-    declaring: tuple[str, ...] = (*VARIABLE_WORDS, *PARAMETER_WORDS)
-    templates: tuple[str, ...] = ()
     escapes: tuple[tuple[str, str], ...] | None = None
-    keeps_escapes: bool = False
-    octal: Octal = Octal.WRONG
-    point: Point = Point.WRONG
-    bits: int = 32
-    cuts: bool = False
-    hex_is_bits: bool = False
-    arithmetic: Arithmetic = Arithmetic.NONE
     lookup: tuple[Known, ...]
-    last_counts: bool = False
     rules: Rules
+    has_messages: bool = False
+    by_line: bool = False
+    last_counts: bool = False
+    folds: bool = False
 
+    @property
+    def declaring(self) -> tuple[str, ...]:
+        """The words that declare variables and parameters."""
+        if self.has_messages:
+            return tuple(VARIABLE_WORDS)
+        return (*VARIABLE_WORDS, *PARAMETER_WORDS, *(OLD_WORDS if self.last_counts else ()))
 
-_WITHOUT_HANDLES = tuple(word for word in PARAMETER_WORDS if word not in HANDLE_PARAMETERS)
 
 MACROS = Notation(
     name="macros",
-    newline=r"\n",
-    blank=r"[ \t\r\f\v\ufeff]",
-    text=r"""'(?:[^'\\\n]|\\[^\n])*'""",
+    text=r"""'(?:[^'\\\r\n]|\\[^\r\n])*'""",
     marks=r"\.\.\.|[-+*/|()\[\]{},:;=@&#]",
-    number=r"0[xX][0-9a-fA-F]+|0[bB][01]+|(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?[fF]?",
-    has_messages=True,
-    needs_commas=True,
-    needs_braces=True,
     heads=("vmthread",),
-    declaring=tuple(VARIABLE_WORDS),
-    octal=Octal.WRONG,
-    point=Point.FLOAT,
-    bits=0,
-    hex_is_bits=True,
-    arithmetic=Arithmetic.USUAL,
     lookup=(Known.DEFINES, Known.LOCALS, Known.GOALS, Known.FIRMWARE),
     rules=OF_FRAMES,
+    has_messages=True,
 )
 
 STRICT = Notation(
     name="strict",
-    needs_braces=True,
     escapes=(*ESCAPES, BACKSLASH),
-    octal=Octal.READ,
-    arithmetic=Arithmetic.LEFT,
     lookup=(
-        Known.LOCALS,
-        Known.GLOBALS,
-        Known.OBJECTS_ABOVE,
-        Known.DEFINES_ABOVE,
-        Known.FIRMWARE,
-        Known.LABELS,
-        Known.OBJECTS,
-        Known.DEFINES,
+        *(Known.LOCALS, Known.GLOBALS, Known.OBJECTS_ABOVE, Known.DEFINES_ABOVE),
+        *(Known.FIRMWARE, Known.LABELS, Known.OBJECTS, Known.DEFINES),
     ),
     rules=OF_LEGO,
 )
 
 LEGO = Notation(
     name="lego",
-    blank=r"[ \t(),\f\v\x1a\ufeff]|=[ \t]*(?://[^\r\n]*)?(?:\r\n|\r|\n)",
+    blank=rf"[(),]|{_BLANK}|=[ \t]*(?://[^\r\n]*)?(?:{NEWLINE})|//[^\r\n]*+",
     text=r"'(?>(?:''|\\\\|\\'|[^'\r\n])*)'",
     marks=r"[-+*/{}:;@&]",
-    number=r"(?:0x|\$)[0-9a-fA-F]+|(?:\d+(?:\.\d*)?|\.\d+)(?:[eE]\d+)?F?",
-    by_line=True,
     heads=("vmthread", "subcall"),
-    declaring=(*VARIABLE_WORDS, *_WITHOUT_HANDLES, *OLD_WORDS),
     escapes=(*ESCAPES, *LEGO_ESCAPES),
-    keeps_escapes=True,
-    octal=Octal.LENIENT,
-    point=Point.WHOLE,
-    cuts=True,
-    arithmetic=Arithmetic.EXACT,
     lookup=(Known.LOCALS, Known.GLOBALS, Known.LABELS, Known.OBJECTS, Known.DEFINES, Known.FIRMWARE),
-    last_counts=True,
     rules=OF_LEGO,
+    by_line=True,
+    last_counts=True,
 )
 
 BASIC = Notation(
     name="basic",
-    blank=r"[ \t(),{\f\v\x1a\ufeff]",
-    comment="/",
+    blank=rf"[(),{{]|{_BLANK}|/[^\r\n]*+",
     marks=r"[-+}:]",
-    number=r"(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?",
-    folds=True,
-    by_line=True,
     heads=("vmthread", "subcall"),
-    declaring=(*VARIABLE_WORDS, *_WITHOUT_HANDLES),
-    templates=("INIT", "INLINE"),
     escapes=((r"\n", "\n"), (r"\t", "\t"), *((rf"\{code:03o}", chr(code)) for code in range(1, 256))),
-    keeps_escapes=True,
-    octal=Octal.DECIMAL,
-    point=Point.FLOAT,
     lookup=(Known.GOALS, Known.CALLED, Known.LOCALS, Known.GLOBALS, Known.FIRMWARE),
     rules=OF_BASIC._replace(aligns_elements=True),
+    by_line=True,
+    folds=True,
 )
-
-OF_PROGRAMS = (STRICT, LEGO, BASIC)
-"""The notations of programs, in the order in which they are tried."""

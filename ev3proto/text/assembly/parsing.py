@@ -1,4 +1,4 @@
-"""The grammar: tokens to statements, by the settings of a notation. What names mean is not looked at.
+"""The grammar: tokens to statements, in one of four notations. Names are resolved later.
 
 A parser of its own: where an operation of the macro notation ends depends on what follows its last comma, bytes are
 written in hex without quotes, and LEGO's assembler takes a line for a list of words. A tool's grammar would have to be
@@ -32,10 +32,8 @@ from ev3proto.text.assembly.notations import (
     FRAME,
     MARKS,
     MESSAGE,
-    Arithmetic,
+    TEMPLATES,
     Notation,
-    Octal,
-    Point,
 )
 from ev3proto.text.assembly.syntax import (
     Call,
@@ -213,7 +211,7 @@ class Parser:
                     found |= self._next().is_mark("{")
                 if found:
                     return
-        if notation.needs_braces:
+        if not notation.by_line:
             self._expect("{", f"{{ after {opening.word} {cited(opening.name)}")
         elif self._peek().is_mark("{"):
             self._next()
@@ -254,10 +252,10 @@ class Parser:
             if self._peek().is_mark(","):
                 self._next()
                 continue
-            if self._peek().is_mark("{", "}", ":") or (self._peek().kind == END and not notation.needs_commas):
+            if self._peek().is_mark("{", "}", ":") or (self._peek().kind == END and not notation.has_messages):
                 raise SourceError(self._peek().at, f"the ) of {cited(token.text)} is missing")
             arguments.append(self._argument(arguments))
-            if notation.needs_commas and not self._peek().is_mark(")", ","):
+            if notation.has_messages and not self._peek().is_mark(")", ","):
                 if self._ends_without_mark():
                     return Call(token.at, token.text, tuple(arguments), self._peek().at)
                 raise self._unexpected(", or )")
@@ -337,7 +335,7 @@ class Parser:
             self._omit_rest(f"the label {cited(word)}")
         elif word in self._heads:
             yield from self._head()
-        elif word in notation.templates:
+        elif notation.folds and word in TEMPLATES:
             self._template()
         else:
             if word == DEFINE and notation.last_counts:
@@ -441,25 +439,20 @@ class Parser:
             self._next()
             return WrittenArgument(name, self._value())
         value = self._value()
-        if not self.notation.needs_commas and isinstance(value, Name):
+        if not self.notation.has_messages and isinstance(value, Name):
             value = self._joined(value)
         return WrittenArgument(None, value)
 
     def _value(self) -> Value:
         """Reads a whole value: an expression where the notation has them outside of parentheses."""
-        match self.notation.arithmetic:
-            case Arithmetic.USUAL:
-                return self._expression()
-            case Arithmetic.EXACT:
-                return self._chain("+-*/", self._word)
-            case Arithmetic.NONE:
-                return self._word()
-        return self._factor()
+        if self.notation.by_line:
+            return self._chain("+-*/", self._word) if self.notation.last_counts else self._word()
+        return self._expression() if self.notation.has_messages else self._factor()
 
     def _expression(self) -> Value:
         """Reads values with operators between them, as they are written."""
         with self._deeper(self._peek()):
-            return self._chain("+-*/|" if self.notation.arithmetic is Arithmetic.USUAL else "+-*/", self._factor)
+            return self._chain("+-*/|" if self.notation.has_messages else "+-*/", self._factor)
 
     def _chain(self, marks: str, part: Callable[[], Value]) -> Value:
         at = self._peek().at
@@ -473,7 +466,7 @@ class Parser:
         return Sum(at, tuple(values), tuple(operators)) if operators else values[0]
 
     def _factor(self) -> Value:
-        token, is_usual = self._peek(), self.notation.arithmetic is Arithmetic.USUAL
+        token, is_usual = self._peek(), self.notation.has_messages
         if token.is_mark("-", "+") and (is_usual or token.text == "-"):
             self._next()
             if self._peek().kind == NUMBER:
@@ -569,67 +562,63 @@ class Parser:
         return Form(token.at, token.text, Text(token.at, "".join(letters)))
 
     def _number(self, sign: int = 1, at: int | None = None) -> Number:
-        """Reads a number as the notation reads it; `at` is where its sign is."""
-        token, notation = self._next(), self.notation
+        """Reads a number; `at` is where its sign is."""
+        token, is_frame = self._next(), self.notation.has_messages
         text, at = token.text, token.at if at is None else at
         if len(text) > MAX_DIGITS:
-            bits = f"{cited(text)} has more than {notation.bits} bits"
-            raise SourceError(at, bits if notation.bits else f"a number has at most {MAX_DIGITS} characters")
-        base = 16 if text[0] == "$" or text[:2] in ("0x", "0X") else 2 if text[:2] in ("0b", "0B") else 10
-        if base != 10:
-            value = int(text.lstrip("$"), 16) if base == 16 else int(text, 2)
-            if notation.hex_is_bits:
-                return Number(at, Pattern(value) if sign > 0 else -value)
-            if value >> notation.bits and not notation.cuts:
-                raise SourceError(at, f"{cited(text)} has more than {notation.bits} bits")
-            return Number(at, self._cut(at, text, sign * value))
+            limit = f"a number has at most {MAX_DIGITS} characters"
+            raise SourceError(at, limit if is_frame else f"{cited(text)} has more than 32 bits")
+        prefix = text[:2].lower()
+        if text[0] == "$" or prefix in ("0x", "0b"):
+            value = int(text, 2) if prefix == "0b" else int(text.lstrip("$"), 16)
+            return Number(at, self._pattern(at, text, sign, value))
         if not text.isdigit():
             return Number(at, self._real(at, text, sign))
-        if text[0] == "0" and len(text) > 1:
-            return Number(at, sign * self._with_zero(at, text))
-        value = sign * int(text)
-        if notation.bits and not notation.cuts and not -1 << 31 <= value < 1 << 31:
-            raise SourceError(at, f"{cited(text)} has more than 32 bits: the largest number is 2147483647")
-        return Number(at, self._cut(at, text, value))
+        value = int(text) if text[0] != "0" else self._with_zero(at, text)
+        return Number(at, sign * value if is_frame else self._in_32_bits(at, text, sign * value, 1 << 31))
 
-    def _cut(self, at: int, text: str, value: int) -> int:
-        """Returns the lowest 32 bits of a number, where the notation has numbers of 32 bits."""
-        if not self.notation.bits:
-            return value
+    def _pattern(self, at: int, text: str, sign: int, value: int) -> int:
+        """Returns a number that was written as its bits; 0xFF may be -1 in a frame."""
+        if not self.notation.has_messages:
+            return self._in_32_bits(at, text, sign * value, 1 << 32)
+        return Pattern(value) if sign > 0 else -value
+
+    def _in_32_bits(self, at: int, text: str, value: int, end: int) -> int:
+        """Returns a number of a program. LEGO's assembler cuts a longer one to 32 bits; else it is refused."""
+        if not self.notation.last_counts and not -1 << 31 <= value < end:
+            raise SourceError(at, f"{cited(text)} has more than 32 bits: the largest number is 2147483647")
         if not -1 << 31 <= value < 1 << 32:
             self.warnings.append((at, f"{cited(text)} has more than 32 bits, and only the lowest 32 are taken"))
         return value % (1 << 32) if value >= 0 else (value + (1 << 31)) % (1 << 32) - (1 << 31)
 
     def _real(self, at: int, text: str, sign: int) -> int | float:
-        """Reads a number with a point, an exponent or an F."""
+        """Reads a number with a point, an exponent or an F. Without F it is a float in frames and in EV3 Basic only."""
         notation = self.notation
-        if text[-1] not in "fF" and notation.point is not Point.FLOAT:
-            if notation.point is Point.WRONG or "e" in text.lower():
+        if text[-1] not in "fF" and not (notation.has_messages or notation.folds):
+            if not notation.last_counts or "e" in text.lower():
                 raise SourceError(at, f"{cited(text)} is not a whole number, and floats end in F")
             if text[-1] != ".":
                 self.warnings.append((at, f"{cited(text)} is a whole number here: a float ends in F"))
-            return self._cut(at, text, sign * int(text.partition(".")[0] or "0"))
+            return self._in_32_bits(at, text, sign * int(text.partition(".")[0] or "0"), 1 << 31)
         value = sign * float(text.rstrip("fF"))
         try:
             struct.pack("<f", value)
         except OverflowError:
-            if notation.bits:
+            if not notation.has_messages:
                 raise SourceError(at, f"{cited(text)} is beyond 3.4028235e38, the largest DATAF") from None
         return value
 
     def _with_zero(self, at: int, text: str) -> int:
-        """Reads a number with a 0 in front, without its sign."""
-        is_octal = all(digit in "01234567" for digit in text)
-        octal = self.notation.octal
-        if octal is Octal.WRONG and (not is_octal or text.lstrip("0")[1:]):
+        """Reads a number that begins with 0: octal in programs, where its digits are; in frames, that is an error."""
+        digits = text.lstrip("0") or "0"
+        if len(digits) < 2 and digits not in ("8", "9"):
+            return int(digits)
+        if self.notation.has_messages:
             raise SourceError(at, f"{text} is octal in C and decimal to most readers: write it as 0x..")
-        if octal is Octal.READ and not is_octal:
-            raise SourceError(at, f"{cited(text)} is not a number: a 0 in front makes it octal")
-        # LEGO's assembler takes what follows a sign for decimal.
-        if octal is Octal.READ or (octal is Octal.LENIENT and is_octal and at == self._last.at):
-            self.warnings.append((at, f"{cited(text)} is octal, because of the 0 in front: {int(text, 8)}"))
-            return int(text, 8)
-        return int(text)
+        if set(digits) & {"8", "9"}:
+            return int(digits)
+        self.warnings.append((at, f"{cited(text)} is octal, because of the 0 in front: {int(digits, 8)}"))
+        return int(digits, 8)
 
     def _hex(self, *, until_mark: bool) -> bytes:
         """Reads bytes in hex: to the end of the line, or up to the next mark."""

@@ -30,7 +30,7 @@ from ev3proto.tables.encoding import GLOBAL, LOCAL, RANGES
 from ev3proto.tables.source import VARIABLE_WORDS
 from ev3proto.text.assembly.errors import SourceError, cited
 from ev3proto.text.assembly.names import NOT_NUMBERS, Callee, Encoded, Goal, Meaning, Names, Place
-from ev3proto.text.assembly.notations import MARKS, SHORTEST, Arithmetic, Jumps, Rules
+from ev3proto.text.assembly.notations import MARKS, SHORTEST, Jumps, Rules
 from ev3proto.text.assembly.syntax import (
     Define,
     Distance,
@@ -355,7 +355,7 @@ class Encoder:
     def _both(self, value: Sum, parts: Sequence[int | float]) -> int | float:
         """Returns the value of an expression of a program, which the assemblers read in two ways."""
         from_the_left = int(_worked_out([int(part) for part in parts], value.operators, _LEFT, _wrapped_at))
-        is_exact = self.names.notation.arithmetic is Arithmetic.EXACT
+        is_exact = self.names.notation.last_counts
         try:
             exact = _worked_out([Fraction(part) for part in parts], value.operators, _USUAL, _exact)
         except OverflowError:

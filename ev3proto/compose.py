@@ -151,7 +151,7 @@ def _need(place: Placeholder, found: Sequence[Footprint]) -> Need:
 
 
 def _need_of(footprint: Footprint) -> Need:
-    return Need(footprint.full_name, _room(footprint), footprint.alignment)
+    return Need(footprint.full_name, _room(footprint), footprint.facts.alignment)
 
 
 def _room(footprint: Footprint) -> int:
@@ -161,7 +161,7 @@ def _room(footprint: Footprint) -> int:
 
 def _is_stored(footprint: Footprint) -> bool:
     """Returns whether a reply would carry a result of the operation."""
-    return footprint.is_written or footprint.is_result
+    return footprint.facts.is_written or footprint.facts.is_result
 
 
 def command(

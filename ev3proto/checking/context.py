@@ -3,123 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cache
 
 from ev3proto.checking.codes import Code
 from ev3proto.checking.report import Finding
 from ev3proto.checking.verdict import Verdict
 from ev3proto.errors import Fault
-from ev3proto.messages import Argument, Message, Operation, OperationReader
+from ev3proto.messages import Argument, Message, Operation
 from ev3proto.schema.header import HEADER_SIZE, frame_size, may_be_long
-from ev3proto.semantics.domain import Domain, domain_of
-from ev3proto.tables.declaration import Declaration, Direction, Effect, Parameter, Type
-from ev3proto.tables.encoding import RANGES, Range
+from ev3proto.semantics.facts import OperationFacts, operation_facts
+from ev3proto.tables.declaration import Effect
 from ev3proto.tables.frame import MAX_FRAME, MAX_LONG_FRAME, REPORT_SIZES
-
-
-@dataclass(frozen=True, slots=True)
-class ParameterFacts:
-    """The facts about a parameter that the rules need.
-
-    parameter  the parameter
-    numbers    whole numbers that need no finding; not necessarily all of them
-    domain     the legal numbers of the tables, None if only the type limits them
-    limits     the numbers that its bytes can hold, None if it is not a number of fixed size
-    outside    the text after a number outside the domain: ` Hz, outside of 250 to 10000 Hz`
-    advice     what to use instead
-    """
-
-    parameter: Parameter
-    numbers: range | frozenset[int]
-    domain: Domain | None
-    limits: Range | None
-    outside: str
-    advice: str
-
-
-@dataclass(frozen=True, slots=True)
-class OperationFacts:
-    """The facts about an operation, besides its arguments, that the rules need.
-
-    declaration  its entry in the tables
-    name         `SOUND.TONE`
-    parameters   facts of each argument before the elements of a list
-    effects      its side effects
-    has_cmd      whether its opcode has CMDs
-    is_jump      whether its last argument is a jump target
-    has_lists    whether it takes texts or arrays with a known or limited length
-    ends_code    whether the firmware reads nothing after it
-    is_newer     whether the validator of the release of 2013 does not know it
-    """
-
-    declaration: Declaration
-    name: str
-    parameters: tuple[ParameterFacts, ...]
-    effects: frozenset[Effect]
-    has_cmd: bool
-    is_jump: bool
-    has_lists: bool
-    ends_code: bool
-    is_newer: bool
-
-
-@cache
-def operation_facts(schema: OperationReader) -> OperationFacts:
-    """Returns the facts about an operation."""
-    declaration = schema.declaration
-    parameters = declaration.parameters
-    fixed = parameters[:-1] if parameters and parameters[-1].type is Type.VALUES else parameters
-    return OperationFacts(
-        declaration,
-        declaration.name,
-        tuple(parameter_facts(parameter) for parameter in fixed),
-        frozenset(declaration.effects),
-        declaration.command is not None,
-        is_jump=declaration.is_jump,
-        has_lists=any(parameter.length is not None or parameter.most is not None for parameter in parameters),
-        ends_code=Effect.ENDS_CODE in declaration.effects,
-        is_newer=declaration.is_newer,
-    )
-
-
-@cache
-def parameter_facts(parameter: Parameter) -> ParameterFacts:
-    """Returns the facts about a parameter, or an element of a list."""
-    domain = domain_of(parameter)
-    if domain is not None and not domain.is_documented:
-        domain = None
-    limits = RANGES[parameter.type] if parameter.type in _NUMBERS else None
-    return ParameterFacts(parameter, _numbers(parameter, domain), domain, limits, *_sentences(parameter, domain))
-
-
-_NUMBERS = (Type.DATA8, Type.DATA16, Type.DATA32, Type.HANDLE)
-
-
-def _sentences(parameter: Parameter, domain: Domain | None) -> tuple[str, str]:
-    """Returns the texts for a number outside the domain: what is wrong (after the number), and what to use instead."""
-    if domain is None:
-        return "", ""
-    if domain.has_names:
-        assert parameter.enum is not None
-        return f", which is not in {parameter.enum.name}", f"use {domain.choice}"
-    unit = f" {parameter.unit}" if parameter.unit else ""
-    return f"{unit}, outside of {domain.text}", f"use {domain.text}"
-
-
-def _numbers(parameter: Parameter, domain: Domain | None) -> range | frozenset[int]:
-    if parameter.direction is not Direction.IN or parameter.type in (Type.STRING, Type.DATAF, Type.LABEL):
-        return frozenset()
-    limits = RANGES.get(parameter.validated or parameter.type)
-    if limits is None:
-        return frozenset()
-    whole = range(limits.low, limits.high + 1)
-    if domain is None:
-        return whole
-    if domain.spans:
-        low, high = domain.spans[0]
-        return range(max(low, limits.low), min(high, limits.high) + 1)
-    return frozenset(number for number in domain.singles if number in whole)
-
 
 # The rules read these fields very often, and reading a slot takes a quarter of the time of a named tuple's
 # field. They are not frozen because creating a frozen one takes three times as long.
@@ -156,9 +49,7 @@ class CheckedOperation:
 
     def finding_at(self, code: Code, argument: Argument, message: str, help_: str) -> Finding:
         """Returns a finding about one of its arguments."""
-        parameter, form, _, offset, _ = argument
-        length = argument.length if form.width is None else 1 + form.width
-        return Finding(code.severity, code.code, offset, length, message, help_, self.name, parameter.name)
+        return code.finding(argument.offset, argument.length, message, help_, self.name, argument.name)
 
 
 def checked_operations(operations: tuple[Operation, ...]) -> tuple[CheckedOperation, ...]:
@@ -166,7 +57,8 @@ def checked_operations(operations: tuple[Operation, ...]) -> tuple[CheckedOperat
     found: list[CheckedOperation] = []
     for parsed in operations:
         facts = operation_facts(parsed.schema)
-        found.append(CheckedOperation(parsed, facts, facts.name, parsed.arguments, parsed[2], parsed[3]))
+        start = parsed.offset
+        found.append(CheckedOperation(parsed, facts, facts.name, parsed.arguments, start, start + parsed.length))
         if facts.ends_code:
             break
     return tuple(found)

@@ -12,7 +12,6 @@ from enum import Flag, auto
 from itertools import chain
 
 from ev3proto.checking.checking import check, swapped
-from ev3proto.checking.context import operation_facts
 from ev3proto.checking.report import Change, Fix, Report, uses
 from ev3proto.checking.rules.arguments import longer_arguments, shortest
 from ev3proto.checking.rules.header import MOST_IN_REPLY, TYPE_OFFSET, is_plausible
@@ -20,6 +19,7 @@ from ev3proto.errors import as_bytes, counted
 from ev3proto.messages import Argument, DirectCommand, Message, Variable
 from ev3proto.schema.frame import read_last
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, frame_size, may_be_long, with_length, write_memory
+from ev3proto.semantics.facts import operation_facts
 from ev3proto.semantics.footprint import Footprint, footprints, needed, unread
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL
 from ev3proto.tables.frame import GRANTED_GLOBALS, LENGTH_FIELD, MAX_FRAME, MAX_LOCALS, MAX_LONG_FRAME, MessageType
@@ -197,7 +197,7 @@ class _Fixing:
         """Reports variables that need another place; only the author knows a free one."""
         needed: dict[Variable, tuple[int, str]] = {}
         for place in chain.from_iterable(self._places.values()):
-            many = max(place.validator_alignment, place.cpu_alignment)
+            many = max(place.facts.validator_alignment, place.facts.cpu_alignment)
             if place.start % many and many > needed.get(place.variable, (0, ""))[0]:
                 needed[place.variable] = many, place.full_name
         self.unfixed += [

@@ -34,11 +34,12 @@ from ev3proto.messages import Argument
 from ev3proto.schema.argument import INTEGER_FORMS, Form, Reader, read_arguments
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, frame_size, read_memory
 from ev3proto.schema.instructions import CMD
+from ev3proto.semantics.facts import Requirement, requirement
 from ev3proto.tables import operations, with_effect
-from ev3proto.tables.declaration import LISTS, Declaration, Effect, Parameter, Role, Type
+from ev3proto.tables.declaration import LISTS, Declaration, Effect, Parameter, Type
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, RANGES, Encoding
 from ev3proto.tables.frame import GRANTED_GLOBALS, MAX_FRAME, MessageType
-from ev3proto.tables.validation import CMD_TABLES, LABELS, SPINNING, TABLE_SIZE
+from ev3proto.tables.validation import CMD_TABLES, SPINNING, TABLE_SIZE
 
 
 class Reason(Enum):
@@ -77,37 +78,6 @@ class Verdict(NamedTuple):
 ACCEPTED = Verdict(True)
 
 
-class _Check(NamedTuple):
-    """The validator's requirements on a parameter.
-
-    numbers      the allowed constants (rules 5 and 11), None for any
-    mask         bits that must be clear in the index of a variable (rule 7)
-    handle_mask  the same if the variable holds a handle
-    """
-
-    numbers: range | None = None
-    mask: int = 0
-    handle_mask: int = 1
-
-
-def _numbers(kind: Type) -> range:
-    return range(RANGES[kind].low, RANGES[kind].high + 1)
-
-
-_8_BITS, _16_BITS = _Check(_numbers(Type.DATA8)), _Check(_numbers(Type.DATA16), mask=1)
-_LABEL = _Check(range(LABELS))
-_CHECKS = {
-    Type.DATA8: _8_BITS,
-    Type.STRING: _8_BITS,
-    Type.DATA16: _16_BITS,
-    Type.HANDLE: _16_BITS,
-    Type.DATA32: _Check(_numbers(Type.DATA32), mask=3),
-    Type.DATAF: _Check(mask=3),
-    Type.ARRAY_TYPED: _Check(),
-    Type.COUNT: _Check(handle_mask=0),
-    Type.LABEL: _LABEL,
-}
-
 _OF_GLOBAL = 0x20
 """The bit that marks the short form of a global variable, which the validator takes for a part of the index."""
 
@@ -122,18 +92,19 @@ _UNDEFINED: Form = (Encoding("", CONSTANT, 0), lambda _data, _at: (0,), 1)
 _FORMS = tuple(form or _UNDEFINED for form in INTEGER_FORMS)
 
 _CMD = ((CMD.parameter, _FORMS),)
+_CMD_REQUIREMENT = requirement(CMD.parameter)
 
 
 class _Expected(NamedTuple):
     """The validator's expectations after an opcode or a CMD.
 
-    readers  read the parameters before the elements of a list
-    checks   the requirements on each of them
-    listed   COUNT or VALUES if it ends in a list
+    readers       read the parameters before the elements of a list
+    requirements  the requirements on each of them
+    listed        COUNT or VALUES if it ends in a list
     """
 
     readers: tuple[Reader, ...] = ()
-    checks: tuple[_Check, ...] = ()
+    requirements: tuple[Requirement, ...] = ()
     listed: Type | None = None
 
 
@@ -199,15 +170,19 @@ class Validator:
             after = read_arguments(_CMD, data, after, len(data), found)
             expected = commands[_number(found[0]) & 0xFF]
         after = read_arguments(expected.readers, data, after, len(data), found)
-        checks = (_8_BITS, *expected.checks) if len(found) > len(expected.checks) else expected.checks
-        for argument, check in zip(found, checks, strict=True):
+        required = expected.requirements
+        if len(found) > len(required):
+            required = (_CMD_REQUIREMENT, *required)
+        for argument, check in zip(found, required, strict=True):
             if argument.is_variable:
                 # Rules 4 and 7.
-                if _number(argument) & (check.handle_mask if argument.form.handle else check.mask):
+                if _number(argument) % (check.handle_alignment if argument.form.handle else check.alignment):
                     return Refusal(Reason.ALIGNMENT, argument.offset)
-            elif (argument is found[0] or check is _LABEL) and check.numbers and _number(argument) not in check.numbers:
-                # Rules 3, 5 and 11.
-                return Refusal(Reason.LABEL if check is _LABEL else Reason.RANGE, argument.offset)
+                continue
+            # Rules 3, 5 and 11.
+            is_label = check.kind is Type.LABEL
+            if (is_label or argument is found[0]) and check.numbers and _number(argument) not in check.numbers:
+                return Refusal(Reason.LABEL if is_label else Reason.RANGE, argument.offset)
         return after if expected.listed is None else _after_list(data, after, end, expected.listed, found[-1])
 
 
@@ -248,12 +223,7 @@ def _number(argument: Argument) -> int:
 def _expected(parameters: Sequence[Parameter]) -> _Expected:
     listed = parameters[-1].type if parameters and parameters[-1].type in LISTS else None
     fixed = parameters[:-1] if listed is Type.VALUES else parameters
-    return _Expected(tuple((parameter, _FORMS) for parameter in fixed), tuple(map(_check, fixed)), listed)
-
-
-def _check(parameter: Parameter) -> _Check:
-    # A jump distance is a number; only LABEL has a label.
-    return _CHECKS[Type.DATA32 if parameter.role is Role.JUMP else parameter.validated or parameter.type]
+    return _Expected(tuple((parameter, _FORMS) for parameter in fixed), tuple(map(requirement, fixed)), listed)
 
 
 def _cmd_tables(known: Sequence[Declaration]) -> dict[str, Sequence[_Expected]]:

@@ -14,7 +14,8 @@ from itertools import pairwise
 from ev3proto.messages import Argument, DaisyCommand, DirectCommand, Message, Operation, SystemCommand
 from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.semantics.domain import domain_of
-from ev3proto.semantics.footprint import UNTYPED_SIZE, Footprint, footprints, whole_number
+from ev3proto.semantics.facts import UNTYPED_SIZE
+from ev3proto.semantics.footprint import Footprint, footprints, whole_number
 from ev3proto.tables.declaration import Effect, Role, Type
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL, RANGES, TEXT
 from ev3proto.tables.frame import GRANTED_GLOBALS, MAX_FRAME, MAX_LOCALS
@@ -218,7 +219,7 @@ def _is_bounded(
             is_fine = form.kind != JUMP or parameter.role is Role.LABEL
         if not is_fine:
             return False
-    return all(_end(place) <= memory[place.argument.kind] for place in places if place.is_written)
+    return all(_end(place) <= memory[place.argument.kind] for place in places if place.facts.is_written)
 
 
 def _end(place: Footprint) -> float:

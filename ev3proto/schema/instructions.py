@@ -388,13 +388,13 @@ class InstructionSet:
             return schema, at + 2
         found: list[Argument] = []
         stop = read_arguments(_CMD, data, at + 1, end, found)
-        _, form, number, *_ = found[0]
-        if form.kind != CONSTANT:
-            raise DecodeError(at + 1, f"CMD of {family.opcode.name} is {form.name}, but must be a constant")
-        schema = family.commands.get(number)
+        cmd = found[0]
+        if cmd.kind != CONSTANT:
+            raise DecodeError(at + 1, f"CMD of {family.opcode.name} is {cmd.encoding}, but must be a constant")
+        schema = family.commands.get(cmd.value)
         if schema is None:
             known = ", ".join(f"{number} {found.declaration.command.name}" for number, found in _first(family.commands))
-            raise DecodeError(at + 1, f"{family.opcode.name} has no CMD {number} (it has {known}, ...)")
+            raise DecodeError(at + 1, f"{family.opcode.name} has no CMD {cmd.value} (it has {known}, ...)")
         return schema, stop
 
     def named(self, name: str) -> OperationSchema:

@@ -1,7 +1,6 @@
 """The bytes of memory that an operation uses: start and size for each argument that is a variable.
 
-The facts of the tables are computed once for each operation (`memory_facts`). What the arguments add, such
-as the size of an array, is computed for each operation in a frame (`footprints`).
+`operation_facts` has what follows from its declaration. The arguments add the size of arrays.
 """
 
 from __future__ import annotations
@@ -9,94 +8,42 @@ from __future__ import annotations
 from bisect import bisect_left
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import cache
 from itertools import accumulate
 from typing import NamedTuple
 
-from ev3proto.messages import Argument, Operation, OperationReader, Variable
-from ev3proto.tables.declaration import LISTS, Direction, Parameter, Role, Type
+from ev3proto.messages import Argument, Operation, Variable
+from ev3proto.semantics.facts import ParameterFacts, operation_facts
+from ev3proto.tables.declaration import Direction, Type
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, TEXT
-
-UNTYPED_SIZE = 4
-"""Bytes of the largest number, reserved for a value whose type only the brick knows."""
 
 NO_LIMIT = -1
 """The length that means "as long as the text is"."""
-
-
-class MemoryFacts(NamedTuple):
-    """The facts of the tables about a variable for a parameter.
-
-    size                 bytes of one value, 1 if the type does not tell
-    most                 maximum bytes of one value, None if unknown
-    room                 bytes to reserve for one value when a place is chosen, None if unknown
-    fixed_length         number of values, if fixed in the tables
-    length               index of the argument with the number of values, or None
-    indexed_by           index of the argument with the index of the element used, or None
-    is_counted           whether the operation gives the number of values or bytes
-    is_array             whether it is or may be more than one value
-    is_read              whether the operation reads it
-    is_written           whether the operation writes it
-    is_result            whether a reply carries it under the parameter's name
-    is_text              whether the values are the bytes of a text
-    is_validated         whether the validator checks its alignment
-    validator_alignment  alignment required by the validator: 1, 2 or 4
-    cpu_alignment        alignment required by the processor: 1, 2 or 4
-    alignment            alignment when a place is chosen: 1, 2 or 4
-    """
-
-    size: int
-    most: int | None
-    room: int | None
-    fixed_length: int | None
-    length: int | None
-    indexed_by: int | None
-    is_counted: bool
-    is_array: bool
-    is_read: bool
-    is_written: bool
-    is_result: bool
-    is_text: bool
-    is_validated: bool
-    validator_alignment: int
-    cpu_alignment: int
-    alignment: int
 
 
 @dataclass(slots=True)
 class Footprint:
     """The memory that an operation uses for one argument that is a variable.
 
-    operation            the operation
-    number               of the argument in the operation, from 0
-    argument             the variable
-    start                its first byte
-    size                 minimum number of bytes
-    most                 maximum number of bytes, None if unknown
-    room                 bytes to reserve when a place is chosen, None if unknown
-    is_array             whether it is or may be more than one value
-    is_read              whether the operation reads it
-    is_written           whether the operation writes it
-    is_result            whether a reply carries it under the parameter's name
-    validator_alignment  alignment required by the validator: 1, 2 or 4
-    cpu_alignment        alignment required by the processor: 1, 2 or 4
-    alignment            alignment when a place is chosen: 1, 2 or 4
+    operation  the operation
+    number     of the argument in the operation, from 0
+    argument   the variable
+    facts      what follows from the declaration of its parameter: its alignment, whether it is read or written
+    start      its first byte
+    size       minimum number of bytes
+    most       maximum number of bytes, None if unknown
+    room       bytes to reserve when a place is chosen, None if unknown
+    is_array   whether it is or may be more than one value
     """
 
     operation: Operation
     number: int
     argument: Argument
+    facts: ParameterFacts
     start: int
     size: int
     most: int | None
     room: int | None
     is_array: bool
-    is_read: bool
-    is_written: bool
-    is_result: bool
-    validator_alignment: int
-    cpu_alignment: int
-    alignment: int
 
     @property
     def end(self) -> int:
@@ -161,9 +108,9 @@ def needed(used: Iterable[Footprint]) -> int | None:
 
 def unread(used: Sequence[Footprint]) -> Iterator[Footprint]:
     """Yields the results among the variables of one memory that no operation reads."""
-    read = Taken((place.start, place.end) for place in used if place.is_read)
+    read = Taken((place.start, place.end) for place in used if place.facts.is_read)
     for place in used:
-        if place.is_written and place.size and not read.has_some_of(place.start, place.end):
+        if place.facts.is_written and place.size and not read.has_some_of(place.start, place.end):
             yield place
 
 
@@ -183,7 +130,7 @@ def footprints(operation: Operation, arguments: Sequence[Argument] | None = None
 
 def results(operation: Operation) -> list[Footprint]:
     """Returns the memory of the arguments whose values a reply carries, in order."""
-    return [found for found in footprints(operation) if found.is_result and found.is_global]
+    return [found for found in footprints(operation) if found.facts.is_result and found.is_global]
 
 
 def footprint(operation: Operation, number: int, arguments: Sequence[Argument]) -> Footprint:
@@ -194,13 +141,12 @@ def footprint(operation: Operation, number: int, arguments: Sequence[Argument]) 
         number: The number of the argument, from 0.
         arguments: All arguments of the operation.
     """
-    facts = memory_facts(operation.schema)
     argument = arguments[number]
-    known = facts[number] if number < len(facts) else element_facts(argument.parameter)
-    _, form, start, *_ = argument
+    form, start = argument.form, argument.value
     assert isinstance(start, int)
+    known = operation_facts(operation.schema).of(number, argument.parameter)
     if form.handle or form.address:
-        return _marked(operation, number, argument, known)
+        known = known.marked(form.handle, form.address)
     size, most, room, is_array = known.size, known.most, known.room, known.is_array
     if known.is_counted:
         count = _count(known, arguments)
@@ -211,48 +157,10 @@ def footprint(operation: Operation, number: int, arguments: Sequence[Argument]) 
             most = None if most is None else most * count
             room = None if room is None else room * count
         is_array = count is None or size > known.size or known.indexed_by is not None
-    return Footprint(
-        operation,
-        number,
-        argument,
-        start,
-        size,
-        most,
-        room,
-        is_array,
-        known.is_read,
-        known.is_written,
-        known.is_result,
-        known.validator_alignment,
-        known.cpu_alignment,
-        known.alignment,
-    )
+    return Footprint(operation, number, argument, known, start, size, most, room, is_array)
 
 
-def _marked(operation: Operation, number: int, argument: Argument, known: MemoryFacts) -> Footprint:
-    """Returns the memory of a variable that holds a handle or an address."""
-    form = argument.form
-    size = Type.HANDLE.size if form.handle else Type.DATA32.size
-    validator_alignment = size if form.handle and known.is_validated else known.validator_alignment
-    return Footprint(
-        operation,
-        number,
-        argument,
-        int(argument.value),
-        size,
-        most=size,
-        room=size,
-        is_array=False,
-        is_read=True,
-        is_written=False,
-        is_result=known.is_result and not form.address,
-        validator_alignment=validator_alignment,
-        cpu_alignment=size,
-        alignment=max(validator_alignment, size),
-    )
-
-
-def _count(known: MemoryFacts, arguments: Sequence[Argument]) -> int | None:
+def _count(known: ParameterFacts, arguments: Sequence[Argument]) -> int | None:
     """Returns the number of values of an array that are used; None if unknown."""
     if known.fixed_length is not None:
         return known.fixed_length
@@ -272,62 +180,6 @@ def whole_number(argument: Argument | None) -> int | None:
     if argument is None or argument.form.kind != CONSTANT or argument.form.handle or argument.form.address:
         return None
     return argument.value if isinstance(argument.value, int) else None
-
-
-@cache
-def memory_facts(schema: OperationReader) -> tuple[MemoryFacts, ...]:
-    """Returns the memory facts of an operation: one entry for each argument before the elements of a list."""
-    parameters = schema.declaration.parameters
-    numbers = {parameter.name: number for number, parameter in enumerate(parameters)}
-    fixed = parameters[:-1] if parameters and parameters[-1].type is Type.VALUES else parameters
-    return tuple(
-        _facts(parameter, numbers, is_validated=parameter.type not in LISTS, is_element=False) for parameter in fixed
-    )
-
-
-def element_facts(parameter: Parameter) -> MemoryFacts:
-    """Returns the memory facts of an element of a list. The validator does not check its alignment."""
-    return _element_facts(parameter.type, parameter.direction)
-
-
-@cache
-def _element_facts(kind: Type, direction: Direction) -> MemoryFacts:
-    return _facts(Parameter("", kind, "", direction), {}, is_validated=False, is_element=True)
-
-
-def _facts(parameter: Parameter, numbers: dict[str, int], *, is_validated: bool, is_element: bool) -> MemoryFacts:
-    kind, direction = parameter.type, parameter.direction
-    is_text, is_untyped = kind is Type.STRING, kind is Type.ARRAY_TYPED
-    is_counted = parameter.length is not None or parameter.indexed_by is not None
-    size = max(kind.size, 1)
-    most: int | None = size
-    room: int | None = UNTYPED_SIZE if is_untyped else size
-    if is_text and parameter.length is None:
-        most = room = None
-    elif is_untyped:
-        # The elements of a mailbox may be texts, those of an array are numbers.
-        most = None if is_element else UNTYPED_SIZE
-    is_seen = is_validated and parameter.role is not Role.LABEL
-    validator_alignment = max((parameter.validated or kind).size, 1) if is_seen else 1
-    cpu_alignment = 1 if kind is Type.LABEL else size
-    return MemoryFacts(
-        size,
-        most,
-        room,
-        fixed_length=parameter.length if isinstance(parameter.length, int) else None,
-        length=numbers.get(parameter.length) if isinstance(parameter.length, str) else None,
-        indexed_by=None if parameter.indexed_by is None else numbers.get(parameter.indexed_by),
-        is_counted=is_counted,
-        is_array=is_text or is_untyped or is_counted,
-        is_read=not parameter.stores and direction is not Direction.OUT,
-        is_written=parameter.stores or direction is not Direction.IN,
-        is_result=direction is not Direction.IN,
-        is_text=is_text,
-        is_validated=is_validated,
-        validator_alignment=validator_alignment,
-        cpu_alignment=cpu_alignment,
-        alignment=max(validator_alignment, cpu_alignment, UNTYPED_SIZE if is_untyped else 1),
-    )
 
 
 NUMBER_SIZE = 4
@@ -354,7 +206,7 @@ class InlineArray(NamedTuple):
 def inline_arrays(arguments: Sequence[Argument]) -> Iterator[InlineArray]:
     """Yields the constant texts and arrays of an operation whose length another argument gives."""
     for argument in arguments:
-        parameter, form, *_ = argument
+        parameter, form = argument.parameter, argument.form
         length = parameter.length
         if not isinstance(length, str) or parameter.direction is not Direction.IN:
             continue

@@ -9,7 +9,8 @@ from typing import NamedTuple
 
 from ev3proto.messages import DirectCommand, DirectReply, Message, SystemReply
 from ev3proto.schema.header import HEADER_SIZE
-from ev3proto.semantics.footprint import UNTYPED_SIZE, Footprint, results
+from ev3proto.semantics.facts import UNTYPED_SIZE
+from ev3proto.semantics.footprint import Footprint, results
 from ev3proto.tables.declaration import Type
 from ev3proto.tables.encoding import RANGES, STRING_CODING
 from ev3proto.tables.system import SYSTEM_BY_NUMBER, Kind

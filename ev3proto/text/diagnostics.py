@@ -311,7 +311,7 @@ def _cuts(message: Message, size: int) -> list[int]:
         for operation in message.operations:
             at = operation.offset
             starts += [at, at + 1]
-            starts += [argument[3] for argument in operation.arguments]
+            starts += [argument.offset for argument in operation.arguments]
             starts.append(at + operation.length)
     elif message.type is not None:
         starts.append(HEADER_SIZE + 1)

@@ -48,22 +48,27 @@ def test_an_element_that_is_stored_in_global_memory_asks_for_a_reply() -> None:
 def test_the_footprint_of_an_array_of_which_one_element_is_read() -> None:
     source, destination = footprints(ev3proto.operation("READ16", LV(4), 3, GV(0)))
     assert (source.start, source.end, source.most) == (4, 12, 8)
-    assert (source.is_read, source.is_written, source.is_array, source.is_result) == (True, False, True, False)
+    assert (source.facts.is_read, source.facts.is_written, source.is_array, source.facts.is_result) == (
+        True,
+        False,
+        True,
+        False,
+    )
     assert (destination.start, destination.end, destination.is_exact) == (0, 2, True)
-    assert (destination.is_read, destination.is_written, destination.is_result) == (False, True, True)
+    assert (destination.facts.is_read, destination.facts.is_written, destination.facts.is_result) == (False, True, True)
     assert source.full_name == "SOURCE of READ16"
 
 
 def test_an_array_whose_element_a_variable_tells_is_open_ended() -> None:
     (_, destination) = footprints(ev3proto.operation("WRITE32", 7, LV(0), LV(4)))
     assert (destination.size, destination.most, destination.is_open) == (4, None, True)
-    assert destination.is_written
+    assert destination.facts.is_written
 
 
 def test_an_element_of_an_array_of_unknown_type_takes_one_to_four_bytes() -> None:
     _, value = footprints(ev3proto.operation("ARRAY_READ", LV(0), 0, GV(0)))
-    assert (value.size, value.most, value.room, value.alignment) == (1, 4, 4, 4)
-    assert (value.validator_alignment, value.cpu_alignment) == (1, 1)
+    assert (value.size, value.most, value.room, value.facts.alignment) == (1, 4, 4, 4)
+    assert (value.facts.validator_alignment, value.facts.cpu_alignment) == (1, 1)
 
 
 def test_a_value_of_a_mailbox_may_be_a_text() -> None:
@@ -88,9 +93,13 @@ def test_lengths_below_zero(operation: ev3proto.Operation, size: int, most: int 
 
 def test_a_variable_that_holds_a_handle_or_an_address_takes_the_bytes_of_that() -> None:
     name = ev3proto.operation("SOUND.PLAY", 1, LV(2, handle=True))
-    assert [(found.size, found.validator_alignment, found.cpu_alignment) for found in footprints(name)] == [(2, 2, 2)]
+    assert [(found.size, found.facts.validator_alignment, found.facts.cpu_alignment) for found in footprints(name)] == [
+        (2, 2, 2)
+    ]
     level = ev3proto.operation("SOUND.PLAY", LV(4, address=True), "a")
-    assert [(found.size, found.validator_alignment, found.cpu_alignment) for found in footprints(level)] == [(4, 1, 4)]
+    assert [
+        (found.size, found.facts.validator_alignment, found.facts.cpu_alignment) for found in footprints(level)
+    ] == [(4, 1, 4)]
 
 
 def test_a_reply_carries_one_handle_where_an_array_is_written_to_what_a_handle_names() -> None:

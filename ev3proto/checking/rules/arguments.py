@@ -6,12 +6,13 @@ import math
 from collections.abc import Iterator
 
 from ev3proto.checking import codes
-from ev3proto.checking.context import CheckContext, CheckedOperation, ParameterFacts, parameter_facts
+from ev3proto.checking.context import CheckContext, CheckedOperation
 from ev3proto.checking.report import Finding
 from ev3proto.checking.rules.memory import Use
 from ev3proto.errors import counted
 from ev3proto.messages import Argument, Operation, Variable
 from ev3proto.schema.argument import ENCODINGS, SHORT, encode_integer, encode_variable
+from ev3proto.semantics.facts import ParameterFacts
 from ev3proto.semantics.footprint import InlineArray, footprint, inline_arrays
 from ev3proto.tables.declaration import Direction, Role, Type
 from ev3proto.tables.encoding import CONSTANT, CONSTANT_RANGES, GLOBAL, INDEX_RANGES, LOCAL, RANGES, TEXT, Encoding
@@ -21,9 +22,9 @@ from ev3proto.tables.validation import LABELS
 def value_finding(
     operation: CheckedOperation, number: int, argument: Argument, known: ParameterFacts
 ) -> Finding | None:
-    """Returns what is wrong with a constant outside `known.numbers`."""
+    """Returns what is wrong with a constant outside `known.legal`."""
     is_first = not number and not operation.facts.has_cmd
-    parameter, form, value, _, _ = argument
+    parameter, form, value = argument.parameter, argument.form, argument.value
     kind, type_ = form.kind, parameter.type
     if form.handle or form.address:
         # Only the brick knows the value there. Its validator takes the handle or address itself as the value.
@@ -62,10 +63,14 @@ def _illegal(
     operation: CheckedOperation, argument: Argument, value: int, known: ParameterFacts, aside: str = ""
 ) -> Finding:
     """Returns the finding about a number that is not in the tables."""
-    assert known.domain is not None
-    code = codes.NO_MEMBER if known.domain.has_names else codes.OUT_OF_RANGE
-    message = f"{argument[0].name} is {value}{known.outside}{aside}"
-    return operation.finding_at(code, argument, message, known.advice)
+    parameter, domain = known.parameter, known.domain
+    assert domain is not None
+    if parameter.enum is not None and domain.has_names:
+        code, outside = codes.NO_MEMBER, f", which is not in {parameter.enum.name}"
+    else:
+        unit = f" {parameter.unit}" if parameter.unit else ""
+        code, outside = codes.OUT_OF_RANGE, f"{unit}, outside of {domain.text}"
+    return operation.finding_at(code, argument, f"{argument.name} is {value}{outside}{aside}", _value_help(known))
 
 
 def _refused(operation: CheckedOperation, argument: Argument, value: int, known: ParameterFacts) -> Finding | None:
@@ -80,18 +85,14 @@ def _refused(operation: CheckedOperation, argument: Argument, value: int, known:
             f"{argument.name} is {value}, but labels are 0 to {LABELS - 1}",
             f"use 1 to {LABELS - 1}; jumps cannot name label 0",
         )
-    checked = parameter.validated or parameter.type
-    if checked is Type.STRING:
-        # The validator checks the first character of a text.
-        checked = Type.DATA8
-    limits = RANGES.get(checked)
-    if limits is None or limits.low <= value <= limits.high:
+    numbers = known.validated.numbers
+    if numbers is None or value in numbers:
         return None
     return operation.finding_at(
         codes.FIRST_OUT_OF_RANGE,
         argument,
-        f"{argument.name} is {value}, but the brick accepts only {limits.low} to {limits.high} as {checked}"
-        " in a first parameter",
+        f"{argument.name} is {value}, but the brick accepts only {numbers[0]} to {numbers[-1]} as"
+        f" {known.validated.kind} in a first parameter",
         _value_help(known),
     )
 
@@ -189,30 +190,31 @@ _RANGES = {CONSTANT: CONSTANT_RANGES, LOCAL: INDEX_RANGES, GLOBAL: INDEX_RANGES}
 
 def _shorter(form: Encoding) -> range | None:
     """Returns the values that a shorter form can hold, None if there is no shorter form."""
-    if not form.width or form.handle or form.address:
+    if not form.width:
         return None
     # Wider forms hold all values of narrower ones.
     narrower = [numbers for width, numbers in _RANGES.get(form.kind, {}).items() if width < form.width]
     return narrower[-1] if narrower else None
 
 
-SHORTER = {id(form): _shorter(form) for form in ENCODINGS if form is not None}
-"""The values that a shorter form can hold, by the id of the encoding: each encoding is a single object."""
+_SHORTER = {form.name: _shorter(form) for form in ENCODINGS if form is not None and not (form.handle or form.address)}
+"""The values that a shorter form can hold, by the name of the encoding."""
 
 
 def is_longer(argument: Argument) -> bool:
     """Returns whether its value fits a shorter form."""
-    shorter = SHORTER.get(id(argument.form))
-    return shorter is not None and type(argument.value) is int and argument.value in shorter
+    form, value = argument.form, argument.value
+    shorter = _SHORTER[form.name]
+    return shorter is not None and type(value) is int and value in shorter and not (form.handle or form.address)
 
 
 def longer_arguments(operation: Operation) -> Iterator[Argument]:
     """Yields CMD and the arguments whose value fits a shorter form."""
-    _, data, start, end, *_ = operation
-    if end - start > 1 and data[start + 1] >= _SHORT_FORMS and (cmd := operation.cmd) is not None and is_longer(cmd):
+    code = operation.raw
+    if len(code) > 1 and code[1] >= _SHORT_FORMS and (cmd := operation.cmd) is not None and is_longer(cmd):
         yield cmd
     for argument in operation.arguments:
-        if argument[1].width and is_longer(argument):
+        if argument.form.width and is_longer(argument):
             yield argument
 
 
@@ -266,7 +268,7 @@ def check_lists(operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
 
 def _long_texts(operation: CheckedOperation) -> Iterator[Finding]:
     for argument in operation.arguments:
-        parameter, form, *_ = argument
+        parameter, form = argument.parameter, argument.form
         most = parameter.most
         if most is None or form.kind != TEXT or parameter.direction is not Direction.IN:
             continue
@@ -330,22 +332,18 @@ def check_arguments(context: CheckContext, found: list[Finding]) -> tuple[list[U
     local: list[Use] = []
     shared: list[Use] = []
     for operation in context.operations:
-        arguments, parameters = operation.arguments, operation.facts.parameters
-        fixed = len(parameters)
-        if len(arguments) > fixed:
-            # All elements of a list are of one kind.
-            listed = parameter_facts(arguments[fixed].parameter)
+        arguments, facts = operation.arguments, operation.facts
         for number, argument in enumerate(arguments):
-            _, form, value, _, _ = argument
-            if form.kind == GLOBAL:
+            kind, value = argument.form.kind, argument.value
+            if kind == GLOBAL:
                 shared.append((operation, footprint(operation.parsed, number, arguments)))
-            elif form.kind == LOCAL:
+            elif kind == LOCAL:
                 local.append((operation, footprint(operation.parsed, number, arguments)))
             else:
-                legal = parameters[number] if number < fixed else listed
+                known = facts.of(number, argument.parameter)
                 # A range compares all of its numbers, one by one, with a value that is not a whole number.
-                if type(value) is not int or value not in legal.numbers:
-                    wrong = value_finding(operation, number, argument, legal)
+                if type(value) is not int or value not in known.legal:
+                    wrong = value_finding(operation, number, argument, known)
                     if wrong is not None:
                         found.append(wrong)
         for argument in longer_arguments(operation.parsed):

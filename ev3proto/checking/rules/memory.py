@@ -12,7 +12,7 @@ from ev3proto.errors import counted
 from ev3proto.messages import DirectCommand, Variable
 from ev3proto.schema.header import HEADER_SIZE, MEMORY_SIZE
 from ev3proto.semantics.footprint import Footprint, needed, unread
-from ev3proto.tables.encoding import GLOBAL, LOCAL
+from ev3proto.tables.encoding import GLOBAL, LOCAL, Encoding
 from ev3proto.tables.frame import MAX_FRAME, MAX_LOCALS, MessageType
 
 _LARGEST = 4
@@ -43,13 +43,13 @@ def check_memory(
     yield from _asked_for(command, local, shared)
 
 
-_Identity = tuple[str, int, int, int, int, int | None]
+_Identity = tuple[str, int, Encoding, int, int, int | None]
 
 
 def _identity(use: Use) -> _Identity:
     """Returns the key by which two variables have the same finding."""
     operation, place = use
-    return operation.name, place.number, id(place.argument[1]), place.start, place.size, place.most
+    return operation.name, place.number, place.argument.form, place.start, place.size, place.most
 
 
 def _again(finding: Finding, offset: int) -> Finding:
@@ -73,7 +73,7 @@ def _places(used: list[Use], asked: int) -> Iterator[Finding]:
     for use in used:
         _, place = use
         start = place.start
-        if place.end > asked or start % place.validator_alignment or start % place.cpu_alignment:
+        if place.end > asked or start % place.facts.validator_alignment or start % place.facts.cpu_alignment:
             key = _identity(use)
             found = said.get(key)
             if found is None:
@@ -84,8 +84,8 @@ def _places(used: list[Use], asked: int) -> Iterator[Finding]:
 
 def _wrongly_placed(use: Use, asked: int) -> Iterator[Finding]:
     operation, place = use
-    if place.start % max(place.validator_alignment, place.cpu_alignment):
-        code = codes.MISALIGNED if place.start % place.validator_alignment else codes.UNALIGNED
+    if place.start % max(place.facts.validator_alignment, place.facts.cpu_alignment):
+        code = codes.MISALIGNED if place.start % place.facts.validator_alignment else codes.UNALIGNED
         yield operation.finding_at(code, place.argument, *_misaligned_texts(place, asked))
     if place.end > asked:
         code = codes.BEYOND_GLOBALS if place.is_global else codes.BEYOND_LOCALS
@@ -99,12 +99,12 @@ def _misaligned_texts(place: Footprint, asked: int) -> tuple[str, str]:
         place: The variable.
         asked: Bytes of that memory that the command requests.
     """
-    is_validated = place.start % place.validator_alignment != 0
-    multiple = place.validator_alignment if is_validated else place.cpu_alignment
+    is_validated = place.start % place.facts.validator_alignment != 0
+    multiple = place.facts.validator_alignment if is_validated else place.facts.cpu_alignment
     aside = "" if is_validated else ", though the firmware does not check it here"
     name, variable = place.argument.name, _variable(place.is_global, place.start)
     message = f"{name} is {variable}, and must start at a multiple of {multiple}{aside}"
-    multiple = max(place.validator_alignment, place.cpu_alignment)
+    multiple = max(place.facts.validator_alignment, place.facts.cpu_alignment)
     return message, _aligned(place.is_global, place.start, place.size, multiple, asked)
 
 
@@ -161,7 +161,7 @@ def _overlaps(used: list[Use], *, is_kept: bool) -> Iterator[Finding]:
         # Up to a thousand arguments may take all bytes from their start on: the first one is enough.
         open_from = MAX_FRAME
         for _, place in together:
-            if not place.is_read:
+            if not place.facts.is_read:
                 continue
             start = place.start
             if place.most is None:
@@ -172,7 +172,7 @@ def _overlaps(used: list[Use], *, is_kept: bool) -> Iterator[Finding]:
         results[open_from:] = [None] * (MAX_FRAME - open_from)
         for use in together:
             _, place = use
-            if not place.is_written:
+            if not place.facts.is_written:
                 continue
             start, end = place.start, min(place.end, MAX_FRAME)
             key = _identity(use)
@@ -200,7 +200,7 @@ def _by_operation(used: list[Use]) -> Iterator[list[Use]]:
 
 def _have_results_in_common(used: list[Use]) -> bool:
     """Returns whether any two results share a byte, which is rare."""
-    taken = sorted([(place.start, place.end) for _, place in used if place.is_written])
+    taken = sorted([(place.start, place.end) for _, place in used if place.facts.is_written])
     last = 0
     for start, end in taken:
         if start < last:

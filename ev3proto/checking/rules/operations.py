@@ -356,7 +356,7 @@ def _faulty_start(context: CheckContext) -> int:
 def _newer(context: CheckContext) -> Iterator[Finding]:
     rejected_at = context.verdict.rejected_at
     for operation in context.operations:
-        if not operation.facts.is_newer:
+        if not operation.facts.declaration.is_newer:
             continue
         cmd = operation.parsed.cmd
         assert cmd is not None

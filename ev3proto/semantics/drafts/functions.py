@@ -20,7 +20,8 @@ from ev3proto.schema.instructions import OperationSchema, instruction_set
 from ev3proto.semantics.domain import domain_of
 from ev3proto.semantics.drafts.draft import OMITTED, STAND_IN, Draft, Open
 from ev3proto.semantics.drafts.placeholders import NO_DISTANCE, Label, Need, Placeholder
-from ev3proto.semantics.footprint import Footprint, footprints, inline_arrays, memory_facts
+from ev3proto.semantics.facts import ParameterFacts, operation_facts
+from ev3proto.semantics.footprint import Footprint, footprints, inline_arrays
 from ev3proto.tables.declaration import LISTS, Declaration, Direction, Parameter, Role, Type
 from ev3proto.tables.encoding import CONSTANT, RANGES, TEXT
 
@@ -65,7 +66,7 @@ def _check_meaning(argument: Argument) -> None:
     Raises:
         BuildError: Names the parameter and what would be right.
     """
-    parameter, form, value, *_ = argument
+    parameter, form, value = argument.parameter, argument.form, argument.value
     if form.handle or form.address or argument.is_variable:
         return
     if parameter.direction is not Direction.IN:
@@ -79,7 +80,7 @@ def _check_meaning(argument: Argument) -> None:
 def _wrong_places(used: Iterable[Footprint]) -> Iterator[tuple[int, BuildError]]:
     """Yields misaligned variables, for which the brick refuses the whole command."""
     for footprint in used:
-        multiple = footprint.validator_alignment
+        multiple = footprint.facts.validator_alignment
         if footprint.start % multiple:
             kind = "a handle" if footprint.argument.form.handle else footprint.argument.parameter.type.label
             sentence = (
@@ -316,12 +317,10 @@ _KEPT_TYPES = frozenset({int, str, type(None)})
 class _Constants(dict[Any, bytes]):
     """A cache of the encoded legal constants of one parameter. Raises KeyError for other values."""
 
-    def __init__(self, schema: ArgumentSchema) -> None:
+    def __init__(self, schema: ArgumentSchema, facts: ParameterFacts) -> None:
         super().__init__()
         self._schema = schema
-        domain = domain_of(schema.parameter)
-        low, high = domain.spans[0] if domain is not None and domain.spans else (0, -1)
-        self._legal = range(low, high + 1)
+        self._legal = facts.legal
 
     def __missing__(self, value: Any) -> bytes:
         is_number = type(value) is int
@@ -355,7 +354,8 @@ class OperationDrafts:
         self._needs = needs or ()
         if needs is not None:
             inputs = schema.fixed[: len(schema.fixed) - len(needs)]
-            self._known = (*map(_Constants, inputs), *(_OMITTED_OUTPUT for _ in needs))
+            facts = operation_facts(schema).parameters
+            self._known = (*map(_Constants, inputs, facts), *(_OMITTED_OUTPUT for _ in needs))
             self._places = {len(inputs) + number: OMITTED for number in range(len(needs))}
 
     def draft(self, values: Sequence[Any], unchecked: bool) -> Draft:
@@ -379,8 +379,8 @@ def _needs(schema: OperationSchema) -> tuple[Need, ...] | None:
     if schema.list_parameter is not None:
         return None
     found: list[Need] = []
-    for argument, facts in zip(schema.fixed, memory_facts(schema), strict=True):
-        parameter = argument.parameter
+    for facts in operation_facts(schema).parameters:
+        parameter = facts.parameter
         if parameter.length is not None or parameter.direction is Direction.INOUT:
             return None
         if parameter.direction is Direction.OUT:

@@ -3700,6 +3700,7 @@ local OPERATIONS = {
             {
                 "NO", IN, DATA8, "port, counted from 0", label = "Port",
                 special = { [0] = "A", [1] = "B", [2] = "C", [3] = "D" },
+                is_motor = true,
                 range = { 0, 3 },
             },
             { "TYPE", OUT, DATA8, "type of the motor", enum = ENUMERATIONS.TYPE, range = { 50, 98 } },
@@ -3716,6 +3717,7 @@ local OPERATIONS = {
             {
                 "NO", IN, DATA8, "port, counted from 0", label = "Port",
                 special = { [0] = "A", [1] = "B", [2] = "C", [3] = "D" },
+                is_motor = true,
                 range = { 0, 3 },
             },
             { "TYPE", IN, DATA8, "type of the motor", enum = ENUMERATIONS.TYPE, range = { 50, 98 } },
@@ -3735,6 +3737,7 @@ local OPERATIONS = {
                     [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
                     [15] = "A+B+C+D",
                 },
+                is_motor = true,
                 range = { 0, 15 },
             },
         ]],
@@ -3753,6 +3756,7 @@ local OPERATIONS = {
                     [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
                     [15] = "A+B+C+D",
                 },
+                is_motor = true,
                 range = { 0, 15 },
             },
             {
@@ -3776,6 +3780,7 @@ local OPERATIONS = {
                     [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
                     [15] = "A+B+C+D",
                 },
+                is_motor = true,
                 range = { 0, 15 },
             },
             { "POWER", IN, DATA8, "unregulated power; negative: backward", unit = "%", range = { -100, 100 } },
@@ -3795,6 +3800,7 @@ local OPERATIONS = {
                     [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
                     [15] = "A+B+C+D",
                 },
+                is_motor = true,
                 range = { 0, 15 },
             },
             { "SPEED", IN, DATA8, "regulated speed; negative: backward", unit = "%", range = { -100, 100 } },
@@ -3814,6 +3820,7 @@ local OPERATIONS = {
                     [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
                     [15] = "A+B+C+D",
                 },
+                is_motor = true,
                 range = { 0, 15 },
             },
         ]],
@@ -3832,6 +3839,7 @@ local OPERATIONS = {
                     [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
                     [15] = "A+B+C+D",
                 },
+                is_motor = true,
                 range = { 0, 15 },
             },
             {
@@ -3851,6 +3859,7 @@ local OPERATIONS = {
             {
                 "NO", IN, DATA8, "port, counted from 0", label = "Port",
                 special = { [0] = "A", [1] = "B", [2] = "C", [3] = "D" },
+                is_motor = true,
                 range = { 0, 3 },
             },
             { "SPEED", OUT, DATA8, "current speed", unit = "%", range = { -100, 100 } },
@@ -3871,6 +3880,7 @@ local OPERATIONS = {
                     [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
                     [15] = "A+B+C+D",
                 },
+                is_motor = true,
                 range = { 0, 15 },
             },
             { "BUSY", OUT, DATA8, "whether to wait", special = { [0] = "ready", [1] = "busy" }, range = { 0, 1 } },
@@ -3890,6 +3900,7 @@ local OPERATIONS = {
                     [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
                     [15] = "A+B+C+D",
                 },
+                is_motor = true,
                 range = { 0, 15 },
             },
         ]],
@@ -3908,6 +3919,7 @@ local OPERATIONS = {
                     [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
                     [15] = "A+B+C+D",
                 },
+                is_motor = true,
                 range = { 0, 15 },
             },
             { "POS", OUT, DATA32, "position", unit = "degrees" },
@@ -3928,6 +3940,7 @@ local OPERATIONS = {
                     [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
                     [15] = "A+B+C+D",
                 },
+                is_motor = true,
                 range = { 0, 15 },
             },
             { "POWER", IN, DATA8, "unregulated power; negative: backward", unit = "%", range = { -100, 100 } },
@@ -3955,6 +3968,7 @@ local OPERATIONS = {
                     [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
                     [15] = "A+B+C+D",
                 },
+                is_motor = true,
                 range = { 0, 15 },
             },
             { "POWER", IN, DATA8, "unregulated power; negative: backward", unit = "%", range = { -100, 100 } },
@@ -3982,6 +3996,7 @@ local OPERATIONS = {
                     [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
                     [15] = "A+B+C+D",
                 },
+                is_motor = true,
                 range = { 0, 15 },
             },
             { "SPEED", IN, DATA8, "regulated speed; negative: backward", unit = "%", range = { -100, 100 } },
@@ -4009,6 +4024,7 @@ local OPERATIONS = {
                     [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
                     [15] = "A+B+C+D",
                 },
+                is_motor = true,
                 range = { 0, 15 },
             },
             { "SPEED", IN, DATA8, "regulated speed; negative: backward", unit = "%", range = { -100, 100 } },
@@ -4036,6 +4052,7 @@ local OPERATIONS = {
                     [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
                     [15] = "A+B+C+D",
                 },
+                is_motor = true,
                 range = { 0, 15 },
             },
             { "SPEED", IN, DATA8, "regulated speed; negative: backward", unit = "%", range = { -100, 100 } },
@@ -4073,6 +4090,7 @@ local OPERATIONS = {
                     [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
                     [15] = "A+B+C+D",
                 },
+                is_motor = true,
                 range = { 0, 15 },
             },
             { "SPEED", IN, DATA8, "regulated speed; negative: backward", unit = "%", range = { -100, 100 } },
@@ -4110,6 +4128,7 @@ local OPERATIONS = {
                     [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
                     [15] = "A+B+C+D",
                 },
+                is_motor = true,
                 range = { 0, 15 },
             },
         ]],
@@ -4124,6 +4143,7 @@ local OPERATIONS = {
             {
                 "NOS", IN, DATA8, "port, counted from 0", label = "Port",
                 special = { [0] = "A", [1] = "B", [2] = "C", [3] = "D" },
+                is_motor = true,
                 range = { 0, 3 },
             },
             { "TACHO", OUT, DATA32, "angle since OUTPUT_CLR_COUNT", unit = "degrees" },
@@ -5575,6 +5595,8 @@ local experts = {
     unknown_cmd = ProtoExpert.new("ev3.expert.unknown_cmd", "Unknown CMD",
         expert.group.MALFORMED, expert.severity.ERROR),
     cut_off = ProtoExpert.new("ev3.expert.cut_off", "Cut off", expert.group.MALFORMED, expert.severity.ERROR),
+    cut_by_capture = ProtoExpert.new("ev3.expert.cut_by_capture", "Cut by the capture",
+        expert.group.UNDECODED, expert.severity.NOTE),
     misaligned = ProtoExpert.new("ev3.expert.misaligned", "Misaligned variable",
         expert.group.PROTOCOL, expert.severity.ERROR),
     beyond_memory = ProtoExpert.new("ev3.expert.beyond_memory", "Variable beyond the requested memory",
@@ -5690,6 +5712,8 @@ do
             is_output = direction ~= IN,
             unit = row.unit,
             names = row.enum and not is_flags and row.enum.names or nil,
+            -- The letters of motors, for lines.
+            motors = row.is_motor and row.special or nil,
             flags = is_flags and row.enum.names or nil,
             special = row.special and not is_flags and in_brackets(row.special) or nil,
             length = row.length,
@@ -6134,9 +6158,25 @@ do
     -- Maximum number of values in a line.
     phrases.MOST_VALUES = 12
     local MOST_TEXT = 60
+    -- Characters for the names of a command's other operations.
+    local MOST_NAMES = 80
 
     function phrases.plural(count, word)
         return format("%d %s%s", count, word, count == 1 and "" or "s")
+    end
+
+    -- Returns the names of the operations after the first one, as far as there is room.
+    function phrases.others_text(names)
+        local size, shown = 0, {}
+        for index, name in ipairs(names) do
+            size = size + #name + 2
+            if size > MOST_NAMES then
+                shown[index] = format("%d more", #names - index + 1)
+                break
+            end
+            shown[index] = name
+        end
+        return "(+" .. concat(shown, ", ") .. ")"
     end
 
     -- What represents a byte of a text in a line: the symbol of a control character, because a newline would end the
@@ -6188,7 +6228,7 @@ do
     -- Returns a value for a line: a text, a name, or a number with its unit.
     local function value_text(parameter, value)
         if type(value) == "string" then return phrases.shortened(value) end
-        local name = parameter.names and parameter.names[value]
+        local name = parameter.names and parameter.names[value] or parameter.motors and parameter.motors[value]
         if name then return name end
         local text = phrases.number_text(value)
         return parameter.unit and text .. " " .. parameter.unit or text
@@ -6625,7 +6665,7 @@ do
     -- Returns the line of the operations, which may be empty; the offset after the last one that could be read; the
     -- fault, or nil; and the first operation, or nil.
     local function read(text, at, item, view, asked_globals, asked_locals)
-        local first, phrase, count, fault = nil, "", 0, nil
+        local first, phrase, others, fault = nil, "", {}, nil
         heading, globals, locals, is_beyond, complaints, outputs = nil, asked_globals, asked_locals, false, {}, {}
         if item then buffer, base = view.tvb, view.base end
         while at < #text and not fault do
@@ -6644,18 +6684,20 @@ do
             after, offset, reason, kind = read_arguments(selected, text, after, show_argument, not is_said)
             if not first then
                 first, phrase = selected, said
+            else
+                others[#others + 1] = selected.name
             end
             if item then
                 if selected.cmd_name then said = " " .. selected.cmd_name .. said end
                 if after > at + 1 then set_len(heading, after - at) end
                 if said ~= "" then append_text(heading, said) end
             end
-            count, at = count + 1, after
+            at = after
             if reason then fault = { at = offset, reason = reason, kind = kind } end
         end
         if not first then return "", at, fault end
         local line = first.name .. phrase
-        if count > 1 then line = format("%s (+%s)", line, plural(count - 1, "operation")) end
+        if others[1] then line = line .. " " .. phrases.others_text(others) end
         return line, at, fault, first
     end
 
@@ -7002,12 +7044,27 @@ do
         { direct = show_direct_command, system = show_system_message, daisy = show_daisy_command }
     local SHOW_REPLY = { direct = show_direct_reply, system = show_system_message, daisy = show_daisy_reply }
 
+    -- Tells whether a frame of which the capture has only the beginning has a fault there: with zeros in place of the
+    -- rest, it has the same one.
+    local function is_real(fault, message)
+        local type = message.type
+        if not type or type.carries == "daisy" then return fault.kind ~= "cut_off" end
+        local whole = messages.read(message.text .. ("\0"):rep(message.size - message.stop))
+        local found = whole.fault
+        if type.carries == "direct" then found = operations.summary_of(sub(whole.text, HEADER_SIZE + 1)).fault end
+        return found ~= nil and found.at == fault.at and found.reason == fault.reason
+    end
+
     -- A truncated frame has no other fault at its end.
     local function check_size(message)
-        local stop, fault = message.stop, message.fault
-        if stop < message.size and not (fault and fault.kind ~= "cut_off") then
+        local stop, size, fault = message.stop, message.size, message.fault
+        if stop == size then return end
+        if message.is_cut then
+            if fault and is_real(fault, message) then return end
+            set_fault(message, stop, format("the capture has %d of the frame's %d bytes", stop, size), "cut_by_capture")
+        elseif not fault or fault.kind == "cut_off" then
             local reason = "the frame is cut off: its length field says that %d bytes follow, but %d do"
-            set_fault(message, 0, format(reason, message.size - LENGTH_FIELD, stop - LENGTH_FIELD), "cut_off")
+            set_fault(message, 0, format(reason, size - LENGTH_FIELD, stop - LENGTH_FIELD), "cut_off")
         end
     end
 
@@ -7106,6 +7163,8 @@ do
         local fault = message.fault
         if said then
             line = said
+        elseif fault and fault.kind == "cut_by_capture" then
+            line = line .. " [cut by the capture]"
         elseif fault then
             line = format("%s [fault at offset %d: %s]", line, fault.at, fault.reason)
         end
@@ -7170,6 +7229,11 @@ local claiming = {}
 -- optionally `forget`, which drops the state of the last capture, and `prefs_changed`.
 local carriers = {}
 
+-- Tells whether the capture has only the beginning of a packet, as with a snap length, and data end there.
+local function is_cut_by_capture(tvb, stop, pinfo)
+    return stop == tvb:len() and pinfo.caplen < pinfo.len
+end
+
 -- Dissects a message in a buffer. `conversation` is given in the first pass only; `said` replaces the message's own
 -- line. Returns the line for the info column and, if there is a tree, the message's item.
 local function dissect_message(tvb, at, message, conversation, place, pinfo, tree, is_shown, said)
@@ -7177,6 +7241,7 @@ local function dissect_message(tvb, at, message, conversation, place, pinfo, tre
         dialogues.take_note(place, conversation, message, pinfo)
         claiming.note(conversation, message)
     end
+    message.is_cut = message.stop < message.size and is_cut_by_capture(tvb, at + message.stop, pinfo)
     local line, item = messages.show(message, place, tvb, at, tree, is_shown, said, conversation)
     if is_shown then
         storage.free_unused()

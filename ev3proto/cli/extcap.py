@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from contextlib import ExitStack, closing
+from contextlib import ExitStack, closing, suppress
 from dataclasses import replace
 from pathlib import Path
 from typing import BinaryIO, cast
@@ -14,7 +14,7 @@ from ev3proto.cli.options import PATH, PORT
 from ev3proto.cli.output import Failure, complain, failing_on, failing_to, say
 from ev3proto.cli.targets import TargetType
 from ev3proto.generate.captures.recording import Recording
-from ev3proto.link.carriers import open_wire
+from ev3proto.link.carriers import Wire, open_wire
 from ev3proto.link.errors import LinkError
 from ev3proto.link.proxy import Proxy, ProxyOptions
 from ev3proto.link.serial_number import announced_number
@@ -40,7 +40,33 @@ _CONFIGURATION = (
 )
 
 
-@click.command(context_settings={"ignore_unknown_options": True, "allow_extra_args": True})
+_FIFOS: list[BinaryIO] = []
+
+
+def _opened(fifo: Path) -> BinaryIO:
+    """Opens the FIFO until this process ends: once it is closed, Wireshark shows no error message. Raises OSError."""
+    stream = fifo.open("wb")
+    _FIFOS.append(stream)
+    return stream
+
+
+class _Extcap(click.Command):
+    """A command that opens the FIFO also if it refuses its options: until then Wireshark waits, and shows no error."""
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        words = list(args)
+        try:
+            return super().parse_args(ctx, args)
+        except click.UsageError:
+            for word, following in zip(words, [*words[1:], ""], strict=True):
+                name, _, path = word.partition("=")
+                if name == "--fifo":
+                    with suppress(OSError):
+                        _opened(Path(path or following))
+            raise
+
+
+@click.command(cls=_Extcap, context_settings={"ignore_unknown_options": True, "allow_extra_args": True})
 @click.option("--extcap-interfaces", "lists_interfaces", is_flag=True, help="List the interfaces.")
 @click.option("--extcap-dlts", "lists_link_types", is_flag=True, help="List the link types of the interface.")
 @click.option("--extcap-config", "lists_options", is_flag=True, help="List the options of the interface.")
@@ -91,18 +117,31 @@ def extcap(
 def _capture(fifo: Path, target: Target, options: ProxyOptions) -> None:
     """Runs the proxy until Wireshark ends it or stops reading."""
     with ExitStack() as stack:
-        with failing_on(LinkError), failing_to("written", fifo):
-            pipe = _Pipe(stack.enter_context(fifo.open("wb")))
-            wire = stack.enter_context(closing(open_wire(target)))
+        with failing_to("written", fifo):
+            pipe = _Pipe(_opened(fifo))
+        wire = stack.enter_context(closing(_wire_to(target)))
+        with failing_on(LinkError):
             options = replace(options, announced=announced_number(target, wire))
+        with failing_to("written", fifo):
             recording = Recording(cast(BinaryIO, pipe))
             recording.flush()
+        with failing_on(LinkError):
             proxy = Proxy(wire, str(target), options, show=lambda _pair: None, say=complain, recording=recording)
         pipe.proxy = proxy
         with stopped_by_signals(proxy.stop):
             proxy.serve()
     if proxy.lost is not None:
         raise Failure(str(proxy.lost))
+
+
+def _wire_to(target: Target) -> Wire:
+    """Connects to the brick. Ends the program if that fails, also if a library's files cannot be read."""
+    try:
+        return open_wire(target)
+    except LinkError as error:
+        raise Failure(str(error)) from None
+    except OSError as error:
+        raise Failure(f"cannot connect to {target}: {error}") from None
 
 
 class _Pipe:

@@ -197,6 +197,9 @@ class Proxy:
 
     def forward(self, client: _Client, data: bytes) -> None:
         """Forwards what a client sends; bytes that are not frames end its connection."""
+        # As it was sent, in part of a frame or several; names and PINs are found in whole frames only.
+        if not self._options.is_masked:
+            self._record(lambda recording: recording.data(_CLIENT, data, True))
         try:
             for message in client.decoder.feed(data):
                 self._to_brick(client, message)
@@ -215,7 +218,8 @@ class Proxy:
         self._client = None
         if reason is not None:
             self.say_once(f"{client.name} sent bytes that are not a frame: {reason}; disconnected")
-        if left := client.decoder.pending:
+        left = client.decoder.pending
+        if left and self._options.is_masked:
             self._record(lambda recording: recording.data(_CLIENT, self._masked(left), True))
         for sent in client.waiting:
             self._show(RequestReply(sent.command, None))
@@ -237,7 +241,8 @@ class Proxy:
         frame = message.build()
         status = self._refusal(client, message, frame)
         shown = self._masked(frame)
-        self._record(lambda recording: recording.data(_CLIENT, shown, True))
+        if self._options.is_masked:
+            self._record(lambda recording: recording.data(_CLIENT, shown, True))
         command = self.records.sent(shown)
         if not message.wants_reply:
             self._show(RequestReply(command, None))

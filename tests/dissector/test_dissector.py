@@ -37,10 +37,10 @@ def infos(tshark: Tshark) -> list[str]:
         (7, "unlock 06165300000a"),
         (9, "accepted"),
         (11, "SOUND.TONE volume=5 % frequency=440 Hz duration=250 ms"),
-        (13, "INPUT_DEVICE_LIST length=4 (+2 operations)"),
+        (13, "INPUT_DEVICE_LIST length=4 (+INPUT_DEVICE.GET_NAME, UI_READ.GET_VBATT)"),
         (
             17,
-            "UI_WRITE.LED pattern=LED_ORANGE_PULSE; OUTPUT_SPEED layer=0 nos=6 speed=50 % (+1 operation);"
+            "UI_WRITE.LED pattern=LED_ORANGE_PULSE; OUTPUT_SPEED layer=0 nos=B+C speed=50 % (+OUTPUT_START);"
             " UI_READ.GET_VBATT",
         ),
         (18, "reply to UI_READ.GET_VBATT: 7.92 V"),

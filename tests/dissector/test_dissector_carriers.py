@@ -509,7 +509,7 @@ def test_of_many_random_reports_hardly_any_is_taken_for_a_frame(ask: Ask, size: 
 def test_reports_between_bricks(ask: Ask) -> None:
     lines = ask(CAPTURES / "daisy.pcap", "ev3", "_ws.col.Info")
     assert lines[0] == "daisy INFO layer 0 to 1"
-    assert lines[3] == "daisy DOWNSTREAM layer 0 to 1: OUTPUT_SPEED layer=0 nos=6 speed=50 % (+1 operation)"
+    assert lines[3] == "daisy DOWNSTREAM layer 0 to 1: OUTPUT_SPEED layer=0 nos=B+C speed=50 % (+OUTPUT_START)"
     assert lines[5] == "daisy reply layer 1 to 0"
     assert len(lines) == 8
 

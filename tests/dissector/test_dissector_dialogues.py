@@ -46,7 +46,7 @@ def test_a_long_dialogue(tshark: Tshark) -> None:
     for counter, what in enumerate(asked):
         number = 2 * counter + 2
         expected += [
-            f"\t{number + 1}\tUI_READ.GET_{what} (+1 operation)",
+            f"\t{number + 1}\tUI_READ.GET_{what} (+SOUND.TONE)",
             f"{number}\t\treply to UI_READ.GET_{what}: {counter / 4:g} {READINGS[what][1]}",
         ]
     assert found == expected

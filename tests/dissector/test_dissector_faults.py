@@ -681,7 +681,7 @@ def test_a_frame_is_shown_up_to_its_fault(tshark: Tshark) -> None:
     assert (
         tree(tshark, one_frame(tshark, frame))
         == """\
-EV3: PROGRAM_STOP prgid=USER_SLOT (+1 operation) [fault at offset 15: the string DURATION runs past the end of the \
+EV3: PROGRAM_STOP prgid=USER_SLOT (+SOUND.TONE) [fault at offset 15: the string DURATION runs past the end of the \
 frame: its terminating zero is missing]
     [Brick: 192.0.2.10:5555]
     Length: 15

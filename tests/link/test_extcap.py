@@ -13,6 +13,7 @@ from support.cli import run_ev3proto_text as run
 from support.server import Client, command
 
 from ev3proto.capture import Record, read
+from ev3proto.cli import extcap
 
 TONE = bytes.fromhex("0e002a0080000094010182b80182e803")
 VOLUME = command("DATA8 volume\nINFO(GET_VOLUME, volume)")
@@ -48,6 +49,30 @@ def test_a_brick_that_is_not_there_is_named(tmp_path: Path) -> None:
     done = run("extcap", *words, "--target", "wifi:127.0.0.1:1", "--port", "0")
     assert done.returncode == 1
     assert "nothing is listening" in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("setting", "reason"),
+    [("target:nonsense", "Error: Invalid value for '--target'"), ("port:70000", "Error: Invalid value for '--port'")],
+)
+def test_a_refused_option_ends_the_capture_at_once(tmp_path: Path, setting: str, reason: str) -> None:
+    """Wireshark waits until the FIFO is opened."""
+    environment = {**os.environ, "HOME": str(tmp_path)}
+    run("dissector", "install", env=environment)
+    words = ["-i", "ev3proxy", "-o", f"extcap.ev3proxy.{setting}", "-a", "packets:1"]
+    done = subprocess.run(["tshark", *words], env=environment, capture_output=True, text=True, timeout=60)
+    assert reason in done.stderr
+
+
+def test_a_failing_library_is_not_blamed_on_the_capture(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def fail(_target: object) -> None:
+        raise PermissionError(13, "Permission denied", "/locked/libusb.so")
+
+    monkeypatch.setattr(extcap, "open_wire", fail)
+    words = ["--extcap-interface", "ev3proxy", "--capture", "--fifo", str(tmp_path / "pipe")]
+    done = run("extcap", *words, "--target", "usb")
+    assert done.returncode == 1
+    assert done.stderr == "cannot connect to usb: [Errno 13] Permission denied: '/locked/libusb.so'\n"
 
 
 def free_port() -> int:

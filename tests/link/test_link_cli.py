@@ -13,12 +13,15 @@ import socket
 import subprocess
 import sys
 import threading
+import time
 from collections.abc import Iterator
 from pathlib import Path
 from random import Random
 from typing import Any
 
+import dpkt
 import pytest
+from dpkt.ethernet import Ethernet
 from support.cli import ROOT, run_ev3proto_text
 from support.server import ACCEPT, UNLOCK, Client, Served, command, frame, free_port, served, system
 
@@ -43,6 +46,7 @@ from ev3proto.text.spans import plain_text
 
 WIFI_CAPTURE = ROOT / "captures" / "wifi.pcapng"
 CONFORMANCE = ROOT / "captures" / "conformance.pcapng"
+LED = bytes.fromhex("0800 0200 80 0000 82 1B 02")
 
 
 def without_times(text: str) -> list[str]:
@@ -279,6 +283,23 @@ def test_a_program_talks_through_the_proxy(tmp_path: Path) -> None:
         assert found.shown[0] == "INFO.GET_VOLUME(VALUE=GV(0)) -> VALUE=100 %"
         assert found.shown[1] == 'BEGIN_DOWNLOAD size=3000 path="../prjs/x.bin" -> SUCCESS handle=0'
         assert found.said == []
+
+
+def test_writes_of_a_client_are_recorded_as_they_were() -> None:
+    """In parts of a frame, and several frames at once."""
+    stream = io.BytesIO()
+    ask = command("DATA8 volume\nINFO(GET_VOLUME, volume)")
+    with standing("virtual", Recording(stream)) as found, Client(found.proxy.port) as client:
+        client.send(ask[:3])
+        time.sleep(0.3)
+        client.send(ask[3:])
+        client.reply()
+        client.send(LED + ask)
+        client.reply()
+    stream.seek(0)
+    packets = [Ethernet(data).data.data for _, data in dpkt.pcapng.Reader(stream)]
+    sent = [bytes(packet.data) for packet in packets if packet.dport == found.proxy.port and packet.data]
+    assert sent[-3:] == [ask[:3], ask[3:], LED + ask]
 
 
 def test_what_goes_through_is_recorded(tmp_path: Path) -> None:

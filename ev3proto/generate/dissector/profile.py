@@ -85,7 +85,7 @@ RULES = (
 _TROUBLE = " || ".join(rule.filter for rule in RULES if "ev3.expert." in rule.filter)
 
 BUTTONS = (
-    ("EV3", "ev3", "only traffic with bricks"),
+    ("EV3 only", "ev3", "no bare ACKs, keep-alives or USB enumeration"),
     ("Trouble", _TROUBLE, "everything wrong, refused, failed or doubtful"),
     ("Replies", "ev3.response_time", "replies whose commands were captured"),
     ("Slow", "ev3.response_time > 0.05", "replies that took longer than 50 ms"),

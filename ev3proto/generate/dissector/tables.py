@@ -213,6 +213,8 @@ def _parameter(parameter: Parameter) -> Table:
         named["enum"] = Name(f"ENUMERATIONS.{parameter.enum.name}")
     if parameter.special:
         named["special"] = Table(named=dict(parameter.special))
+    if parameter.role in (Role.MOTOR, Role.MOTORS):
+        named["is_motor"] = True
     domain = domain_of(parameter)
     if domain is None and parameter.type in RANGES:
         named["any"] = True

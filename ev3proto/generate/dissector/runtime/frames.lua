@@ -52,6 +52,11 @@ local claiming = {}
 -- optionally `forget`, which drops the state of the last capture, and `prefs_changed`.
 local carriers = {}
 
+-- Tells whether the capture has only the beginning of a packet, as with a snap length, and data end there.
+local function is_cut_by_capture(tvb, stop, pinfo)
+    return stop == tvb:len() and pinfo.caplen < pinfo.len
+end
+
 -- Dissects a message in a buffer. `conversation` is given in the first pass only; `said` replaces the message's own
 -- line. Returns the line for the info column and, if there is a tree, the message's item.
 local function dissect_message(tvb, at, message, conversation, place, pinfo, tree, is_shown, said)
@@ -59,6 +64,7 @@ local function dissect_message(tvb, at, message, conversation, place, pinfo, tre
         dialogues.take_note(place, conversation, message, pinfo)
         claiming.note(conversation, message)
     end
+    message.is_cut = message.stop < message.size and is_cut_by_capture(tvb, at + message.stop, pinfo)
     local line, item = messages.show(message, place, tvb, at, tree, is_shown, said, conversation)
     if is_shown then
         storage.free_unused()

@@ -85,6 +85,8 @@ do
             is_output = direction ~= IN,
             unit = row.unit,
             names = row.enum and not is_flags and row.enum.names or nil,
+            -- The letters of motors, for lines.
+            motors = row.is_motor and row.special or nil,
             flags = is_flags and row.enum.names or nil,
             special = row.special and not is_flags and in_brackets(row.special) or nil,
             length = row.length,

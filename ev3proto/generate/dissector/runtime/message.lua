@@ -274,12 +274,27 @@ do
         { direct = show_direct_command, system = show_system_message, daisy = show_daisy_command }
     local SHOW_REPLY = { direct = show_direct_reply, system = show_system_message, daisy = show_daisy_reply }
 
+    -- Tells whether a frame of which the capture has only the beginning has a fault there: with zeros in place of the
+    -- rest, it has the same one.
+    local function is_real(fault, message)
+        local type = message.type
+        if not type or type.carries == "daisy" then return fault.kind ~= "cut_off" end
+        local whole = messages.read(message.text .. ("\0"):rep(message.size - message.stop))
+        local found = whole.fault
+        if type.carries == "direct" then found = operations.summary_of(sub(whole.text, HEADER_SIZE + 1)).fault end
+        return found ~= nil and found.at == fault.at and found.reason == fault.reason
+    end
+
     -- A truncated frame has no other fault at its end.
     local function check_size(message)
-        local stop, fault = message.stop, message.fault
-        if stop < message.size and not (fault and fault.kind ~= "cut_off") then
+        local stop, size, fault = message.stop, message.size, message.fault
+        if stop == size then return end
+        if message.is_cut then
+            if fault and is_real(fault, message) then return end
+            set_fault(message, stop, format("the capture has %d of the frame's %d bytes", stop, size), "cut_by_capture")
+        elseif not fault or fault.kind == "cut_off" then
             local reason = "the frame is cut off: its length field says that %d bytes follow, but %d do"
-            set_fault(message, 0, format(reason, message.size - LENGTH_FIELD, stop - LENGTH_FIELD), "cut_off")
+            set_fault(message, 0, format(reason, size - LENGTH_FIELD, stop - LENGTH_FIELD), "cut_off")
         end
     end
 
@@ -378,6 +393,8 @@ do
         local fault = message.fault
         if said then
             line = said
+        elseif fault and fault.kind == "cut_by_capture" then
+            line = line .. " [cut by the capture]"
         elseif fault then
             line = format("%s [fault at offset %d: %s]", line, fault.at, fault.reason)
         end

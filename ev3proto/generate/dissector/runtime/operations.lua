@@ -139,7 +139,7 @@ do
     -- Returns the line of the operations, which may be empty; the offset after the last one that could be read; the
     -- fault, or nil; and the first operation, or nil.
     local function read(text, at, item, view, asked_globals, asked_locals)
-        local first, phrase, count, fault = nil, "", 0, nil
+        local first, phrase, others, fault = nil, "", {}, nil
         heading, globals, locals, is_beyond, complaints, outputs = nil, asked_globals, asked_locals, false, {}, {}
         if item then buffer, base = view.tvb, view.base end
         while at < #text and not fault do
@@ -158,18 +158,20 @@ do
             after, offset, reason, kind = read_arguments(selected, text, after, show_argument, not is_said)
             if not first then
                 first, phrase = selected, said
+            else
+                others[#others + 1] = selected.name
             end
             if item then
                 if selected.cmd_name then said = " " .. selected.cmd_name .. said end
                 if after > at + 1 then set_len(heading, after - at) end
                 if said ~= "" then append_text(heading, said) end
             end
-            count, at = count + 1, after
+            at = after
             if reason then fault = { at = offset, reason = reason, kind = kind } end
         end
         if not first then return "", at, fault end
         local line = first.name .. phrase
-        if count > 1 then line = format("%s (+%s)", line, plural(count - 1, "operation")) end
+        if others[1] then line = line .. " " .. phrases.others_text(others) end
         return line, at, fault, first
     end
 

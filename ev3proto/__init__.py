@@ -167,8 +167,6 @@ def __getattr__(name: str) -> Any:
     if name in _MODULES:
         return import_module(f"ev3proto.{name}")
     if name in _HOMES:
-        if _HOMES[name].startswith(("ev3proto.checking.", "ev3proto.text.")):
-            import_module("ev3proto.text.diagnostics")  # the text of reports and fixes
         value = globals()[name] = getattr(import_module(_HOMES[name]), name)
         return value
     if name.startswith("__"):

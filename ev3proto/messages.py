@@ -10,7 +10,7 @@ from collections import namedtuple
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from dataclasses import fields as dataclass_fields
-from importlib import import_module
+from functools import cache
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Protocol
 
 from ev3proto.errors import BuildError, Fault
@@ -318,15 +318,13 @@ class Flaw(NamedTuple):
 
 NO_FLAW = Flaw()
 
-_builder: list[Callable[[Message], bytes]] = []
-_BUILDER = "ev3proto.schema.frame"
-"""The module that registers the builder when loaded. It is above this one, so only its name is known here."""
 
+@cache
+def _builder() -> Callable[[Message], bytes]:
+    """Returns the function that builds frames. It is in a higher layer, with the fields that it needs."""
+    from ev3proto.schema.frame import build_message  # once: at each frame it would take a third of the time
 
-def builds_messages(build: Callable[[Message], bytes]) -> Callable[[Message], bytes]:
-    """Registers the function that builds the frames of messages."""
-    _builder[:] = [build]
-    return build
+    return build_message
 
 
 _NOTHING: tuple[object, ...] = (NO_FLAW, None, 0, b"", (), {})
@@ -386,9 +384,7 @@ class Message:
             BuildError: The message does not fit into a frame. The error names the faulty attribute.
 
         """
-        if not _builder:
-            import_module(_BUILDER)
-        return _builder[0](self)
+        return _builder()(self)
 
     def __repr__(self) -> str:
         # Attributes with default values are omitted.

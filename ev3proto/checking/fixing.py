@@ -12,7 +12,7 @@ from enum import Flag, auto
 from itertools import chain
 
 from ev3proto.checking.checking import check, swapped
-from ev3proto.checking.report import Change, Fix, Report, uses
+from ev3proto.checking.report import Change, Fix, Report
 from ev3proto.checking.rules.arguments import longer_arguments, shortest
 from ev3proto.checking.rules.header import MOST_IN_REPLY, TYPE_OFFSET, is_plausible
 from ev3proto.errors import as_bytes, counted
@@ -69,9 +69,6 @@ def fix(
             return Fix(report.frame, tuple(changes), tuple(fixing.unfixed), report)
         # Steps that made it worse before may help now.
     return Fix(report.frame, tuple(changes), (), report)
-
-
-uses.fix = fix
 
 
 class _Step(Flag):

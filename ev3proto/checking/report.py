@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from enum import StrEnum
 from typing import Any
@@ -81,12 +80,16 @@ class Report:
 
     def __str__(self) -> str:
         """Returns what `ev3proto check` prints."""
-        return uses.report_text(self)
+        from ev3proto.text.diagnostics import report_text  # a higher layer, which renders reports
+
+        return report_text(self)
 
     @property
     def fixed(self) -> Fix:
         """Fixes everything in the frame that can be fixed with certainty, like `ev3proto check --fix`."""
-        return uses.fix(self.frame, dialect=self.dialect, carrier=self.carrier)
+        from ev3proto.checking.fixing import fix  # which checks the fixed frame again
+
+        return fix(self.frame, dialect=self.dialect, carrier=self.carrier)
 
     def of(self, severity: Severity) -> tuple[Finding, ...]:
         """Returns the findings of one severity."""
@@ -152,7 +155,9 @@ class Fix:
 
     def __str__(self) -> str:
         """Returns what `ev3proto check --fix` prints."""
-        return uses.fix_text(self)
+        from ev3proto.text.diagnostics import fix_text  # a higher layer, which renders reports
+
+        return fix_text(self)
 
     @property
     def is_fixed(self) -> bool:
@@ -167,19 +172,3 @@ class Fix:
             "changes": [change.as_dict() for change in self.changes],
             "unfixed": list(self.unfixed),
         }
-
-
-class Uses:
-    """Functions of higher layers that a report calls; each is registered when its module is loaded.
-
-    fix          fixes a frame: `checking.fixing`
-    report_text  the printed text of a report
-    fix_text     the printed text of a fix; both from `text.diagnostics`, which `ev3proto.check` and `ev3proto.fix` load
-    """
-
-    fix: Callable[..., Fix]
-    report_text: Callable[[Report], str] = staticmethod(repr)
-    fix_text: Callable[[Fix], str] = staticmethod(repr)
-
-
-uses = Uses()

@@ -21,7 +21,6 @@ from ev3proto.messages import (
     SensorReport,
     SystemCommand,
     SystemReply,
-    builds_messages,
 )
 from ev3proto.schema.fields import REPLIES, REQUESTS, Fields
 from ev3proto.schema.header import (
@@ -233,8 +232,7 @@ class FrameReader:
         return message, b"", None
 
 
-@builds_messages
-def _build(message: Message) -> bytes:
+def build_message(message: Message) -> bytes:
     """Builds the frame of a message; a parsed message gives its original bytes."""
     flaw = message.flaw
     if message.type is None:

@@ -18,7 +18,7 @@ from operator import attrgetter
 from textwrap import wrap
 
 from ev3proto.checking.codes import Code
-from ev3proto.checking.report import Finding, Fix, Report, Severity, uses
+from ev3proto.checking.report import Finding, Fix, Report, Severity
 from ev3proto.errors import counted
 from ev3proto.messages import Argument, DaisyCommand, DirectCommand, Message, Operation
 from ev3proto.schema.frame import read_last
@@ -353,12 +353,11 @@ def _mark(finding: Finding) -> Span:
     return f"{finding.severity}[{finding.code}]", ROLES[finding.severity]
 
 
-def _report_text(report: Report) -> str:
+def report_text(report: Report) -> str:
+    """Returns what `ev3proto check` prints about a frame."""
     return "\n".join(map(plain_text, diagnostics(report, dialect=report.dialect)))
 
 
-def _fix_text(fix: Fix) -> str:
+def fix_text(fix: Fix) -> str:
+    """Returns what `ev3proto check --fix` prints about a frame."""
     return "\n".join(map(plain_text, fixed(fix, dialect=fix.report.dialect)))
-
-
-uses.report_text, uses.fix_text = _report_text, _fix_text

@@ -16,9 +16,6 @@ from pathlib import Path
 from typing import NamedTuple
 
 from ev3proto.brick.clock import (
-    FIRST_STRETCH,
-    LONG_STRETCH,
-    LONGEST_STRETCH,
     MOST_OPERATIONS,
     MOST_PROCESSOR_SECONDS,
     MOST_SECONDS,
@@ -236,6 +233,7 @@ class Brick(Equipment):
             raise ValueError(f"seconds are a number from 0 to {_MOST_SECONDS}, not {seconds!r}")
         target = self.microseconds + round(seconds * 1_000_000)
         self._deadline = thread_time() + self._stretch
+        is_first = True
         while self.microseconds < target:
             # Whole ticks while anything runs, so that results do not depend on the size of the steps.
             step = TICK - self.microseconds % TICK if self._is_running() else target - self.microseconds
@@ -243,7 +241,8 @@ class Brick(Equipment):
             for part in self.parts:
                 part.advance(self.microseconds)
             if self.microseconds % TICK == 0 or not self._is_running():
-                self._turn_programs()
+                self._turn_programs(always=is_first)
+                is_first = False
                 if not self.is_computing or thread_time() < self._deadline:
                     self._serve()
         if self.is_computing:
@@ -343,14 +342,14 @@ class Brick(Equipment):
                 self.machine.end_program(program, FAIL)
                 self.has_ended_command = True
                 break
-            executed, is_waiting = self.machine.turn(program, command.stretch)
+            deadline = min(self._deadline, now + MOST_PROCESSOR_SECONDS - command.spent)
+            executed, is_waiting = self.machine.turn(program, OPERATIONS_PER_TURN, deadline)
             if not is_waiting:
-                command.executed += max(min(OPERATIONS_OF_A_TURN, command.stretch), executed)
+                command.executed += max(OPERATIONS_OF_A_TURN, executed)
             if program.status != RUNNING:
                 break
-            before, now = now, thread_time()
+            now = thread_time()
             command.spent = spent + now - begun
-            command.stretch = 1 if now - before > LONG_STRETCH else min(command.stretch * 2, LONGEST_STRETCH)
             if now > self._deadline or (is_waiting and has_waited):
                 self.is_computing = not is_waiting
                 return False
@@ -361,7 +360,7 @@ class Brick(Equipment):
         if not self.is_dead:
             self._answer(command)
         # A real brick takes some milliseconds for a frame, during which its programs continue.
-        self._turn_programs()
+        self._turn_programs(always=False)
         return True
 
     def _answer(self, command: _Command) -> None:
@@ -395,15 +394,26 @@ class Brick(Equipment):
     def _is_running(self) -> bool:
         return any(program is not None and program.status == RUNNING for program in self.machine.slots)
 
-    def _turn_programs(self) -> None:
-        """Gives every program but the direct command its turns of a tick."""
-        for slot, program in enumerate(self.machine.slots):
-            if program is None or slot == CMD_SLOT:
-                continue
-            left, waiting = OPERATIONS_PER_TICK, 0
+    def _turn_programs(self, *, always: bool) -> None:
+        """Gives every program but the direct command its turns of a tick, in an equal share of the processor's time.
+
+        Args:
+            always: Each program runs at least a few operations, also if there is no time left.
+        """
+        running = [program for program in self.machine.slots if program is not None and program.slot != CMD_SLOT]
+        for number, program in enumerate(running):
+            left, waiting = program.due or OPERATIONS_PER_TICK, 0
+            program.due, begin = 0, left
+            deadline = math.inf
+            if self._deadline < math.inf:
+                now = thread_time()
+                deadline = now + (self._deadline - now) / (len(running) - number)
             # When all objects in turn have waited, nothing more can happen before the next tick.
             while left > 0 and program.status == RUNNING and waiting <= len(program.objects):
-                executed, is_waiting = self.machine.turn(program, min(left, OPERATIONS_PER_TURN))
+                if deadline < math.inf and not (always and left == begin) and thread_time() > deadline:
+                    program.due = left
+                    break
+                executed, is_waiting = self.machine.turn(program, min(left, OPERATIONS_PER_TURN), deadline)
                 left -= max(executed, 1)
                 waiting = waiting + 1 if is_waiting else 0
 
@@ -414,7 +424,6 @@ class _Command:
 
     executed  operations so far, without those that waited
     spent     seconds of this computer's processor that it has taken
-    stretch   operations until the next look at the limits
     """
 
     channel: Hashable
@@ -424,4 +433,3 @@ class _Command:
     program: Program
     executed: int = 0
     spent: float = 0.0
-    stretch: int = FIRST_STRETCH

@@ -1,4 +1,4 @@
-"""How long things take on the virtual brick, and where what never ends is ended."""
+"""Timing of the virtual brick, and limits for endless commands."""
 
 import time
 
@@ -14,12 +14,8 @@ OPERATIONS_PER_TURN = 200
 OPERATIONS_PER_TICK = 300
 """Operations of all turns of a program in a tick: a real brick executes some hundred thousand a second."""
 
-FIRST_STRETCH, LONGEST_STRETCH = 8, 128
-"""Operations of a direct command between two looks at the limits below: few at first, because some take very much
-longer than others, and twice as many each time while they are quick."""
-
-LONG_STRETCH = 0.002
-"""Seconds of this computer's processor after which a stretch is too long."""
+QUICK_OPERATIONS = 16
+"""Operations without CMD between two looks at the time. Those with one may take long: it is checked after each."""
 
 MOST_OPERATIONS = 3_000_000
 """Operations after which a direct command is ended: the firmware would execute it for ever."""

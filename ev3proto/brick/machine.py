@@ -6,10 +6,12 @@ the memory that is there, an array can be given for its first element, a number 
 
 from __future__ import annotations
 
+import math
 import struct
 from collections.abc import Callable
 from contextlib import suppress
 
+from ev3proto.brick.clock import QUICK_OPERATIONS, thread_time
 from ev3proto.brick.conversions import wrap8, wrap16
 from ev3proto.brick.equipment import Equipment
 from ev3proto.brick.handlers import Dispatch, Family
@@ -18,7 +20,17 @@ from ev3proto.brick.images import Image, Images, load
 from ev3proto.brick.open_files import OpenFile
 from ev3proto.brick.operation_exits import Busy, Failure, Leave, NoOperation, Sleep, WildAccess
 from ev3proto.brick.places import Place
-from ev3proto.brick.running_programs import CMD_SLOT, CURRENT_SLOT, FAIL, OK, SLOTS, STOPPED, Program, ProgramObject
+from ev3proto.brick.running_programs import (
+    CMD_SLOT,
+    CURRENT_SLOT,
+    FAIL,
+    OK,
+    RUNNING,
+    SLOTS,
+    STOPPED,
+    Program,
+    ProgramObject,
+)
 from ev3proto.schema.argument import ENCODINGS, SHORT_VALUES, SIZES, STRINGS
 from ev3proto.tables.declaration import Type
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL, TEXT
@@ -125,29 +137,41 @@ class Machine:
 
     # Turns
 
-    def turn(self, program: Program, most: int) -> tuple[int, bool]:
-        """Gives the next object of a program its turn.
+    def turn(self, program: Program, most: int, deadline: float = math.inf) -> tuple[int, bool]:
+        """Gives the next object of a program its turn, or lets it go on with one that took too long.
 
         Args:
             program: A program that runs.
             most: Operations that it may run in this turn.
+            deadline: Time of this computer's processor after which the turn is interrupted.
 
         Returns how many were executed, and whether the object waits for something.
         """
-        entry = program.next_object()
+        entry = program.current
+        if entry is None or not program.unfinished or entry.status != RUNNING:
+            entry = program.next_object()
+            program.unfinished = most
         if entry is None:
             self.end_program(program, OK)
             return 0, False
         program.current = entry
+        most, program.unfinished = program.unfinished, 0
         self.program, self.object = program, entry
         self.code, self.ip = program.code, entry.ip
         self.global_memory, self.local_memory = program.global_memory, entry.local_memory
         left = most
+        is_timed = deadline < math.inf
+        look = most - QUICK_OPERATIONS if is_timed else 0
         begin = self.ip
         code, dispatch = self.code, self._dispatch
         is_waiting = False
         try:
             while left > 0:
+                if left == look:
+                    look = left - QUICK_OPERATIONS
+                    if thread_time() > deadline:
+                        program.unfinished = left
+                        break
                 left -= 1
                 begin = self.ip
                 found = dispatch[code[begin]]
@@ -155,6 +179,8 @@ class Machine:
                 if found is None:
                     raise NoOperation
                 if isinstance(found, Family):
+                    if is_timed:
+                        look = left
                     entries, unknown = found
                     command = entries.get(self.int8())
                     if command is None:

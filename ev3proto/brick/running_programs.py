@@ -96,7 +96,9 @@ class Program:
     folder         where names without a folder are looked up, with its closing slash; empty: the current folder
     handles        arrays and files that it holds
     executed       operations so far
-    current        the object whose turn is next
+    current        the object whose turn was last
+    unfinished     operations that are left of its turn, if that took too long
+    due            operations of all turns of a tick that are left, if they took too long
     """
 
     slot: int
@@ -113,6 +115,8 @@ class Program:
     handles: HandleTable = field(default_factory=HandleTable)
     executed: int = 0
     current: ProgramObject | None = None
+    unfinished: int = 0
+    due: int = 0
     _labels: dict[int, int] | None = None
 
     def label(self, number: int) -> int | None:

@@ -6,6 +6,10 @@ import zlib
 from collections.abc import Callable, Iterable
 
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from support.cpu_time import milliseconds
+from support.effort import effort
 
 from ev3proto.brick.devices.display import HEIGHT, WIDTH, Canvas, Display
 from ev3proto.brick.devices.display.braille import braille
@@ -138,6 +142,87 @@ def test_shapes_of_any_size_end() -> None:
     canvas.clean()
     canvas.fillcircle(1, 0, 0, 32767)
     assert len(pixels(canvas)) == WIDTH * HEIGHT
+
+
+def stepped(x0: int, y0: int, x1: int, y1: int) -> set[tuple[int, int]]:
+    """The pixels of a line as the firmware finds them, step by step."""
+    dx, dy = abs(x1 - x0), abs(y1 - y0)
+    error, found = dx - dy, {(x0, y0)}
+    while (x0, y0) != (x1, y1):
+        twice = 2 * error
+        if twice > -dy:
+            error, x0 = error - dy, x0 + (1 if x0 < x1 else -1)
+        if twice < dx:
+            error, y0 = error + dx, y0 + (1 if y0 < y1 else -1)
+        found.add((x0, y0))
+    return {(x, y) for x, y in found if 0 <= x < WIDTH and 0 <= y < HEIGHT}
+
+
+def octant(radius: int) -> list[tuple[int, int]]:
+    """One eighth of a circle, as the firmware finds it."""
+    x, y, p, found = 0, radius, 3 - 2 * radius, []
+    while x < y:
+        found.append((x, y))
+        p, y = (p + 4 * x + 6, y) if p < 0 else (p + 4 * (x - y) + 10, y - 1)
+        x += 1
+    return [*found, (x, y)]
+
+
+places = st.integers(-60, 240) | st.integers(-1500, 1500)
+
+
+@settings(max_examples=effort(100, 3000), deadline=None)
+@given(x0=places, y0=places, x1=places, y1=places)
+def test_a_clipped_line_has_the_same_pixels(x0: int, y0: int, x1: int, y1: int) -> None:
+    canvas = Canvas()
+    canvas.line(1, x0, y0, x1, y1)
+    assert pixels(canvas) == stepped(x0, y0, x1, y1)
+
+
+@settings(max_examples=effort(100, 3000), deadline=None)
+@given(x=places, y=places, radius=st.integers(1, 90) | st.integers(1, 3000))
+def test_a_clipped_circle_has_the_same_pixels(x: int, y: int, radius: int) -> None:
+    outline, disc = Canvas(), Canvas()
+    outline.circle(1, x, y, radius)
+    disc.fillcircle(1, x, y, radius)
+    circle = {(across, down) for dx, dy in octant(radius) for across, down in ((dx, dy), (dy, dx))}
+    around = {(x + i * dx, y + j * dy) for dx, dy in circle for i in (-1, 1) for j in (-1, 1)}
+    assert pixels(outline) == {(column, row) for column, row in around if 0 <= column < WIDTH and 0 <= row < HEIGHT}
+    widths = {dy: max(dx for dx, other in circle if other == dy) for _, dy in circle}
+    assert pixels(disc) == {
+        (column, row)
+        for row in range(HEIGHT)
+        if abs(row - y) in widths
+        for column in range(max(x - widths[abs(row - y)], 0), min(x + widths[abs(row - y)] + 1, WIDTH))
+    }
+
+
+@settings(max_examples=effort(60, 2000), deadline=None)
+@given(x=places, y=places, length=places, on=st.integers(-2, 7), off=st.integers(-2, 7))
+def test_a_clipped_dotted_line_has_the_same_pixels(x: int, y: int, length: int, on: int, off: int) -> None:
+    canvas = Canvas()
+    canvas.dotline(1, x, y, length, y, on, off)
+    count, found = 1, {x}
+    for column in range(x, length, 1 if x < length else -1):
+        if count < min(on, on + off):
+            found.add(column + (1 if x < length else -1))
+        count = count + 1 if count + 1 < on + off else 0
+    assert pixels(canvas) == {(column, y) for column in found if 0 <= column < WIDTH and 0 <= y < HEIGHT}
+
+
+def test_no_shape_takes_long() -> None:
+    """Programs and direct commands draw; each is interrupted only between two operations."""
+    canvas = Canvas()
+    shapes = [
+        lambda: canvas.line(1, -32000, -32000, 32000, 32000),
+        lambda: canvas.line(1, -16000, -100, 16000, 128),
+        lambda: canvas.dotline(1, -32000, 5, 3000, 5, 3, 2),
+        lambda: canvas.circle(1, 0, 0, 32767),
+        lambda: canvas.fillcircle(1, 0, 0, 32767),
+        lambda: canvas.fillrect(1, -32768, -32768, 32767, 32767),
+    ]
+    for shape in shapes:
+        assert milliseconds(shape, 25) <= 25
 
 
 class TestShowing:

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import struct
 from pathlib import Path
+from time import monotonic, thread_time
 
 import pytest
 from support.bricks import FAIL, OK, command, op, run
+from support.server import Client, served
 
 from ev3proto import system
 from ev3proto.brick import Brick
+from ev3proto.brick.servers.server import Options
 from ev3proto.messages import GV, LV
 
 BLINK = bytes.fromhex(
@@ -65,6 +68,81 @@ def globals_of(brick: Brick, count: int) -> bytes:
 
 
 RUNNING, STOPPED = 0x10, 0x40
+
+
+SLOW = op("NOP") * 20 + op("UI_DRAW.LINE", 1, -16000, -100, 16000, 128) * 25 + op("UI_DRAW.CIRCLE", 1, 0, 0, 30000) * 5
+
+
+def endless(objects: int, code: bytes = SLOW) -> bytes:
+    """A program of many objects, each of which draws what takes long, for ever."""
+    starts = b"".join(op("OBJECT_START", number) for number in range(2, objects + 2))
+    loop = code + b"\x40\x82" + struct.pack("<h", -len(code) - 4)
+    return image((0, 0, 0, starts + b"\x0a"), *[(0, 0, 0, loop + b"\x0a")] * objects)
+
+
+def test_programs_have_a_budget_of_time(brick: Brick) -> None:
+    brick = Brick(brick.files.root, stretch=0.02)
+    start(brick, endless(30))
+    taken = []
+    for _ in range(10):
+        begin = thread_time()
+        brick.advance(0.01)
+        assert brick.receive(command(op("NOP"))) == [bytes.fromhex("0300010002")]
+        taken.append(thread_time() - begin)
+    # 30 turns of 200 operations would take 20 s.
+    assert min(taken) < 0.3
+    assert state(brick)[0] == RUNNING
+
+
+def test_a_turn_counts_the_operations_that_it_has_executed(brick: Brick) -> None:
+    start(brick, image((0, 0, 0, op("NOP") * 250 + op("TIMER_READY", 1000) + op("NOP") * 5 + b"\x0a")))
+    program = brick.machine.slots[1]
+    assert program is not None
+    program.executed = 0
+    program.objects[1].reset()
+    assert brick.machine.turn(program, 200) == (200, False)
+    assert brick.machine.turn(program, 200) == (51, True)  # it waits at TIMER_READY
+    assert brick.machine.turn(program, 200) == (1, True)
+    brick.advance(1.0)
+    assert program.status == STOPPED
+    program.executed = 0
+    program.objects[1].start()
+    program.status = RUNNING
+    assert brick.machine.turn(program, 7) == (7, False)
+    assert program.executed == 7
+
+
+def test_slow_programs_keep_no_client_waiting(tmp_path: Path) -> None:
+    with served(tmp_path, Options(port=0, beacon=False)) as brick, Client(brick.port) as client:
+        for message in system.download("../prjs/T/t.rbf", endless(30)):
+            client.ask(message.build())
+        load = op("FILE.LOAD_IMAGE", 1, "../prjs/T/t", GV(0), GV(4)) + op("PROGRAM_START", 1, GV(0), GV(4), 0)
+        client.ask(command(load, globals=8))
+        begin = monotonic()
+        for _ in range(5):
+            assert client.ask(command(op("NOP"))) == bytes.fromhex("0300010002")
+        # A turn of each object would take 20 s.
+        assert monotonic() - begin < 5
+        begin = monotonic()
+    assert monotonic() - begin < 5
+
+
+def test_turns_are_the_same_with_a_budget(tmp_path: Path) -> None:
+    """A turn that was interrupted goes on later: the objects take their turns in the same order."""
+    starts = op("OBJECT_START", 2) + op("OBJECT_START", 3)
+    counts = [(op("MUL32", GV(0), factor, GV(0)) + op("ADD32", GV(0), 1, GV(0))) * 160 for factor in (3, 5)]
+    program = image((0, 0, 0, starts + b"\x0a"), *[(0, 0, 0, count + b"\x0a") for count in counts], globals=4)
+    results = []
+    for stretch in (None, 0.02, 0.0):
+        brick = Brick(tmp_path, stretch=stretch)
+        ended = brick.start(program)
+        assert ended is not None
+        for _ in range(2000):
+            brick.advance(0.001)
+        results.append((ended.status, ended.executed, bytes(ended.global_memory[:4])))
+    # Two starts and an end, then 320 operations and an end twice.
+    assert results[0][:2] == (STOPPED, 645)
+    assert results == [results[0]] * 3
 
 
 def test_a_program_with_a_subcall_runs_to_its_end(brick: Brick) -> None:

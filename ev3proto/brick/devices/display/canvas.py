@@ -2,12 +2,14 @@
 
 A row is one integer of 178 bits, the leftmost pixel the highest: a rectangle is one mask ORed into some rows. What is
 drawn is what the firmware draws, pixel for pixel, its rounding and its 16-bit coordinates included. Coordinates may
-lie outside the display; pixels outside are omitted. Colour 0 clears pixels, any other sets them.
+be outside the display; shapes are clipped before they are drawn, so that none takes long. Colour 0 clears pixels, any
+other sets them.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from math import isqrt
 
 from ev3proto.brick.conversions import quotient, wrap16
 
@@ -23,6 +25,12 @@ _PADDING = ROW_BYTES * 8 - WIDTH
 _LEFT = 1 << (WIDTH - 1)
 _LONGEST_WALK = 1 << 15
 """Steps after which a line ends whose 16-bit error sum overflowed; it would never end on a brick."""
+
+_LONGEST_OBLIQUE = 0x7FFF // 3
+"""Length up to which the error sum of an oblique line does not overflow."""
+
+_LONGEST_STRAIGHT = 0x3FFF
+"""The same for a horizontal or vertical line."""
 
 REVERSED = bytes(int(f"{byte:08b}"[::-1], 2) for byte in range(256))
 """Each byte with its bits reversed: in the firmware's pictures the leftmost pixel is the lowest bit."""
@@ -77,14 +85,14 @@ class Canvas:
 
     def line(self, color: int, x0: int, y0: int, x1: int, y1: int) -> None:
         """Draws a line with both ends; of a horizontal or vertical one too long for the firmware only its start."""
-        if y0 == y1 and abs(x1 - x0) < 0x4000:
+        if y0 == y1 and abs(x1 - x0) <= _LONGEST_STRAIGHT:
             self._paint(color, span(min(x0, x1), max(x0, x1) + 1), y0, y0 + 1)
-        elif x0 == x1 and abs(y1 - y0) < 0x4000:
+        elif x0 == x1 and abs(y1 - y0) <= _LONGEST_STRAIGHT:
             self._paint(color, span(x0, x0 + 1), min(y0, y1), max(y0, y1) + 1)
         elif x0 == x1 or y0 == y1:
             self.pixel(color, x0, y0)
         else:
-            for x, y in _walk(x0, y0, x1, y1):
+            for _, x, y in _pixels(x0, y0, x1, y1, _LONGEST_OBLIQUE):
                 self.pixel(color, x, y)
 
     def dotline(self, color: int, x0: int, y0: int, x1: int, y1: int, on: int, off: int) -> None:
@@ -102,15 +110,12 @@ class Canvas:
         if x0 != x1 and y0 != y1:
             self.line(color, x0, y0, x1, y1)
             return
-        pixels = _walk(x0, y0, x1, y1)
-        self.pixel(color, *next(pixels))
-        count = 1
-        for x, y in pixels:
-            if count < on + off:
-                self.pixel(color if count < on else 1 - color, x, y)
-            count += 1
-            if count >= on + off:
-                count = 0
+        period = on + off
+        for step, x, y in _pixels(x0, y0, x1, y1, _LONGEST_STRAIGHT):
+            # The counter starts at 1, and is reset when it reaches the period.
+            count = step % period if step > 1 and period > 0 else step
+            if not step or count < period:
+                self.pixel(color if not step or count < on else 1 - color, x, y)
 
     # Rectangles
 
@@ -153,20 +158,24 @@ class Canvas:
 
     def circle(self, color: int, x: int, y: int, radius: int) -> None:
         """Draws a circle's outline; nothing where the radius is 0."""
-        for dx, dy in _octant(radius):
-            for across, down in ((dx, dy), (dy, dx)):
+        octant = _Octant(radius)
+        across = {abs(column - x) for column in range(WIDTH)} | {abs(row - y) for row in range(HEIGHT)}
+        for dx in across:
+            if dx > octant.last or not radius:
+                continue
+            dy = octant.height(dx)
+            for right, down in ((dx, dy), (dy, dx)):
                 for row in (y + down, y - down):
-                    if 0 <= row < HEIGHT:
-                        self.pixel(color, x + across, row)
-                        self.pixel(color, x - across, row)
+                    self.pixel(color, x + right, row)
+                    self.pixel(color, x - right, row)
 
     def fillcircle(self, color: int, x: int, y: int, radius: int) -> None:
         """Fills a circle; does nothing where the radius is 0."""
-        for dx, dy in _octant(radius):
-            for across, down in ((dx, dy), (dy, dx)):
-                for row in (y + down, y - down):
-                    if 0 <= row < HEIGHT:
-                        self._paint(color, span(x - abs(across), x + abs(across) + 1), row, row + 1)
+        octant = _Octant(radius)
+        for row in range(HEIGHT) if radius else ():
+            half = octant.width(abs(row - y))
+            if half is not None:
+                self._paint(color, span(x - half, x + half + 1), row, row + 1)
 
     # Areas
 
@@ -248,34 +257,77 @@ _KNOBS = {
 """Knobs of scroll bars by the bar's width: the columns that are drawn, row by row."""
 
 
-def _walk(x0: int, y0: int, x1: int, y1: int) -> Iterator[tuple[int, int]]:
-    """Yields the pixels of a line from one end to the other, with the firmware's 16-bit error sum."""
+_Pixels = Iterator[tuple[int, int, int]]
+"""The pixels of a line on the display: steps from its start, column, row."""
+
+
+def _pixels(x0: int, y0: int, x1: int, y1: int, longest: int) -> _Pixels:
+    """Returns the pixels of a line; `longest` is the length up to which its error sum does not overflow."""
+    is_exact = max(abs(x1 - x0), abs(y1 - y0)) <= longest
+    return _visible(x0, y0, x1, y1) if is_exact else _walk(x0, y0, x1, y1)
+
+
+def _visible(x0: int, y0: int, x1: int, y1: int) -> _Pixels:
+    """Yields the pixels of a line whose error sum does not overflow.
+
+    The firmware steps along the longer side; after k steps it has made the number of steps along the shorter side that
+    is nearest to k times the slope, the lower one of two.
+    """
+    dx, dy = abs(x1 - x0), abs(y1 - y0)
+    step_x, step_y = 1 if x0 < x1 else -1, 1 if y0 < y1 else -1
+    is_flat = dx >= dy
+    long, short = (dx, dy) if is_flat else (dy, dx)
+    start, step, size = (x0, step_x, WIDTH) if is_flat else (y0, step_y, HEIGHT)
+    first, last = (-start, size - 1 - start) if step > 0 else (start - size + 1, start)
+    for k in range(max(first, 0), min(last, long) + 1):
+        across = -((long - 2 * k * short) // (2 * long)) if long else 0
+        along_x, along_y = (k, across) if is_flat else (across, k)
+        yield k, x0 + step_x * along_x, y0 + step_y * along_y
+
+
+def _walk(x0: int, y0: int, x1: int, y1: int) -> _Pixels:
+    """Yields the pixels of a line with the firmware's 16-bit error sum, which may overflow."""
     dx, dy = wrap16(abs(x1 - x0)), wrap16(abs(y1 - y0))
     step_x, step_y = 1 if x0 < x1 else -1, 1 if y0 < y1 else -1
     error = wrap16(dx - dy)
-    yield x0, y0
-    for _ in range(_LONGEST_WALK):
-        if x0 == x1 and y0 == y1:
+    for step in range(_LONGEST_WALK + 1):
+        if 0 <= x0 < WIDTH and 0 <= y0 < HEIGHT:
+            yield step, x0, y0
+        # wrap16, written out: the loop is four times as fast.
+        twice = (error * 2 + 0x8000 & 0xFFFF) - 0x8000
+        moves_x, moves_y = twice > -dy, twice < dx
+        if (x0 == x1 and y0 == y1) or not (moves_x or moves_y):
             return
-        twice = wrap16(error * 2)
-        if twice > -dy:
-            error, x0 = wrap16(error - dy), wrap16(x0 + step_x)
-        if twice < dx:
-            error, y0 = wrap16(error + dx), wrap16(y0 + step_y)
-        yield x0, y0
+        if moves_x:
+            error, x0 = (error - dy + 0x8000 & 0xFFFF) - 0x8000, (x0 + step_x + 0x8000 & 0xFFFF) - 0x8000
+        if moves_y:
+            error, y0 = (error + dx + 0x8000 & 0xFFFF) - 0x8000, (y0 + step_y + 0x8000 & 0xFFFF) - 0x8000
 
 
-def _octant(radius: int) -> Iterator[tuple[int, int]]:
-    """Yields one eighth of a circle, from straight below the centre to the diagonal: distances across and down."""
-    if not radius:
-        return
-    x, y, p = 0, radius, 3 - 2 * radius
-    while x < y:
-        yield x, y
-        if p < 0:
-            p += 4 * x + 6
-        else:
-            p += 4 * (x - y) + 10
-            y -= 1
-        x += 1
-    yield x, y
+class _Octant:
+    """One eighth of a circle, from straight below the centre to the diagonal, as the firmware walks it.
+
+    last  the distance from the middle to its last column
+    """
+
+    def __init__(self, radius: int) -> None:
+        self._radius = abs(radius)
+        self.last = 0 if radius < 0 else max(isqrt(radius * radius // 2) - 2, 0)
+        while radius > 0 and self.height(self.last) > self.last:
+            self.last += 1
+
+    def height(self, across: int) -> int:
+        """Returns how far below the centre the pixel of a column is; the firmware goes up one pixel a column."""
+        if not across:
+            return self._radius
+        square = 4 * (self._radius * self._radius - across * across) - 3
+        return max((1 + isqrt(max(square, 0))) // 2, across - 1)
+
+    def width(self, down: int) -> int | None:
+        """Returns the distance to the last pixel of a row of the filled circle; None for a row outside it."""
+        most = self.height(down) if down <= self.last else None
+        square = self._radius * self._radius - down * down + down - 1
+        across = min(isqrt(max(square, 0)), self.last)
+        if self.height(across) == down:
+            most = max(most or 0, across)
+        return most

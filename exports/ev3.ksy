@@ -19,10 +19,14 @@ seq:
   - {id: frames, type: frame, repeat: eos}
 types:
   frame:
-    doc: "A length that counts what follows it, then as many bytes."
+    doc: |
+      A length that counts the bytes after it, then these bytes. Zero lengths may precede it, which the brick
+      ignores; at the end of a stream, they are a frame without a message.
     seq:
-      - {id: length, type: u2, valid: {min: 3, max: 1022}}
-      - {id: message, type: message, size: length}
+      - {id: lengths, type: u2, repeat: until, repeat-until: "_ != 0 or _io.eof", valid: {expr: "_ == 0 or _ >= 3"}}
+      - {id: message, type: message, size: length, if: "length != 0"}
+    instances:
+      length: {value: lengths.last, doc: "At most 1022, except for downloads of files over WiFi."}
   message:
     seq:
       - {id: counter, type: u2, doc: "Of the sender; the reply has the same."}

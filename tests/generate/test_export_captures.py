@@ -55,7 +55,7 @@ def records(data: bytes) -> list[Record]:
 
 
 @pytest.mark.parametrize("carrier", CARRIERS)
-def test_what_is_written_is_read_again(carrier: str) -> None:
+def test_written_captures_can_be_read(carrier: str) -> None:
     found = records(made(DIALOGUE, carrier))
     assert [record.frame for record in found] == [message.build() for message in DIALOGUE]
     assert {record.carrier for record in found} == {Carrier(carrier)}
@@ -74,7 +74,7 @@ def test_a_brick_on_wifi_is_found_and_unlocked_first() -> None:
 
 
 @pytest.mark.parametrize("carrier", CARRIERS)
-def test_times_that_are_given(carrier: str) -> None:
+def test_given_times(carrier: str) -> None:
     moments = [BEGIN_NS + moment for moment in (0, 1, 1, 5_000_000_123, 5_000_000_124)]
     told = [TimedFrame(message.build(), moment) for message, moment in zip(DIALOGUE, moments, strict=False)]
     assert [record.time_ns for record in records(made(told, carrier))] == moments
@@ -85,7 +85,7 @@ def test_times_that_are_given(carrier: str) -> None:
 
 
 @pytest.mark.parametrize("carrier", CARRIERS)
-def test_a_conversation_may_begin_with_time_itself(carrier: str) -> None:
+def test_a_conversation_may_begin_at_time_zero(carrier: str) -> None:
     assert [record.time_ns for record in records(made(DIALOGUE, carrier, begin_ns=0, step_ns=1))] == [*range(10)]
 
 
@@ -95,7 +95,7 @@ def test_the_same_frames_make_the_same_file(carrier: str) -> None:
 
 
 @pytest.mark.parametrize("carrier", CARRIERS)
-def test_wireshark_has_nothing_to_complain_about(carrier: str, tshark: Tshark) -> None:
+def test_wireshark_finds_no_errors(carrier: str, tshark: Tshark) -> None:
     path = tshark.place(made(DIALOGUE, carrier), f"export-{carrier}.pcapng")
     settings = ("ip.check_checksum", "tcp.check_checksum", "udp.check_checksum")
     checks = [word for name in settings for word in ("-o", f"{name}:TRUE")]
@@ -122,7 +122,7 @@ def test_any_frame_on_any_carrier(carrier: str, tshark: Tshark) -> None:
 
 
 @pytest.mark.parametrize("carrier", CARRIERS)
-def test_many_commands_that_nobody_answers(carrier: str, tshark: Tshark) -> None:
+def test_many_unanswered_commands(carrier: str, tshark: Tshark) -> None:
     # TCP's window, RFCOMM's credits and the numbers of packets reach their limits.
     told = [direct_command(operation("SOUND_READY"), counter=number % 65536) for number in range(400)]
     data = made(told, carrier)
@@ -131,7 +131,7 @@ def test_many_commands_that_nobody_answers(carrier: str, tshark: Tshark) -> None
     assert tshark.run(path, "-2", "-Y", f"_ws.malformed || _ws.expert.severity > {NOTE}") == ""
 
 
-def test_numbers_of_packets_start_again() -> None:
+def test_packet_numbers_wrap_around() -> None:
     told = [direct_command(operation("SOUND_READY"))] * 65536
     stream = io.BytesIO()
     with warnings.catch_warnings():
@@ -174,7 +174,7 @@ def test_the_packets_are_those_that_dpkt_builds() -> None:
         ),
     ],
 )
-def test_frames_that_no_receiver_could_cut(frame: bytes, reason: str | None) -> None:
+def test_frames_of_impossible_length(frame: bytes, reason: str | None) -> None:
     stream = io.BytesIO()
     if reason is None:
         assert write_pcapng([frame], stream) == 1
@@ -184,7 +184,7 @@ def test_frames_that_no_receiver_could_cut(frame: bytes, reason: str | None) -> 
     assert str(error.value) == f"frame 2: it cannot be carried: {reason}"
 
 
-def test_times_that_go_back_and_carriers_that_are_none() -> None:
+def test_decreasing_times_and_unknown_carriers() -> None:
     writer = CaptureWriter(io.BytesIO())
     writer.add(TimedFrame(DIALOGUE[0].build(), 2000))
     with pytest.raises(BuildError, match="the frame has the time 1999 ns, but the one before it has 2000 ns"):
@@ -193,7 +193,7 @@ def test_times_that_go_back_and_carriers_that_are_none() -> None:
         write_pcapng([], io.BytesIO(), carrier="serial")
 
 
-def test_a_refused_frame_leaves_the_rest_as_it_was() -> None:
+def test_a_refused_frame_changes_nothing() -> None:
     stream = io.BytesIO()
     writer = CaptureWriter(stream, carrier="bluetooth")
     for message in DIALOGUE:

@@ -69,7 +69,7 @@ def test_all_files_at_once(tmp_path: Path) -> None:
     ]
 
 
-def test_calls_that_are_wrong(tmp_path: Path) -> None:
+def test_wrong_usage(tmp_path: Path) -> None:
     done = run("json", "--check")
     assert done.returncode == 2
     assert "--check needs -o" in done.stderr.decode()
@@ -117,7 +117,7 @@ def test_a_capture_on_another_carrier(tmp_path: Path) -> None:
     assert times[0] == times[1]
 
 
-def test_the_file_that_is_read_can_be_written(tmp_path: Path) -> None:
+def test_the_input_can_be_the_output(tmp_path: Path) -> None:
     path = tmp_path / "same.pcapng"
     path.write_bytes((ROOT / "captures" / "wifi.pcapng").read_bytes())
     before = frames(path)
@@ -125,7 +125,7 @@ def test_the_file_that_is_read_can_be_written(tmp_path: Path) -> None:
     assert frames(path) == before
 
 
-def test_filtered(tmp_path: Path) -> None:
+def test_a_filter_selects_frames(tmp_path: Path) -> None:
     path = tmp_path / "tones.pcapng"
     done = run("pcapng", "captures/wifi.pcapng", "--filter", "op == SOUND.TONE", "-o", str(path))
     assert (done.returncode, len(frames(path))) == (0, 1)
@@ -141,21 +141,21 @@ def test_filtered(tmp_path: Path) -> None:
         (TONE + "00 01", f"'{TONE}00 01': it cannot be carried: its length field says that 14 bytes follow, but 16 do"),
     ],
 )
-def test_what_cannot_be_carried(given: str, sentence: str, tmp_path: Path) -> None:
+def test_frames_that_a_carrier_cannot_carry(given: str, sentence: str, tmp_path: Path) -> None:
     path = tmp_path / "none.pcapng"
     done = run("pcapng", given, "-o", str(path))
     assert (done.returncode, done.stderr.decode()) == (1, f"{sentence}\n")
     assert list(tmp_path.iterdir()) == []
 
 
-def test_what_can_be_carried_is_written_all_the_same(tmp_path: Path) -> None:
+def test_the_other_frames_are_written(tmp_path: Path) -> None:
     path = tmp_path / "some.pcapng"
     done = run("pcapng", TONE, TONE[:-2], TONE, "-o", str(path))
     assert done.returncode == 1
     assert frames(path) == [TONE, TONE]
 
 
-def test_no_frame_at_all(tmp_path: Path) -> None:
+def test_input_without_frames(tmp_path: Path) -> None:
     path = tmp_path / "kept.pcapng"
     path.write_bytes(b"kept")
     done = run("pcapng", "-o", str(path), stdin=b"nothing but prose\n")

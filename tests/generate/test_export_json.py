@@ -28,12 +28,12 @@ def entry(area: str, name: str) -> dict[str, Any]:
     return found
 
 
-def test_the_schema_is_one_and_the_tables_follow_it() -> None:
+def test_the_tables_match_the_schema() -> None:
     jsonschema.Draft202012Validator.check_schema(SCHEMA)
     assert [error.message for error in VALIDATOR.iter_errors(TABLES)] == []
 
 
-def test_a_list_whose_type_another_parameter_tells() -> None:
+def test_a_list_typed_by_another_parameter() -> None:
     values = entry("input", "INPUT_READEXT")["parameters"][-1]
     assert (values["type"], values["element_from"], values["elements"]) == ("count", "FORMAT", "out")
 
@@ -58,7 +58,7 @@ def parameters(declared: tuple[Parameter, ...], found: list[dict[str, Any]]) -> 
         assert element == other.get("element", other.get("element_from"))
 
 
-def test_every_opcode_and_cmd_is_there() -> None:
+def test_all_opcodes_and_cmds_are_exported() -> None:
     assert list(TABLES["areas"]) == list(AREAS)
     found = [opcode for area in TABLES["areas"].values() for opcode in area]
     assert [(one.number, one.name, one.text) for one in OPCODES] == [
@@ -72,7 +72,7 @@ def test_every_opcode_and_cmd_is_there() -> None:
             parameters(command.parameters, told["parameters"])
 
 
-def test_every_enumeration_and_system_command_is_there() -> None:
+def test_all_enumerations_and_system_commands_are_exported() -> None:
     declared = [enum for enum in vars(enumerations).values() if isinstance(enum, Enumeration)]
     assert {enum.name: dict(enum.members) for enum in declared} == {
         name: enum["members"] for name, enum in TABLES["enumerations"].items()
@@ -83,7 +83,7 @@ def test_every_enumeration_and_system_command_is_there() -> None:
     ]
 
 
-def test_every_identification_byte_can_be_looked_up() -> None:
+def test_all_identification_bytes_are_exported() -> None:
     told: dict[int, tuple[str, int | None]] = {}
     for run in TABLES["encodings"]:
         for byte in range(run["first"], run["last"] + 1):

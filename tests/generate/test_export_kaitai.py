@@ -29,6 +29,7 @@ from ev3proto.tables.declaration import DIALECTS
 from ev3proto.testing import frames
 
 SETTING = "EV3PROTO_KSC"
+CAPTURES = Path(__file__).parents[2] / "captures"
 TONE = bytes.fromhex("0e002a0080000094010182b80182e803")
 
 _COMPILE = """
@@ -173,6 +174,88 @@ def test_faulty_frames_are_refused(parser: Any, frame: str) -> None:
         parser.from_bytes(bytes.fromhex(frame))
 
 
+# The captures of this repository
+
+
+@cache
+def captured() -> dict[str, list[bytes]]:
+    """The frames in each capture and log that the codec reads, by the name of the file."""
+    found: dict[str, list[bytes]] = {}
+    for path in sorted(CAPTURES.iterdir()):
+        if path.suffix in (".pcap", ".pcapng", ".log"):
+            lines = run_ev3proto_text("decode", "--json", str(path)).stdout.splitlines()
+            found[path.name] = [
+                bytes.fromhex(told["hex"])
+                for told in map(json.loads, lines)
+                if told.get("kind", "").endswith(("command", "reply")) and "fault" not in told
+            ]
+    return found
+
+
+def test_every_frame_of_the_captures(parser: Any) -> None:
+    assert len(captured()) >= 12
+    for frames_of_file in captured().values():
+        for frame in frames_of_file:
+            check(parser, frame, "official")
+    assert max(len(frame) for frame in captured()["wifi-long.pcapng"]) > 2500
+
+
+def test_zero_lengths_between_frames(parser: Any) -> None:
+    for name, frames_of_file in captured().items():
+        stream = b"".join(bytes(2 * (number % 3)) + frame for number, frame in enumerate(frames_of_file))
+        counters = [frame.message.counter for frame in parser.from_bytes(stream + bytes(4)).frames[:-1]]
+        assert counters == [int.from_bytes(frame[2:4], "little") for frame in frames_of_file], name
+
+
+_RUN = """
+const KaitaiStream = require("kaitai-struct/KaitaiStream");
+const { Ev3 } = require(process.argv[1]);
+const is_argument = (one) => one && one.isLong !== undefined;
+const value = (one) => one.text ?? one.floatValue ?? one.value;
+function values(operation) {
+    let body = operation.arguments;
+    if (body && body.cmd) body = body.parameters;
+    const own = Object.entries(body ?? {}).filter(([name]) => !name.startsWith("_"));
+    return own.flatMap(([, told]) => told).filter(is_argument).map(value).map((one) => one === one ? one : "nan");
+}
+const frames = JSON.parse(require("fs").readFileSync(0));
+const told = frames.map((hex) => {
+    const { message } = new Ev3(new KaitaiStream(Buffer.from(hex, "hex"))).frames[0];
+    return [message.kind, message.counter, (message.body.operations ?? []).map((one) => [one.opcode, values(one)])];
+});
+console.log(JSON.stringify(told));
+"""
+
+
+def described(frame: bytes) -> list[Any]:
+    """A frame as that script describes it, by our own codec."""
+    message = parse(frame)
+    assert message.type is not None
+    told = []
+    for operation in message.operations if isinstance(message, DirectCommand | DaisyCommand) else ():
+        found = [argument.value for argument in operation.arguments]
+        told.append([operation.opcode, ["nan" if one != one else one for one in found]])
+    return [message.type.value, message.counter, told]
+
+
+def test_javascript_reads_the_captures(tmp_path: Path) -> None:
+    compile_for(["javascript"], "official", tmp_path)
+    frames_of_all = [frame for found in captured().values() for frame in found]
+    environment = {**os.environ, "NODE_PATH": str(Path(os.environ.get(SETTING, "")).parent)}
+    done = subprocess.run(
+        ["node", "-e", _RUN, str(tmp_path / "javascript" / "Ev3.js")],
+        env=environment,
+        input=json.dumps([frame.hex() for frame in frames_of_all]),
+        capture_output=True,
+        text=True,
+        timeout=120,
+        check=False,
+    )
+    assert done.stderr == ""
+    for told, frame in zip(json.loads(done.stdout), frames_of_all, strict=True):
+        assert told == described(frame), frame.hex()
+
+
 LANGUAGES = ["java", "javascript", "cpp_stl", "csharp", "go", "ruby"]
 
 
@@ -194,7 +277,7 @@ def test_every_operation_is_described(dialect: str) -> None:
             assert len(names) == len(set(names)) >= len(declaration.parameters)
 
 
-def test_no_name_is_there_twice_or_reserved() -> None:
+def test_names_are_unique_and_not_reserved() -> None:
     told: Any = read_yaml("official")
     types, enums = set(told["types"]), set(told["enums"])
     assert not types & enums

@@ -23,11 +23,26 @@ def message_types() -> Mapping:
     bodies: Mapping = {f"message_type::{member.name.lower()}": member.kind.replace("-", "_") for member in MessageType}
     return {
         "frame": {
-            "doc": "A length that counts what follows it, then as many bytes.",
+            "doc": Block(
+                "A length that counts the bytes after it, then these bytes. Zero lengths may precede it, which the brick\n"
+                "ignores; at the end of a stream, they are a frame without a message."
+            ),
             "seq": [
-                {"id": "length", "type": "u2", "valid": {"min": MIN_LENGTH, "max": MAX_LENGTH}},
-                {"id": "message", "type": "message", "size": "length"},
+                {
+                    "id": "lengths",
+                    "type": "u2",
+                    "repeat": "until",
+                    "repeat-until": "_ != 0 or _io.eof",
+                    "valid": {"expr": f"_ == 0 or _ >= {MIN_LENGTH}"},
+                },
+                {"id": "message", "type": "message", "size": "length", "if": "length != 0"},
             ],
+            "instances": {
+                "length": {
+                    "value": "lengths.last",
+                    "doc": f"At most {MAX_LENGTH}, except for downloads of files over WiFi.",
+                }
+            },
         },
         "message": {
             "seq": [

@@ -124,7 +124,7 @@ def test_calls_that_are_no_calls(path: str, values: tuple[Any, ...], named: dict
     assert str(raised.value).startswith(sentence)
 
 
-UNCHECKED = "; unchecked=True lets it through"
+UNCHECKED = "; pass unchecked=True to allow it"
 
 
 @pytest.mark.parametrize(

@@ -105,7 +105,7 @@ def test_templates_of_its_compiler_are_omitted() -> None:
         ("FOO 1", "unknown operation FOO"),
     ],
 )
-def test_what_is_wrong_is_told(line: str, words: str) -> None:
+def test_errors_are_reported(line: str, words: str) -> None:
     with pytest.raises(AssemblyError, match=words) as caught:
         assemble(f"DATA8 X\nvmthread M\n{{\n  {line}\n}}\n", dialect="basic")
     assert caught.value.line == 4

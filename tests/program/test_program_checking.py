@@ -13,7 +13,7 @@ from ev3proto.program import check_program
 
 
 @pytest.mark.parametrize("image", [IMAGE, SHORTEST])
-def test_there_is_nothing_to_say_about_the_example(image: bytes) -> None:
+def test_the_example_has_no_findings(image: bytes) -> None:
     report = check_program(image)
     assert report.accepted
     assert report.findings == ()

@@ -102,7 +102,7 @@ def test_a_direct_command_written_as_a_thread_is_still_a_frame(source: Path) -> 
     ("name", "words"),
     [("missing.lms", "missing.lms: cannot be read: No such file or directory"), ("a.rbf", "is an image already")],
 )
-def test_what_is_no_source(tmp_path: Path, name: str, words: str) -> None:
+def test_invalid_sources(tmp_path: Path, name: str, words: str) -> None:
     (tmp_path / "a.rbf").write_bytes(IMAGE)
     result = run_ev3proto_text("encode", tmp_path / name, "-o", tmp_path / "b.rbf")
     assert result.returncode == 1
@@ -110,7 +110,7 @@ def test_what_is_no_source(tmp_path: Path, name: str, words: str) -> None:
     assert len(result.stderr.splitlines()) == 1
 
 
-def test_encode_says_what_is_wrong_with_a_source(source: Path, tmp_path: Path) -> None:
+def test_encode_reports_errors_of_a_source(source: Path, tmp_path: Path) -> None:
     source.write_text(SOURCE.replace("LED_RED", "LED_RAD"))
     result = run_ev3proto_text("encode", source, "-o", tmp_path / "made.rbf")
     assert result.returncode == 1
@@ -122,7 +122,7 @@ def test_encode_says_what_is_wrong_with_a_source(source: Path, tmp_path: Path) -
     assert not (tmp_path / "made.rbf").exists()
 
 
-def test_encode_warns_of_what_may_not_be_meant(source: Path, tmp_path: Path) -> None:
+def test_encode_prints_warnings(source: Path, tmp_path: Path) -> None:
     source.write_text(SOURCE.replace("MOVE8_8(0, count)", "MOVE8_8(0, timer)"))
     result = run_ev3proto_text("encode", source, "-o", tmp_path / "made.rbf")
     assert result.returncode == 0

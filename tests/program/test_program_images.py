@@ -148,7 +148,7 @@ def test_headers_that_all_say_offset_0() -> None:
         (lambda image: image[:0x51] + b"\xff" + image[0x52:], 0x51, "it should declare 255 parameters"),
     ],
 )
-def test_what_is_damaged_is_told_with_its_offset(damage: object, offset: int, words: str) -> None:
+def test_damage_is_reported_with_its_offset(damage: object, offset: int, words: str) -> None:
     image = damage(IMAGE)  # type: ignore[operator]
     with pytest.raises(ev3proto.DecodeError, match=words) as caught:
         programs.parse(image)
@@ -168,7 +168,7 @@ def test_damaged_code_is_read_as_far_as_it_goes() -> None:
     assert say.fault is None
 
 
-def test_what_follows_the_end_of_an_object_is_no_code() -> None:
+def test_bytes_after_the_end_of_an_object_are_not_code() -> None:
     image = IMAGE[:4] + (103).to_bytes(4, "little") + IMAGE[8:] + b"\xff\xff"
     say = programs.parse(image).objects[1]
     assert say.rest == b"\xff\xff"
@@ -188,7 +188,7 @@ def test_a_hostile_table_takes_no_longer_than_its_size() -> None:
 
 
 @pytest.mark.parametrize("schema", [Struct("header" / HEADER, "code" / Bytes(61)), programs.IMAGE])
-def test_an_image_stands_in_anybodys_own_structure(schema: Any) -> None:
+def test_an_image_is_part_of_a_users_own_structure(schema: Any) -> None:
     wrapped = Struct("kind" / Int8ul, "it" / schema, "behind" / Int8ul)
     data = b"\x01" + IMAGE + b"\x02"
     assert wrapped.build(wrapped.parse(data)) == data

@@ -24,7 +24,7 @@ _TYPES = (Type.DATA8, Type.DATA16, Type.DATA32, Type.DATAF, Type.HANDLE, Type.ST
 @given(
     st.integers(0, 60), st.integers(0, 60), st.dictionaries(st.integers(0, 70), st.sampled_from(_TYPES), max_size=12)
 )
-def test_the_assembler_puts_every_variable_where_it_was(start: int, size: int, uses: dict[int, Type]) -> None:
+def test_variables_keep_their_places(start: int, size: int, uses: dict[int, Type]) -> None:
     lines = (
         [f"ARRAY8 front {start}"] if start not in (0, 2, 4) else ["DATA8 a", "DATA8 b", "DATA8 c", "DATA8 d"][:start]
     )

@@ -194,7 +194,7 @@ def test_a_variable_of_two_or_four_bytes_is_aligned_and_no_other(dialect: str, d
     assert _header(declared, dialect)[0] == size
 
 
-def test_an_array_of_words_that_is_not_aligned_is_warned_of() -> None:
+def test_a_misaligned_array_of_words_gives_a_warning() -> None:
     warnings = assemble("DATA8 a\nARRAY16 b 3").warnings
     assert [str(it) for it in warnings] == [
         "line 2, column 9: b starts at 1, which is not a multiple of 2: its elements are not aligned, and the brick"
@@ -210,7 +210,7 @@ def test_words_that_only_legos_assembler_has() -> None:
 # Names
 
 
-def test_strict_a_local_then_what_stands_above_then_the_firmware() -> None:
+def test_strict_lookup_is_locals_then_declarations_above_then_the_firmware() -> None:
     define = "define LINE 64"
     body = "NOP()\nUI_BUTTON(LINE)"
     assert _code(body, before=define, dialect="strict") == "01 83 82 40 00 0A".replace("82 40 00", "81 40")
@@ -282,7 +282,7 @@ def test_an_unknown_name_is_an_error_with_a_suggestion(dialect: str) -> None:
         _code("UI_FLASH()", dialect=dialect)
 
 
-def test_a_global_has_to_stand_above_its_use() -> None:
+def test_a_global_must_be_declared_above_its_use() -> None:
     for dialect in BOTH:
         with pytest.raises(AssemblyError, match="x is declared further down"):
             assemble("vmthread M\n{\nMOVE8_8(x, x)\n}\nDATA8 x\n", dialect=dialect)
@@ -394,7 +394,7 @@ def test_legos_dialect_is_loose(line: str) -> None:
     assert _code(line, before="DATA8 x", dialect="lego") == "30 01 60 0A"
 
 
-def test_what_follows_a_brace_or_a_label_may_be_anything() -> None:
+def test_text_after_a_brace_or_a_label_is_ignored() -> None:
     source = "vmthread X\n{ it's open\nx: isn't it\nNOP\n} that's it\n"
     assert _codes(source, dialect="lego")[0] == "01 0a"
 
@@ -404,18 +404,18 @@ def test_the_rest_of_a_labels_line_is_ignored() -> None:
     assert _code("x: NOP()\nJR(x)", dialect="strict") == "01 40 82 FB FF 0A"
 
 
-def test_the_strict_dialect_comes_first_and_legos_where_it_fails() -> None:
+def test_the_strict_dialect_is_tried_before_legos() -> None:
     assert assemble("vmthread X { NOP() }").dialect == "strict"
     assert assemble("vmthread X\n{\nNOP\n}\n").dialect == "lego"
 
 
-def test_what_strict_would_refuse_is_warned_of() -> None:
+def test_errors_of_the_strict_dialect_are_warnings() -> None:
     source = "DATA8 x\nvmthread M\n{\nMOVE32_32(x, x)\nMOVE8_8(300, x)\nMOVEF_F(1, 2)\nMOVE8_8(!300, x)\n}\n"
     assert [it.line for it in assemble(source).warnings] == [4, 4, 5, 6, 6]
 
 
 @pytest.mark.parametrize("number", ["0x" + "F" * 5000, "9" * 5000, "0" + "7" * 5000])
-def test_what_has_more_digits_than_a_number_is_refused(number: str) -> None:
+def test_numbers_with_too_many_digits_are_refused(number: str) -> None:
     with pytest.raises(AssemblyError, match="has more than 32 bits"):
         assemble(f"DATA32 v\nvmthread M\n{{\nMOVE32_32({number}, v)\n}}\n", dialect="lego")
 
@@ -435,12 +435,12 @@ def test_what_has_more_digits_than_a_number_is_refused(number: str) -> None:
         ("UI_WRITE(TEXT, v)", "TEXT is not a CMD of UI_WRITE, and counts as the number 5"),
     ],
 )
-def test_what_legos_assembler_let_pass_is_warned_of(line: str, words: str) -> None:
+def test_mistakes_that_legos_assembler_accepts_are_warnings(line: str, words: str) -> None:
     source = f"DATA32 v\nvmthread M\n{{\n{line}\n}}\n"
     assert words in " ".join(warning.reason for warning in assemble(source, dialect="lego").warnings)
 
 
-def test_a_nan_by_its_name_is_no_whole_number() -> None:
+def test_a_nan_by_name_is_not_an_integer() -> None:
     assert not assemble("DATAF x\nvmthread M { MOVEF_F(DATAF_NAN, x) }").warnings
 
 
@@ -460,7 +460,7 @@ def test_the_first_error_is_the_one_to_fix(source: str, line: int, words: str) -
     assert words in caught.value.reason
 
 
-def test_an_expression_that_the_other_dialect_reads_otherwise_is_warned_of() -> None:
+def test_an_expression_that_the_dialects_read_differently_gives_a_warning() -> None:
     for dialect in BOTH:
         (warning,) = assemble("define A (2 + 3 * 4)\nDATAS x A", dialect=dialect).warnings
         assert "the other dialect gets another number" in warning.reason
@@ -485,7 +485,7 @@ def test_an_expression_that_the_other_dialect_reads_otherwise_is_warned_of() -> 
     ],
     ids=range(10),
 )
-def test_no_text_takes_long_or_goes_deep(text: str) -> None:
+def test_no_text_is_slow_or_recurses_deeply(text: str) -> None:
     for dialect in BOTH:
         with pytest.raises(AssemblyError) as caught:
             assemble(text, dialect=dialect)
@@ -516,7 +516,7 @@ def test_every_error_has_its_line() -> None:
         ("DATAS x -1", "cannot be -1"),
     ],
 )
-def test_what_is_no_program_is_refused_with_a_reason(source: str, words: str) -> None:
+def test_invalid_programs_are_refused_with_a_reason(source: str, words: str) -> None:
     with pytest.raises(AssemblyError) as caught:
         assemble(source, dialect="strict")
     assert any(words in one.reason for one in (caught.value, *caught.value.others)), caught.value

@@ -18,7 +18,7 @@ from ev3proto.program.sources import SourceDialect
 from ev3proto.text.assembly import AssemblyError
 
 
-def test_the_source_of_the_example_is_what_people_write() -> None:
+def test_the_source_of_the_example_is_written_plainly() -> None:
     source = source_of(programs.parse(IMAGE))
     assert [line.strip() for line in source.split("vmthread")[1].splitlines()] == [
         "thread1",
@@ -96,7 +96,7 @@ def test_in_every_dialect_it_comes_back_or_is_refused(dialect: str | None) -> No
         ("09 02 00", "CALL(2, 0)"),
     ],
 )
-def test_an_encoding_that_is_not_the_usual_one_is_named(code: str, statement: str) -> None:
+def test_unusual_encodings_are_named(code: str, statement: str) -> None:
     image = image_of((0, 0, f"{code} 0A"), global_size=8)
     source = source_of(programs.parse(image, strict=False))
     assert statement in source
@@ -130,7 +130,7 @@ def test_objects_of_every_kind_come_back(objects: list[tuple[int, int, str | Non
 
 @settings(max_examples=300)
 @given(st.integers(0), st.integers(1, 6), st.sampled_from((IMAGE, SHORTEST)))
-def test_what_can_be_read_to_its_end_comes_back(seed: int, changes: int, image: bytes) -> None:
+def test_readable_images_round_trip(seed: int, changes: int, image: bytes) -> None:
     rng = random.Random(seed)
     damaged = bytearray(image)
     for _ in range(changes):

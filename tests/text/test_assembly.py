@@ -156,7 +156,7 @@ def test_scopes_and_elements() -> None:
     assert command.build()[7:].hex(" ").upper() == "35 44 40 30 01 63 C1 00 64"
 
 
-def test_a_handle_stands_for_what_it_points_to() -> None:
+def test_a_handle_means_the_array_that_it_refers_to() -> None:
     assert code("local DATA16 text\nSTRINGS(STRIP, 'a b', @text)") == "7D 08 84 61 20 62 00 D1 00"
     assert code("local DATA32 place\nMOVE8_8(&place, LV0(8))") == "30 C9 00 48"
 
@@ -167,7 +167,7 @@ def test_variables_by_number_are_counted_too() -> None:
     assert (command.global_size, command.local_size, command.wants_reply) == (21, 8, True)
 
 
-def test_what_is_given_by_hand_stays() -> None:
+def test_explicit_values_are_kept() -> None:
     text = "message DIRECT_COMMAND_NO_REPLY counter 7 globals 10 locals 2\nUI_READ(GET_VBATT, GV0(0))"
     assert assembled(text) == ["08 00 07 00 80 0A 08 81 01 60"]
     assert assembled("UI_READ(GET_VBATT, GV0(0))", reply=False) == ["08 00 00 00 80 04 00 81 01 60"]
@@ -187,7 +187,7 @@ def test_a_jump_is_as_long_as_it_needs() -> None:
     assert code("Start:\n" + "NOP\n" * 31 + "JR(Start)").endswith("01 40 81 DE")
 
 
-def test_a_jump_in_an_encoding_that_is_named() -> None:
+def test_a_jump_in_a_named_encoding() -> None:
     assert code("Start: opJR, LC2(Start), opJR, LAB1(Start)") == "40 82 FC FF 40 A0 F9"
     error = wrong("JR_FALSE(0, End)\nopJR, LC0(End)\n" + "NOP\n" * 40 + "End:")
     assert (error.line, error.column) == (2, 11)
@@ -233,7 +233,7 @@ def test_several_messages_in_a_text() -> None:
     ]
 
 
-def test_what_is_faulty_can_be_said() -> None:
+def test_faulty_messages_can_be_written() -> None:
     assert assembled(
         "message DIRECT_COMMAND_REPLY length 55 globals 0 locals 0\nopSOUND, LC0(TONE), ...\nbytes 82"
     ) == ["37 00 00 00 00 00 00 94 01 82"]
@@ -350,7 +350,7 @@ ERRORS = [
 
 
 @pytest.mark.parametrize(("text", "line", "column", "reason"), ERRORS, ids=[reason[:40] for *_, reason in ERRORS])
-def test_errors_say_where_and_what(text: str, line: int, column: int, reason: str) -> None:
+def test_errors_name_place_and_reason(text: str, line: int, column: int, reason: str) -> None:
     error = wrong(text)
     assert (error.line, error.column) == (line, column)
     assert error.reason.startswith(reason)
@@ -389,7 +389,7 @@ def test_the_advice_for_an_unknown_name_helps(name: str) -> None:
             assemble(f"{advice[1]}\n{text}", unchecked=True)
 
 
-def test_all_that_is_wrong_is_told_at_once() -> None:
+def test_all_errors_are_reported_at_once() -> None:
     error = wrong("SOUND(TOEN)\nNOP\n\tUI_WRITE(LED, LED_GREN)\nJR(\nopNOP LC0(1)")
     assert [(one.line, one.column) for one in (error, *error.others)] == [(1, 7), (3, 16), (5, 7)]
     assert error.others[0].excerpt == "\tUI_WRITE(LED, LED_GREN)\n\t              ^"
@@ -441,7 +441,7 @@ def test_messages_to_mailboxes_are_texts_numbers_and_logic_values(value: str, pa
     assert assembled(f"WRITEMAILBOX('abc', {value})") == [frame]
 
 
-def test_what_is_no_message_to_a_mailbox() -> None:
+def test_invalid_mailbox_messages() -> None:
     with pytest.raises(AssemblyError, match=r"column 34: unknown name hi"):
         assemble("WRITEMAILBOX(name='abc', payload=hi)")
     with pytest.raises(AssemblyError, match=r"payload cannot be '€'"):
@@ -481,7 +481,7 @@ def test_every_frame_comes_back_faulty_or_not(dialect: str, notation: str) -> No
 
 
 @pytest.mark.parametrize("size", [1025, 65537, 70_000])
-def test_a_frame_that_is_much_too_long_comes_back(size: int) -> None:
+def test_a_frame_that_is_much_too_long_round_trips(size: int) -> None:
     frame = min(size - 2, 0xFFFF).to_bytes(2, "little") + bytes.fromhex("2A 00 80 00 00") + b"\1" * (size - 7)
     (message,) = assemble(written([frame]))
     assert message.build() == frame
@@ -521,7 +521,7 @@ def test_every_operation_in_legos_notation(operation: Operation) -> None:
 # Written
 
 
-def test_what_is_written_can_be_read_by_people() -> None:
+def test_the_output_is_readable() -> None:
     texts = {
         "0E 00 01 00 00 04 00 82 1B 04 82 1B 81 05 01 FE": [
             "message DIRECT_COMMAND_REPLY counter 1 globals 4 locals 0",
@@ -546,7 +546,7 @@ def test_what_is_written_can_be_read_by_people() -> None:
         assert written([bytes.fromhex(frame)]).split("\n") == ["// what it is", *expected]
 
 
-def test_what_looks_like_assembly_is_told() -> None:
+def test_text_that_looks_like_assembly_is_recognised() -> None:
     def is_told(line: str) -> bool:
         return "is assembly, not a frame" in run_ev3proto_text("decode", line).stderr
 

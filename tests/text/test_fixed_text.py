@@ -113,7 +113,7 @@ def test_every_notation_is_edited_or_left_alone(name: str) -> None:
         ("DwAqAIAAAJQBgQWCuAGC6AM=", "DgAqAIAAAJQBBYK4AYLoAw=="),
     ],
 )
-def test_bytes_are_removed_where_they_are_written(before: str, after: str) -> None:
+def test_bytes_are_removed_in_place(before: str, after: str) -> None:
     assert ev3proto.fix_text(before).text == after
     assert frames(after) == [SHORTER]
 

@@ -80,11 +80,11 @@ CALLS = {
 
 
 @pytest.mark.parametrize("text", CALLS)
-def test_a_subroutine_is_called_with_whatever_it_takes(text: str) -> None:
+def test_arguments_of_a_subroutine(text: str) -> None:
     assert code(text) == CALLS[text]
 
 
-def test_what_is_missing_is_named() -> None:
+def test_missing_arguments_are_named() -> None:
     assert reason("CALL(Show,'text')") == (
         "unknown object Show: `define Show 2` in front of it gives the number of the object, counted from 1"
     )
@@ -108,7 +108,7 @@ def test_what_is_missing_is_named() -> None:
         ("UI_DRAW(NOTIFICATION,1,2,3,ICON_RUN,0,0,'a',LV0(0))", ""),
     ],
 )
-def test_a_suggestion_is_never_what_is_wrong(text: str, near: str) -> None:
+def test_a_suggestion_differs_from_the_wrong_name(text: str, near: str) -> None:
     sentence = reason(text)
     assert near in sentence
     wrong = sentence.partition("unknown ")[2].partition(" ")[0]

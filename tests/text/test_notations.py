@@ -84,7 +84,7 @@ PLAIN = (
 
 
 @each("prefix, name", product(PREFIXES, PLAIN))
-def test_whatever_stands_around_a_frame(prefix: str, name: str) -> None:
+def test_text_around_a_frame(prefix: str, name: str) -> None:
     for frame in (TONE, REPLY, NAME):
         text = prefix.format(LINE[name](frame))
         found = pieces(f"once\n{text}\nagain\n")
@@ -116,7 +116,7 @@ def test_names_of_constants_in_arrays(text: str) -> None:
     assert [piece.data for piece in pieces(text)] == [NAMES[text]]
 
 
-def test_a_counter_that_is_not_written() -> None:
+def test_an_omitted_counter() -> None:
     frame = TONE[:2] + b"\0\0" + TONE[4:]
     rest = TONE[4:].hex()
     for text in (
@@ -140,7 +140,7 @@ LOOKS = {
 
 
 @pytest.mark.parametrize("text", LOOKS)
-def test_what_looks_like_a_frame_and_is_none(text: str) -> None:
+def test_near_misses_of_frames(text: str) -> None:
     (piece,) = pieces(f"first\n{text}\nlast\n")
     assert (piece.data, piece.unread, piece.line) == (b"", True, 2)
     assert LOOKS[text] in (piece.problem or "")
@@ -202,7 +202,7 @@ NO_FRAMES = (
 
 
 @pytest.mark.parametrize("text", NO_FRAMES)
-def test_what_is_no_frame_and_does_not_look_like_one(text: str) -> None:
+def test_text_that_does_not_look_like_a_frame(text: str) -> None:
     assert pieces(f"first\n{text}\nlast\n") == []
 
 
@@ -252,7 +252,7 @@ def test_bytes_that_are_only_said_to_repeat(name: str) -> None:
     assert [frame_of(piece) for piece in pieces(OMITTED[name])] == [DOWNLOAD]
 
 
-def test_a_frame_that_a_line_shows_twice_is_one() -> None:
+def test_a_frame_shown_twice_in_a_line_is_one_frame() -> None:
     text = f'<field showname="Data: {TONE.hex()}" show="{TONE.hex(":")}" value="{TONE.hex()}"/>'
     assert [piece.data for piece in pieces(text)] == [TONE]
 

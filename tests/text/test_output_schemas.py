@@ -49,7 +49,7 @@ def test_the_schema_is_one() -> None:
 
 
 @pytest.mark.parametrize("capture", CAPTURES)
-def test_what_is_printed_of_captures(capture: str) -> None:
+def test_output_for_captures(capture: str) -> None:
     assert len(printed("decode", capture)) > 2
     assert len(printed("stats", capture)) == 1
     for words in (["--dialogues"], ["--engine", "builtin", "--filter", "error"]):
@@ -57,26 +57,26 @@ def test_what_is_printed_of_captures(capture: str) -> None:
 
 
 @pytest.mark.parametrize("capture", ["captures/wifi.pcapng", "captures/daisy.pcap", "captures/lesson-02.log"])
-def test_what_check_and_values_print_of_captures(capture: str) -> None:
+def test_output_of_check_and_values_for_captures(capture: str) -> None:
     assert len(printed("check", capture)) > 2
     assert len(printed("check", "--fix", capture)) > 2
     printed("values", capture)
 
 
 @pytest.mark.parametrize("strategy", [frames(), mutated_frames()])
-def test_what_is_printed_of_any_frame(strategy: Any) -> None:
+def test_output_for_any_frame(strategy: Any) -> None:
     lines = "\n".join(frame.hex() for frame in drawn(strategy, effort(150, 3000)) if frame)
     assert len(printed("decode", stdin=lines)) > 50
     printed("check", stdin=lines)
     printed("check", "--fix", stdin=lines)
 
 
-def test_what_decode_prints_of_a_faulty_frame() -> None:
+def test_output_of_decode_for_a_faulty_frame() -> None:
     (line,) = printed("decode", TONE[:-2])
     assert line["fault"]["offset"] == 0
 
 
-def test_what_is_printed_of_programs(tmp_path: Path) -> None:
+def test_output_for_programs(tmp_path: Path) -> None:
     image = tmp_path / "robot.rbf"
     source = "vmthread MAIN { CALL(HELPER, 1) } subcall HELPER { IN_8 N SOUND(TONE, 1, 440, 1000) SOUND_READY() }"
     (tmp_path / "robot.lms").write_text(source)
@@ -104,7 +104,7 @@ def test_something_else_is_refused(name: str, wrong: object) -> None:
     assert not validator(name).is_valid(wrong)
 
 
-def test_an_invented_key_is_refused_wherever_it_stands() -> None:
+def test_an_unknown_key_is_refused_at_any_level() -> None:
     (message,) = printed("decode", TONE)
     (counted,) = printed("stats", "captures/daisy.pcap")
     for name, whole, place in (

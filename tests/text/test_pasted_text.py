@@ -152,7 +152,7 @@ def test_prose_yields_nothing(text: str) -> None:
     assert pieces(text) == []
 
 
-def test_the_lines_of_a_block_that_is_no_array_are_read() -> None:
+def test_the_lines_of_a_block_that_is_not_an_array() -> None:
     text = (
         "void play() {\n\n  // 1, 2\n  send(b'\\x03\\x00*\\x00\\x02');\n  char nop[] = {6, 0, 42, 0, 128, 0, 0, 1};\n}"
     )
@@ -202,7 +202,7 @@ FAULTY = {
 
 
 @pytest.mark.parametrize("text", FAULTY)
-def test_what_cannot_be_read_is_told(text: str) -> None:
+def test_unreadable_input_is_reported(text: str) -> None:
     data, place, reason = FAULTY[text]
     pasted = only(text)
     assert pasted.problem is not None
@@ -328,7 +328,7 @@ def test_no_text_raises(text: str) -> None:
         assert pasted.problem is None or pasted.problem
 
 
-def test_what_is_collected_is_bounded() -> None:
+def test_collected_text_is_bounded() -> None:
     row = "0x01, " * 16 + "\n"
     pasted = only("uint8_t x[] = {\n" + row * 700 + "};")
     assert "64 KiB" in (pasted.problem or "")
@@ -368,12 +368,12 @@ def test_lines_are_read_as_they_come() -> None:
         ("0x|ZZ:00|2A:00|80|00:00|94|", b"", "column 4: 'ZZ' is not hex"),
     ],
 )
-def test_a_frame_that_lost_most_of_itself_is_not_lost_too(line: str, data: bytes, problem: str | None) -> None:
+def test_the_frame_after_a_truncated_one_is_found(line: str, data: bytes, problem: str | None) -> None:
     (pasted,) = read_text(["some words about it\n", f"{line}\n"])
     assert (pasted.data, pasted.problem, pasted.line) == (data, problem, 2)
 
 
-def test_a_long_frame_that_was_cut_is_no_operations_alone() -> None:
+def test_a_long_truncated_frame_is_not_read_as_operations() -> None:
     body = "82:1B:02:94:01:01:82:06:01:82:F4:01:96:82:1B:01:94:01:01:82:4A:01:82:F4:01:96:82:1B:02"
     pasted = only(f"Sent 0x|3C:00|2A:00|80|00:00|{body}:...")
     assert (len(pasted.data), pasted.cut, pasted.direction) == (36, True, "sent")

@@ -40,7 +40,7 @@ def test_the_frame_is_found(frame: bytes, separator: str, is_upper: bool) -> Non
         pytest.param("０e002a0080000094010182b80182e803", "is not a hex digit", id="a digit of another script"),
     ],
 )
-def test_what_is_not_a_frame_is_read_as_bytes(text: str, problem: str | None) -> None:
+def test_other_input_is_read_as_bytes(text: str, problem: str | None) -> None:
     found = read_argument(text)
     if problem is None:
         assert (found.data.hex(), found.problem) == (text, None)

@@ -25,7 +25,7 @@ from ev3proto.semantics.footprint import Footprint, footprints, inline_arrays
 from ev3proto.tables.declaration import LISTS, Declaration, Direction, Parameter, Role, Type
 from ev3proto.tables.encoding import CONSTANT, RANGES, TEXT
 
-HOW_TO_MEAN_IT = "unchecked=True lets it through"
+HOW_TO_MEAN_IT = "pass unchecked=True to allow it"
 """The end of Python's error messages about values that can be encoded but have no meaning for the brick."""
 
 

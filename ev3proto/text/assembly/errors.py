@@ -1,4 +1,4 @@
-"""What is wrong with an assembly text: where, what is there, what was expected. Frames and programs have the same."""
+"""Errors in assembly text, of frames and of programs: the place, what is there, what was expected."""
 
 from __future__ import annotations
 
@@ -11,25 +11,25 @@ NEWLINE = r"\r\n|\r|\n"
 """Pattern of what ends a line."""
 
 MOST_ERRORS = 20
-"""Errors of one text that are reported; what follows the twentieth mostly follows from the others."""
+"""Maximum number of errors that are reported: later ones mostly follow from the first."""
 
 _MOST_SAID = 500
-"""Characters of a sentence: what is cited in it may be as long as the text."""
+"""Maximum length of a message: what it quotes may be as long as the text."""
 
 _MOST_SHOWN = 100
-"""Characters of a line that are shown around an error."""
+"""Maximum number of characters of a line that are shown around an error."""
 
 _MOST_CITED = 40
 
 
 class AssemblyError(ValueError):
-    """A text that is not assembly.
+    """An error in assembly text.
 
-    line    where the trouble starts, counted from 1
-    column  the same, counted from 1
-    reason  one sentence: what is there, what was expected, the near miss
-    text    the line, as it was written
-    others  what else is wrong with the text, in its order
+    line    its line, counted from 1
+    column  its column, counted from 1
+    reason  one sentence: what is there, what was expected, the nearest name
+    text    the line, as written
+    others  the other errors, in the order of the text
     """
 
     def __init__(
@@ -51,13 +51,13 @@ class AssemblyError(ValueError):
         start = max(0, min(self.column - 1 - _MOST_SHOWN // 2, len(self.text) - _MOST_SHOWN))
         shown = self.text[start : start + _MOST_SHOWN]
         before = shown[: self.column - 1 - start]
-        # A tab stays a tab, so that the mark is below its character for any width of tabs.
+        # Tabs stay, so that the mark is below its character for any tab width.
         padding = "".join("\t" if character == "\t" else " " for character in before)
         return f"{shown}\n{padding}^"
 
 
 class SourceError(Exception):
-    """One error, at an offset in the text; people get it as an AssemblyError."""
+    """One error, at an offset in the text; users get it as an AssemblyError."""
 
     def __init__(self, at: int, reason: str) -> None:
         self.at = at
@@ -66,7 +66,7 @@ class SourceError(Exception):
 
 
 class SourceWarning(NamedTuple):
-    """Something that is assembled, and perhaps not meant.
+    """A warning about valid but probably unintended code.
 
     line    counted from 1
     column  counted from 1
@@ -89,7 +89,7 @@ class Lines:
         self._starts = [0, *(found.end() for found in re.finditer(NEWLINE, text))]
 
     def place(self, at: int) -> tuple[int, int]:
-        """Line and column of an offset, both counted from 1."""
+        """Returns line and column of an offset, both counted from 1."""
         line = bisect_right(self._starts, at)
         return line, at - self._starts[line - 1] + 1
 
@@ -99,7 +99,7 @@ class Lines:
         return AssemblyError(first.line, first.column, first.reason, first.text, tuple(others))
 
     def warnings(self, found: Iterable[tuple[int, str]]) -> tuple[SourceWarning, ...]:
-        """Warnings with their places, in the order of the text."""
+        """Returns the warnings with their places, in the order of the text."""
         return tuple(SourceWarning(*self.place(at), reason) for at, reason in sorted(set(found)))
 
     def _one(self, error: SourceError) -> AssemblyError:
@@ -110,5 +110,5 @@ class Lines:
 
 
 def cited(text: str) -> str:
-    """Returns what was written, cut where it is long."""
+    """Returns quoted text, truncated if it is long."""
     return text if len(text) <= _MOST_CITED else f"{text[:_MOST_CITED]}..."

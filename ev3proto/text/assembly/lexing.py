@@ -1,4 +1,4 @@
-"""Assembly text cut into tokens: names, numbers, texts, marks. What they look like is the notation's matter."""
+"""Cuts assembly text into tokens: names, numbers, texts, marks. The notation defines their syntax."""
 
 from __future__ import annotations
 
@@ -12,16 +12,16 @@ from ev3proto.text.assembly.errors import NEWLINE, SourceError
 from ev3proto.text.assembly.notations import NUMBER_PATTERN, Notation
 
 NAME, NUMBER, WORD, TEXT, MARK, BAD, END = "name", "number", "word", "text", "mark", "bad", "end"
-"""Kinds of tokens. A word starts like a number and is not one: hex, where bytes are written."""
+"""Kinds of tokens. A word starts like a number but is not one, such as bytes in hex."""
 
 
 class Token(NamedTuple):
-    """A piece of the text.
+    """A token.
 
-    kind      what it is
-    text      as it was written; of a bad one, the sentence that says what is wrong
+    kind      its kind
+    text      as written; for a bad token, the error message
     at        offset of its first character
-    is_first  it is the first of its line
+    is_first  whether it is the first of its line
     """
 
     kind: str
@@ -35,13 +35,13 @@ class Token(NamedTuple):
         return self.at + len(self.text)
 
     def is_mark(self, *marks: str) -> bool:
-        """Whether it is one of these marks."""
+        """Returns whether it is one of these marks."""
         return self.kind == MARK and self.text in marks
 
 
 @cache
 def _pattern(notation: Notation) -> re.Pattern[str]:
-    """Returns the pattern of a piece of the text. It matches everywhere, each piece in linear time."""
+    """Returns the pattern of a token. It matches any text, in linear time."""
     pieces = {
         "blank": rf"(?>(?:{notation.blank})+)",
         "newline": NEWLINE,
@@ -58,7 +58,7 @@ def _pattern(notation: Notation) -> re.Pattern[str]:
 
 
 def tokens(text: str, notation: Notation) -> Iterator[Token]:
-    """Yields the tokens of a text, and one for its end. Anything else becomes a bad token; nothing is raised."""
+    """Yields the tokens of a text, and one for its end. Anything else is a bad token; nothing is raised."""
     is_first = True
     for found in _pattern(notation).finditer(text):
         kind, written, at = found.lastgroup, found[0], found.start()
@@ -103,13 +103,13 @@ _KNOWN_ESCAPES = r"\n \r \t \b \f \q (an apostrophe) \0 \" \' \\ \/ \x41 \u0041"
 
 
 def text_of(token: Token, notation: Notation, coding: str, warnings: list[tuple[int, str]]) -> str:
-    """Returns what is between a text's quotes, its escapes replaced. Raises SourceError for an unknown one.
+    """Returns the text between quotes, its escapes replaced. Raises SourceError for an unknown escape.
 
     Args:
         token: The text with its quotes.
-        notation: The notation that it is written in.
-        coding: That in which the assembler of the notation writes texts; each byte becomes a character.
-        warnings: Gets what is right and may not be meant.
+        notation: Its notation.
+        coding: The encoding of texts in the image; each byte becomes a character.
+        warnings: (offset, message) of valid but probably unintended code.
     """
     body = token.text[1:-1]
     if notation.escapes is None or token.text[0] == '"':
@@ -119,12 +119,12 @@ def text_of(token: Token, notation: Notation, coding: str, warnings: list[tuple[
     try:
         return body.encode(coding).decode(STRING_CODING)
     except UnicodeEncodeError:
-        # LEGO's assembler writes of each character its low byte.
+        # LEGO's assembler writes the low byte of each character.
         return bytes(ord(character) & 0xFF for character in body).decode(STRING_CODING)
 
 
 def _unescaped(token: Token, body: str) -> str:
-    """Replaces escapes as in C, from the left. A backslash before a blank stays, as names of files need it."""
+    """Replaces escapes as in C. A backslash before a blank stays: file names need it."""
 
     def meant(found: re.Match[str]) -> str:
         escape = found[1]
@@ -140,7 +140,7 @@ def _unescaped(token: Token, body: str) -> str:
 
 
 def _replaced(token: Token, body: str, notation: Notation, warnings: list[tuple[int, str]]) -> str:
-    """Returns the text with the escapes of a program's notation, which are replaced kind after kind."""
+    """Replaces the escapes of a program's notation, kind after kind."""
     escapes = notation.escapes or ()
     if not notation.by_line:
         known = {escape[1] for escape, _ in escapes}

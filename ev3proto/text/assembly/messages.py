@@ -1,4 +1,4 @@
-"""The statements of one message to the bytes of its frame: header, memory, jumps, sizes, fields of system commands."""
+"""Assembles one message: its header, memory, jumps, and the fields of system commands."""
 
 from __future__ import annotations
 
@@ -41,34 +41,34 @@ _FACTS = {
     "daisy-reply": {LAYER_FROM: 0xFF, LAYER_TO: 0xFF},
 }
 _ALL_FACTS = {COUNTER: COUNTERS - 1, LENGTH: 0xFFFF}
-"""What a header can say, of some kinds of message and of all, and the largest number that it can be."""
+"""Facts that headers can state, of some kinds of messages and of all, with their largest numbers."""
 
 _TYPES = [member.name for member in MessageType]
 _MEMORIES = {GLOBAL: GLOBALS, LOCAL: LOCALS}
 
 MOST_MEMORY = {GLOBAL: MAX_FRAME - HEADER_SIZE, LOCAL: MAX_LOCALS}
-"""Bytes that variables can take: those that a reply carries, those that a header can ask for."""
+"""Maximum bytes of variables: those that a reply carries; those that a header can request."""
 
 _LOGIC = {"true": True, "false": False}
 
 _BY_NAME = {entry.name: entry for entry in reversed(SYSTEM)} | {command_name(entry): entry for entry in SYSTEM}
 
 MAX_BODY = 1 << 19
-"""Bytes that can be said of one message: faulty ones may be longer than any frame, as long as a line of hex."""
+"""Maximum size of one assembled message; deliberately faulty ones may exceed a frame."""
 
 
 @dataclass
 class PendingMessage:
-    """A message while its statements are read.
+    """A message under construction.
 
-    at          where it starts
-    type        None for a direct command whose type is worked out
-    facts       what its header says, in numbers
-    is_frame    the bytes are all of the frame, its header included
-    is_lenient  it may be faulty: it was written so on purpose
-    has_header  a header began it: its values may mean nothing to the brick
+    at          its place
+    type        its type; None for a direct command whose type is computed
+    facts       the numbers in its header
+    is_frame    whether the bytes are a whole frame, its header included
+    is_lenient  whether it may be faulty, on purpose
+    has_header  whether a header begins it, so that its values may mean nothing to the brick
     parts       operations, bodies of system messages and raw bytes, in pieces
-    size        bytes of all parts, where every jump is short
+    size        bytes of all parts, if all jumps are short
     """
 
     at: int
@@ -87,11 +87,11 @@ class PendingMessage:
 
     @property
     def carries_system(self) -> bool:
-        """Whether it is a system command or the reply to one."""
+        """Whether it is a system command or its reply."""
         return self.type is not None and self.type.carries == "system"
 
     def add(self, at: int, pieces: Iterable[Piece]) -> None:
-        """Adds a part. Raises SourceError for more than any message needs."""
+        """Adds a part. Raises SourceError if the message becomes too long."""
         added = list(pieces)
         self.size += max(1, sum(len(piece) if isinstance(piece, bytes) else 1 for piece in added))
         if self.size > MAX_BODY:
@@ -107,8 +107,8 @@ class PendingMessage:
             local: Its labels.
             sizes: Bytes of its variables, by the kind of memory.
             dialect: The firmware whose instruction set it is read by.
-            counter: For a message that states none.
-            reply: Whether a direct command without a stated type wants a reply; None: where it has global memory.
+            counter: The counter, if its header has none.
+            reply: Whether a direct command without a type wants a reply; None: if it has global memory.
         """
         if self.type is None and not self.parts and not self.is_frame:
             raise SourceError(self.at, "this message has no operation, and the brick refuses an empty one")
@@ -127,7 +127,7 @@ class PendingMessage:
     def _unread(
         self, body: bytes, declared: Mapping[str, int], dialect: str, counter: int, reply: bool | None
     ) -> Message:
-        """Returns the message, its operations, payload or fields still as bytes."""
+        """Returns the message with its operations, payload or fields as bytes."""
         counter = self.facts.get(COUNTER, counter)
         flaw = Flaw(rest=body, stated_length=self.facts.get(LENGTH))
         if self.type is None or self.type.kind == MessageType.DIRECT_COMMAND_REPLY.kind:
@@ -156,7 +156,7 @@ class PendingMessage:
         )
 
     def _memory(self, body: bytes, variables: Mapping[str, int], dialect: str) -> dict[str, int]:
-        """Returns bytes of memory that a direct command asks for: those stated, or those that it uses."""
+        """Returns the bytes of memory that a direct command requests: as stated, or as used."""
         operations, _ = instruction_set(dialect).scan(body, 0, len(body))
         used = _used(operations)
         sizes = {}
@@ -171,7 +171,7 @@ class PendingMessage:
                 raise SourceError(
                     self.at,
                     f"the operations use {sizes[scope]} bytes of {scope} memory; there are {MOST_MEMORY[scope]}"
-                    f" (`message {name} {MOST_MEMORY[scope]}` in front of them leaves it at that)",
+                    f" (put `message {name} {MOST_MEMORY[scope]}` before them to allow it)",
                 )
         return sizes
 
@@ -200,7 +200,7 @@ def begun_by(header: Header | RawFrame, encoder: Encoder) -> PendingMessage:
 
 
 def _used(operations: Iterable[Operation]) -> dict[str, int]:
-    """Returns bytes of global and of local memory up to the last that operations use for sure."""
+    """Returns the bytes of global and local memory that operations certainly use."""
     used = {GLOBAL: 0, LOCAL: 0}
     for operation in operations:
         for found in footprints(operation):
@@ -213,7 +213,7 @@ def _used(operations: Iterable[Operation]) -> dict[str, int]:
 
 
 def find_command(name: str) -> SystemCommand | None:
-    """Returns the system command of that name; the firmware's where the bootloader has one too."""
+    """Returns a system command by name; the firmware's if the bootloader has it too."""
     return _BY_NAME.get(name)
 
 
@@ -221,10 +221,10 @@ def system_body(call: Call, encoder: Encoder, *, is_reply: bool, may_fail: bool)
     """Returns the bytes after the message type. Raises SourceError.
 
     Args:
-        call: The command as it was written.
-        encoder: What makes bytes of its values.
+        call: The command.
+        encoder: The encoder of its values.
         is_reply: Whether it is a reply.
-        may_fail: Fields may be missing: the reply says that the command failed.
+        may_fail: Whether fields may be missing, because the command failed.
     """
     entry = find_command(call.name)
     if entry is None:
@@ -248,7 +248,7 @@ def system_body(call: Call, encoder: Encoder, *, is_reply: bool, may_fail: bool)
 
 
 def _status(arguments: list[WrittenArgument], encoder: Encoder) -> int:
-    """Returns the status of a reply, which is taken out of its arguments."""
+    """Returns the status of a reply, and removes it from the arguments."""
     for index, argument in enumerate(arguments):
         if argument.name is not None and argument.name.text == STATUS:
             value = arguments.pop(index).value
@@ -262,7 +262,7 @@ def _status(arguments: list[WrittenArgument], encoder: Encoder) -> int:
 def _values(
     name: str, schema: Fields, arguments: list[WrittenArgument], encoder: Encoder
 ) -> dict[str, FieldValue | float]:
-    """Returns the fields by name. Values without names are those of the fields in order, lengths omitted."""
+    """Returns the fields by name. Values without names are for the fields in order, except lengths."""
     in_order = iter([field for field in schema.fields if field.counts is None])
     values: dict[str, FieldValue | float] = {}
     for argument in arguments:

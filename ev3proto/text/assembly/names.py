@@ -1,4 +1,4 @@
-"""What names mean: the firmware's constants, and what a text declares itself (defines, variables, labels, objects)."""
+"""The names of a text: the firmware's constants, and its own defines, variables, labels and objects."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from ev3proto.text.assembly.notations import Known, Notation
 from ev3proto.text.assembly.syntax import Define, Pattern
 
 MAX_DEPTH = 50
-"""Defines that may be needed for the value of one."""
+"""Maximum nesting depth of defines."""
 
 NOT_NUMBERS = tuple(f"{kind}_NAN" for kind in (DATA8, DATA16, DATA32, DATAF))
 """The firmware's names for the value of each type that means "not a number"."""
@@ -60,12 +60,12 @@ class Place(NamedTuple):
 
 
 class Callee(NamedTuple):
-    """An object, as others see it.
+    """The signature of an object.
 
     number      1 or more
-    at          where it is declared
-    kind        the word that began it
-    parameters  type and direction of each; None where it takes none and no count is written, as for threads
+    at          the place of its declaration
+    kind        the word that begins it
+    parameters  direction and type of each; None for threads, whose calls have no count
     """
 
     number: int
@@ -87,11 +87,11 @@ class Encoded(NamedTuple):
 
 
 Meaning = int | float | str | Place | Callee | Goal | Encoded
-"""What a value means; a Fraction is a number, too, which LEGO's defines may be."""
+"""The meaning of a value. LEGO's defines may be Fractions."""
 
 
 class Memory:
-    """Variables one after the other: globals, or the locals of one object."""
+    """An allocator of variables: globals, or the locals of one object."""
 
     def __init__(self, scope: str, notation: Notation, limit: int) -> None:
         self.scope = scope
@@ -100,7 +100,7 @@ class Memory:
         self._limit = limit
 
     def place(self, at: int, name: str, kind: Type, count: int, is_array: bool) -> Place:
-        """Returns the next variable. Raises SourceError where the memory ends before it."""
+        """Allocates the next variable. Raises SourceError if the memory is full."""
         new = Place(at, self.scope, 0, kind, count, is_array)
         if self._notation.rules.aligns_elements:
             start = -(-self.size // new.width) * new.width
@@ -116,7 +116,7 @@ class Memory:
 
 
 def is_object(parameter: Parameter | None) -> bool:
-    """Whether a parameter is the number of an object, which can be given by its name."""
+    """Returns whether a parameter is the number of an object, which may be given by name."""
     return parameter is not None and (parameter.role is Role.OBJECT or parameter.name == OBJECT_PARAMETER)
 
 
@@ -132,7 +132,7 @@ class LocalNames:
 class Names:
     """The names of a text, looked up in the order of its notation.
 
-    value  works out the value of a define
+    value  evaluates a define
     """
 
     def __init__(self, notation: Notation, value: Callable[[Define, LocalNames], Meaning]) -> None:
@@ -146,7 +146,7 @@ class Names:
         self._depth = 0
 
     def meaning(self, name: str, at: int, parameter: Parameter | None = None) -> Meaning | None:
-        """Returns what a name means at an offset, None for a name that means nothing there.
+        """Returns the meaning of a name at an offset, or None.
 
         Args:
             name: The name.
@@ -226,7 +226,7 @@ def firmware_constants() -> dict[str, int | float | str]:
         if name in found or name in others or name.startswith(("op", "SYSTEM_")):
             continue
         plain = constant(name)
-        # What is left as a text says what ev3_dc is to use, and no part of the protocol.
+        # The remaining texts are options of ev3_dc, not part of the protocol.
         if not isinstance(plain, str):
             found[name] = plain if isinstance(plain, int) else int(CMD.read(plain, 0)[0].value)
     return found
@@ -267,7 +267,7 @@ def firmware_constant(name: str, parameter: Parameter | None) -> int | float | s
 
 
 def choice(name: str, at: int, what: str, known: Iterable[str], more: str = "") -> str:
-    """Returns the name, if it is one of those that are known. Raises SourceError, which says what it could be."""
+    """Returns a name that is known. Raises SourceError for another one, with suggestions."""
     names = list(known)
     if name not in names:
         choices = f"; choose from {', '.join(names)}{more}" if names else "; there are none"

@@ -1,4 +1,4 @@
-"""Statements to the objects of a program, as plain data: memory laid out, values encoded, jumps measured.
+"""Assembles statements into program objects: allocates memory, encodes values, sizes jumps.
 
 `ev3proto.program` makes an image of them.
 """
@@ -72,13 +72,13 @@ Declared = tuple[Direction, Type, int]
 class AssembledObject(NamedTuple):
     """An object of a program.
 
-    owner, triggers, local_size  as its header has them
-    parameters                   what a subcall declares; None for other objects
-    declared                     how many parameters the code says there are; that of the last object of the same name
-    code                         its operations, encoded
-    shares                       the number of the object whose code it uses; None where the code is its own
-    last                         the number of the last object of the same name, less 1
-    settings                     what the source says of it
+    owner, triggers, local_size  fields of its header
+    parameters                   the parameters that a subcall declares; None for other objects
+    declared                     parameter count in the code (of the last object with this name)
+    code                         its encoded operations
+    shares                       number of the object whose code it uses; None if the code is its own
+    last                         index of the last object with this name
+    settings                     its settings in the source
     """
 
     owner: int
@@ -95,9 +95,9 @@ class AssembledObject(NamedTuple):
 class AssembledProgram(NamedTuple):
     """A program.
 
-    settings     what the source says of its image
+    settings     the settings in the source
     global_size  bytes of global memory
-    objects      in the order of their numbers
+    objects      the objects, in the order of their numbers
     """
 
     settings: Settings
@@ -107,15 +107,15 @@ class AssembledProgram(NamedTuple):
 
 @dataclass
 class _Object:
-    """An object while it is made.
+    """An object under construction.
 
-    head        what began it
-    alias_of    another head for the code of that object
+    head        its head
+    alias_of    the name of the object whose code it uses under another head
     body        its statements
-    parts       bytes, and jumps that cannot be measured yet
-    labels      by name: the number of the part that a label precedes
-    last        the name of the operation that was written last
-    code        the parts, joined
+    parts       bytes, and jumps that are not sized yet
+    labels      index of the part after each label, by name
+    last        name of the last operation
+    code        the joined parts
     """
 
     head: Opening
@@ -138,10 +138,10 @@ class _Object:
 
 
 class ProgramAssembler:
-    """Makes the objects of one source.
+    """Assembles the objects of one source.
 
-    errors    what is wrong
-    warnings  offset and sentence of what assembles and may not be meant
+    errors    its errors
+    warnings  (offset, message) of valid but probably unintended code
     """
 
     def __init__(self, text: str, notation: Notation, coding: str, rules: Rules | None = None) -> None:
@@ -150,7 +150,7 @@ class ProgramAssembler:
         self.warnings = parser.warnings
         self._notation = notation
         self._settings = Settings(text, self.errors)
-        # The rules that are asked for have no say where variables are: that is the notation's.
+        # The notation alone decides where variables are.
         said = self._settings.rules
         self._rules = rules or said or notation.rules
         if said is not None and notation.folds and said is not OF_BASIC:
@@ -166,7 +166,7 @@ class ProgramAssembler:
         if len(self.errors) < MOST_ERRORS:
             self.errors.append(error)
 
-    # What belongs to which object
+    # Grouping by object
 
     def _group(self, statements: Iterable[Statement | SourceError]) -> None:
         current: _Object | None = None
@@ -204,7 +204,7 @@ class ProgramAssembler:
             if len(self.errors) >= MOST_ERRORS:
                 return
         if current is not None and not self.errors:
-            # Where something is wrong above, that may have taken the } with it.
+            # An earlier error may have consumed the closing brace.
             self._keep(SourceError(current.head.at, f"{current.head.word} {current.head.name} has no }} at its end"))
         if not self.errors:
             self._declare_all(defines)
@@ -240,7 +240,7 @@ class ProgramAssembler:
 
     @contextmanager
     def _keeping(self, at: int) -> Iterator[None]:
-        """Keeps an error, so that the next ones are found, too. One in building is at the given place."""
+        """Keeps an error, so that later ones are found, too; a BuildError is at the given place."""
         try:
             yield
         except SourceError as error:
@@ -249,7 +249,7 @@ class ProgramAssembler:
             self._keep(SourceError(at, str(error)))
 
     def _number_by_mention(self) -> None:
-        """Numbers the objects in the order in which their names are first mentioned, as EV3 Basic does."""
+        """Numbers the objects by the first mention of their names, as EV3 Basic does."""
         order: dict[str, None] = {}
         for one in sorted(self._objects, key=lambda one: one.head.at):
             order.setdefault(one.head.name)
@@ -270,7 +270,7 @@ class ProgramAssembler:
         return self._objects[shared - 1] if 0 < shared <= len(self._objects) else one
 
     def _check_new(self, at: int, name: str) -> None:
-        """Refuses a name twice, or warns; and warns of names that the firmware has."""
+        """Refuses a name that is declared twice, or warns; also warns of the firmware's names."""
         if name in firmware_names() and not self._notation.folds:
             self.warnings.append((at, f"{name} is a name of the firmware, which means something else from here on"))
         names = self._names
@@ -321,7 +321,7 @@ class ProgramAssembler:
     # Objects
 
     def program(self) -> AssembledProgram | None:
-        """Returns the program; None where there are errors."""
+        """Returns the program, or None if there are errors."""
         self._declare_labels()
         for one in self._objects:
             if one.alias_of is None and not self.errors:
@@ -352,7 +352,7 @@ class ProgramAssembler:
             one.names.labels |= own
 
     def _join(self) -> None:
-        """Encodes the codes. A label that several objects of the same name have is at its place in the last of them."""
+        """Encodes all code. A label that several objects of one name have is that of the last of them."""
         has_it: dict[tuple[str, str], _Object] = {}
         for one in self._objects:
             has_it |= dict.fromkeys(((one.head.name, label) for label in one.labels), one)
@@ -425,7 +425,7 @@ class ProgramAssembler:
     # Operations
 
     def _name(self, call: Call) -> str:
-        """Returns the firmware's name of an operation; EV3 Basic has its own for some."""
+        """Returns the firmware's name of an operation; EV3 Basic renames some."""
         return BASIC_NAMES.get(call.name, call.name) if self._notation.folds else call.name
 
     def _parameters(self, call: Call) -> tuple[Parameter, ...]:
@@ -457,7 +457,7 @@ class ProgramAssembler:
             self.warnings += _of_operation(call, name, meant)
 
     def _call(self, call: Call) -> Iterator[Piece]:
-        """Yields the arguments of a CALL. Of a subcall by name, the number of its parameters is written too."""
+        """Yields the arguments of a CALL, with the parameter count of a subcall that is named."""
         if not call.arguments:
             self.warnings.append((call.at, "CALL needs the name of the subcall, and then its arguments"))
             return
@@ -486,7 +486,7 @@ class ProgramAssembler:
             self.warnings += _of_call(call, meant, callee)
 
     def _argument(self, value: Value, parameter: Parameter | None) -> tuple[Piece, Meaning | None]:
-        """Returns the bytes of an argument, or its jump; and what it means, None for what is not to be checked."""
+        """Returns the bytes or jump of an argument, and its meaning; None if that is not checked."""
         if isinstance(value, Raw | Form | Marked | Distance | Unchecked):
             return self._encoder.argument(value), None
         meaning = self._encoder.meaning(value, parameter)
@@ -521,7 +521,7 @@ class ProgramAssembler:
         return AssembledObject(owner, triggers, size, parameters, count, code, shares, last, said)
 
     def _owners(self) -> dict[str, int]:
-        """By the name of a block: the only object that triggers it, or else the first."""
+        """Returns the owner of each block by name: the only object that triggers it, else the first."""
         triggering: dict[str, set[int]] = {}
         for number, one in enumerate(self._objects, 1):
             for statement in one.body:
@@ -533,9 +533,7 @@ class ProgramAssembler:
 
 
 def _parameters_of(call: Call) -> tuple[Parameter, ...]:
-    """Returns the parameters of an operation by the names of its opcode and CMD; CMD is the first. None for
-    an operation that the tables do not have.
-    """
+    """Returns the parameters of an operation, CMD first; none for an unknown operation."""
     if call.name in _PARAMETERS:
         return _PARAMETERS[call.name]
     first = call.arguments[0].value if call.arguments else None
@@ -543,34 +541,28 @@ def _parameters_of(call: Call) -> tuple[Parameter, ...]:
 
 
 def _declared_by(body: Iterable[Statement]) -> tuple[tuple[Direction, Type], ...]:
-    """Direction and type of the parameters that a subcall declares."""
+    """Returns direction and type of the parameters that a subcall declares."""
     words = (it.word for it in body if isinstance(it, Declaration))
     return tuple(PARAMETER_WORDS[word] for word in words if word in PARAMETER_WORDS)
 
 
 def _as_number(value: Name, parameters: Sequence[Parameter]) -> Value:
-    """Returns a CMD as its number, where the operation has others after it, so that no variable hides its name."""
+    """Returns a CMD as its number, so that no variable hides its name."""
     number = firmware_names().get(value.text)
     return Number(value.at, number) if isinstance(number, int) and parameters[0] is CMD.parameter else value
 
 
-# What assembles and is not what the operation takes: warnings, where lmsasm has errors. A `!` before a value omits them
+# Warnings about types, which are errors in lmsasm; `!` before a value omits them
 
 _UNTYPED = (Type.ARRAY_TYPED, Type.LABEL, Type.COUNT, Type.VALUES, Type.HANDLE)
 
 Warnings = Iterator[tuple[int, str]]
 Meant = Sequence[Meaning | None]
-"""What the arguments of an operation mean; None for one that is not to be checked."""
+"""The meanings of an operation's arguments; None for one that is not checked."""
 
 
 def _of_operation(call: Call, name: str, values: Meant) -> Warnings:
-    """Yields what may not be meant of an operation, CMD included.
-
-    Args:
-        call: The operation as it is written.
-        name: Its name.
-        values: What its arguments mean.
-    """
+    """Yields warnings about an operation, its CMD included."""
     number = _OPCODES[name][0]
     arguments = [argument.value for argument in call.arguments]
     schemas = [one.opcodes[number] for one in map(instruction_set, DIALECTS)]
@@ -594,7 +586,7 @@ def _of_operation(call: Call, name: str, values: Meant) -> Warnings:
 
 
 def _of_call(call: Call, values: Meant, callee: Callee) -> Warnings:
-    """Yields what may not be meant of the arguments of a CALL."""
+    """Yields warnings about the arguments of a CALL."""
     arguments = [argument.value for argument in call.arguments[1:]]
     for number, ((direction, kind), argument, value) in enumerate(
         zip(callee.parameters or (), arguments, values, strict=False), 1

@@ -1,4 +1,4 @@
-"""Operations of either notation to bytes: the opcode and CMD that a name means, and a value for every parameter."""
+"""Encodes operations of both notations of frames: resolves opcode and CMD, and encodes each argument."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ from ev3proto.text.assembly.syntax import Call, Form, Name, Number, Raw, Value, 
 from ev3proto.text.assembly.values import Encoder, Piece
 
 _MOST_NAMED = 8
-"""CMDs that an error names."""
+"""Maximum number of CMDs that an error lists."""
 
 _ANY_DISTANCE = encode_integer(0)
-_HOW_TO_MEAN_IT = "a line `message` in front of it lets it through"
+_HOW_TO_MEAN_IT = "put a `message` line before it to allow it"
 _ELEMENT = ArgumentSchema(Parameter("the value", Type.ARRAY_TYPED, "an element of a list that is cut short"))
 
 
@@ -36,7 +36,7 @@ def opcodes(dialect: str) -> dict[str, Opcode]:
 
 
 class Assembler:
-    """Makes operations of one dialect."""
+    """Encodes the operations of one dialect."""
 
     def __init__(self, dialect: str, encoder: Encoder) -> None:
         self._dialect = dialect
@@ -44,18 +44,18 @@ class Assembler:
         self._encoder = encoder
 
     def is_operation(self, name: str) -> bool:
-        """Whether a name is that of an operation, spelled as it should be."""
+        """Returns whether a name is that of an operation."""
         return _bare(name).partition(".")[0] in opcodes(self._dialect)
 
     def operation(self, call: Call, *, is_checked: bool) -> list[Piece]:
         """Returns the pieces of an operation: bytes, and jumps whose distance is not known yet.
 
         Args:
-            call: The operation as it is written.
+            call: The operation.
             is_checked: Refuse values that mean nothing to the brick, as `ev3proto.ops` does.
 
         Raises:
-            SourceError: Says which value is wrong, and what would be right.
+            SourceError: The message names the wrong value, and what would be right.
         """
         schema, head, arguments = self._selected(call)
         if not call.is_complete:
@@ -85,10 +85,10 @@ class Assembler:
         hint = f"`define {counter.text} 2` in front of it makes it a number"
         raise SourceError(counter.at, f"{counter.text} {what}, and the number of values that follow is needed: {hint}")
 
-    # Which operation
+    # Opcode and CMD
 
     def _selected(self, call: Call) -> tuple[OperationSchema, bytes, tuple[WrittenArgument, ...]]:
-        """Returns the schema of an operation, the bytes of opcode and CMD, the values that are left."""
+        """Returns the schema of an operation, the bytes of opcode and CMD, and the other arguments."""
         name, _, command = _bare(call.name).partition(".")
         opcode = opcodes(self._dialect).get(name)
         if opcode is None:
@@ -144,7 +144,7 @@ class Assembler:
         raise SourceError(at, f"{family.opcode.name} has no CMD {name}{hint}")
 
     def _unknown(self, written: str, name: str) -> str:
-        """Returns what to say of an operation that the dialect does not have."""
+        """Returns the error for an operation that the dialect lacks."""
         for dialect in DIALECTS:
             if name in opcodes(dialect):
                 return f"the {self._dialect} firmware has no operation {name}; {dialect} has"
@@ -159,9 +159,9 @@ class Assembler:
     def _with_count(
         self, schema: OperationSchema, arguments: tuple[WrittenArgument, ...], call: Call
     ) -> tuple[WrittenArgument, ...]:
-        """Returns the values of a CALL with the number of those for the subroutine, which LEGO's sources do not write.
+        """Returns the arguments of a CALL with their count, if the text omits it.
 
-        It is omitted where the subroutine is called by a name, and where the second value cannot be that number.
+        It does so after the name of a subroutine, and if the second value cannot be the count.
         """
         counter = schema.list_parameter
         if counter is None or not counter.any_type or not arguments or is_operation_word(call.name):
@@ -175,7 +175,7 @@ class Assembler:
     def _elements(
         self, schema: OperationSchema, fixed: Sequence[Piece], arguments: Sequence[WrittenArgument]
     ) -> list[Piece]:
-        """Returns the values of a list at the end, each as the type that the list has."""
+        """Returns the values of a list at the end, encoded as the list's type."""
         if schema.list_parameter is None:
             return []
         given = arguments[len(fixed) :]
@@ -183,7 +183,7 @@ class Assembler:
         if len(known) < len(fixed):
             raise SourceError(arguments[0].at, "a label cannot precede a list")
         try:
-            # Zeros in place of the values show whether their number is right, and the type of each.
+            # Zeros instead of the values show whether their number is right, and the type of each.
             placeholders = schema.make([*known, *[encode_integer(0)] * len(given)]).arguments[len(fixed) :]
         except BuildError as error:
             raise SourceError(arguments[len(fixed) - 1].at, str(error)) from None
@@ -193,7 +193,7 @@ class Assembler:
         ]
 
     def _incomplete(self, schema: OperationSchema, arguments: Sequence[WrittenArgument]) -> Iterator[Piece]:
-        """Yields the values of an operation that is cut short, as many as there are."""
+        """Yields the arguments of an operation that is cut short."""
         for index, argument in enumerate(arguments):
             if argument.name is not None:
                 raise SourceError(argument.name.at, "the values of an operation that is cut short have no names")
@@ -204,7 +204,7 @@ class Assembler:
 def _check(schema: OperationSchema, head: bytes, pieces: Sequence[Piece], arguments: Sequence[WrittenArgument]) -> None:
     """Raises SourceError for the first value that means nothing to the brick.
 
-    A value whose encoding is named, and DATA8_NAN and its like, are meant as they are written.
+    Values in a named encoding, DATA8_NAN and others like it are accepted.
     """
     code = head + b"".join(_ANY_DISTANCE if not isinstance(piece, bytes) else piece for piece in pieces)
     for number, error in objections(Operation((schema, code, 0, len(code)))):
@@ -216,7 +216,7 @@ def _check(schema: OperationSchema, head: bytes, pieces: Sequence[Piece], argume
 
 
 def _is_meant(value: Value) -> bool:
-    """Whether the text leaves no doubt that this value is meant."""
+    """Returns whether the encoding was written explicitly."""
     if isinstance(value, Form):
         return value.name not in SHORTEST
     return isinstance(value, Raw) or (isinstance(value, Name) and value.text in NOT_NUMBERS)
@@ -225,7 +225,7 @@ def _is_meant(value: Value) -> bool:
 def _in_order(
     schema: OperationSchema, arguments: tuple[WrittenArgument, ...], call: Call
 ) -> tuple[WrittenArgument, ...]:
-    """Returns the values in the order of the parameters, where they were given by name."""
+    """Returns arguments in the order of the parameters, if they are given by name."""
     named = {argument.name.text.upper(): argument for argument in arguments if argument.name is not None}
     if not named:
         return arguments
@@ -241,7 +241,7 @@ def _in_order(
 
 
 def _takes(schema: OperationSchema) -> str:
-    """`SOUND.TONE takes 3 values (VOLUME, FREQUENCY, DURATION)`."""
+    """Returns `SOUND.TONE takes 3 values (VOLUME, FREQUENCY, DURATION)`."""
     names = [one.parameter.name for one in schema.fixed]
     count = counted(len(names), "value")
     if schema.list_parameter is not None:
@@ -251,7 +251,7 @@ def _takes(schema: OperationSchema) -> str:
 
 
 def _bare(name: str) -> str:
-    """Returns an operation's name without the `op` of the macro notation, after which any case will do."""
+    """Returns the name of an operation without the prefix `op`, after which case does not matter."""
     return name[2:].upper() if is_operation_word(name) else name
 
 
@@ -265,12 +265,12 @@ def _numbers(family: FamilySchema) -> dict[str, int]:
 
 
 def _cmd_schema(family: FamilySchema) -> ArgumentSchema:
-    """CMD, with the names that it can have."""
+    """Returns the schema of CMD with its names."""
     enum = Enumeration(family.opcode.name, "its CMDs", _numbers(family))
     return ArgumentSchema(CMD.parameter._replace(enum=enum))
 
 
 def _commands(family: FamilySchema) -> str:
-    """`BREAK, TONE, PLAY, REPEAT, SERVICE`; of many, the first."""
+    """Returns `BREAK, TONE, PLAY, REPEAT, SERVICE`; the first of many."""
     names = list(_numbers(family))
     return ", ".join(names[:_MOST_NAMED]) + (", ..." if len(names) > _MOST_NAMED else "")

@@ -1,8 +1,8 @@
 """The grammar: tokens to statements, in one of four notations. Names are resolved later.
 
-A parser of its own: where an operation of the macro notation ends depends on what follows its last comma, bytes are
-written in hex without quotes, and LEGO's assembler takes a line for a list of words. A tool's grammar would have to be
-bent for each, and its errors be translated back.
+Written by hand: the end of a macro operation depends on what follows its last comma, bytes are hex without quotes,
+and to LEGO's assembler a line is a list of words. A parser generator does not fit any of these, and its errors would
+need translating.
 """
 
 from __future__ import annotations
@@ -61,31 +61,31 @@ from ev3proto.text.assembly.syntax import (
 )
 
 MAX_DEPTH = 50
-"""Nesting of values."""
+"""Maximum nesting depth of values."""
 
 MAX_PARTS = 1 << 16
-"""Values of one operation, parts of one expression: more than any frame has bytes."""
+"""Maximum number of values of an operation, or parts of an expression: more than any frame has bytes."""
 
 MAX_DIGITS = 64
-"""Characters of a number."""
+"""Maximum number of characters of a number."""
 
 _SIZED = frozenset((*SIZED_WORDS, *SIZED_PARAMETERS))
 _AS_VARIABLE = {"8": "DATA8", "16": "DATA16", "32": "DATA32", "F": "DATAF", "S": "DATAS", "H": "HANDLE"}
-"""By the end of the word that declares a parameter: the word for a variable of that type."""
+"""By the suffix of the word that declares a parameter: the word for a variable of that type."""
 
 _OPERATION = re.compile(r"op[A-Z_]\w*", re.ASCII)
 _HEX = re.compile(r"(?:0[xX])?(?:[0-9a-fA-F]{2})+", re.ASCII)
 
 
 def is_operation_word(name: str) -> bool:
-    """Whether a name is an operation in the macro notation: `opSOUND`."""
+    """Returns whether a name is an operation in the macro notation: `opSOUND`."""
     return _OPERATION.match(name) is not None
 
 
 class Parser:
-    """Reads statement after statement, three tokens ahead at most.
+    """A recursive-descent parser with two tokens of lookahead.
 
-    warnings  offset and sentence of what is right and may not be meant
+    warnings  (offset, message) of valid but probably unintended code
     """
 
     def __init__(self, text: str, notation: Notation, coding: str = "latin-1") -> None:
@@ -99,7 +99,7 @@ class Parser:
         self._heads = {word.upper() if notation.folds else word: word for word in notation.heads}
 
     def statements(self) -> Iterator[Statement | SourceError]:
-        """Yields the statements of the text. What is wrong comes as an error; reading continues with the next line."""
+        """Yields the statements of the text, and errors; after an error, parsing resumes at the next line."""
         while not self._is_at_end():
             start = self._peek()
             try:
@@ -112,7 +112,7 @@ class Parser:
                 self._skip_line()
 
     def _is_at_end(self) -> bool:
-        """Whether there is no further statement. In frames, marks between statements are skipped."""
+        """Returns whether no statement follows. In frames, marks between statements are skipped."""
         while self.notation.has_messages and self._peek().is_mark(",", ";"):
             self._next()
         return self._peek().kind == END
@@ -163,7 +163,7 @@ class Parser:
             raise SourceError(token.end, f"expected ( after {cited(word)}, found {self._shown(self._peek(1))}")
 
     def _of_message(self, token: Token) -> Statement:
-        """Reads what only frames have."""
+        """Parses a statement that only frames have."""
         word = token.text
         if word == MESSAGE:
             return self._header()
@@ -196,7 +196,7 @@ class Parser:
         return Define(name.at, name.text, self._value())
 
     def _head(self) -> Iterator[Statement]:
-        """Reads one object, or several heads in a row for the same code."""
+        """Parses the head of an object, or several heads in a row for the same code."""
         notation = self.notation
         opening: Opening | None = None
         while opening is None or (self._peek().text in self._heads and self._peek().kind == NAME):
@@ -244,7 +244,7 @@ class Parser:
         return Declaration(name.at, kind.text, name.text, size, scope)
 
     def _call(self) -> Call:
-        """`NAME(value, value)`. Frames may lack the ) at a line's end; two commas in a row count as one."""
+        """Parses `NAME(value, value)`. In frames the ) may be missing at the end of a line; doubled commas are one."""
         token, notation = self._next(), self.notation
         self._expect("(")
         arguments: list[WrittenArgument] = []
@@ -265,12 +265,12 @@ class Parser:
         return Call(token.at, token.text, tuple(arguments), self._expect(")").at, is_complete)
 
     def _ends_without_mark(self) -> bool:
-        """Whether the line ends here, and what follows could be the next statement."""
+        """Returns whether the line ends here, and the next statement could follow."""
         token = self._peek()
         return token.is_first and (token.kind in (NAME, END) or token.is_mark("}", "#"))
 
     def _macro_operation(self) -> Call:
-        """`opNAME, value, value`, over as many lines as commas lead."""
+        """Parses `opNAME, value, value`, which continues on the next line after a comma."""
         token = self._next()
         arguments: list[WrittenArgument] = []
         while self._peek().is_mark(","):
@@ -285,7 +285,7 @@ class Parser:
         return Call(token.at, token.text, tuple(arguments), end.at, is_complete)
 
     def _bare(self) -> Call:
-        """Reads a name alone, for an operation without values."""
+        """Parses an operation without values: its name."""
         token = self._next()
         following = self._peek()
         if not following.is_first and not following.is_mark(",", ";", "}"):
@@ -299,7 +299,7 @@ class Parser:
         return False
 
     def _starts_statement(self) -> bool:
-        """Whether a statement starts here, after the comma of an operation in the macro notation."""
+        """Returns whether a statement starts here, after the comma of a macro operation."""
         token, following = self._peek(), self._peek(1)
         if token.kind == END or token.is_mark("}", "#"):
             return True
@@ -316,7 +316,7 @@ class Parser:
     # Lines
 
     def _line(self) -> Iterator[Statement]:
-        """Reads a line of a notation that separates words by blanks."""
+        """Parses a line of a notation that separates words by blanks."""
         token, notation = self._peek(), self.notation
         word = token.text
         if token.is_mark("}"):
@@ -354,7 +354,7 @@ class Parser:
                 raise self._unexpected("the end of the line")
 
     def _words(self) -> Call:
-        """Reads an operation and its arguments, up to the end of the line."""
+        """Parses an operation and its arguments, to the end of the line."""
         token = self._next()
         arguments: list[WrittenArgument] = []
         self._check_blank(token)
@@ -365,7 +365,7 @@ class Parser:
         return Call(token.at, token.text, tuple(arguments), self._last.end)
 
     def _check_blank(self, start: Token) -> None:
-        """Raises SourceError for a word that continues after what could be read of it: blanks separate words."""
+        """Raises SourceError if a word continues after the part that was parsed: blanks separate words."""
         following = self._peek()
         is_glued = not following.is_first and following.at == self._last.end and following.kind != TEXT
         if is_glued and self._last.kind != TEXT and not following.is_mark(";", "}"):
@@ -373,7 +373,7 @@ class Parser:
             raise SourceError(start.at, f"expected a number, a name or a text, found {shown}")
 
     def _omit_rest(self, after: str) -> None:
-        """Passes over the rest of a line, which LEGO's assembler does not look at."""
+        """Skips the rest of a line, which LEGO's assembler ignores."""
         if not self._peek().is_first:
             self.warnings.append((self._peek().at, f"what follows {after} on its line is omitted"))
         while not self._peek().is_first:
@@ -381,7 +381,7 @@ class Parser:
                 raise SourceError(self._last.at, self._last.text)
 
     def _template(self) -> None:
-        """A piece that the compiler of EV3 Basic puts into programs: it becomes no object."""
+        """Skips a template of EV3 Basic's compiler, which becomes no object."""
         token = self._next()
         self.warnings.append((token.at, f"{token.text.lower()} is a template of the compiler: it is omitted"))
         while self._peek().kind != END and not self._peek().is_mark("}"):
@@ -389,7 +389,7 @@ class Parser:
         self._next()
 
     def _word(self) -> Value:
-        """Reads a value by itself: a number with its sign, a name, a text, names joined by signs without blanks."""
+        """Parses a single value: a number with its sign, a name, a text, or names joined by signs without blanks."""
         token = self._peek()
         if token.is_first:
             raise self._line_end("a value")
@@ -414,7 +414,7 @@ class Parser:
         return self._joined(name)
 
     def _joined(self, first: Value) -> Value:
-        """Reads a name and those that are added to it without parentheses around them: `A+B`."""
+        """Parses the rest of a sum without parentheses: `A+B`."""
         values: list[Value] = [first]
         operators: list[tuple[int, str]] = []
         while self._peek().is_mark("+") and self._peek(1).kind in (NAME, NUMBER):
@@ -425,7 +425,7 @@ class Parser:
         return Sum(first.at, tuple(values), tuple(operators)) if operators else first
 
     def _is_glued(self, mark: str) -> bool:
-        """Whether a mark follows without a blank before and after it."""
+        """Returns whether a mark follows without blanks around it."""
         token = self._peek()
         return token.is_mark(mark) and token.at == self._last.end and self._peek(1).at == token.end
 
@@ -433,7 +433,7 @@ class Parser:
 
     def _argument(self, before: list[WrittenArgument]) -> WrittenArgument:
         if len(before) >= MAX_PARTS:
-            raise SourceError(self._peek().at, f"these are more than {MAX_PARTS} values")
+            raise SourceError(self._peek().at, f"more than {MAX_PARTS} values")
         if self._peek().kind == NAME and self._peek(1).is_mark("="):
             name = self._name_of(self._next())
             self._next()
@@ -444,13 +444,13 @@ class Parser:
         return WrittenArgument(None, value)
 
     def _value(self) -> Value:
-        """Reads a whole value: an expression where the notation has them outside of parentheses."""
+        """Parses a value: an expression if the notation has them outside of parentheses."""
         if self.notation.by_line:
             return self._chain("+-*/", self._word) if self.notation.last_counts else self._word()
         return self._expression() if self.notation.has_messages else self._factor()
 
     def _expression(self) -> Value:
-        """Reads values with operators between them, as they are written."""
+        """Parses values with operators between them, in their order."""
         with self._deeper(self._peek()):
             return self._chain("+-*/|" if self.notation.has_messages else "+-*/", self._factor)
 
@@ -496,7 +496,7 @@ class Parser:
         return self._plain()
 
     def _plain(self) -> Value:
-        """Reads a number, a text, a name."""
+        """Parses a number, a text or a name."""
         token = self._peek()
         if token.kind == NUMBER:
             return self._number()
@@ -511,7 +511,7 @@ class Parser:
         return Text(token.at, text)
 
     def _named(self) -> Value:
-        """Reads what starts with a name."""
+        """Parses a value that starts with a name."""
         token, following = self._peek(), self._peek(1)
         if following.is_mark("["):
             return self._element(self._name_of(self._next()))
@@ -545,7 +545,7 @@ class Parser:
         return Raw(token.at, data)
 
     def _spelled_text(self) -> Form:
-        """`LCS, 'L','E','G','O', 0`: how C has to write a text."""
+        """Parses `LCS, 'L','E','G','O', 0`, which is how C writes a text."""
         token = self._next()
         letters: list[str] = []
         while True:
@@ -562,7 +562,7 @@ class Parser:
         return Form(token.at, token.text, Text(token.at, "".join(letters)))
 
     def _number(self, sign: int = 1, at: int | None = None) -> Number:
-        """Reads a number; `at` is where its sign is."""
+        """Parses a number; `at` is the place of its sign."""
         token, is_frame = self._next(), self.notation.has_messages
         text, at = token.text, token.at if at is None else at
         if len(text) > MAX_DIGITS:
@@ -592,7 +592,7 @@ class Parser:
         return value % (1 << 32) if value >= 0 else (value + (1 << 31)) % (1 << 32) - (1 << 31)
 
     def _real(self, at: int, text: str, sign: int) -> int | float:
-        """Reads a number with a point, an exponent or an F. Without F it is a float in frames and in EV3 Basic only."""
+        """Parses a number with a point, an exponent or an F. Without F it is a float only in frames and EV3 Basic."""
         notation = self.notation
         if text[-1] not in "fF" and not (notation.has_messages or notation.folds):
             if not notation.last_counts or "e" in text.lower():
@@ -609,7 +609,7 @@ class Parser:
         return value
 
     def _with_zero(self, at: int, text: str) -> int:
-        """Reads a number that begins with 0: octal in programs, where its digits are; in frames, that is an error."""
+        """Parses a number that starts with 0: octal in programs if its digits are, an error in frames."""
         digits = text.lstrip("0") or "0"
         if len(digits) < 2 and digits not in ("8", "9"):
             return int(digits)
@@ -621,7 +621,7 @@ class Parser:
         return int(digits, 8)
 
     def _hex(self, *, until_mark: bool) -> bytes:
-        """Reads bytes in hex: to the end of the line, or up to the next mark."""
+        """Parses bytes in hex, to the end of the line or to the next mark."""
         data = bytearray()
         while until_mark or not self._peek().is_first:
             found = self._peek()
@@ -672,7 +672,7 @@ class Parser:
 
     @contextmanager
     def _deeper(self, token: Token) -> Iterator[None]:
-        """Counts a level of nesting while it lasts."""
+        """Counts one level of nesting within the context."""
         self._depth += 1
         if self._depth > MAX_DEPTH:
             raise SourceError(token.at, f"values are nested more than {MAX_DEPTH} deep")
@@ -680,7 +680,7 @@ class Parser:
         self._depth -= 1
 
     def _line_end(self, expected: str) -> SourceError:
-        """Returns the error for something missing in the same line."""
+        """Returns the error for something that is missing on the line."""
         if self._peek().kind != END and not self._peek().is_first:
             return self._unexpected(expected)
         return SourceError(self._last.end, f"expected {expected}, found the end of the line")

@@ -10,7 +10,7 @@ from ev3proto.tables.system import SYSTEM
 from ev3proto.text.assembly.notations import FRAME, MESSAGE
 
 OBJECT = re.compile(rf"^[ \t]*({'|'.join(OBJECT_WORDS)})[ \t]+[A-Za-z_]", re.MULTILINE)
-"""How an object of a program's source begins. A direct command may be written as one vmthread."""
+"""The start of an object in a source. A direct command may be one vmthread."""
 
 _DECLARATION = "|".join((*VARIABLE_WORDS, *PARAMETER_WORDS, *OLD_WORDS, r"\#?define", "vmthread"))
 _STATEMENT = re.compile(
@@ -28,7 +28,7 @@ _NAMES = {opcode.name for opcode in OPCODES} | {entry.name for entry in SYSTEM}
 
 
 def is_assembly(line: str) -> bool:
-    """Whether a line can only be assembly, rightly spelled or nearly so, perhaps with a comment behind it."""
+    """Returns whether a line can only be assembly, also a misspelt one, or one with a comment."""
     code = line.partition("//")[0].strip()
     if _LOG_LEVEL.match(code):
         return False

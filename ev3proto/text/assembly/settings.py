@@ -1,6 +1,6 @@
-"""What a source says about its image that no statement can: comments of the form `// ev3proto: version 0x39`.
+"""Image settings given in comments, such as `// ev3proto: version 0x39`.
 
-Other assemblers pass over them. `decode --format lego` writes them where an image is not as the usual rules make it.
+Other assemblers ignore them. `decode --format lego` writes them if an image differs from what the default rules make.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ _SETTING = re.compile(r"^[ \t]*//[ \t]*ev3proto:[ \t]*(\w+)[ \t]*([^\r\n]*)", re
 
 MARK = "// ev3proto:"
 GAP = "gap"
-"""Offset and bytes of what belongs to no object."""
+"""Offset and bytes of data that belongs to no object."""
 
 OPEN = "open"
 """Of an object: neither RETURN nor OBJECT_END is added."""
@@ -76,7 +76,7 @@ class Settings:
             raise ValueError
 
     def before(self, at: int) -> dict[str, int]:
-        """Takes the settings that precede an object; objects are to be asked for in their order."""
+        """Takes the settings that precede an object; call it for the objects in order."""
         found: dict[str, int] = {}
         while self._of_objects and self._of_objects[0][0] < at:
             _, word, value = self._of_objects.popleft()

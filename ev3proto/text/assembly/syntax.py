@@ -1,4 +1,4 @@
-"""What a text says in whichever notation: values and statements. `at` is always an offset in the text."""
+"""The syntax tree of all notations: values and statements. `at` is always an offset in the text."""
 
 from __future__ import annotations
 
@@ -6,14 +6,14 @@ from typing import NamedTuple
 
 
 class Pattern(int):
-    """A whole number that was written as the bits it has, as hex is: 0xFF is -1 where a DATA8 is meant."""
+    """An integer written as a bit pattern (hex): 0xFF is -1 for a DATA8."""
 
 
 # Values
 
 
 class Number(NamedTuple):
-    """A number as it was written: a float where it is one, a Pattern where its bits were written."""
+    """A number: an int, a float or a Pattern."""
 
     at: int
     value: int | float
@@ -59,7 +59,7 @@ class Distance(NamedTuple):
 
 
 class Sum(NamedTuple):
-    """Values with an operator between each two, as they were written; of each operator its place and sign."""
+    """Values with operators between them, in their order; each operator has its place and sign."""
 
     at: int
     values: tuple[Value, ...]
@@ -75,7 +75,7 @@ class Form(NamedTuple):
 
 
 class Raw(NamedTuple):
-    """`bytes(A3 05)`: an argument, or a piece of code, as its bytes."""
+    """`bytes(A3 05)`: an argument or code as bytes."""
 
     at: int
     data: bytes
@@ -99,7 +99,7 @@ class WrittenArgument(NamedTuple):
 
     @property
     def at(self) -> int:
-        """Where it starts."""
+        """The offset of its start."""
         return (self.name or self.value).at
 
 
@@ -107,7 +107,7 @@ class WrittenArgument(NamedTuple):
 
 
 class Header(NamedTuple):
-    """`message TYPE counter 42 globals 4`: what follows is a message of its own. Without a type: a direct command."""
+    """`message TYPE counter 42 globals 4`: the start of a message; without a type, of a direct command."""
 
     at: int
     type: Name | None
@@ -115,7 +115,7 @@ class Header(NamedTuple):
 
 
 class RawFrame(NamedTuple):
-    """`frame`: what follows are the bytes of a whole frame, its length field included."""
+    """`frame`: the start of a frame in bytes, its length field included."""
 
     at: int
 
@@ -131,10 +131,10 @@ class Define(NamedTuple):
 class Declaration(NamedTuple):
     """`DATA8 x`, `ARRAY8 x 20`, `IN_S text 20`, `local DATAF f`: a variable or a parameter.
 
-    at     where its name is
-    word   the type as it was written
-    size   how many elements, where that is said
-    scope  the word in front of it, None where there is none
+    at     the place of its name
+    word   the type as written
+    size   the number of elements, if given
+    scope  the word before it, if any
     """
 
     at: int
@@ -155,7 +155,7 @@ class Call(NamedTuple):
     """An operation or a system command with its arguments.
 
     end          the place of a further argument
-    is_complete  False where it ends in `...`
+    is_complete  False if it ends in `...`
     """
 
     at: int
@@ -166,9 +166,9 @@ class Call(NamedTuple):
 
 
 class Opening(NamedTuple):
-    """`vmthread NAME {`: the object that the following statements belong to.
+    """`vmthread NAME {`: the start of an object.
 
-    is_alias  it is a second head of the object that was opened: another header for the same code
+    is_alias  whether it is another head for the code of the object above
     """
 
     at: int

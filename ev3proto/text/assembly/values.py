@@ -1,4 +1,4 @@
-"""Values to what they mean, and to bytes: names looked up, expressions worked out, macros obeyed, jumps left open.
+"""Evaluates and encodes values: resolves names, evaluates expressions, expands macros; jumps stay symbolic.
 
 In a frame the parameter decides how a value is encoded, and whether it is allowed. In a program the value alone
 decides, as in every assembler of programs.
@@ -48,17 +48,17 @@ from ev3proto.text.assembly.syntax import (
 )
 
 _LARGEST = 1 << 64
-"""No number on the way to a value may be larger."""
+"""Limit for intermediate results."""
 
 _MOST_BITS = 1024
-"""Of the numerator and the denominator of an exact result."""
+"""Maximum bits of numerator and denominator of an exact result."""
 
 _MOST_NESTED = 60
-"""Expressions that may be needed for the value of one."""
+"""Maximum nesting depth of defines in expressions."""
 
 _MOST_KEPT = 1 << 12
 _BITS = {"LC0": 6, "LC1": 8, "LC2": 16, "LC4": 32, "LAB1": 8}
-"""Of the constants that fix their encoding."""
+"""Bits of the constants whose encoding is named."""
 
 JUMP_SIZES = {**{form: size for size, form in FORM_OF_SIZE.items()}, "LAB1": 2}
 """Bytes of a jump's distance by its encoding."""
@@ -73,11 +73,11 @@ _N = TypeVar("_N", int, float, Fraction)
 
 
 class PendingJump(NamedTuple):
-    """How far it is to a label, which is known when all operations have their place.
+    """A jump whose distance is not known yet.
 
-    at    where it is written
+    at    its place in the text
     name  the label
-    form  the encoding asked for, None for the usual one
+    form  the encoding that is named, None for the usual one
     """
 
     at: int
@@ -123,7 +123,7 @@ def variable(scope: str, index: int, rules: Rules, handle: bool = False, address
 
 
 def measure(sizes: list[int], goals: Mapping[int, int], rules: Rules) -> None:
-    """Gives every jump whose encoding is not named as many bytes as an assembler does.
+    """Sizes every jump whose encoding is not named as an assembler does.
 
     Args:
         sizes: Bytes of every part of the code; those of the jumps are changed.
@@ -203,10 +203,10 @@ def _encoded_jump(part: PendingJump | Distance, size: int, end: int, labels: Map
 
 
 class Encoder:
-    """Makes bytes of values.
+    """Evaluates and encodes values.
 
-    names     what the names in them mean
-    warnings  gets what may not be meant
+    names     the names that are known
+    warnings  (offset, message) of valid but probably unintended code
     """
 
     def __init__(self, names: Names, rules: Rules, warnings: list[tuple[int, str]]) -> None:
@@ -216,7 +216,7 @@ class Encoder:
         self._is_typed = names.notation.has_messages
         self._depth = 0
 
-    # What values mean
+    # Evaluation
 
     def defined(self, define: Define, _: object = None) -> Meaning:
         """Returns the value of a define: a constant, or in frames an encoded argument. Raises SourceError."""
@@ -229,7 +229,7 @@ class Encoder:
         return Encoded(piece)
 
     def meaning(self, value: Value, parameter: Parameter | None = None) -> Meaning:
-        """Returns what a value means that is neither a macro nor marked. Raises SourceError."""
+        """Returns the meaning of a value that is neither a macro nor marked. Raises SourceError."""
         match value:
             case Number() | Text():
                 return value.value
@@ -245,7 +245,7 @@ class Encoder:
         raise SourceError(value.at, f"expected a number, a text or a name, found {found}")
 
     def whole(self, value: Value, what: str, low: int, high: int) -> int:
-        """Returns a whole number in a range. Raises SourceError, which says of what."""
+        """Returns a whole number in a range. Raises SourceError, which names `what`."""
         found = self.meaning(value)
         if isinstance(found, Place | Encoded | Callee | Goal):
             raise SourceError(value.at, f"{what} must be a whole number from {low} to {high}")
@@ -258,7 +258,7 @@ class Encoder:
         return int(found)
 
     def whole_or_none(self, value: Value) -> int | None:
-        """Returns a whole number that is written or has a name, in a macro or not; None for all other values."""
+        """Returns a whole number, which may be in a macro; None for other values."""
         while isinstance(value, Form):
             value = value.value
         try:
@@ -279,7 +279,7 @@ class Encoder:
         return found
 
     def _unknown(self, name: str, at: int, parameter: Parameter | None) -> str:
-        """Returns the sentence about a name that is not a value of the parameter."""
+        """Returns the error for a name that is not a value of the parameter."""
         names = self.names
         if any(place.at >= at for place in names.globals.get(name, ())):
             return f"{cited(name)} is declared further down: a variable has to be declared above its use"
@@ -353,7 +353,7 @@ class Encoder:
         return self._both(value, parts)
 
     def _both(self, value: Sum, parts: Sequence[int | float]) -> int | float:
-        """Returns the value of an expression of a program, which the assemblers read in two ways."""
+        """Returns the value of an expression of a program, and warns if the dialects differ."""
         from_the_left = int(_worked_out([int(part) for part in parts], value.operators, _LEFT, _wrapped_at))
         is_exact = self.names.notation.last_counts
         try:
@@ -405,7 +405,7 @@ class Encoder:
         return self.encoded(self.meaning(value, schema.parameter), value, schema)
 
     def encoded(self, meaning: Meaning, value: Value, schema: ArgumentSchema = _ANYTHING) -> Piece:
-        """Returns the bytes of what a value means."""
+        """Returns the bytes of a meaning."""
         match meaning:
             case Encoded(data):
                 return schema.write(data)
@@ -437,7 +437,7 @@ class Encoder:
         return variable(place.scope, place.start, self.rules, handle=value.sign == "@", address=value.sign == "&")
 
     def _check_room(self, place: Place, value: Value, parameter: Parameter) -> None:
-        """Raises SourceError where a parameter is larger than the variable: what follows it would be hit."""
+        """Raises SourceError if a parameter is larger than its variable."""
         room = place.width * place.elements
         if parameter.type.size > room and not parameter.any_type:
             verb = "is read as" if parameter.direction is Direction.IN else "would be overwritten by"
@@ -450,7 +450,7 @@ class Encoder:
     # Macros
 
     def _form(self, form: Form, schema: ArgumentSchema) -> Piece:
-        """Returns a value in the encoding that is named."""
+        """Returns a value in a named encoding."""
         name, part = form.name, form.value
         if name in MARKS:
             inner = self.argument(part, schema)
@@ -534,7 +534,7 @@ def _signed(pattern: int, bits: int) -> int:
 
 _LEFT = ("*/+-",)
 _USUAL = ("*/", "+-", "|")
-"""Operators by how tightly they bind."""
+"""Operators by precedence."""
 
 
 def _worked_out(
@@ -545,8 +545,8 @@ def _worked_out(
     Args:
         parts: The values in it.
         operators: The place and sign of each operator between them.
-        ranks: Operators by how tightly they bind.
-        kept: What becomes of each result at the place of its operator: cut to its size, or refused.
+        ranks: Operators by precedence.
+        kept: Returns an intermediate result, cut to its size, or raises an error at the operator's place.
     """
     for rank in ranks:
         done, left = [parts[0]], []
@@ -586,7 +586,7 @@ def _wrapped_at(_: int, number: int) -> int:
 
 
 def _exact(_: int, value: Fraction) -> Fraction:
-    """Raises OverflowError for a result that no program needs: each could be twice as long as the one before."""
+    """Raises OverflowError for excessive results: each could be twice as long as the one before."""
     if max(value.numerator.bit_length(), value.denominator.bit_length()) > _MOST_BITS:
         raise OverflowError
     return value

@@ -342,7 +342,7 @@ ERRORS = [
         "MOVE8_8(1, GV2(2000))",
         1,
         1,
-        "the operations use 2001 bytes of global memory; there are 1019 (`message globals 1019`",
+        "the operations use 2001 bytes of global memory; there are 1019 (put `message globals 1019` before",
     ),
     ("SOUND(" + "(" * 60 + "1", 1, 57, "values are nested more than 50 deep"),
     ("NOP(" + "9" * 70 + ")", 1, 5, "a number has at most 64 characters"),

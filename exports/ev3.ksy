@@ -20,8 +20,8 @@ seq:
 types:
   frame:
     doc: |
-      A length that counts the bytes after it, then these bytes. Zero lengths may precede it, which the brick
-      ignores; at the end of a stream, they are a frame without a message.
+      A length that counts the bytes after it, then these bytes. Zero lengths may precede it, which
+      the brick ignores; at the end of a stream, they are a frame without a message.
     seq:
       - {id: lengths, type: u2, repeat: until, repeat-until: "_ != 0 or _io.eof", valid: {expr: "_ == 0 or _ >= 3"}}
       - {id: message, type: message, size: length, if: "length != 0"}

@@ -24,8 +24,8 @@ def message_types() -> Mapping:
     return {
         "frame": {
             "doc": Block(
-                "A length that counts the bytes after it, then these bytes. Zero lengths may precede it, which the brick\n"
-                "ignores; at the end of a stream, they are a frame without a message."
+                "A length that counts the bytes after it, then these bytes. Zero lengths may precede it, which\n"
+                "the brick ignores; at the end of a stream, they are a frame without a message."
             ),
             "seq": [
                 {

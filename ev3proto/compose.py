@@ -43,10 +43,8 @@ use; whether any of them writes to global memory."""
 
 
 def _layout_of_omitted(drafts: Sequence[Draft], omitted: str) -> Layout | None:
-    """Returns the layout of operations whose only variables are omitted outputs, None for all others.
-
-    Nearly every command is one of these. With two operations and one output this takes 1 us, the general way 15 us.
-    """
+    """Returns the layout of operations whose only variables are omitted outputs, None for all others."""
+    # Nearly every command is one of these. With two operations and one output this takes 1 us, the general way 15 us.
     size = 0
     encoded = []
     for draft in drafts:
@@ -134,7 +132,7 @@ class _LayoutOfAll:
 
 
 def _need(place: Placeholder, found: Sequence[Footprint]) -> Need:
-    """Returns what a variable needs by all its uses. Raises BuildError if that is unknown or its size too small."""
+    """Returns what a variable needs by all its uses."""
     known = [each for each in found if each.room is not None]
     vague = [each for each in found if each.room is None and (_is_stored(each) or not known)]
     need = joined(_need_of(each) for each in known or found)
@@ -207,7 +205,7 @@ def command(
 
 
 def _places(operations: Sequence[Draft | Operation | Label]) -> dict[Label, int]:
-    """Returns the number of the operation after each label. Raises BuildError for a label that occurs twice."""
+    """Returns the number of the operation after each label."""
     found: dict[Label, int] = {}
     count = 0
     for each in operations:
@@ -229,7 +227,7 @@ def _drafted(operation: Draft | Operation | Label) -> Draft:
 
 
 def _size(scope: str, needed: int, by_hand: int | None) -> int:
-    """Returns the size of a memory to request. Raises BuildError if an explicit size is less than used."""
+    """Returns the size of a memory to request."""
     if by_hand is None:
         if needed > LIMITS[scope]:
             raise BuildError(

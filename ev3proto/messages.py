@@ -65,7 +65,7 @@ def GV(index: int, *, handle: bool = False, address: bool = False) -> Variable: 
 
 
 def _getters(count: int) -> tuple[Any, ...]:
-    """Returns read-only attributes for the fields of a tuple. Those of a named tuple are the fastest."""
+    """Returns read-only attributes for the fields of a tuple, as fast as those of a named tuple."""
     names = [f"field{index}" for index in range(count)]
     fields = namedtuple("fields", names)  # type: ignore[misc]
     return tuple(getattr(fields, name) for name in names)
@@ -321,7 +321,7 @@ NO_FLAW = Flaw()
 
 @cache
 def _builder() -> Callable[[Message], bytes]:
-    """Returns the function that builds frames. It is in a higher layer, with the fields that it needs."""
+    """Returns the function that builds frames, which is in a higher layer."""
     from ev3proto.schema.frame import build_message  # once: at each frame it would take a third of the time
 
     return build_message

@@ -60,10 +60,8 @@ _SHORT_VARIABLE = {False: Encoding("LV0", LOCAL, 0), True: Encoding("GV0", GLOBA
 
 
 def _readings(form: Struct) -> list[tuple[Any, ...]]:
-    """Returns the values of a form's fields for all combinations of its bits, in order.
-
-    Parses each field for its own bits only: parsing the whole byte 256 times takes ten times as long, at each import.
-    """
+    """Returns the values of a form's fields for all combinations of its bits, in order."""
+    # Each field parses its own bits only. Parsing the whole byte 256 times takes ten times as long, at each import.
     fields = []
     for field in form.subcons:
         size = field.sizeof()

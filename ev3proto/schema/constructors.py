@@ -123,7 +123,7 @@ def direct_reply(memory: bytes = b"", *, counter: int = 0, error: bool = False) 
 
 
 def _checked(schema: Fields, data: bytes, *, complete: bool) -> dict[str, FieldValue]:
-    """Returns the fields as a receiver reads them. Raises BuildError if they contradict each other."""
+    """Returns the fields as a receiver reads them."""
     values, _, fault = schema.read_leniently(data, 0, complete=complete)
     if fault is not None:
         raise BuildError(fault.reason)

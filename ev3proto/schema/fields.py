@@ -172,7 +172,7 @@ class Fields:
 
 
 def _message(name: str, value: Any) -> bytes:
-    """Returns the bytes of a mailbox's message. Raises BuildError for a value of another kind."""
+    """Returns the bytes of a mailbox's message."""
     if isinstance(value, str):
         _text(value, name, zeros=True)
     elif not isinstance(value, bytes | int | float):

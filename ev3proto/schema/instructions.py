@@ -74,7 +74,7 @@ class OperationSchema:
         return (schema.reader for schema in self._listed(self._element_type(before), count))
 
     def _count(self, counter: Argument, room: int) -> int:
-        """Returns the number of list elements that an argument announces. `room` bytes are available for them."""
+        """Returns the number of list elements that an argument announces, for which `room` bytes are available."""
         assert self.list_parameter is not None
         most = RANGES[Type.COUNT].high
         if counter.kind != CONSTANT or not isinstance(counter.value, int):
@@ -90,7 +90,7 @@ class OperationSchema:
         return counter.value
 
     def _listed(self, element: Type | None, count: int) -> Iterator[ArgumentSchema]:
-        """Yields the schemas of a list's elements. Without a type they are read as numbers of unknown type."""
+        """Yields the schemas of a list's elements, which without a type are numbers of unknown type."""
         parameter = self.list_parameter
         assert parameter is not None
         if element is None:
@@ -379,7 +379,7 @@ class InstructionSet:
         return operations, None
 
     def _select(self, data: bytes, at: int, end: int) -> tuple[OperationSchema, int]:
-        """Returns the schema for the opcode and CMD at an offset, and where its arguments start. Raises DecodeError."""
+        """Returns the schema for the opcode and CMD at an offset, and where its arguments start."""
         family = self.families[data[at]]
         if family is None:
             raise DecodeError(at, f"unknown opcode 0x{data[at]:02X} for the {self.dialect} firmware")

@@ -85,7 +85,7 @@ UNDEFINED = Check(False)
 
 
 def _encoded(four_bytes: Construct) -> Construct:
-    width = this.identification.form.width
+    width = this.identification.form.width  # 1, 2 and 3 announce 1, 2 and 4 bytes, two others a text up to its zero
     indexes = Switch(width, {1: Int8ul, 2: Int16ul, 3: Int32ul}, UNDEFINED)
     texts = {STRING_OLD: TEXT, STRING_ZERO: TEXT}
     constants = Switch(width, {1: Int8sl, 2: Int16sl, 3: four_bytes, **texts}, UNDEFINED)
@@ -116,6 +116,7 @@ def _bits_of(value: float) -> int:
 SINGLE = ExprAdapter(Int32ul, lambda bits, _: _float_of(bits), lambda value, _: _bits_of(value))
 """Float32l, but with all bits of a "not a number"."""
 
+# What cannot be read becomes an error with offset and path, which Construct's own errors do not have together.
 UNREADABLE = Struct("offset" / Tell, "rest" / GreedyBytes)
 ENCODED, ENCODED_FLOAT = (Select(_encoded(four_bytes), UNREADABLE) for four_bytes in (Int32sl, SINGLE))
 

@@ -70,7 +70,7 @@ def operation_lines(operation: Operation) -> list[Line]:
     arguments = operation.arguments
     width = max([len(argument.name) for argument in arguments], default=0)
     for argument in arguments:
-        parameter, form, _, offset, _ = argument
+        parameter, form, offset = argument.parameter, argument.form, argument.offset
         meaning = argument_meaning(argument)
         lines.append(
             [

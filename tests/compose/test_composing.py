@@ -101,13 +101,13 @@ def test_the_same_operation_twice_has_two_outputs() -> None:
 # Places by hand
 
 
-def test_what_has_a_place_by_hand_stays_there() -> None:
+def test_explicit_places_are_kept() -> None:
     message = command(ops.ui_read.get_vbatt(GV(4)), ops.ui_read.get_vbatt(), ops.ui_read.get_vbatt())
     assert operation_code(message) == "810164 810160 810168"
     assert sizes(message) == (True, 12, 0)
 
 
-def test_a_text_without_a_length_ends_where_the_next_variable_by_hand_is() -> None:
+def test_a_text_of_unknown_length_ends_at_the_next_explicit_place() -> None:
     message = command(
         ops.strings.duplicate("abc", GV(0)), ops.ui_read.get_lbatt(GV(8)), ops.ui_read.get_vbatt(), ops.random(1, 2)
     )
@@ -138,7 +138,7 @@ def test_sizes_and_reply_by_hand() -> None:
         command(ops.sound.break_(), local_size=64)
 
 
-def test_outputs_that_nobody_reads_go_to_local_memory() -> None:
+def test_unread_outputs_go_to_local_memory() -> None:
     message = command(ops.file.make_folder("a"), ops.output_read(0, 0), reply=False)
     assert sizes(message) == (False, 0, 8)
     assert [argument.kind for argument in message.operations[1].arguments[2:]] == ["local", "local"]
@@ -225,7 +225,7 @@ def test_a_handle_is_marked_where_it_is_used_as_one() -> None:
         ((ops.strings.compare("a" * 500, "b" * 500),) * 2, "the brick accepts at most 1024 in one frame"),
     ],
 )
-def test_what_no_command_can_be(operations: tuple[Any, ...], sentence: str) -> None:
+def test_refused_commands(operations: tuple[Any, ...], sentence: str) -> None:
     with pytest.raises(BuildError) as raised:
         command(*operations)
     assert sentence in str(raised.value)
@@ -247,7 +247,7 @@ EDGES += [True, False, 1.0, 0.5, float("nan"), float("inf"), "a", "", LED.RED, N
 
 
 @each("name", sorted(HOME))
-def test_values_that_are_looked_up_are_those_that_are_checked_one_by_one(name: str) -> None:
+def test_cached_values_are_those_that_are_checked(name: str) -> None:
     schema = instruction_set(HOME[name])[name]
     function = drafts(HOME[name])[name]
     random = Random(name)

@@ -56,7 +56,7 @@ def test_jumps_over_jumps_and_variables_without_a_place() -> None:
     assert command.wants_reply
 
 
-def test_a_draft_says_where_it_jumps_to() -> None:
+def test_the_label_of_a_draft() -> None:
     draft = ops.jr(Label("again"))
     assert repr(draft) == "<JR(OFFSET=Label('again'))>"
     assert not draft.is_complete
@@ -74,7 +74,7 @@ def test_a_draft_says_where_it_jumps_to() -> None:
         (lambda: Label(""), "the name of a label must be a text, such as Label('again'), not ''"),
     ],
 )
-def test_what_is_wrong_is_said(call: Callable[[], object], sentence: str) -> None:
+def test_errors_about_labels(call: Callable[[], object], sentence: str) -> None:
     with pytest.raises(BuildError) as caught:
         call()
     assert str(caught.value).startswith(sentence)

@@ -150,11 +150,11 @@ def test_every_function_of_ev3_dc(call: str) -> None:
         assert ours == theirs
 
 
-def test_differences_are_all_looked_at() -> None:
+def test_each_difference_is_tested() -> None:
     assert set(DIFFERENT) <= {*REFERENCE, *CALLS}
 
 
-def test_nothing_of_ev3_dc_is_forgotten() -> None:
+def test_all_names_of_ev3_dc_are_known() -> None:
     exported = {name for name, value in vars(ev3_dc).items() if not (name.startswith("_") or inspect.ismodule(value))}
     assert exported - {*REFERENCE, *FUNCTIONS} == set(LEFT_OUT.split())
 
@@ -218,7 +218,7 @@ def test_strings_of_ev3_dc() -> None:
 # A name of two tables takes the value of the one that names.py puts first; a third such name must be decided on.
 
 
-def test_names_that_stand_in_two_tables() -> None:
+def test_names_in_two_tables() -> None:
     tables = [("opcode", f"op{opcode.name}") for opcode in OPCODES]
     tables += [(opcode.name, command.name) for opcode in OPCODES for command in opcode.commands]
     for found in vars(enumerations).values():

@@ -117,7 +117,7 @@ def test_the_flat_constants_stay_what_they_are() -> None:
         ("init_bytes", (None, 2), {}, "INIT_BYTES also needs SOURCE"),
     ],
 )
-def test_calls_that_are_no_calls(path: str, values: tuple[Any, ...], named: dict[str, Any], sentence: str) -> None:
+def test_wrong_calls(path: str, values: tuple[Any, ...], named: dict[str, Any], sentence: str) -> None:
     with pytest.raises(TypeError) as raised:
         called(path)(*values, **named)
     # Python 3.13 has a guess at what was meant behind it.
@@ -154,7 +154,7 @@ UNCHECKED = "; pass unchecked=True to allow it"
         ("com_set.set_brickname", ("\u1234",), "the brick's strings are ISO-8859-1"),
     ],
 )
-def test_values_that_are_wrong(path: str, values: tuple[Any, ...], sentence: str) -> None:
+def test_wrong_values(path: str, values: tuple[Any, ...], sentence: str) -> None:
     with pytest.raises(BuildError) as raised:
         called(path)(*values)
     assert sentence in str(raised.value)
@@ -170,13 +170,13 @@ def test_values_that_are_wrong(path: str, values: tuple[Any, ...], sentence: str
         ("ui_draw.notification", (1, 0, 0, 0, 0, 0, "a", 0), "84 0b 01 00 00 00 00 00 846100 00"),
     ],
 )
-def test_what_is_meant_is_let_through(path: str, values: tuple[Any, ...], raw: str) -> None:
+def test_unchecked_values(path: str, values: tuple[Any, ...], raw: str) -> None:
     with pytest.raises(BuildError):
         called(path)(*values)
     assert called(path)(*values, unchecked=True).raw == bytes.fromhex(raw)
 
 
-def test_what_means_something_beside_the_range() -> None:
+def test_special_values_outside_the_range() -> None:
     assert ops.input_device.clr_all(layer=-1).raw == bytes.fromhex("99 0a 3f")
     assert ops.output_set_type(0, 0, 60).raw == bytes.fromhex("a1 00 00 813c")  # a type of a third party
     assert ops.math.exp(float("nan"), LV(0)).raw == bytes.fromhex("8d 01 83 0000c07f 40")

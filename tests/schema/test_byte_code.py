@@ -31,7 +31,7 @@ READ = "INPUT_READEXT(LAYER=0, NO=0, TYPE=0, MODE=0, FORMAT=0, "
         ("2F 40 02 01 85", "INIT_BYTES(DESTINATION=LV(0), LENGTH=2, SOURCE[0]=1)"),
     ],
 )
-def test_what_is_in_front_of_a_fault_in_an_operation(code: str, expected: str) -> None:
+def test_arguments_before_a_fault_are_kept(code: str, expected: str) -> None:
     body = bytes.fromhex("2A00 80 0000" + code)
     frame = len(body).to_bytes(2, "little") + body
     (partial,) = ev3proto.parse(frame, expect=DirectCommand, strict=False).operations
@@ -41,12 +41,12 @@ def test_what_is_in_front_of_a_fault_in_an_operation(code: str, expected: str) -
         assert copied.arguments == partial.arguments
 
 
-def test_an_argument_by_itself_needs_its_end() -> None:
+def test_a_text_needs_its_zero() -> None:
     with pytest.raises(ev3proto.BuildError, match="its terminating zero is missing"):
         ev3proto.operation("SOUND.PLAY", 1, b"\x84a")
 
 
-def test_a_frame_that_is_too_long_whatever_its_length_field_says() -> None:
+def test_a_frame_longer_than_1024_bytes() -> None:
     frame = (1100).to_bytes(2, "little") + b"\x01\0\x80\0\0" + b"\x01" * 1095
     message = ev3proto.parse(frame, strict=False)
     assert message.fault == ev3proto.Fault(0, "the frame has 1102 bytes; the maximum is 1024")
@@ -89,7 +89,7 @@ def test_a_message_is_shown_with_its_operations() -> None:
     )
 
 
-def test_a_message_made_by_hand_is_built_whatever_is_loaded() -> None:
+def test_a_message_builds_without_other_imports() -> None:
     program = (
         "from ev3proto.messages import DirectReply; from ev3proto.tables.frame import MessageType;"
         "print(DirectReply(type=MessageType.DIRECT_REPLY, memory=b'x').build().hex())"

@@ -33,7 +33,7 @@ def test_a_beacon_with_a_name() -> None:
         (BEACON + b"x", 67, "1 bytes follow"),
     ],
 )
-def test_no_beacon(datagram: bytes, offset: int, reason: str) -> None:
+def test_faulty_beacons(datagram: bytes, offset: int, reason: str) -> None:
     with pytest.raises(ev3proto.DecodeError, match=reason) as error:
         Beacon.parse(datagram)
     assert error.value.offset == offset
@@ -56,7 +56,7 @@ def test_no_beacon(datagram: bytes, offset: int, reason: str) -> None:
         (b"", False, False),
     ],
 )
-def test_what_is_taken_for_a_beacon(datagram: bytes, is_whole: bool, is_cut: bool) -> None:
+def test_is_beacon(datagram: bytes, is_whole: bool, is_cut: bool) -> None:
     assert is_beacon(datagram) is is_whole
     assert is_beacon(datagram, is_cut=True) is is_cut
 
@@ -85,7 +85,7 @@ def test_unlock_texts_both_ways(text: bytes, unlock: Unlock) -> None:
 
 
 @pytest.mark.parametrize("text", [b"", b"GET / HTTP/1.1\r\n\r\n", b"GET /target?sn=00 VMTP1.0\r\nProtocol: EV3\n"])
-def test_no_unlock_text(text: bytes) -> None:
+def test_faulty_unlock_texts(text: bytes) -> None:
     with pytest.raises(ev3proto.DecodeError):
         Unlock.parse(text)
 
@@ -96,12 +96,12 @@ def test_refused_unlock_texts(unlock: Unlock) -> None:
         unlock.build()
 
 
-def test_what_the_brick_answers() -> None:
+def test_the_answer_of_the_brick() -> None:
     assert ACCEPT == b"Accept:EV340\r\n\r\n"
 
 
 @pytest.mark.parametrize("port", ["555*", "", "0", "65536", "-1", " 5555", "\xb2", "9" * 5000])
-def test_a_beacon_may_name_no_port_that_there_is(port: str) -> None:
+def test_a_beacon_with_an_impossible_port(port: str) -> None:
     beacon = Beacon("001653", port)
     assert beacon.tcp_port is None
     assert Beacon.parse(beacon.build()) == beacon

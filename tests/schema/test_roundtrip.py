@@ -61,7 +61,7 @@ dialects = st.sampled_from(DIALECTS)
 
 
 @each("name", sorted(HOME))
-def test_values_come_back(name: str) -> None:
+def test_values_are_parsed_as_built(name: str) -> None:
     """operation(values) -> frame -> the same names and values, in every dialect that has the operation."""
     declaration = operations_of(HOME[name])[name]
 
@@ -88,7 +88,7 @@ def test_values_come_back(name: str) -> None:
 
 
 @each("name", sorted(HOME))
-def test_every_encoding_comes_back(name: str) -> None:
+def test_every_encoding_builds_the_same_bytes(name: str) -> None:
     """Arguments, CMD and counts in any encoding: the same operation, the same bytes, nothing between its arguments."""
 
     @few
@@ -121,7 +121,7 @@ def test_built_encodings_are_the_shortest(name: str) -> None:
 
 @many
 @given(st.data())
-def test_an_encoded_argument_is_taken_as_it_is(data: st.DataObject) -> None:
+def test_an_encoded_argument_is_kept(data: st.DataObject) -> None:
     """The builder's way around the shortest encoding: bytes that are one encoded argument."""
     declaration = operations_of()["SOUND.TONE"]
     raw = [data.draw(encoded_arguments(parameter)) for parameter in declaration.parameters]
@@ -214,7 +214,7 @@ def assert_tiled(found: Sequence[Operation], frame: bytes, start: int) -> None:
 
 @many
 @given(dialects.flatmap(lambda dialect: st.tuples(st.just(dialect), frames(dialect))))
-def test_frames_build_back(drawn: tuple[str, bytes]) -> None:
+def test_frames_build_the_same_bytes(drawn: tuple[str, bytes]) -> None:
     dialect, frame = drawn
     message = ev3proto.parse(frame, dialect=dialect)
     assert message.build() == frame
@@ -261,7 +261,7 @@ garbage = st.one_of(st.binary(max_size=40), headers, mutated_frames())
 @example(b"\xff\xff\x00\x00\x77")
 @example(b"\x03\x04\x00\x00\x00" + bytes(1024))
 @example(bytes(70000))
-def test_lenient_parsing_takes_anything_and_builds_it_back(frame: bytes) -> None:
+def test_lenient_parsing_accepts_any_bytes(frame: bytes) -> None:
     message = ev3proto.parse(frame, strict=False)
     assert message.build() == frame
     if message.fault is not None:
@@ -345,7 +345,7 @@ def test_a_stream_of_garbage_raises_decode_errors_only(chunks: list[bytes], stri
 
 @many
 @given(st.lists(messages() | garbage.map(lambda frame: ev3proto.parse(frame, strict=False)), max_size=8))
-def test_a_dialogue_takes_any_messages(found: list[Message]) -> None:
+def test_a_dialogue_accepts_any_messages(found: list[Message]) -> None:
     dialogue = Dialogue()
     for message in found:
         assert isinstance(dialogue.feed(message), list)

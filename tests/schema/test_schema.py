@@ -165,7 +165,7 @@ def test_input_device_list() -> None:
     assert [value.offset for value in values] == [5, 9]
 
 
-def test_an_error_reply_tells_nothing_more() -> None:
+def test_an_error_reply_has_no_memory() -> None:
     reply = direct_reply("03:00|2A:00|04")
     assert reply.type is ev3proto.MessageType.DIRECT_REPLY_ERROR
     assert reply.is_error
@@ -192,7 +192,7 @@ def test_a_long_list_is_read_whole() -> None:
 
 
 @pytest.mark.parametrize("faulty", ["FF", "94:01:FF", "94:01:85", "2F:40:01:85", "2F:40:3F", "2F:40:85"])
-def test_a_fault_early_in_more_bytes_than_any_frame_has(faulty: str) -> None:
+def test_an_early_fault_in_a_long_frame(faulty: str) -> None:
     """Undefined bytes are found, even if many bytes follow them."""
     frame = frame_of(f"FF:FF|01:00|80|00:00|{faulty}") + bytes(9000)
     message = ev3proto.parse(frame, strict=False)
@@ -202,7 +202,7 @@ def test_a_fault_early_in_more_bytes_than_any_frame_has(faulty: str) -> None:
     assert message.build() == frame
 
 
-def test_dialects_share_what_is_the_same() -> None:
+def test_dialects_share_schemas() -> None:
     """An operation made for one firmware equals the one in another firmware's frame; so do copies."""
     made = ev3proto.operation("SOUND.TONE", 1, 440, 1000)
     assert made == ev3proto.operation("SOUND.TONE", 1, 440, 1000, dialect="xtended")
@@ -310,7 +310,7 @@ def test_not_a_number(name: str, raw: str) -> None:
         (LV(3, address=True), "C9:03"),
     ],
 )
-def test_the_builder_takes_the_shortest(value: object, raw: str) -> None:
+def test_the_shortest_encoding_is_built(value: object, raw: str) -> None:
     assert ev3proto.operation("MOVE32_32", value, LV(0)).raw == b"\x3a" + frame_of(raw) + b"\x40"
 
 
@@ -409,7 +409,7 @@ def test_system_replies(text: str, command: str, status: str, fields: dict[str, 
     assert message.build() == frame_of(text)
 
 
-def test_the_bootloader_has_a_begin_download_of_its_own() -> None:
+def test_begin_download_of_the_bootloader() -> None:
     assert ev3proto.system_command("BEGIN_DOWNLOAD", size=1, path="a").number == 0x92
     assert ev3proto.system_command(0xF1, address=0, image_size=1).command == "BEGIN_DOWNLOAD"
 
@@ -524,7 +524,7 @@ def test_a_frame_has_at_most_1024_bytes() -> None:
         ev3proto.parse(b"\xff\x03\x2a\x00\x02" + bytes(1020))
 
 
-def test_what_is_in_front_of_a_fault_is_there() -> None:
+def test_operations_before_a_fault_are_kept() -> None:
     frame = frame_of("0D:00|2A:00|80|01:00|A6:00:01|94:01:81:14:85")
     message = ev3proto.parse(frame, strict=False)
     assert isinstance(message, ev3proto.DirectCommand)
@@ -616,7 +616,7 @@ def test_every_beginning_of_a_frame_is_a_message_of_its_kind(frame: str) -> None
         (lambda: ev3proto.system_command("CONTINUE_DOWNLOAD", handle=0, data=5), "data takes bytes"),
     ],
 )
-def test_whatever_cannot_be_built_is_a_build_error(make: Callable[[], object], complaint: str) -> None:
+def test_build_errors(make: Callable[[], object], complaint: str) -> None:
     with pytest.raises(BuildError, match=complaint):
         make()
 

@@ -29,13 +29,13 @@ def test_several_frames_in_one_chunk() -> None:
     assert decoder.pending == NOP[:3]
 
 
-def test_what_is_not_taken_comes_with_the_next_chunk() -> None:
+def test_messages_that_were_not_read_come_with_the_next_chunk() -> None:
     decoder = ev3proto.Decoder()
     assert next(iter(decoder.feed(NOP + TONE))).counter == 1
     assert [message.counter for message in decoder.feed(NOP)] == [42, 1]
 
 
-def test_a_length_that_no_frame_has() -> None:
+def test_an_impossible_length() -> None:
     decoder = ev3proto.Decoder(strict=False)
     found = decoder.feed(NOP + b"GET /target")
     assert next(found).counter == 1
@@ -72,7 +72,7 @@ def test_downloads_may_be_long(size: int) -> None:
     assert decoder.close() is None
 
 
-def test_polls_are_passed_over() -> None:
+def test_polls_are_skipped() -> None:
     decoder = ev3proto.Decoder()
     chunks = (b"\0", b"\0" + TONE + bytes(6), NOP + b"\0", b"\0")
     counters = [message.counter for chunk in chunks for message in decoder.feed(chunk)]

@@ -32,7 +32,7 @@ def test_a_listing() -> None:
     assert build(system.list_files("a", 100, reply=False)) == "0800000081 9964006100"
 
 
-def test_what_is_asked_for_unless_it_is_said() -> None:
+def test_default_values() -> None:
     """The most that a reply can carry, and a reply from every command that the brick answers."""
     assert build(system.begin_upload("a")) == "0800000001 94f4036100"
     assert build(system.continue_upload(1)) == "0700000001 9501f803"
@@ -40,7 +40,7 @@ def test_what_is_asked_for_unless_it_is_said() -> None:
     assert build(system.enterfwupdate()) == "0400000081 a0"
 
 
-def test_the_bootloader_has_its_own() -> None:
+def test_functions_of_the_bootloader() -> None:
     assert build(system.bootloader.begin_download(0x1000, 2)) == "0c00000001 f10010000002000000"
     assert build(system.bootloader.get_version()) == "0400000001 f6"
     assert system.bootloader.__all__ == [
@@ -54,7 +54,7 @@ def test_the_bootloader_has_its_own() -> None:
     ]
 
 
-def test_there_is_a_function_for_each() -> None:
+def test_each_command_has_a_function() -> None:
     for entry in SYSTEM:
         function = getattr(system.bootloader if entry.bootloader else system, entry.name.lower())
         fields = set(inspect.signature(function).parameters) - {"counter", "reply"}
@@ -85,7 +85,7 @@ def test_the_help_of_a_function() -> None:
         ("writemailbox", ("a", b"x"), {"payload_length": 2}, BuildError, "payload_length says 2 bytes, but 1 follow"),
     ],
 )
-def test_what_is_wrong(
+def test_errors_of_functions(
     name: str, values: tuple[Any, ...], named: dict[str, Any], error: type[Exception], sentence: str
 ) -> None:
     with pytest.raises(error) as raised:
@@ -106,7 +106,7 @@ def test_a_file_in_pieces() -> None:
     assert {message.build()[6] for message in found[1:]} == {0}
 
 
-def test_a_file_with_the_handle_that_the_brick_gave() -> None:
+def test_a_file_with_the_handle_of_the_brick() -> None:
     dialogue = Dialogue()
     begin = next(system.download("a", b"abcdef"))
     dialogue.follow(begin)
@@ -150,7 +150,7 @@ def test_any_file_in_pieces_of_any_size(data: bytes, piece: int, handle: int, re
         ({"path": "\u1234"}, "path cannot be"),
     ],
 )
-def test_files_that_cannot_be_cut(named: dict[str, Any], sentence: str) -> None:
+def test_invalid_pieces(named: dict[str, Any], sentence: str) -> None:
     with pytest.raises(BuildError) as raised:
         system.download(**{"path": "a", "data": b"abc", **named})
     assert sentence in str(raised.value)

@@ -117,7 +117,7 @@ def test_not_a_number() -> None:
     assert real.is_nan
 
 
-def test_an_error_says_nothing_more() -> None:
+def test_an_error_has_no_values() -> None:
     dialogue = ev3proto.Dialogue()
     command = ask(ev3proto.operation("UI_READ.GET_VBATT", GV(0)))
     dialogue.feed(command)
@@ -127,7 +127,7 @@ def test_an_error_says_nothing_more() -> None:
     assert dialogue.unanswered == []
 
 
-def test_replies_to_commands_nobody_saw() -> None:
+def test_replies_to_unseen_commands() -> None:
     dialogue = ev3proto.Dialogue()
     dialogue.feed(ask(ev3proto.operation("UI_READ.GET_VBATT", GV(0)), counter=7))
     exchange = dialogue.follow(answer(b"", counter=8))
@@ -192,7 +192,7 @@ def test_a_handle_is_not_in_volts() -> None:
     assert (value.type, value.value, value.unit) == ("handle", 2, None)
 
 
-def test_a_handle_that_was_closed_means_nothing_any_more() -> None:
+def test_a_closed_handle_has_no_file() -> None:
     dialogue = ev3proto.Dialogue()
     dialogue.feed(ev3proto.system_command("BEGIN_DOWNLOAD", counter=1, size=2, path="a.rbf"))
     dialogue.feed(ev3proto.system_reply("BEGIN_DOWNLOAD", counter=1, handle=0))
@@ -202,14 +202,14 @@ def test_a_handle_that_was_closed_means_nothing_any_more() -> None:
     assert late.transfer is None
 
 
-def test_commands_that_want_no_reply_take_no_part() -> None:
+def test_commands_without_a_reply_are_not_paired() -> None:
     dialogue = ev3proto.Dialogue()
     dialogue.feed(ask(ev3proto.operation("UI_READ.GET_VBATT", GV(0)), counter=5, size=4))
     dialogue.feed(ev3proto.direct_command(ev3proto.operation("NOP"), counter=5))
     assert dialogue.feed(answer(struct.pack("<f", 8), counter=5, size=4))[0].name == "VALUE"
 
 
-def test_what_waits_is_bounded() -> None:
+def test_waiting_commands_are_bounded() -> None:
     dialogue = ev3proto.Dialogue()
     message = ask(ev3proto.operation("NOP"), counter=3)
     for _ in range(50):
@@ -258,7 +258,7 @@ def test_an_upload_is_followed_by_its_handle() -> None:
     assert asked.is_complete
 
 
-def test_a_handle_whose_command_was_not_seen_stands_for_no_file_that_is_known() -> None:
+def test_a_handle_of_an_unseen_command_has_no_file() -> None:
     dialogue = ev3proto.Dialogue()
     dialogue.follow(ev3proto.system_command("BEGIN_UPLOAD", counter=1, max_bytes=2, path="a.rtf"))
     begun = ev3proto.system_reply("BEGIN_UPLOAD", counter=1, size=6, handle=0, data=b"ab")
@@ -269,7 +269,7 @@ def test_a_handle_whose_command_was_not_seen_stands_for_no_file_that_is_known() 
     assert dialogue.follow(piece).transfer is None
 
 
-def test_a_handle_that_the_brick_took_back_stands_for_no_file() -> None:
+def test_a_revoked_handle_has_no_file() -> None:
     dialogue = ev3proto.Dialogue()
     dialogue.follow(ev3proto.system_command("BEGIN_DOWNLOAD", counter=1, size=10, path="../prjs/a.rbf"))
     dialogue.follow(ev3proto.system_reply("BEGIN_DOWNLOAD", counter=1, handle=3))

@@ -146,7 +146,7 @@ def _about_memory(message: ev3proto.Message, dialect: str) -> list[str]:
 
 
 @each("name", HOME)
-def test_everybody_agrees_about_an_operation(name: str) -> None:
+def test_compose_check_and_dialogue_agree_about_memory(name: str) -> None:
     dialect, declaration = HOME[name]
     function = _function(declaration, dialect)
     for round_ in range(effort(4, 50)):

@@ -102,7 +102,7 @@ def test_a_variable_that_holds_a_handle_or_an_address_takes_the_bytes_of_that() 
     ] == [(4, 1, 4)]
 
 
-def test_a_reply_carries_one_handle_where_an_array_is_written_to_what_a_handle_names() -> None:
+def test_a_variable_that_holds_a_handle_is_one_value() -> None:
     """The footprint says two bytes, whatever the length; the array is not in the reply."""
     asked = ev3proto.operation("TST.TST_READ_PINS", 0, 5, GV(2, handle=True))
     assert [(found.start, found.size) for found in footprints(asked)] == [(2, 2)]

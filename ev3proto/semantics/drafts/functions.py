@@ -61,11 +61,7 @@ def objections(operation: Operation) -> Iterator[tuple[int, BuildError]]:
 
 
 def _check_meaning(argument: Argument) -> None:
-    """Refuses an illegal constant in an encoded argument.
-
-    Raises:
-        BuildError: Names the parameter and what would be right.
-    """
+    """Refuses an illegal constant in an encoded argument."""
     parameter, form, value = argument.parameter, argument.form, argument.value
     if form.handle or form.address or argument.is_variable:
         return
@@ -315,7 +311,7 @@ _KEPT_TYPES = frozenset({int, str, type(None)})
 
 
 class _Constants(dict[Any, bytes]):
-    """A cache of the encoded legal constants of one parameter. Raises KeyError for other values."""
+    """A cache of the encoded legal constants of one parameter, with a KeyError for other values."""
 
     def __init__(self, schema: ArgumentSchema, facts: ParameterFacts) -> None:
         super().__init__()

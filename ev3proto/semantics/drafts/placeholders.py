@@ -242,7 +242,7 @@ class Allocator:
         return Variable(self.scope, index)
 
     def _end(self, start: int, who: str, index: int, need: Need) -> int:
-        """Returns the end of a variable that may take more bytes. Raises BuildError if that is in the way."""
+        """Returns the end of a variable that may take more bytes."""
         following = [other for other, _, _ in self._taken if other > start]
         if following:
             return min(following)

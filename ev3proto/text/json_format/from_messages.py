@@ -125,7 +125,7 @@ def operation_record(operation: Operation) -> dict[str, Any]:
 
 
 def _argument(argument: Argument) -> dict[str, Any]:
-    parameter, form, value, offset, _ = argument
+    parameter, form, value, offset = argument.parameter, argument.form, argument.value, argument.offset
     entry: dict[str, Any] = {
         "name": parameter.name,
         "kind": form.kind,

@@ -5,7 +5,9 @@ from __future__ import annotations
 from dataclasses import replace
 from operator import attrgetter
 
+from ev3proto.checking import codes
 from ev3proto.checking.context import CheckContext, checked_operations
+from ev3proto.checking.mangled import mangled
 from ev3proto.checking.report import Finding, Report, Severity
 from ev3proto.checking.rules.arguments import check_arguments, check_lists
 from ev3proto.checking.rules.header import TYPE_OFFSET, check_command_header, check_daisy, check_envelope, check_system
@@ -46,6 +48,9 @@ def check(
         frame = as_bytes(frame, "a frame")
     context = _context(frame, dialect, carrier)
     findings = _in_order(_unswapped(context, _findings(context)))
+    if findings and (text := mangled(frame)) is not None:
+        # What follows from it is not worth a finding.
+        findings = [codes.MANGLED.finding(*text)]
     accepted, rejected_at = _answer(context, findings)
     return Report(frame, accepted, rejected_at, tuple(findings), dialect, carrier)
 

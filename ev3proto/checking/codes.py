@@ -156,6 +156,18 @@ REFUSED_MEMORY = _code(
     _sized("2A:00|00|FF:03|81:01:60"),
     VOLTAGE,
 )
+MANGLED = _code(
+    "E108",
+    "bytes that went through a text",
+    """
+    A frame is bytes. A program that makes a text of it changes them: UTF-8 writes two bytes for each above 7F, ASCII
+    a question mark (3F), a decoder that replaces what it does not know EF BF BD, and text mode 0D 0A for 0A. This
+    frame is right once that is undone, or would be if the bytes were not lost. Send bytes, and open ports and files
+    in binary mode.
+    """,
+    _frame("0E:00|2A:00|C2:80|00:00|C2:94:01:01:C2:82:C2:B8:01:C2:82:C3:A8:03"),
+    TONE,
+)
 NO_COMMAND = _code(
     "W101",
     "a reply, not a command",

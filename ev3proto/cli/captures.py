@@ -165,7 +165,7 @@ class CaptureSource:
         """Yields the pieces of a text, and reports those that are unreadable."""
         yield from found.frames
         lines = advancing(found.lines, lambda: self._advance())
-        for pasted in pieces(lines, self._options.missing, self._complain):
+        for pasted in pieces(lines, self._options.missing):
             if pasted.problem is not None:
                 self._complain(f"line {pasted.line}: {pasted.problem}")
             yield pasted

@@ -161,7 +161,7 @@ class Checking(SourceReader):
         if looks_like_assembly("".join([*introduction(unix_lines(text))][-1:])):
             self.text(source, unix_lines(text))
             return
-        found = list(pieces(unix_lines(text), None, lambda unread: self.complain(f"{source.label}: {unread}")))
+        found = list(pieces(unix_lines(text), None))
         made = fix_pieces(text, found, dialect=self.reading.dialect, carrier=self._options.carrier)
         contents.print(made.text)
         self._is_edited = True

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from ev3proto.checking.mangled import mangled
 from ev3proto.cli.inputs import Source, sources
 from ev3proto.cli.options import incompatible
 from ev3proto.cli.output import complain
@@ -80,10 +81,12 @@ class Decoding(SourceReader):
         """Shows a frame of a text."""
         fault = piece.message.fault
         cut = pasted.cut and fault is not None and fault.truncated
-        seen = Seen(pasted.direction, pasted.time, cut)
-        self._show.exchange(self._dialogue.follow(piece.message), seen, piece.padding)
+        unknown = frozenset(one.offset - piece.start for one in pasted.unknown)
+        seen = Seen(pasted.direction, pasted.time, cut, unknown=unknown)
+        self._show.exchange(self._dialogue.follow(piece.message), seen, piece.rest)
         if fault is not None and not cut:
-            self.complain(f"{source.where(pasted)}: fault at {fault}")
+            text = mangled(piece.message.build())
+            self.complain(f"{source.where(pasted)}: fault at {fault}{f'; {text.message}' if text else ''}")
 
     def say_what_was_given_up(self) -> None:
         """Reports commands of a text that were dropped before their replies came."""

@@ -8,9 +8,10 @@ from __future__ import annotations
 import codecs
 import io
 import re
+import struct
 import sys
 import zlib
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from enum import Enum
 from itertools import islice
@@ -143,7 +144,10 @@ class Input(NamedTuple):
 _START = 8
 _ZIP = b"PK\x03\x04"
 _UF2 = b"UF2\n"
-_SOUND = (b"\x01\x00", b"\x01\x01")
+_NXT_PROGRAM = b"MindstormsNXT"
+_SOUND = struct.Struct(">HHHH")
+_SOUND_FORMATS = (0x0100, 0x0101)
+_DISPLAY = (178, 128)
 _LEAST_FIRMWARE = 1 << 20
 _BY_SUFFIX = {
     ".ev3": "a project of LEGO's EV3 software, a zip of diagrams without byte code; download it to a brick and copy"
@@ -193,11 +197,57 @@ def _unreadable(name: str, start: bytes) -> str | None:
         return _BY_SUFFIX[".uf2"]
     if start.startswith(_ZIP):
         return _BY_SUFFIX[suffix] if suffix == ".ev3" else "a zip archive; unpack it, and give the files in it"
-    if suffix == ".bin" and Path(name).stat().st_size < _LEAST_FIRMWARE:
+    if _NXT_PROGRAM.startswith(start) and name != "-" and _beginning(name, len(_NXT_PROGRAM)) == _NXT_PROGRAM:
+        return "a program for an NXT (.rxe), LEGO's earlier brick; an EV3 does not run it"
+    if suffix not in (".rgf", ".rsf", ".bin"):
         return None
-    if suffix == ".rsf" and not start.startswith(_SOUND):
+    size = Path(name).stat().st_size
+    if suffix == ".bin":
+        return _BY_SUFFIX[suffix] if size >= _LEAST_FIRMWARE else None
+    wrong = _wrong_picture(start, size) if suffix == ".rgf" else _wrong_sound(start, size)
+    return wrong or _BY_SUFFIX[suffix]
+
+
+def _beginning(name: str, size: int) -> bytes:
+    with Path(name).open("rb") as stream:
+        return stream.read(size)
+
+
+def _wrong_picture(start: bytes, size: int) -> str | None:
+    """Returns what is wrong with a picture: its first two bytes are width and height in pixels."""
+    if len(start) < 2:
+        return "an image for the brick's display that is too short: width and height are its first two bytes"
+    width, height = start[:2]
+    needed = (width + 7) // 8 * height
+    if size - 2 == needed and width <= _DISPLAY[0] and height <= _DISPLAY[1]:
         return None
-    return _BY_SUFFIX.get(suffix) if suffix in (".rgf", ".rsf", ".bin") else None
+    if size - 2 == needed:
+        return f"an image of {width} x {height} pixels, but the brick's display has {_DISPLAY[0]} x {_DISPLAY[1]}"
+    return (
+        f"an image of {width} x {height} pixels by its first two bytes, which needs {needed} bytes after them"
+        f" ({(width + 7) // 8} a row), but {max(size - 2, 0)} follow; UI_DRAW.BMPFILE shows it wrong"
+    )
+
+
+def _wrong_sound(start: bytes, size: int) -> str | None:
+    """Returns what is wrong with a sound: it starts with format, number of bytes, rate and mode, high byte first."""
+    if start.startswith(b"RIFF"):
+        return "a WAV file with the suffix .rsf; SOUND.PLAY needs the brick's own format, which begins with 01 00"
+    if len(start) < _SOUND.size:
+        return f"a sound file that is too short: its header has {_SOUND.size} bytes, the file has {size}"
+    kind, stated, rate, _ = _SOUND.unpack_from(start)
+    if kind not in _SOUND_FORMATS:
+        return f"not a sound file of the brick: it starts with {_hex(start[:2])}, which must be 01 00 or 01 01"
+    if stated != size - _SOUND.size:
+        return (
+            f"a sound file whose header says {stated} bytes of sound, but {size - _SOUND.size} follow;"
+            " SOUND.PLAY plays it to the end of the file"
+        )
+    return None if rate else "a sound file whose header says 0 Hz; 8000 is usual"
+
+
+def _hex(data: bytes) -> str:
+    return data.hex(" ").upper()
 
 
 def is_image(start: bytes) -> bool:
@@ -256,30 +306,9 @@ def introduction(lines: Iterator[str]) -> Iterator[str]:
             return
 
 
-_MOST_UNREAD = 8
-
-
-def pieces(lines: Iterable[str], missing: Missing | None, complain: Callable[[str], None]) -> Iterator[Pasted]:
-    """Yields the pieces of a text that have bytes, or a problem.
-
-    Args:
-        lines: The lines.
-        missing: What the bytes of each line lack to be a frame.
-        complain: Is called at the end with a sentence on what looks like frames and was not read.
-    """
-    unread: list[str] = []
-    count = 0
-    for pasted in read_text(lines) if missing is None else read_bare(lines, missing):
-        if not pasted.unread:
-            yield pasted
-            continue
-        count += 1
-        if count <= _MOST_UNREAD:
-            unread.append(f"line {pasted.line}, column {pasted.column}: {pasted.problem}")
-    if unread:
-        what = "1 line looks like a frame and was" if count == 1 else f"{count} lines look like frames and were"
-        more = f"; and {count - len(unread)} more" if count > len(unread) else ""
-        complain(f"{what} not read: {'; '.join(unread)}{more}")
+def pieces(lines: Iterable[str], missing: Missing | None) -> Iterator[Pasted]:
+    """Returns the pieces of a text, whose frames may lack a part."""
+    return read_text(lines) if missing is None else read_bare(lines, missing)
 
 
 # Bytes

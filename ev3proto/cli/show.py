@@ -9,7 +9,7 @@ from ev3proto.cli.output import Printer
 from ev3proto.dialogue import Exchange
 from ev3proto.errors import counted
 from ev3proto.text.json_format.from_messages import record
-from ev3proto.text.phrases import NOTATIONS, Seen, heading
+from ev3proto.text.phrases import NOTATIONS, Seen, heading, spaced_hex
 from ev3proto.text.spans import Line, plain_text
 from ev3proto.text.table import table
 from ev3proto.text.tree import tree
@@ -18,6 +18,8 @@ if TYPE_CHECKING:
     from ev3proto.program import Program
 
 # Assembly and programs are imported when they are needed, which saves 20 ms for a tree.
+
+_MOST_REST = 16
 
 FORMATS = ("tree", "table", *NOTATIONS, "json")
 
@@ -39,8 +41,8 @@ class Show:
         self.is_json = self._style == "json"
         self.count = 0
 
-    def exchange(self, exchange: Exchange, seen: Seen, padding: int = 0) -> None:
-        """Shows a message, and the number of padding bytes after it."""
+    def exchange(self, exchange: Exchange, seen: Seen, rest: bytes = b"") -> None:
+        """Shows a message, and the bytes after it: padding, or what was in a report before."""
         if self.is_json:
             self.entry(record(exchange, seen))
             return
@@ -54,9 +56,11 @@ class Show:
                 self._printer.text(line)
         else:
             self._printer.lines((table if self._style == "table" else tree)(exchange, seen))
-            if padding:
-                follow = "follows" if padding == 1 else "follow"
-                self._printer.text(f"        {counted(padding, 'byte')} of padding {follow} the frame")
+            if rest:
+                follow = "follows" if len(rest) == 1 else "follow"
+                shown = f": {spaced_hex(rest[:_MOST_REST])}{' ...' * (len(rest) > _MOST_REST)}" if any(rest) else ""
+                count = counted(len(rest), "left-over byte") if shown else f"{counted(len(rest), 'byte')} of padding"
+                self._printer.text(f"        {count} {follow} the frame{shown}")
 
     def entry(self, entry: dict[str, Any]) -> None:
         """Shows a message as one JSON object."""

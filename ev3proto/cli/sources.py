@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import errno
 import os
+import re
 import zlib
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Iterator, Sequence
@@ -32,6 +33,8 @@ if TYPE_CHECKING:
     from ev3proto.cli.captures import CaptureSource
 
 _AT_START = "column 1: "
+_HAS_BYTES = re.compile(r"(?:(?<!\w)(?:0x|\\x)?[0-9a-fA-F]{2,8}[\s:,-]{1,3}){4}")
+"""Bytes in hex, which need no advice on how to write frames."""
 _HOW_FRAMES_ARE_MADE = "`ev3proto encode` makes frames of it"
 
 
@@ -99,9 +102,8 @@ class SourceReader(ABC):
         self.complain(f"{source.name[:60]!r} is assembly, not a frame; {_HOW_FRAMES_ARE_MADE}")
 
     def text(self, source: Source, lines: Iterator[str]) -> None:
-        """Takes the lines of a text, and reports those that only look like frames."""
-        lines = self._noting_the_first(lines)
-        for pasted in pieces(lines, self.reading.missing, lambda unread: self.complain(f"{source.label}: {unread}")):
+        """Takes the lines of a text."""
+        for pasted in pieces(self._noting_the_first(lines), self.reading.missing):
             self.pasted(pasted, source)
 
     def read_all(self, found: Sequence[Source]) -> None:
@@ -118,6 +120,8 @@ class SourceReader(ABC):
             more = ", but the source of a program; `ev3proto encode -o FILE.rbf` makes its image"
         elif looks_like_assembly(self._first_line):
             more = f", but assembly; {_HOW_FRAMES_ARE_MADE}"
+        elif _HAS_BYTES.search(self._first_line):
+            more = ""
         else:
             more = HOW_FRAMES_ARE_WRITTEN
         return f"{source.label}: no frame found{more}"
@@ -184,6 +188,9 @@ class SourceReader(ABC):
         capture = CaptureSource(source.name, self.reading, file, found, is_quiet=self.is_quiet)
         self._is_empty = False
         if not self.capture(capture) and not capture.status:
+            if found.kind is not Kind.CAPTURE and self.reading.filter is None:
+                self.complain(self._nothing_in(source))
+                return
             matches = " matches the filter" if self.reading.filter else ""
             self.complain(f"{source.label}: no {self.wanted} in {capture.extent}{matches}{capture.passed_over}")
         self.at_fault |= bool(capture.status)
@@ -210,6 +217,12 @@ class SourceReader(ABC):
         """Takes everything in one piece of pasted text."""
         if pasted.problem is not None:
             self._wrong(pasted, pasted.problem, source)
+        for note in pasted.notes:
+            complain(f"{source.where(pasted)}: {note}")
+        for unknown in pasted.unknown:
+            if unknown.text:
+                where = "" if source.is_frame else f"{source.label}, "
+                complain(f"{where}line {unknown.line}, column {unknown.column}: {unknown.text!r} is unknown, read as 0")
         if pasted.data:
             self._is_empty = False
             for piece in split(pasted.data, dialect=self.reading.dialect):

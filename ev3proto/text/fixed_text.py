@@ -90,7 +90,7 @@ def fix_pieces(text: str, pieces: Iterable[Pasted], *, dialect: str, carrier: st
         dialect: The dialect.
         carrier: The carrier.
     """
-    found = [pasted for pasted in pieces if not pasted.unread]
+    found = [pasted for pasted in pieces if pasted.data]
     lines = list(io.StringIO(text, newline=""))
     frames: list[FixedFrame] = []
     edited = lines.copy()
@@ -146,7 +146,7 @@ def _fixed(
         if is_command(piece.message, pasted) and is_whole(piece.message, pasted):
             fixes.append((frame, fix(frame, dialect=dialect, carrier=carrier, shorten=shorten)))
             frame = fixes[-1][1].frame
-        data += frame + bytes(piece.padding)
+        data += frame + piece.rest
     return fixes, data
 
 
@@ -175,7 +175,7 @@ def _edit(lines: list[str], pasted: Pasted, end: int, data: bytes) -> bool:
 
 def _read(block: str) -> list[bytes]:
     """Returns the bytes of the pieces in some lines."""
-    return [one.data for one in read_text(unix_lines(block)) if not one.unread]
+    return [one.data for one in read_text(unix_lines(block)) if one.data]
 
 
 # Notations, as far as an edit needs them

@@ -23,6 +23,7 @@ from ev3proto.messages import (
 )
 from ev3proto.schema.frame import parse
 from ev3proto.tables.encoding import GLOBAL, LOCAL, TEXT
+from ev3proto.tables.frame import LENGTH_FIELD
 from ev3proto.tables.mailboxes import Reading
 from ev3proto.tables.system import status_meaning
 from ev3proto.text.spans import Line, Role
@@ -146,6 +147,7 @@ class Seen(NamedTuple):
     answers    for a reply: the packet of its command
     latency    for a reply: seconds since then
     frame      the message's bytes if available, which saves building them
+    unknown    the offsets of bytes that a text did not give, and which were read as zero
     """
 
     direction: str | None = None
@@ -156,6 +158,7 @@ class Seen(NamedTuple):
     answers: int | None = None
     latency: float | None = None
     frame: bytes | None = None
+    unknown: frozenset[int] = frozenset()
 
 
 def origin(seen: Seen) -> Line:
@@ -186,7 +189,8 @@ def heading(exchange: Exchange, seen: Seen) -> Line:
         line.append((f"no EV3 message, {counted(size, 'byte')}", Role.HEADING))
     else:
         line.append((message.type.name, Role.HEADING))
-        line.append((f", counter {message.counter}, {counted(size, 'byte')}", Role.PLAIN))
+        counter = "?" if seen.unknown & {LENGTH_FIELD, LENGTH_FIELD + 1} else message.counter
+        line.append((f", counter {counter}, {counted(size, 'byte')}", Role.PLAIN))
     if seen.cut and message.stated_length is not None:
         line.append((f" of {message.stated_length + 2}: the text is cut here", Role.MEANING))
     line += _what(exchange)

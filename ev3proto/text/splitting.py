@@ -1,36 +1,46 @@
-"""The messages in pasted bytes: one frame, several, or one with padding after it."""
+"""The messages in pasted bytes: one frame, several, and what follows them: padding, left-over bytes of a report."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import pairwise
 from typing import NamedTuple
 
+from ev3proto.checking.mangled import mangled
 from ev3proto.messages import Message
 from ev3proto.schema.frame import parse
-from ev3proto.schema.header import frame_size, may_have_length
-from ev3proto.tables.frame import LENGTH_FIELD, REPORT_SIZES
+from ev3proto.schema.header import HEADER_SIZE, frame_size, may_have_length
+from ev3proto.tables.frame import LENGTH_FIELD, REPORT_SIZES, MessageType
+
+_TYPES = frozenset(map(int, MessageType))
+_REPLIES = frozenset(int(member) for member in MessageType if not member.is_command)
 
 
 class Piece(NamedTuple):
-    """A message out of pasted bytes; `padding` bytes without meaning followed it."""
+    """A message out of pasted bytes, the offset of its frame, and the bytes behind it that have no meaning."""
 
     message: Message
-    padding: int = 0
+    start: int = 0
+    rest: bytes = b""
 
 
 def split(data: bytes, *, dialect: str = "official") -> Iterator[Piece]:
     """Yields the messages in pasted bytes. Never raises; each message's fault says what is wrong with it."""
-    ends = frame_ends(data)
-    first = next(_ends(data), 0)
-    if ends is not None:
-        start = 0
-        for end in ends:
-            yield Piece(parse(data[start:end], strict=False, dialect=dialect))
-            start = end
-    elif 0 < first < len(data) and (len(data) in REPORT_SIZES or not any(data[first:])):
-        yield Piece(parse(data[:first], strict=False, dialect=dialect), len(data) - first)
-    else:
-        yield Piece(parse(data, strict=False, dialect=dialect))
+    ends = list(_ends(data)) or [len(data)]
+    if ends[-1] < len(data) and not _is_left_over(data, ends):
+        # The last length is too small.
+        ends[-1] = len(data)
+    for start, end in pairwise((0, *ends)):
+        rest = data[end:] if end == ends[-1] else b""
+        yield Piece(parse(data[start:end], strict=False, dialect=dialect), start, rest)
+
+
+def _is_left_over(data: bytes, ends: list[int]) -> bool:
+    """Whether the bytes behind the last frame have no meaning: zeros, or what was in the buffer of a report before."""
+    if not any(data[ends[-1] :]) or len(data) in REPORT_SIZES:
+        return True
+    start = ends[-2] if len(ends) > 1 else 0
+    return data[start + HEADER_SIZE - 1] in _REPLIES and mangled(data[start:]) is None
 
 
 def frame_ends(data: bytes) -> Iterator[int] | None:
@@ -47,3 +57,5 @@ def _ends(data: bytes) -> Iterator[int]:
         if not is_frame or at > len(data):
             return
         yield at
+        if at + HEADER_SIZE <= len(data) and data[at + HEADER_SIZE - 1] not in _TYPES:
+            return

@@ -16,6 +16,7 @@ from ev3proto.messages import (
     SystemReply,
 )
 from ev3proto.schema.argument import ENCODINGS
+from ev3proto.schema.frame import parse
 from ev3proto.tables.daisy import TEXTS as DAISY_TEXTS
 from ev3proto.tables.daisy import DaisyCommand as DaisySubCommand
 from ev3proto.tables.encoding import STRING_CODING, TEXT
@@ -45,17 +46,17 @@ def tree(exchange: Exchange, seen: Seen) -> Iterator[Line]:
                 sizes = f"{message.global_size} bytes global, {message.local_size} bytes local"
                 yield [(f"  memory: {sizes}", Role.ASIDE)]
             for operation in message.operations:
-                yield from operation_lines(operation)
+                yield from operation_lines(operation, seen.unknown)
         case DirectReply():
             yield from _values(exchange)
         case SystemCommand() | SystemReply():
-            yield from _system(message, exchange.transfer)
+            yield from _system(message, exchange.transfer, seen.unknown)
         case DaisyCommand() | DaisyReply():
             yield from _daisy(message)
     yield from _fault(message, seen.cut)
 
 
-def operation_lines(operation: Operation) -> list[Line]:
+def operation_lines(operation: Operation, unknown: frozenset[int] = frozenset()) -> list[Line]:
     """Yields the lines of one operation: its name, and each argument with its encoding and meaning."""
     lines: list[Line] = [
         [
@@ -72,12 +73,16 @@ def operation_lines(operation: Operation) -> list[Line]:
     for argument in arguments:
         parameter, form, offset = argument.parameter, argument.form, argument.offset
         meaning = argument_meaning(argument)
+        if unknown and not unknown.isdisjoint(range(offset, offset + argument.length)):
+            value, meaning = "?", ""
+        else:
+            value = argument_value(argument)
         lines.append(
             [
                 (f"  {str(offset).rjust(4)}    ", Role.ASIDE),  # in half the time of {offset:4}
                 (parameter.name.ljust(width), Role.NAME),
                 (" = ", Role.PLAIN),
-                (argument_value(argument), Role.VALUE),
+                (value, Role.VALUE),
                 (f" {meaning}" if meaning else "", Role.MEANING),
                 (f"  {form.name}: {parameter.text}", Role.ASIDE),
             ]
@@ -101,25 +106,37 @@ def _values(exchange: Exchange) -> Iterator[Line]:
         yield [(f"     5  global memory: {spaced_hex(message.memory)}", Role.PLAIN)]
 
 
-def _system(message: SystemCommand | SystemReply, transfer: Transfer | None) -> Iterator[Line]:
+def _system(message: SystemCommand | SystemReply, transfer: Transfer | None, unknown: frozenset[int]) -> Iterator[Line]:
     entry = SYSTEM_BY_NUMBER.get(message.number)
     if entry is not None and isinstance(message, SystemCommand):
         yield [(f"        {entry.text}", Role.ASIDE)]
     if isinstance(message, SystemReply) and (meaning := status_meaning(message.number, message.status_code)):
         yield [(f"        {meaning}", Role.MEANING)]
     width = max((len(name) for name in message.fields), default=0)
+    hidden = _unknown_fields(message, unknown) if unknown else frozenset()
     for name, value, meaning in field_texts(message):
         yield [
             ("        ", Role.PLAIN),
             (name.ljust(width), Role.NAME),
             (" = ", Role.PLAIN),
-            (value, Role.VALUE),
+            ("?" if name in hidden else value, Role.VALUE),
             (f"  {meaning}" if meaning else "", Role.MEANING),
         ]
     if transfer is not None and transfer.path:
         of = "an unknown number of" if transfer.size is None else str(transfer.size)
         progress = f"{transfer.transferred} of {of} bytes"
         yield [("        ", Role.PLAIN), (f"{plain(transfer.path)}: {progress}", Role.MEANING)]
+
+
+def _unknown_fields(message: SystemCommand | SystemReply, unknown: frozenset[int]) -> frozenset[str]:
+    """Returns the names of the fields with a byte that is not known: those that change with one of them."""
+    frame = bytearray(message.build())
+    found = set[str]()
+    for offset in unknown & {*range(len(frame))}:
+        changed = parse(bytes(frame[:offset] + bytes((frame[offset] ^ 1,)) + frame[offset + 1 :]), strict=False)
+        if isinstance(changed, SystemCommand | SystemReply):
+            found |= {name for name, value in message.fields.items() if changed.fields.get(name) != value}
+    return frozenset(found)
 
 
 def _daisy(message: DaisyCommand | DaisyReply) -> Iterator[Line]:

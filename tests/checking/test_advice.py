@@ -34,6 +34,7 @@ some = settings(max_examples=effort(100, 3000), deadline=None)
 
 WITHOUT_A_NUMBER_TO_TRY = {
     "E102": "the bytes that are missing are not known",
+    "E108": "the numbers are those of bytes in a text",
     "E207": "it is a count only where the operation can be read",
     "E210": "the names of encodings have numbers in them",
     "E802": "the names of types have numbers in them",

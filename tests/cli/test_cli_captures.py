@@ -339,8 +339,11 @@ KINDS = {
     "logs.zip": (b"PK\x03\x04\x14\0\0\0", "a zip archive; unpack it"),
     "pybricks.uf2": (b"UF2\n\x57\x51\x5d\x9e", "a UF2 image"),
     "renamed": (b"UF2\n\x57\x51\x5d\x9e", "a UF2 image"),
-    "smile.rgf": (b"\x2c\x2e\x40\x40\x40\x40\x40\x40", "UI_DRAW.BMPFILE shows it"),
-    "hello.rsf": (b"\x01\x00\x1d\x20\x1f\x40\0\0", "SOUND.PLAY plays it"),
+    "smile.rgf": (b"\x2c\x2e\x40\x40\x40\x40\x40\x40", "an image of 44 x 46 pixels by its first two bytes"),
+    "hello.rsf": (b"\x01\x00\x1d\x20\x1f\x40\0\0", "whose header says 7456 bytes of sound, but 1048568 follow"),
+    "renamed.rsf": (b"RIFF\x24\x80\0\0", "a WAV file with the suffix .rsf"),
+    "other.rsf": (b"\0\0\1\1\0\0\0\0", "not a sound file of the brick: it starts with 00 00"),
+    "game.rxe": (b"MindstormsNXT\0\0\5", "a program for an NXT (.rxe)"),
     "EV3 Firmware V1.09H.bin": (b"\x14\x00\x9f\xe5\x14\xf0\x9f\xe5", "a firmware image"),
 }
 
@@ -355,6 +358,26 @@ def test_files_around_the_ev3_are_named(name: str, tmp_path: Path) -> None:
         assert (command, done.returncode) == (command, 1)
         assert sentence in done.stderr.decode()
         assert len(done.stderr.splitlines()) == 1
+
+
+@pytest.mark.parametrize(
+    ("name", "contents", "sentence"),
+    [
+        ("good.rgf", b"\x10\x02" + bytes(4), "UI_DRAW.BMPFILE shows it"),
+        ("short.rgf", b"\xb0\x80" + bytes(40), "needs 2816 bytes after them (22 a row), but 40 follow"),
+        ("large.rgf", b"\xff\x01" + bytes(32), "255 x 1 pixels, but the brick's display has 178 x 128"),
+        ("good.rsf", b"\x01\x00\x00\x02\x1f\x40\0\0" + bytes(2), "SOUND.PLAY plays it"),
+        ("short.rsf", b"\x01\x00", "too short: its header has 8 bytes, the file has 2"),
+        ("mute.rsf", b"\x01\x00\x00\x02\x00\x00\0\0" + bytes(2), "whose header says 0 Hz"),
+    ],
+)
+def test_what_is_wrong_in_the_header_of_a_file_is_said(
+    name: str, contents: bytes, sentence: str, tmp_path: Path
+) -> None:
+    (tmp_path / name).write_bytes(contents)
+    done = run("decode", str(tmp_path / name))
+    assert (done.returncode, done.stdout) == (1, b"")
+    assert sentence in done.stderr.decode()
 
 
 def test_a_reader_that_goes_away() -> None:

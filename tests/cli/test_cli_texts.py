@@ -34,19 +34,106 @@ def log(tmp_path: Path) -> Path:
     return path
 
 
-def test_what_looks_like_a_frame_and_was_not_read_is_reported() -> None:
+def test_a_frame_with_a_wrong_length_is_a_faulty_frame() -> None:
     text = (
         f"one: {TONE}\ntwo: {TONE[:-2]}\nid d41d8cd98f00b204e9800998ecf8427e 00:16:53:42:2B:99\nthree: {TONE}0000ff\n"
     )
+    done = run("decode", "-", stdin=text)
+    assert done.returncode == 1
+    said = done.stderr.decode()
+    assert "line 2: fault at offset 0: the frame is cut off" in said
+    assert "line 4: fault at offset 16: the frame is longer than its length field says" in said
+    assert "line 3" not in said
+    checked = run("check", "-", stdin=text)
+    assert [code in checked.stdout for code in (b"E102", b"E103")] == [True, True]
+
+
+def test_dialogues_of_nothing() -> None:
+    done = run("decode", "--dialogues", "-", stdin="hello\n")
+    assert (done.returncode, b"no frame found" in done.stderr) == (1, True)
+
+
+UNKNOWN = {
+    "1C00xxxx0192xxxxxxxx2E2E2F617070732F7473742F7473742E72626600": ("counter ?", "size = ?", 'path = "../apps'),
+    "let b = new Uint8Array([0x0D, 0x00, id & 0xFF, (id >> 8) & 0xFF, 0x00, 0x04, 0x00,\n"
+    "  0x99, 0x1D, 0x00, port, 0x00, 0x00, 0x01, 0x60 ]);": ("NO        = ?", "MODE      = 0"),
+    "0F00 MMMM 80 0000 94 01 81 XX 82 E803 82 E803": ("VOLUME    = ?", "FREQUENCY = 1000 Hz"),
+    "XX XX 2A 00 80 00 00 94 01 81 02 82 e8 03 82 e8 03": ("counter 42, 17 bytes",),
+}
+
+
+@pytest.mark.parametrize("text", UNKNOWN)
+def test_unknown_bytes_are_shown_as_such(text: str) -> None:
+    done = run("decode", "-", stdin=f"{text}\n")
+    assert done.returncode == 0
+    for said in UNKNOWN[text]:
+        assert said in done.stdout.decode()
+
+
+def test_expressions_are_named_with_line_and_column() -> None:
+    head = "send([0x0f, 0x00, n, 0x00, 0x80, 0x00, 0x00, 0x94, 0x01, 0x81"
+    text = f"first\n{head}, lo(f, 1), 0x82, 0xe8, 0x03, 0x82, 0xe8, 3])"
+    said = run("check", "-", stdin=text).stderr.decode()
+    assert "line 2, column 19: 'n' is unknown, read as 0" in said
+    assert "line 2, column 64: 'lo(f, 1)' is unknown, read as 0" in said
+
+
+MANGLED = {
+    "0d 00 2a 00 c2 80 00 00 c2 a4 00 01 c2 81 64 c2 a6 00 01": "encoded as UTF-8: C2 80 is here for 80",
+    "0d 00 2a 00 3f 00 00 3f 00 01 3f 64 3f 00 01": "3F is here for every byte above 7F",
+    "0d 00 2a 00 efbfbd 00 00 efbfbd 00 01 efbfbd 64 efbfbd 00 01": "EF BF BD is here for a byte above 7F",
+    "0e 00 00 00 80 00 00 94 01 0d 0a 82 e8 03 82 e8 03": "0D 0A is here for 0A",
+    r"b'\r\x00*\x00?\x00\x00?\x00\x01?d?\x00\x01'": "3F is here for every byte above 7F",
+}
+
+
+@pytest.mark.parametrize("text", MANGLED)
+def test_bytes_that_went_through_a_text(text: str) -> None:
+    checked = run("check", "-", stdin=f"{text}\n").stdout.decode()
+    assert f"error[E108]: {MANGLED[text]}" in checked or f"error[E108]: the frame was {MANGLED[text]}" in checked
+    assert checked.count("error[") == 1
+    assert MANGLED[text] in run("decode", "-", stdin=f"{text}\n").stderr.decode()
+
+
+ECHO = bytes.fromhex("04 00 00 00 01 f6 7f b6 00 00 00 06 00 00")
+
+
+@pytest.mark.parametrize(
+    "text", [f"REPLY {ECHO!r}", f"RX {ECHO.hex(' ')}", str(list(ECHO)), f"00000000: {ECHO.hex(' ', -2)}"]
+)
+def test_the_echo_of_the_bootloader_is_named(text: str) -> None:
+    done = run("decode", "-", stdin=f"{text}\n")
+    assert "a known fault of its bootloader: the reply to GET_VERSION" in done.stderr.decode()
+
+
+def test_a_reply_that_went_through_a_text() -> None:
+    assert "C3 90 is here for D0" in run("decode", "-", stdin="RX 05 00 2a 00 02 c3 90 41\n").stderr.decode()
+
+
+STRANGERS = {
+    "0x06 0x00 0x00 0x03 0x0B 0x02 0xF4 0x01": "a telegram for an NXT (PLAYTONE)",
+    "TX 80 03 0B 02 F4 01": "a telegram for an NXT (PLAYTONE)",
+    "0x08,0x00,0x81,0x00,0x11,0x51,0x00,0x25": "LEGO's Wireless Protocol",
+    "uuid 00001624-1212-efde-1623-785feabcd123": "LEGO's Wireless Protocol",
+    "c5f50002-8280-46da-89f4-6d8051e4aeef": "Pybricks",
+    "from pybricks.hubs import EV3Brick": "Pybricks",
+    "GET /target?sn=001612345678 VMTP1.0\nProtocol: EV3": "unlocks a brick on WiFi",
+    "47 45 54 20 2f 74 61 72 67 65 74 3f 73 6e 3d": "unlocks a brick on WiFi",
+    "00000000: 4745 5420 2f74 6172 6765 743f 736e 3d30  GET /target?sn=0": "unlocks a brick on WiFi",
+    "00000000: 4865 6c6c 6f20 776f 726c 6420 6865 6c6c  Hello world hell": "no frame found",
+    r'sendto(3, "\17\0\0\0\200\0\0\224\1\201"..., 17, 0, NULL, 0) = 17': "strace cut the string; -s 1024",
+    "{length = 17, bytes = 0x0f000000 80000094 01810282 ... 82e803 }": "NSData",
+}
+
+
+@pytest.mark.parametrize("text", STRANGERS)
+def test_what_is_something_else_is_named(text: str) -> None:
     for command in ("decode", "check"):
-        done = run(command, "-", stdin=text)
-        assert done.returncode == 1
-        assert b"2 lines look like frames and were not read: line 2, column 6: 15 bytes begin a frame" in done.stderr
-        assert b"line 4, column 8" in done.stderr
-        assert b"line 3" not in done.stderr
-    assert b"look like frames" in run("encode", "-", "--to", "hex", stdin=text).stderr
-    assert b"look like frames" in run("stats", "-", stdin=text).stderr
-    assert b"look like frames" in run("decode", "--dialogues", "-", stdin=text).stderr
+        done = run(command, "-", stdin=f"{text}\n")
+        said = done.stderr.decode()
+        assert STRANGERS[text] in said or STRANGERS[text] in done.stdout.decode()
+        assert "--operations" not in said
+        assert "--no-length" not in said
 
 
 def test_dialogues_of_a_text(log: Path) -> None:

@@ -39,18 +39,8 @@ def _in_rows(data: bytes, width: int, form: str, separator: str, start: str, end
     return "\n".join(start + _list(row, form, separator) + end for _, row in _rows(data, width))
 
 
-def _od(data: bytes, form: str, *, words: bool = False) -> str:
-    lines = [
-        f"{offset:07o} " + " ".join(form.format(one) for one in (_words(row) if words else row))
-        for offset, row in _rows(data, 16)
-    ]
-    return "\n".join([*lines, f"{len(data):07o}"])
-
-
-def _od_characters(data: bytes) -> str:
-    names = {0: r"\0", 7: r"\a", 8: r"\b", 9: r"\t", 10: r"\n", 11: r"\v", 12: r"\f", 13: r"\r"}
-    cells = [names.get(byte) or (chr(byte) if 32 <= byte < 127 else f"{byte:03o}") for byte in data]
-    lines = [f"{at:07o} " + " ".join(f"{cell:>3}" for cell in cells[at : at + 16]) for at in range(0, len(cells), 16)]
+def _od(data: bytes, form: str) -> str:
+    lines = [f"{offset:07o} " + " ".join(form.format(byte) for byte in row) for offset, row in _rows(data, 16)]
     return "\n".join([*lines, f"{len(data):07o}"])
 
 
@@ -164,7 +154,6 @@ LINE: dict[str, Notation] = {
     "Go literal": lambda data: f"[]byte{{{_list(data, '{:#x}')}}}",
     "Rust {:?}": lambda data: f"[{_list(data)}]",
     "Rust {:x?}": lambda data: f"[{_list(data, '{:x}')}]",
-    "Rust suffix": lambda data: f"[{_list(data, '0x{:02x}_u8')}]",
     "Rust suffix on the first": lambda data: f"[{data[0]}u8, {_list(data[1:])}]",
     "Rust string": lambda data: '"' + "".join(f"\\u{{{byte:x}}}" for byte in data) + '"',
     "Visual Basic": lambda data: f"Dim b() As Byte = {{{_list(data, '&H{:X}')}}}",
@@ -211,11 +200,7 @@ LINE: dict[str, Notation] = {
     "elements of XML": lambda data: "".join(f"<byte>{byte}</byte>" for byte in data),
     "non-breaking blanks": lambda data: data.hex(" ").replace(" ", "\u00a0"),
     "entities": lambda data: _list(data, "{:02x}", "&nbsp;"),
-    "quoted-printable, all": lambda data: "".join(f"={byte:02X}" for byte in data),
     "groups with full stops": lambda data: ".".join(row.hex() for _, row in _rows(data, 2)),
-    "Pascal characters": lambda data: "".join(f"#{byte}" for byte in data),
-    "Verilog": lambda data: f"{{{_list(data, chr(39).join(('8', 'h{:02x}')))}}}",
-    "Nim": lambda data: f"@[{data[0]}'u8, {_list(data[1:])}]",
     "octal of C": lambda data: f"{{{_list(data, '0{:03o}')}}}",
     "0x glued": lambda data: _list(data, "0x{:02x}", ""),
     "bytea": lambda data: f"\\x{data.hex()}",
@@ -263,7 +248,6 @@ LINES: dict[str, Notation] = {
             f"{len(data):07x}",
         ]
     ),
-    "od": lambda data: _od(data, "{:06o}", words=True),
     "od -t x1": lambda data: _od(data, "{:02x}"),
     "od -t x1z": lambda data: "\n".join(
         f"{offset:07o} {row.hex(' '):<47}  >{_shown(row)}<" for offset, row in _rows(data, 16)
@@ -272,7 +256,6 @@ LINES: dict[str, Notation] = {
     "od -t d1": lambda data: "\n".join(
         f"{offset:07o} " + " ".join(f"{_signed(byte):4}" for byte in row) for offset, row in _rows(data, 16)
     ),
-    "od -c": _od_characters,
     "xxd": _xxd,
     "xxd -i": lambda data: (
         "unsigned char frame_bin[] = {\n"
@@ -321,9 +304,6 @@ LINES: dict[str, Notation] = {
     "Format-Hex of PowerShell 7": lambda data: "\n".join(
         f"{at:016X} {row.hex(' ').upper():<47} {_shown(row).replace('.', chr(0xFFFD))}" for at, row in _rows(data, 16)
     ),
-    "hexdump -d": lambda data: "\n".join(
-        f"{at:07x}   " + "   ".join(f"{word:05}" for word in _words(row)) for at, row in _rows(data, 16)
-    ),
     "socat -x -v": lambda data: (
         f"> 2024/01/31 12:00:00.123456  length={len(data)} from=0 to={len(data) - 1}\n"
         + "\n".join(f" {row.hex(' '):<47}  {_shown(row)}" for _, row in _rows(data, 16))
@@ -342,9 +322,6 @@ LINES: dict[str, Notation] = {
     "XML, hex": lambda data: "<data>\n" + "\n".join(f"  <b>{byte:02X}</b>" for byte in data) + "\n</data>",
     "DataView": lambda data: "\n".join(f"view.setUint8({at}, 0x{byte:02x});" for at, byte in enumerate(data)),
     "println(HEX)": lambda data: "\n".join(f"{byte:X}" for byte in data),
-    "quoted-printable, wrapped": lambda data: "=\n".join(
-        "".join(f"={byte:02X}" for byte in row) for _, row in _rows(data, 10)
-    ),
     "strace -e write": lambda data: (
         f"write(3, {_c_string(data)}, {len(data)}) = {len(data)}\n"
         + "\n".join(

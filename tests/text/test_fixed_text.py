@@ -28,7 +28,7 @@ LOG = """\
 
 
 def frames(text: str) -> list[bytes]:
-    return [piece.data for piece in read_text(text.splitlines(keepends=True)) if not piece.unread]
+    return [piece.data for piece in read_text(text.splitlines(keepends=True)) if piece.data]
 
 
 def test_a_log_keeps_its_comments_times_and_replies() -> None:

@@ -182,38 +182,9 @@ def test_a_dump_that_starts_anew_is_another_one() -> None:
     assert [(piece.line, piece.data) for piece in pieces(text)] == [(1, REPLY), (2, REPLY), (3, REPLY)]
 
 
-FAULTY = {
-    "Sent 0E002A008000009": (b"\x0e\x00\x2a\x00\x80\x00\x00", "column 6", "odd number"),
-    "Recv 03 00 2a 00 zz": (b"\x03\x00\x2a\x00", "column 18", "'zz' is not hex"),
-    "Sent 0x|0E:0G|2A:00|": (b"\x0e", "column 12", "'0G' is not hex"),
-    "Sent {14, 0, 300}": (b"\x0e\x00", "column 14", "300 is more than 255"),
-    "{14, 0, 42, 0, 010}": (b"\x0e\x00\x2a\x00", "column 16", "octal"),
-    "{14, 0, 42, 0, 128, opSOUND}": (b"\x0e\x00\x2a\x00\x80", "column 21", "'opSOUND' is not a number"),
-    "{14, 0, 42, 0, 128,\n 0, x}": (b"\x0e\x00\x2a\x00\x80\x00", "line 2, column 5", "'x' is not a number"),
-    "{14, 0, 42, 0, 128 0}": (b"\x0e\x00\x2a\x00\x80", "column 20", "comma"),
-    "{14, 0, 42, 0, 128": (b"\x0e\x00\x2a\x00\x80", "column 1", "never ends"),
-    r"Sent b'\x0e\x00*": (b"\x0e\x00*", "column 17", "never ends"),
-    r"Sent b'\x0e\x00\xzz'": (b"\x0e\x00", "column 16", "byte string"),
-    r"Sent \x0e\x00\xzz": (b"\x0e\x00", "column 14", "not an escape"),
-    "Sent bytes.fromhex('0e002a00800')": (b"\x0e\x00\x2a\x00\x80", "column 21", "odd number"),
-    "0000  0e 00 2a 00 80 0g 00\n0010  01": (b"\x0e\x00\x2a\x00\x80", "column 22", "is not hex"),
-    "0000  0e 00 2a 00 80\n*\n0020  00 00": (b"\x0e\x00\x2a\x00\x80", "line 2", "leaves lines out"),
-}
-
-
-@pytest.mark.parametrize("text", FAULTY)
-def test_unreadable_input_is_reported(text: str) -> None:
-    data, place, reason = FAULTY[text]
-    pasted = only(text)
-    assert pasted.problem is not None
-    assert pasted.data == data
-    assert place in pasted.problem
-    assert reason in pasted.problem
-
-
-def test_a_dump_in_words_is_read_where_it_is_a_frame_and_refused_where_not() -> None:
+def test_a_dump_in_words_that_breaks_off_is_the_start_of_a_frame() -> None:
     assert read_argument("0000000 000e 002a 0080 9400 0101 b882 8201 03e8").data == TONE
-    assert "hexdump -C" in (read_argument("0000000 000e 002a 0080 9400 0101 b882 8201").problem or "")
+    assert read_argument("0000000 000e 002a 0080 9400 0101 b882 8201").data == TONE[:14]
 
 
 ARGUMENTS = {
@@ -359,18 +330,17 @@ def test_lines_are_read_as_they_come() -> None:
 
 
 @pytest.mark.parametrize(
-    ("line", "data", "problem"),
+    ("line", "data"),
     [
-        ("Sent 0E00", b"\x0e\x00", None),
-        ("Sent 0x|03:00|", b"\x03\x00", None),
-        ("0x|0E:00|2A", b"\x0e\x00\x2a", None),
-        ("0x|0E:00|2A...", b"\x0e\x00\x2a", None),
-        ("0x|ZZ:00|2A:00|80|00:00|94|", b"", "column 4: 'ZZ' is not hex"),
+        ("Sent 0E00", b"\x0e\x00"),
+        ("Sent 0x|03:00|", b"\x03\x00"),
+        ("0x|0E:00|2A", b"\x0e\x00\x2a"),
+        ("0x|0E:00|2A...", b"\x0e\x00\x2a"),
     ],
 )
-def test_the_frame_after_a_truncated_one_is_found(line: str, data: bytes, problem: str | None) -> None:
+def test_a_frame_that_lost_most_of_itself_is_not_lost_too(line: str, data: bytes) -> None:
     (pasted,) = read_text(["some words about it\n", f"{line}\n"])
-    assert (pasted.data, pasted.problem, pasted.line) == (data, problem, 2)
+    assert (pasted.data, pasted.problem, pasted.line) == (data, None, 2)
 
 
 def test_a_long_truncated_frame_is_not_read_as_operations() -> None:

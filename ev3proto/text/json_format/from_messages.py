@@ -48,6 +48,8 @@ def record(exchange: Exchange, seen: Seen) -> dict[str, Any]:
         entry["fault"] = {"offset": message.fault.offset, "reason": message.fault.reason}
     if seen.cut:
         entry["cut"] = True
+    if seen.unknown:
+        entry["unknown"] = sorted(seen.unknown)
     if message.rest:
         entry["rest"] = message.rest.hex()
     entry["hex"] = frame.hex()

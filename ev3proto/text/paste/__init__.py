@@ -4,32 +4,39 @@ Frames come out of terminals, source code and bug reports. One rule says what a 
 notation, whose length field fits it exactly, wherever it is in a text and whatever is around it. A reading is chosen by
 the length field, too: `10` is sixteen where the run is a frame with it, and ten where it is one with that.
 
-    notations    how values are written, and the bytes of each
+    notations    how values are written, and what is between them; a row for each form, with an example
+    values       the bytes of a value, in each reading
     rows         what is around the values of a row: comments, the columns of dumps, indexes
-    frames       the frames in bytes, and what bytes are that look like one
+    frames       the frames in bytes, and the bytes that were meant as one
     readings     which bytes a run of values is, in each reading that it may have
     pieces       what is reported of a piece: its bytes, and the time and the direction in front of it
-    reader       lines to frames, also those over several lines
-    mistakes     where a piece breaks off, and the few bytes that an argument may be
+    near         wrong frames, slips, pieces that were cut
+    strangers    what bytes and lines are that have nothing to do with frames
+    groups       lines that belong together
+    reader       lines to pieces
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
 from typing import Literal
 
 from ev3proto.text.paste.frames import bare_reason, is_flawless, with_header, without_length
-from ev3proto.text.paste.pieces import MAX_LINE, MAX_TEXT, Pasted, check_text, short
+from ev3proto.text.paste.near import AROUND, broken, pieces_of_argument
+from ev3proto.text.paste.pieces import MAX_LINE, MAX_TEXT, MOST_SHORT, Pasted, check_text, clean_head, short
 from ev3proto.text.paste.reader import Reader, bytes_in
 
 __all__ = ["MAX_LINE", "Missing", "Pasted", "read_argument", "read_bare", "read_text"]
+
+_NO_DIGIT = re.compile(r"(?!^0[xX])(?<!^0)[^0-9a-fA-F]")
 
 Missing = Literal["length", "header"]
 """What bytes may lack: the two bytes of the length field, or the whole header of a direct command."""
 
 
 def read_text(lines: Iterable[str]) -> Iterator[Pasted]:
-    """Yields the frames in lines of text, in their order, and what looks like one (`unread`).
+    """Yields the frames in lines of text, in their order, and what was meant as one.
 
     Memory is bounded: only an array or a dump over several lines is collected, up to 64 KiB of it. Lines of more than
     1 MiB are not read, but reported.
@@ -64,20 +71,27 @@ def read_argument(text: str) -> Pasted:
     check_text(text)
     lines = text.strip("\r\n").split("\n")
     found = list(read_text(lines))
-    pieces = [piece for piece in found if not piece.unread]
-    if not any(piece.problem is None for piece in pieces) and len(text) <= MAX_LINE:
-        from ev3proto.text.paste.mistakes import broken  # takes 4 ms, which a frame has no use for
-
-        # Hex may be wrapped at the end of the line.
-        sure = broken([" ".join(lines)], 1, is_sure=True)
-        pieces = sure if len(lines) == 1 or (sure and sure[0].problem is None) else pieces
-    if not pieces:
-        problem = "it is empty" if not text.strip() else "column 1: it contains no readable bytes"
-        return Pasted(b"", 1, short(text, MAX_TEXT), problem=problem)
-    first = pieces[0]
-    if first.problem is None and not first.cut and not is_flawless(first.data):
+    if not any(piece.data or piece.problem for piece in found) and len(text) <= MAX_LINE:
+        found = [_short(" ".join(lines))]
+    first = found[0]
+    if first.problem is None and not first.cut and not first.unknown and not is_flawless(first.data):
         first = first._replace(problem=bare_reason(first.data))
-    if len(pieces) == 1 or first.problem is not None:
+    if len(found) == 1 or first.problem is not None:
         return first
-    problem = f"it has {len(pieces)} frames in it, of which only the first was read: give each an argument of its own"
+    problem = f"it has {len(found)} frames in it, of which only the first was read: give each an argument of its own"
     return first._replace(problem=problem)
+
+
+def _short(line: str) -> Pasted:
+    """Returns what a line is that is known to be meant as bytes, and has no frame."""
+    runs = [run for run in pieces_of_argument(line) if not line[clean_head(line).end : run.start].strip(AROUND + "x0b")]
+    one = next((one for run in runs if (one := broken(run, line, is_sure=True))), None)
+    if one is not None:
+        return Pasted(one.data, 1, short(line, MAX_TEXT), cut=one.cut, problem=one.problem)
+    if not line.strip():
+        return Pasted(b"", 1, "", problem="it is empty")
+    word = line.split()[0].rstrip("\"'`)]}>;,")
+    problem = f"column 1: {short(word)!r} is not hex" if word.strip("-") else "column 1: it contains no readable bytes"
+    if len(word) > MOST_SHORT and (strange := _NO_DIGIT.search(word)):
+        problem = f"column {strange.start() + 1}: {strange[0]!r} is not a hex digit"
+    return Pasted(b"", 1, short(line, MAX_TEXT), problem=problem)

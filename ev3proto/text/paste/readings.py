@@ -11,9 +11,23 @@ from functools import cached_property
 from itertools import pairwise
 from typing import NamedTuple
 
-from ev3proto.text.paste.frames import HASHES, LOOKS, Frame, frame_end, frames_in, is_flawless, is_sure
-from ev3proto.text.paste.notations import NUMBERS, STRINGS, TABLES, UNLIKELY, WIDTH, Notation, joined, values_in
+from ev3proto.schema.header import with_length
+from ev3proto.tables.frame import LENGTH_FIELD
+from ev3proto.text.paste.frames import (
+    HASHES,
+    LOOKS,
+    Frame,
+    frame_end,
+    frames_in,
+    fronts,
+    is_command,
+    is_echo,
+    is_flawless,
+    is_sure,
+)
+from ev3proto.text.paste.notations import NUMBERS, STRINGS, Notation, values_in
 from ev3proto.text.paste.pieces import LEAST
+from ev3proto.text.paste.values import READINGS, UNLIKELY, WIDTH, joined, unknown_bytes
 
 _MANY_MARKS = 4
 _ALPHANUMERIC = frozenset(filter(str.isalnum, map(chr, range(128))))
@@ -32,13 +46,18 @@ class Run:
         """Sets the values, and by them the readings they may have."""
         self.tokens = tokens
         self.widths = frozenset(map(WIDTH.__getitem__, tokens)) if self.notation is NUMBERS else frozenset()
-        self.names = self.notation.likely(tokens, self.widths) if tokens else ()
+        self.names = self.notation.readings(tokens, self.widths) if tokens else ()
         self._data: dict[str, bytes | None] = {}
+        self._readings: list[Reading] | None = None
 
     def data(self, name: str) -> bytes | None:
         """Returns the bytes of all values in a reading; None where one has none."""
         if name not in self._data:
-            self._data[name] = joined(self.tokens, name)
+            data = joined(self.tokens, name)
+            if data is not None and -1 in self.widths and any(unknown_bytes(self.tokens[0])[:1]):
+                # An unknown length is the one that fits.
+                data = with_length(data[LENGTH_FIELD:])
+            self._data[name] = data
         return self._data[name]
 
     def likely_data(self) -> bytes | None:
@@ -78,6 +97,28 @@ class Run:
             or (widths[place - 1] > 0) != (widths[place] > 0)
             or (min(widths[place - 1 : place + 1]) < LEAST <= max(widths[place - 1 : place + 1]) // 2)
         )
+
+    @property
+    def readings(self) -> list[Reading]:
+        """The readings, the one worth most first."""
+        if self._readings is None:
+            self._readings = _tried(self)
+        return self._readings
+
+    @property
+    def unknown(self) -> bool:
+        """Whether some of its bytes are unknown."""
+        return -1 in self.widths
+
+    @property
+    def starts_with_name(self) -> bool:
+        """Whether its first value is a name such as `opSOUND`, with which no frame begins."""
+        return self.notation is NUMBERS and self.tokens[0][:1].isalpha() and not WIDTH[self.tokens[0]]
+
+    @property
+    def is_row(self) -> bool:
+        """Whether nothing else is in the line, as in the row of a dump."""
+        return len(self.tokens) > 1 and not (self.line[: self.start] + self.line[self.end :]).strip()
 
     @property
     def is_long(self) -> bool:
@@ -130,7 +171,7 @@ class Part(NamedTuple):
             return range(self.first, self.last)
         if self.name == "base64":
             return [min(self.first + offset, self.last - 1) for offset in range(len(self.data))]
-        table = TABLES[self.name]
+        table = READINGS[self.name]
         return [at for at in range(self.first, self.last) for _ in table[run.tokens[at]] or b""]
 
 
@@ -157,6 +198,16 @@ class Reading(NamedTuple):
         return any(part.frames for part in self.parts)
 
     @property
+    def has_rest(self) -> bool:
+        """Whether other bytes than padding follow the last frame."""
+        return any(any(part.data[frame.end : frame.stop]) for part, frame in self.frames)
+
+    @property
+    def ends_within(self) -> bool:
+        """Whether other bytes than padding follow its only frame."""
+        return len(self.frames) == 1 and any(any(part.data[frame.end :]) for part, frame in self.frames)
+
+    @property
     def worth(self) -> tuple[bool, int, bool, int]:
         """What tells the likelier of two readings: whether its frames are all, their bytes, whether it is complete."""
         natural = sum(frame.end - frame.start for _, frame in self.frames if frame.is_natural)
@@ -168,7 +219,7 @@ class Reading(NamedTuple):
         return all(is_flawless(part.data[frame.start : frame.end]) for part, frame in self.frames)
 
 
-def tried(run: Run) -> list[Reading]:
+def _tried(run: Run) -> list[Reading]:
     """Returns the readings of a run that were tried, the one worth most first; among equals one without a flaw."""
     if (all_of_it := whole(run)) is not None:
         return [Reading([all_of_it], True, True)]
@@ -192,7 +243,7 @@ def whole(run: Run) -> Part | None:
     for name in run.names:
         data = run.data(name)
         if data is not None and frame_end(data, 0) == len(data):
-            part = Part(name, 0, len(run.tokens), data, [Frame(0, len(data), True)])
+            part = Part(name, 0, len(run.tokens), data, [Frame(0, len(data), len(data), True)])
             if _is_likely(run, part, is_whole=True):
                 found.append(part)
                 if name in ("hex", "string"):
@@ -215,7 +266,7 @@ def _reading(run: Run, name: str) -> Reading:
 
 def _parts(tokens: list[str], name: str) -> Iterator[tuple[int, int, bytes]]:
     """Yields the parts of a run between the values that a reading gives no bytes for."""
-    found = list(map(TABLES[name].__getitem__, tokens))
+    found = list(map(READINGS[name].__getitem__, tokens))
     ends = [place for place, data in enumerate(found) if data is None]
     for first, last in pairwise((-1, *ends, len(tokens))):
         data = b"".join(found[first + 1 : last])  # type: ignore[arg-type]
@@ -249,20 +300,21 @@ def _edges(run: Run, part: Part) -> Callable[[], tuple[set[int], set[int]]]:
 
 def starts_of(run: Run, part: Part) -> list[int]:
     """Returns the offsets at which frames may naturally start."""
-    return sorted(_edges(run, part)()[0])
+    starts = _edges(run, part)()[0]
+    return sorted(starts | (fronts(part.data) if 0 in starts else set()))
 
 
 def _frames(run: Run, part: Part, *, is_complete: bool) -> tuple[Part, bool]:
     """Returns a part with its frames, and whether they are all of the run."""
-    name, data, tokens = part.name, part.data, run.tokens
+    name, data = part.name, part.data
     if len(data) < LEAST:
         return part, False
-    found = frames_in(data, _edges(run, part), is_hid=name != "base64")
+    found = frames_in(data, _edges(run, part), is_front=name != "base64")
     if not found:
         return part, False
     is_padded = not any(data[found[-1].end :])
     is_whole = is_complete and is_padded and sum(frame.end - frame.start for frame in found) == found[-1].end
-    if not is_whole and (name == "base64" or (len(tokens) == 1 and len(data) in HASHES)):
+    if not is_whole and name == "base64":
         return part, False
     found = [frame for frame in found if _is_likely(run, part._replace(frames=[frame]), is_whole=is_whole)]
     return part._replace(frames=found), is_whole and bool(found)
@@ -271,14 +323,21 @@ def _frames(run: Run, part: Part, *, is_complete: bool) -> tuple[Part, bool]:
 def _is_likely(run: Run, part: Part, *, is_whole: bool) -> bool:
     """Whether a frame is meant as one, be it all of a run or among other values."""
     (frame,), data, tokens = part.frames, part.data, run.tokens
-    if part.name in UNLIKELY and not is_flawless(data[frame.start : frame.end]):
+    content = data[frame.start : frame.end]
+    if part.name in UNLIKELY and not is_flawless(content):
         return False
+    if not is_whole and any(data[frame.end : frame.stop]):
+        # Numbers that happen to begin like a frame are many; a report has two digits for each byte.
+        is_bare = run.notation is NUMBERS and 0 not in run.widths and (part.name != "hex" or bool({1, 3} & run.widths))
+        if is_bare and not is_echo(content) and not (is_command(content) and is_sure(content)):
+            return False
+    if 0 in run.widths and any(data[frame.end :]) and frame_end(data, frame.end) is None and not is_flawless(content):
+        # The rest of an array: the length is too small.
+        return False
+    if not is_whole and len(tokens) == 1 and len(data) in HASHES:
+        return frame.start == 0 and is_command(content) and is_sure(content)
     if run.notation is not NUMBERS or len(tokens) == 1:
         return True
-    if -1 in run.widths:
-        unknown = {offset for offset, place in enumerate(part.owners(run)) if WIDTH[tokens[place]] < 0}
-        if {*range(frame.start, frame.end)} & unknown - {frame.start + 2, frame.start + 3}:
-            return False
     if {1, 3} & run.widths and run.marks >= (_MANY_MARKS if is_whole else 2):
         # Unpadded numbers with all kinds of marks between them, as in expressions and drawings.
         return frame.end - frame.start >= LOOKS and is_sure(data[frame.start : frame.end])

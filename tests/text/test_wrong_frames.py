@@ -1,0 +1,144 @@
+"""Frames whose length or type is wrong are frames all the same: `check` names the fault, in every notation."""
+
+from __future__ import annotations
+
+from itertools import product
+
+import pytest
+from support.cases import each
+from support.cli import run_ev3proto
+from support.notations import EVERY
+
+from ev3proto.text.paste import read_argument, read_text
+
+TONE = bytes.fromhex("0f 00 00 00 80 00 00 94 01 81 02 82 e8 03 82 e8 03")
+SENSOR = bytes.fromhex("0a 00 2a 00 00 08 00 a8 00 00 60 64")
+
+
+def headed(frame: bytes, length: int) -> bytes:
+    return length.to_bytes(2, "little") + frame[2:]
+
+
+HEADS = {
+    "length one too small": (lambda frame: headed(frame, len(frame) - 3), "E103"),
+    "length three too small": (lambda frame: headed(frame, len(frame) - 5), "E103"),
+    "length counts itself": (lambda frame: headed(frame, len(frame)), "E102"),
+    "length bytes swapped": (lambda frame: headed(frame, len(frame) - 2 << 8), "E102"),
+    "unknown type": (lambda frame: frame[:4] + b"\x40" + frame[5:], "E105"),
+}
+NOTATIONS = (
+    *("hex", "blanks", "colons", "lesson", "0x and commas", "pairs of bytes", "decimals, commas", "signed decimals"),
+    *("C", "Java array", "Kotlin, some", "Go", "Visual Basic", "Pascal", "Chr()", "repr", "octal escapes", "fromhex"),
+    *("hexdump -C", "xxd", "C rows, remarks", "calls"),
+)
+
+
+WORDS = (("pairs of bytes", "length bytes swapped"), ("xxd", "length bytes swapped"))
+"""As words of two bytes, these have the right length."""
+
+
+@each("name, head", [one for one in product(NOTATIONS, HEADS) if one not in WORDS])
+def test_a_wrong_head_is_named_in_every_notation(name: str, head: str) -> None:
+    make, code = HEADS[head]
+    frame = make(TONE)
+    text = EVERY[name](frame)
+    done = run_ev3proto("check", "-", stdin=text.encode())
+    said = done.stdout.decode()
+    assert code in said, text
+    assert "help:" in said
+    assert [piece.data for piece in read_text(text.splitlines(keepends=True))] == [frame]
+
+
+@each("name, head", product(("blanks", "C", "repr", "hexdump -C", "lesson"), HEADS))
+def test_a_wrong_head_of_a_command_with_a_reply(name: str, head: str) -> None:
+    frame = HEADS[head][0](SENSOR)
+    assert [piece.data for piece in read_text(EVERY[name](frame).splitlines(keepends=True))] == [frame]
+
+
+SLIPS = {
+    "0e 00 2a 00 80 00 00 G8 01 01 82 b8 01 82 e8 03": (7, "column 22: 'G8' is not hex"),
+    r"\x0e\x00\x2a\x00\x80\x00\x00\x94\x01\xof\x82\xb8\x01\x82\xe8\x03": (9, r"column 37: '\\xof' is not an escape"),
+    r'x = "\x0e\x00\x2a\x00\x80\x00\x00\x94\x01\xof\x82"': (9, r"column 42: '\\xof' is not an escape"),
+    "x = {0x0e, 0x00, 0x2a, 0x00, 0x80, 0xG0}": (5, "column 36: '0xG0' is not a number"),
+    "Sent 0E002A008000009": (7, "column 6: '0E002A008000009' has an odd number of hex digits (15)"),
+    "Recv 03 00 2a 00 zz": (4, "column 18: 'zz' is not hex"),
+    "Sent 0x|0E:0G|2A:00|": (1, "column 12: '0G' is not hex"),
+    "Sent {14, 0, 300}": (2, "column 14: '300' is more than 255"),
+    r"Sent b'\x0e\x00*": (3, "column 6: the string that starts here never ends"),
+    r"Sent b'\x0e\x00\xzz'": (2, r"column 16: '\\xzz' is not an escape"),
+    r"Sent \x0e\x00\xzz": (2, r"column 14: '\\xzz' is not an escape"),
+    "Sent bytes.fromhex('0e002a00800')": (5, "column 21: '0e002a00800' has an odd number"),
+    "0000  0e 00 2a 00 80 0g 00\n0010  01": (5, "column 22: '0g' is not hex"),
+    "0000  0e 00 2a 00 80\n*\n0020  00 00": (5, "line 3: the dump leaves lines out here, as the * tells"),
+    "0x|ZZ:00|2A:00|80|00:00|94|": (0, "column 4: 'ZZ' is not hex"),
+}
+
+
+@pytest.mark.parametrize("text", SLIPS)
+def test_a_slip_is_named_with_its_column(text: str) -> None:
+    size, problem = SLIPS[text]
+    (piece,) = read_text(f"first\n{text}\nlast\n".splitlines(keepends=True))
+    assert (len(piece.data), piece.line) == (size, 2)
+    assert problem in (piece.problem or "")
+
+
+BREAKS_OFF = {
+    "x 0f 00 00 00 80 00 00 94 01 81 02 82 e8 03 82 e8": 16,
+    "// 0f 00 00 00 80 00 00 94": 8,
+    "say 0x0f, 0x00, 0x00, 0x00, 0x80, 0x00, 0x00": 7,
+    "say [15, 0, 0, 0, 128, 0, 0, 148] to it": 8,
+    "{14, 0, 42, 0, 128}": 5,
+    "09:00|2A:00|80|00:00|81|01|60|": 10,
+}
+
+
+@pytest.mark.parametrize("text", BREAKS_OFF)
+def test_the_start_of_a_frame_is_given_out(text: str) -> None:
+    (piece,) = read_text(f"first\n{text}\nlast\n".splitlines(keepends=True))
+    assert (len(piece.data), piece.problem) == (BREAKS_OFF[text], None)
+
+
+BARE = {
+    "00 00 80 00 00 94 01 81 02 82 e8 03 82 e8 03": "--no-length",
+    "94 01 81 02 82 e8 03 82 e8 03": "--operations",
+}
+
+
+@pytest.mark.parametrize("text", BARE)
+def test_what_lacks_its_header_is_told_which_option_reads_it(text: str) -> None:
+    (piece,) = read_text(["first\n", f"{text}\n", "last\n"])
+    assert (piece.data, piece.line) == (b"", 2)
+    assert BARE[text] in (piece.problem or "")
+    assert BARE[text] in (read_argument(text).problem or "")
+
+
+@pytest.mark.parametrize("text", ["09 00 00 00 80 00 00 A4 00 01 14 A6 00 01", "03 00 2a 00 7f"])
+def test_what_begins_like_a_frame_is_never_told_an_option(text: str) -> None:
+    assert all(piece.problem is None for piece in read_text([text]))
+    assert read_argument(text).problem is None
+
+
+LEFT_OVER = bytes.fromhex("07 00 01 00 02 00 00 48 42") + bytes.fromhex("99 1d 00 00 00 02 01 60").ljust(1015, b"\0")
+REPORTS = {
+    "a row": f"RX {LEFT_OVER.hex(' ')}",
+    "a report number": f"RX 00 {LEFT_OVER.hex(' ')}",
+    "a mark of an empty buffer": f"RX ff ff ff ff {LEFT_OVER.hex(' ')}",
+    "Python": f"print({LEFT_OVER!r})",
+    "xxd": EVERY["xxd"](LEFT_OVER[:32]),
+    "hexdump -C": EVERY["hexdump -C"](bytes.fromhex("07 00 01 00 02 00 00 48 42") + b"hello world" + bytes(12)),
+}
+
+
+@pytest.mark.parametrize("name", REPORTS)
+def test_the_frame_at_the_start_of_a_report_wins(name: str) -> None:
+    done = run_ev3proto("decode", "-", stdin=REPORTS[name].encode())
+    said = done.stdout.decode()
+    assert "DIRECT_REPLY, counter 1, 9 bytes" in said
+    assert "left-over bytes follow the frame: " in said
+    assert said.count("counter") == 1
+    assert done.returncode == 0
+
+
+def test_a_second_frame_behind_the_first_is_another_one() -> None:
+    reply = bytes.fromhex("03 00 2a 00 02")
+    assert [piece.data for piece in read_text([(TONE + reply).hex(" ")])] == [TONE, reply]

@@ -28,7 +28,7 @@ from support.wireshark import Tshark
 import ev3proto
 from ev3proto import GV, LV
 from ev3proto.messages import DaisyReply, DirectCommand, Message, Operation, SystemCommand, SystemReply, Variable
-from ev3proto.schema.discovery import UNLOCK
+from ev3proto.schema.discovery import Unlock
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
 from ev3proto.tables import operations
 from ev3proto.tables.declaration import DIALECTS, Direction, Parameter, Type
@@ -64,7 +64,7 @@ class Pieces:
     def feed(self, data: bytes) -> Iterator[bytes]:
         """Returns the frames that are complete with this piece."""
         if data.startswith(UNLOCK_REQUEST.encode()):
-            data = data[UNLOCK.read(data, 0)[1] :]
+            data = data[Unlock.read(data)[1] :]
         elif data.startswith(ACCEPT):
             data = data.removeprefix(ACCEPT).removeprefix(b"\0")
         return (message.build() for message in self.decoder.feed(data))

@@ -96,12 +96,18 @@ _MOST_KNOWN = 5000
 
 
 def near_misses(name: str, known: Iterable[str]) -> str:
-    """Returns `: did you mean SOUND.TONE?` for a name close to a known one, or to a part of it; or nothing.
+    """Returns `: did you mean SOUND.TONE?` for a name that `near_names` finds known ones for; or nothing."""
+    near = near_names(name, known)
+    return f": did you mean {' or '.join(near)}?" if near else ""
+
+
+def near_names(name: str, known: Iterable[str]) -> list[str]:
+    """Returns the known names that a name, or a part of it, is close to: at most three.
 
     The case of letters does not count. Names of more than 60 characters are not compared, and of the known ones 5000.
     """
     if len(name) > _MOST_GUESSED:
-        return ""
+        return []
     import difflib  # takes 1 ms, which only a misspelt name should cost
 
     names = list(islice(known, _MOST_KNOWN))
@@ -114,5 +120,4 @@ def near_misses(name: str, known: Iterable[str]) -> str:
     upper = name.upper()
     least = _LIKENESS if len(name) > _SHORT else _LIKENESS_OF_SHORT
     close = [upper] if upper in targets else difflib.get_close_matches(upper, targets, 3, least)
-    near = [full for full in dict.fromkeys(targets[found] for found in close) if full != name]
-    return f": did you mean {' or '.join(near)}?" if near else ""
+    return [full for full in dict.fromkeys(targets[found] for found in close) if full != name]

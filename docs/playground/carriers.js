@@ -4,6 +4,9 @@ const VENDOR = 0x0694, PRODUCT = 0x0005;
 const REPORT_NUMBER = 0, REPORT = 1024;
 const BAUD_RATE = 115200;
 
+/** Milliseconds for a write to end before the port is closed. */
+const PATIENCE = 1000;
+
 const UNPLUGGED = "the brick was unplugged or switched off";
 
 /** Why a connection is not there: a sentence for the page. */
@@ -95,22 +98,24 @@ export const openBluetooth = async (isNew, to) => {
   serial.addEventListener("disconnect", onDisconnect);
   const reading = (async () => {
     // After an error that is not the end, the port has another stream.
-    while (isOpen && port.readable) {
-      reader = port.readable.getReader();
+    for (let before = null; isOpen && port.readable && port.readable !== before;) {
+      before = port.readable;
+      reader = before.getReader();
       try {
         for (;;) {
           const { done, value } = await reader.read();
           if (done) break;
           to.heard(value, performance.now());
         }
-        if (isOpen) break;
       } catch {
         // The next stream, or none, tells.
       } finally {
         reader.releaseLock();
       }
     }
+    if (!isOpen) return;
     end(UNPLUGGED);
+    await port.close().catch(() => {});
   })();
   let writing = Promise.resolve();
   const write = async (frame) => {
@@ -131,12 +136,15 @@ export const openBluetooth = async (isNew, to) => {
     send: (frame) => (writing = writing.then(() => write(frame))),
     close: async () => {
       end("");
+      await Promise.race([writing, pause(PATIENCE)]);
       await reader?.cancel().catch(() => {});
       await reading;
       await port.close().catch(() => {});
     },
   };
 };
+
+const pause = (duration) => new Promise((resolve) => { setTimeout(resolve, duration); });
 
 const chosenPort = async (serial, isNew) => {
   const known = isNew ? [] : await serial.getPorts();

@@ -1,13 +1,10 @@
 // What the modules of the page share: finding, making and filling elements, and saving files. Text is never markup.
 
-export const find = (id) => document.getElementById(id);
+import { make, saveAs } from "./brick.js";
 
-export const make = (tag, text = "", className = "") => {
-  const element = document.createElement(tag);
-  element.textContent = text;
-  element.className = className;
-  return element;
-};
+export { make, saveAs };
+
+export const find = (id) => document.getElementById(id);
 
 /** The pieces of a line that Python made: text, the role that gives its colour, its place in the reference. */
 export const filled = (element, pieces) => {
@@ -23,15 +20,6 @@ export const filled = (element, pieces) => {
     } else element.append(role === "plain" ? text : make("span", text, role));
   }
   return element;
-};
-
-/** Has the browser save bytes as a file. */
-export const saveAs = (name, blob) => {
-  const link = make("a");
-  link.href = URL.createObjectURL(blob);
-  link.download = name;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 1000);
 };
 
 /** Shows a text in a button for a moment. */

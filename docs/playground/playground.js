@@ -50,7 +50,10 @@ let home = null, reader = null;
 const hear = (said) => {
   if (said.status) status(said.status);
   else if (said.failed) status(`Python cannot be loaded: ${said.failed}`);
-  else if (said.brick) brick.take(said.brick);
+  else if (said.brick) {
+    brick.take(said.brick);
+    if (said.brick.talks) real.takeVirtual(said.brick.talks);
+  }
   else if (said.real) real.take(said.real);
   else if (said.carry) real.carry(said.carry);
   else if (said.ready) begin();
@@ -277,6 +280,7 @@ find("link").onclick = async ({ target }) => {
 find("send").onclick = async ({ target }) => {
   await current;
   const given = await source.ask("to_send");
+  real.forget();
   const said = real.isConnected ? await real.send(given) : await home.ask("play", JSON.stringify(given));
   find("error").textContent = said;
   if (!said) {

@@ -3,7 +3,8 @@
 import { openBluetooth, openUsb, Refused } from "./carriers.js";
 import { filled, find, make, saveAs } from "./elements.js";
 
-const NONE = "Not connected. What you send goes to the virtual brick below.";
+const NONE = "Not connected to a real brick: what you send goes to the virtual one below.";
+const MOST_TALKS = 20;
 const ELSEWHERE = "This browser reaches no real brick: it has neither WebHID nor Web Serial. Chrome, Edge and Opera on a computer or a"
   + " Chromebook have both, on pages with https or from localhost. Chromium as a snap cannot reach USB: install Chrome, or Chromium as a package.";
 const SNAP = " If no brick is listed on Linux: Chromium as a snap cannot reach USB.";
@@ -49,8 +50,9 @@ export const realBrick = (python) => {
     try {
       wire = await open(isNew, to);
       isNew = false;
-      for (const id of ["answer", "comparison", "results", "differences"]) find(id).hidden = true;
-      find("answer").replaceChildren();
+      for (const id of ["comparison", "results", "differences"]) find(id).hidden = true;
+      talks.clear();
+      showAnswer([]);
       await python().ask("connect", wire.kind, wire.label);
       showState();
       find("recorded").hidden = false;
@@ -79,17 +81,28 @@ export const realBrick = (python) => {
 
   // Answers
 
+  const talks = new Map();
+  const showAnswer = (lines) => {
+    const box = find("answer");
+    box.hidden = !lines.length;
+    box.replaceChildren(...lines);
+    box.scrollTop = box.scrollHeight;
+  };
+
+  /** Shows what the virtual brick was told and answered since the last `forget`. */
+  const takeVirtual = (found) => {
+    for (const { number, text } of found) talks.set(number, text);
+    if (wire === null) showAnswer([...talks.values()].slice(-MOST_TALKS).map((text) => make("span", `${text}\n`)));
+  };
+
   const take = ({ answers, isWaiting, facts, comparing, comparison }) => {
     if (answers) {
-      const box = find("answer");
-      box.hidden = false;
       const lines = answers.flatMap((answer) => answer.map((pieces) => {
         const line = filled(make("span"), pieces);
         line.append("\n");
         return line;
       }));
-      box.replaceChildren(...lines, ...(isWaiting ? [make("span", "waiting for the answer …\n", "aside")] : []));
-      box.scrollTop = box.scrollHeight;
+      showAnswer([...lines, ...(isWaiting ? [make("span", "waiting for the answer …\n", "aside")] : [])]);
     }
     if (facts) showFacts(facts);
     if (comparing) {
@@ -183,7 +196,8 @@ export const realBrick = (python) => {
   showState();
   status(navigator.hid || navigator.serial ? NONE : ELSEWHERE);
   return {
-    take, carry, send,
+    take, takeVirtual, carry, send,
+    forget: () => talks.clear(),
     get isConnected() { return wire !== null; },
     /** The session is gone with its Python. */
     drop: () => { if (wire) find("disconnect").click(); },

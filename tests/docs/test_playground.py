@@ -169,6 +169,7 @@ def test_the_tutorial_begins_with_what_the_page_shows(page: Page) -> None:
     page.wait(lambda: page.text("c"))
     page.click("send")
     page.wait(lambda: page.text("leds") == "LED_ORANGE")
+    assert page.text("answer") == "UI_WRITE.LED(PATTERN=LED_ORANGE)\n"
 
 
 def test_a_fix_changes_the_line_that_it_fixes_and_can_be_undone(page: Page) -> None:
@@ -322,6 +323,21 @@ def test_completion(page: Page) -> None:
     page.wait(lambda: page.text("words").startswith("LED_GREEN_FLASH"))
     field.send_keys(Keys.ARROW_DOWN, Keys.TAB, ")")
     page.wait(lambda: "82:1B:04" in page.text("frame"))
+
+
+@pytest.mark.parametrize(
+    ("wrong", "rest", "right"),
+    [
+        ("UI_WRTE", "(LED, 1)", "UI_WRITE"),
+        ("SOUND(TOEN", ", 1, 440, 1000)", "TONE"),
+        ("UI_WRITE(LED, LED_RDE", ")", "LED_RED"),
+    ],
+)
+def test_a_misspelt_name_is_completed_as_the_error_says(page: Page, wrong: str, rest: str, right: str) -> None:
+    page.browser.find_element(By.ID, "input").send_keys(wrong)
+    page.wait(lambda: page.text("words").startswith(f"{right}: did you mean this?"))
+    page.type(wrong + rest)
+    page.wait(lambda: f"did you mean {right}" in page.text("error"))
 
 
 # Links

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 
+from ev3proto.errors import near_names
 from ev3proto.semantics.domain import facts
 from ev3proto.tables import OPCODES
 from ev3proto.tables.declaration import Declaration, declarations
@@ -13,6 +14,7 @@ MOST_COMPLETIONS = 40
 
 _CALL = re.compile(r"([A-Za-z_]\w*)\s*\(([^()]*)$")
 _WORD = re.compile(r"[A-Za-z_][\w.]*$")
+_PREFIXED = re.compile(r"op[A-Z]")
 
 
 def complete(before: str) -> str:
@@ -28,14 +30,25 @@ def complete(before: str) -> str:
     found = _WORD.search(before)
     word = found[0] if found else ""
     call = _CALL.search(before)
-    hint, options = "", _OPERATIONS if call is None else []
-    if call is not None:
+    if call is None:
+        hint, options = "", _OPERATIONS if word else []
+    else:
         hint, options = _inside(call[1].upper().removeprefix("OP"), call[2].split(","))
-    if not word and call is None:
-        options = []
-    wanted = word.upper()
-    words = [option for option in options if option[0].upper().startswith(wanted) and option[0] != word]
+    prefix = "op" if call is None and _PREFIXED.match(word) else ""
+    name = word.removeprefix(prefix)
+    words = [
+        (prefix + each, shown) for each, shown in options if each.upper().startswith(name.upper()) and each != name
+    ]
+    if not words and name and all(each != name for each, _ in options):
+        # The same names that the error suggests.
+        known = dict(options) if call is not None else _heads(word)
+        words = [(prefix + each, f"{each}: did you mean this?") for each in near_names(name, known)]
     return json.dumps({"word": word, "words": words[:MOST_COMPLETIONS], "hint": hint})
+
+
+def _heads(word: str) -> list[str]:
+    """Returns what an operation can begin with."""
+    return [*(opcode.name for opcode in OPCODES), *(each.name for each in _DECLARATIONS if "." in word)]
 
 
 def _signature(declaration: Declaration) -> str:

@@ -46,7 +46,8 @@ const BRICK = `
   <details><summary>Where it differs from a real brick</summary><ul id="deviations"></ul></details>
 </section>`;
 
-const make = (tag, text = "", className = "") => {
+/** Makes an element with a text in it. */
+export const make = (tag, text = "", className = "") => {
   const element = document.createElement(tag);
   element.textContent = text;
   element.className = className;
@@ -65,7 +66,7 @@ const onHold = (button, press, release) => {
 };
 
 /** Has the browser save bytes as a file. */
-const saveAs = (name, blob) => {
+export const saveAs = (name, blob) => {
   const link = make("a");
   link.href = URL.createObjectURL(blob);
   link.download = name;

@@ -4,22 +4,43 @@ import { find, make } from "./elements.js";
 
 const input = find("input"), list = find("words");
 
-let isOurs = false;
+/** Chromium's own edits take seconds for more lines than this. */
+const MOST_LINES = 200;
+const MOST_UNDOS = 10;
 
-/** Replaces a part of the input as typing does: it can be undone, and `input` events follow. */
+let isOurs = false;
+/** Long edits, each with the text before and after it. */
+const undos = [];
+
+/** Replaces a part of the input as typing does: Ctrl-Z undoes it, and `input` events follow. */
 export const edit = (text, start = 0, end = input.value.length) => {
   isOurs = true;
   input.focus({ preventScroll: true });
   input.setSelectionRange(start, end);
-  const isDone = start === end && !text || document.execCommand(text ? "insertText" : "delete", false, text);
+  const before = input.value;
+  const isLong = [text, before.slice(start, end)].some((each) => each.split("\n").length > MOST_LINES);
+  const isDone = !isLong && (start === end && !text || document.execCommand(text ? "insertText" : "delete", false, text));
   if (!isDone) {
     input.setRangeText(text, start, end, "end");
+    undos.push({ before, after: input.value });
+    undos.splice(0, undos.length - MOST_UNDOS);
     input.dispatchEvent(new Event("input"));
   }
   isOurs = false;
   // Only who types needs the keyboard of a phone.
   if (matchMedia("(pointer: coarse)").matches) input.blur();
 };
+
+input.addEventListener("keydown", (event) => {
+  const last = undos.at(-1);
+  if (event.key !== "z" || !(event.ctrlKey || event.metaKey) || event.shiftKey || input.value !== last?.after) return;
+  event.preventDefault();
+  undos.pop();
+  isOurs = true;
+  input.value = last.before;
+  input.dispatchEvent(new Event("input"));
+  isOurs = false;
+});
 
 /** Replaces the whole text, but only the lines that differ are edited. */
 export const replace = (text) => {

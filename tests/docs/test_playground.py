@@ -468,13 +468,21 @@ def test_files(page: Page, tmp_path: Path) -> None:
     assert "a ; means nothing: it is omitted (warning)" in page.text("findings")
 
 
+_DROP = """
+    const data = new DataTransfer();
+    data.items.add(new File([arguments[0]], 'robot.log'));
+    document.body.dispatchEvent(new DragEvent('drop', {bubbles: true, cancelable: true, dataTransfer: data}))"""
+
+
 def test_a_file_can_be_dropped_anywhere(page: Page) -> None:
-    page.run(
-        "const data = new DataTransfer(); data.items.add(new File([arguments[0]], 'robot.log'));"
-        "document.body.dispatchEvent(new DragEvent('drop', {bubbles: true, cancelable: true, dataTransfer: data}))",
-        LOG,
-    )
+    page.run(_DROP, LOG)
     page.wait(lambda: page.input == LOG)
+    # A long one, too, is an edit that can be undone.
+    long = "\n".join(f"# line {number}" for number in range(5000))
+    page.run(_DROP, long)
+    page.wait(lambda: page.input == long, 20)
+    page.browser.find_element(By.ID, "input").send_keys(Keys.CONTROL, "z")
+    page.wait(lambda: page.input == LOG, 20)
 
 
 # Never blocked

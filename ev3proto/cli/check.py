@@ -194,7 +194,7 @@ class Checking(SourceReader):
         """Checks the commands in a capture, each for its carrier."""
         before = self.frames
         for record in capture.records():
-            if _is_reply(record):
+            if is_reply(record):
                 self.replies += 1
                 continue
             place = Place(
@@ -393,7 +393,7 @@ def _annotations(style: str, printer: Printer) -> Annotations | None:
     return Annotations(style, printer.text)
 
 
-def _is_reply(record: Record) -> bool:
+def is_reply(record: Record) -> bool:
     """Whether a frame comes from the brick, by the capture, or else by its type."""
     if record.direction is not None:
         return record.direction == "received"

@@ -16,6 +16,7 @@ from ev3proto.capture.record import Event, elapsed
 from ev3proto.capture.text_log import read_log
 from ev3proto.cli.assembly import assembled_messages, show_errors
 from ev3proto.cli.captures import CaptureSource
+from ev3proto.cli.check import is_reply
 from ev3proto.cli.decode import Decoding
 from ev3proto.cli.inputs import SOURCE_SUFFIX, Source, introduction
 from ev3proto.cli.programs import complain_of_warnings, read_source
@@ -27,7 +28,7 @@ from ev3proto.program import assemble, check_program
 from ev3proto.schema.frame import parse
 from ev3proto.text.assembly.errors import AssemblyError
 from ev3proto.text.assembly.recognising import OBJECT
-from ev3proto.text.fixed_text import fix_text
+from ev3proto.text.fixed_text import fix_text, is_command, is_whole
 from ev3proto.text.forms import as_c, as_hex, as_python
 from ev3proto.text.paste import Pasted, read_argument
 from ev3proto.text.phrases import Seen, command_spans, reply_spans
@@ -186,14 +187,11 @@ class Reading(Decoding):
         super().piece(piece, pasted, source)
         if len(self._log) < MOST_DIALOGUES * 2 and (not self._log or self._log[-1] is not pasted):
             self._log.append(pasted)
-        frame, fault, kind = piece.message.build(), piece.message.fault, piece.message.type
-        if pasted.cut and fault is not None and fault.truncated:
+        if not is_whole(piece.message, pasted):
             return
-        is_reply = pasted.direction == "received" or (
-            pasted.direction is None and not source.is_frame and kind is not None and not kind.is_command
-        )
+        is_from_brick = pasted.direction == "received" or not (source.is_frame or is_command(piece.message, pasted))
         place = "" if source.is_frame else source.where(pasted)
-        self._take(piece.message, frame, place, pasted.line, is_reply=is_reply)
+        self._take(piece.message, piece.message.build(), place, pasted.line, is_reply=is_from_brick)
 
     def capture(self, capture: CaptureSource) -> int:
         """Takes the frames of a capture."""
@@ -211,9 +209,7 @@ class Reading(Decoding):
             message = record.message
             if message.fault is not None:
                 self.complain(f"{place}: fault at {message.fault}")
-            kind = message.type
-            is_command = record.direction != "received" if record.direction else kind is None or kind.is_command
-            self._take(message, record.frame, place, 0, is_reply=not is_command, carrier=capture.carrier(record))
+            self._take(message, record.frame, place, 0, is_reply=is_reply(record), carrier=capture.carrier(record))
             yield record
 
     def _take(

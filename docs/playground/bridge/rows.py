@@ -124,7 +124,7 @@ class Showing(Show):
         self.frames: dict[int, bytes] = {}
         self._rows = rows
 
-    def exchange(self, exchange: Exchange, seen: Seen, padding: int = 0) -> None:
+    def exchange(self, exchange: Exchange, seen: Seen, padding: bytes = b"") -> None:
         """Shows a message."""
         self.number += 1
         if self._rows.is_full:

@@ -7229,9 +7229,14 @@ local claiming = {}
 -- optionally `forget`, which drops the state of the last capture, and `prefs_changed`.
 local carriers = {}
 
--- Tells whether the capture has only the beginning of a packet, as with a snap length, and data end there.
+-- The number of the first packet with data of which the capture has only the beginning, as with a snap length.
+local first_cut = math.huge
+
+-- Tells whether the capture cut a packet, and data end there.
 local function is_cut_by_capture(tvb, stop, pinfo)
-    return stop == tvb:len() and pinfo.caplen < pinfo.len
+    if stop < tvb:len() or pinfo.caplen >= pinfo.len then return false end
+    first_cut = math.min(first_cut, pinfo.number)
+    return true
 end
 
 -- Dissects a message in a buffer. `conversation` is given in the first pass only; `said` replaces the message's own
@@ -7670,14 +7675,17 @@ do
     end
 
     -- Adds the bytes between two offsets, which are outside of frames. `length` is what the length field there says.
-    function streaming.dissect_no_frame(tvb, at, stop, length, tree, is_shown)
+    -- They may belong to a frame that the capture cut, in this packet or before.
+    function streaming.dissect_no_frame(tvb, at, stop, length, pinfo, tree, is_shown)
         local said = format("no frame (%s)", phrases.plural(stop - at, "byte"))
         local reason = "bytes that are in no frame, as after a gap in the capture"
         if length and (length < MIN_LENGTH or length > MAX_LENGTH) then
             reason = "no frame can start here: the length field says %d, but it can be %d to %d"
             reason = format(reason, length, MIN_LENGTH, MAX_LENGTH)
         end
-        return add_faulty(tvb, at, stop, tree, is_shown, said, "no_boundary", reason)
+        local is_cut = is_cut_by_capture(tvb, stop, pinfo) or pinfo.number > first_cut
+        local kind = is_cut and "cut_by_capture" or "no_boundary"
+        return add_faulty(tvb, at, stop, tree, is_shown, said, kind, reason)
     end
 
     -- Finds where a stream that is out of step continues: at a frame, a text, or the end; returns that, and whether
@@ -7763,7 +7771,8 @@ do
             end
             if verdict == OURS and captured - at < HEADER_SIZE then
                 local reason = "the frame is cut off in its header"
-                said, after = add_faulty(tvb, at, captured, tree, is_shown, "part of a frame", "cut_off", reason)
+                local kind = is_cut_by_capture(tvb, captured, pinfo) and "cut_by_capture" or "cut_off"
+                said, after = add_faulty(tvb, at, captured, tree, is_shown, "part of a frame", kind, reason)
             elseif verdict == OURS then
                 after = math.min(stop_of(text, at), captured)
                 local frame = at == 0 and after == captured and text or sub(text, at + 1, after)
@@ -7786,7 +7795,8 @@ do
                     after, is_open = next_step(text, from, stream.accepts, least, stream.first, stream.joint)
                     step = (is_open or after == captured) and "lost" or "sure"
                     if after > at then
-                        said = streaming.dissect_no_frame(tvb, at, after, reading.unsigned16(text, at), tree, is_shown)
+                        local length = reading.unsigned16(text, at)
+                        said = streaming.dissect_no_frame(tvb, at, after, length, pinfo, tree, is_shown)
                         lost = lost + after - at
                     end
                     if is_open then
@@ -7867,6 +7877,7 @@ do
             complain(item or tree, "bootloader_fault", format(reason, command.name))
         end
         if item and stop < captured then
+            item:set_len(captured)
             local rest = tvb(stop, captured - stop)
             item:add(field.padding, rest):append_text(format(" (%s)", phrases.plural(captured - stop, "byte")))
         end
@@ -7881,7 +7892,7 @@ do
         local captured = captured_len(tvb)
         brick = device_key(pinfo)
         start_line(pinfo.number, offset_of(tvb))
-        say((streaming.dissect_no_frame(tvb, 0, captured, length, tree, has_tree(tree))))
+        say((streaming.dissect_no_frame(tvb, 0, captured, length, pinfo, tree, has_tree(tree))))
         show(pinfo)
         return captured
     end
@@ -8528,7 +8539,7 @@ do
             return port and port > 0 and port <= MAX_PORT and port or nil
         end
 
-        local function dissect_beacon(tvb, text, tree, address)
+        local function dissect_beacon(tvb, text, tree, pinfo)
             local item = has_tree(tree) and add_item(tree, tvb(), "beacon")
             local at, values = 0, {}
             local port
@@ -8536,7 +8547,8 @@ do
                 local head = line.label .. ": "
                 local stop = find(text, "\r\n", at + 1, true)
                 if not stop or sub(text, at + 1, at + #head) ~= head then
-                    complain(item or tree, "fault", format("at offset %d: expected a line '%s...'", at, head))
+                    local kind = is_cut_by_capture(tvb, tvb:len(), pinfo) and "cut_by_capture" or "fault"
+                    complain(item or tree, kind, format("at offset %d: expected a line '%s...'", at, head))
                     break
                 end
                 local value = sub(text, at + #head + 1, stop - 1)
@@ -8548,7 +8560,7 @@ do
             end
             local said = "beacon: " .. concat(values, " ")
             if item then item:set_text("EV3: " .. said) end
-            if item and port then item:add(field.brick, address .. ":" .. port):set_generated() end
+            if item and port then item:add(field.brick, tostring(pinfo.src) .. ":" .. port):set_generated() end
             return said, port
         end
 
@@ -8582,7 +8594,7 @@ do
             local said
             if is_beacon(tvb, text, is_forced) then
                 local port
-                said, port = dissect_beacon(tvb, text, tree, tostring(pinfo.src))
+                said, port = dissect_beacon(tvb, text, tree, pinfo)
                 if not pinfo.visited then remember_brick(pinfo, port) end
             else
                 brick, said = answered_brick(pinfo), "answer to a beacon"
@@ -8658,6 +8670,7 @@ do
 
     function ev3.init()
         dialogues.forget()
+        first_cut = math.huge
         for _, carrier in ipairs(carriers) do
             if carrier.forget then carrier.forget() end
         end

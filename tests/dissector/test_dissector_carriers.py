@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import random
+import re
 import struct
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
@@ -29,6 +30,7 @@ from support.wireshark import Tshark
 
 import ev3proto
 from ev3proto.capture import Announcement, read
+from ev3proto.generate.dissector import profile
 
 CAPTURES = Path(__file__).parents[2] / "captures"
 SERIAL = "06165300000a"
@@ -667,7 +669,8 @@ def test_a_frame_of_which_less_was_captured_hides_none_behind_it(ask: Ask) -> No
     port.capture = capture
     port.send(tone(3))
     assert counters(ask(capture, "ev3", "ev3.msg_num")) == [1, 2, 3]
-    assert ask(capture, "ev3.expert.cut_off", "ev3.msg_num") == ["2"]
+    assert ask(capture, "ev3.expert.cut_by_capture", "ev3.msg_num") == ["2"]
+    assert ask(capture, "ev3.expert.cut_off") == []
 
 
 def test_downloads_are_longer_than_all_other_frames(tshark: Tshark) -> None:
@@ -704,3 +707,21 @@ def test_polls_between_frames_are_passed_over(tshark: Tshark, size: int) -> None
         ",", "\n"
     ).split() == list("123")
     assert tshark.run(path, "-Y", "ev3.expert.no_boundary") == ""
+
+
+def test_padding_is_within_its_message(tshark: Tshark) -> None:
+    text = tshark.run(CAPTURES / "usb.pcapng", "-T", "pdml", "-Y", "ev3.padding")
+    for packet in text.split("<packet>")[1:]:
+        inside = packet[packet.index('<proto name="ev3"') :]
+        places = [re.search(rf'name="{name}".*? size="(\d+)" pos="(\d+)"', inside) for name in ("ev3", "ev3.padding")]
+        (size, start), (padding, at) = (map(int, place.groups()) for place in places if place)
+        assert start <= at
+        assert at + padding == start + size
+
+
+def test_the_button_of_the_profile_hides_what_is_not_a_message(tshark: Tshark) -> None:
+    """Bare acknowledgements, keep-alives, USB enumeration."""
+    shows = {label: text for label, text, _ in profile.BUTTONS}["EV3 only"]
+    for name in ("wifi.pcapng", "ev3_dc.pcap", "usb.pcapng", "usb-plugged.pcap"):
+        assert tshark.run(CAPTURES / name, "-Y", shows) != ""
+        assert tshark.run(CAPTURES / name, "-Y", f"({shows}) && (tcp.len == 0 || usb.setup.bRequest)") == ""

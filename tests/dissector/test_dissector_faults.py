@@ -9,6 +9,7 @@ from __future__ import annotations
 import itertools
 import random
 import struct
+import subprocess
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
 from functools import cache
@@ -427,6 +428,36 @@ def test_packets_of_which_less_was_captured_make_no_error(tshark: Tshark) -> Non
 @pytest.mark.parametrize("name", ["wifi-reordered.pcap", "usb-windows.pcap"])
 def test_captures_of_which_less_was_recorded_make_no_error(tshark: Tshark, name: str, most: int) -> None:
     check_no_errors(tshark, cut((CAPTURES / name).read_bytes(), most))
+
+
+ERRORS = "ev3.expert.fault || ev3.expert.cut_off || ev3.expert.no_boundary"
+"""Wireshark itself has a Malformed Packet for each RFCOMM packet that the capture cut."""
+
+
+@pytest.mark.parametrize(
+    ("name", "most"),
+    [("wifi.pcapng", 90), ("wifi-long.pcapng", 130), ("ev3_dc.pcap", 90), ("usb.pcapng", 90), ("bluetooth.log", 60)],
+)
+def test_what_the_capture_cut_is_a_note(tshark: Tshark, name: str, most: int) -> None:
+    path = tshark.place(b"", name)
+    subprocess.run(["editcap", "-s", str(most), str(CAPTURES / name), str(path)], check=True)
+    assert tshark.run(path, "-Y", f"ev3 && ({ERRORS})") == ""
+    assert tshark.run(path, "-Y", "ev3.expert.cut_by_capture") != ""
+
+
+def test_faults_in_what_the_capture_has_of_a_frame_are_errors(tshark: Tshark) -> None:
+    """An unknown opcode and an undefined identification byte, but not a list and a text that are cut."""
+    frames = ["0C00 0100 80 0000 FE 01020304", "0E00 0200 80 0000 94 01 85 82B801 82E803"]
+    frames += ["1000 0300 80 0000 7C 0A 01020304050607", "0E00 0400 01 9C 2E2E2F70726A732F00"]
+    capture = Capture(RAW_IP)
+    for number, frame in enumerate(frames):
+        segment = Connection(capture, 10_000 + number).segment(True, bytes.fromhex(frame))
+        capture.add(segment[:-3], len(segment))
+    path = tshark.place(capture.data(), "cut.pcap")
+    shown = tshark.run(path, "-d", "tcp.port==5555,ev3", "-o", 'gui.column.format:"Info","%i"').splitlines()
+    assert "fault at offset 7: unknown opcode 0xFE" in shown[0]
+    assert "fault at offset 10: undefined identification byte 0x85" in shown[1]
+    assert [line.endswith(" [cut by the capture]") for line in shown] == [False, False, True, True]
 
 
 # Boundaries

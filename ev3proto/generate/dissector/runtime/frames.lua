@@ -52,9 +52,14 @@ local claiming = {}
 -- optionally `forget`, which drops the state of the last capture, and `prefs_changed`.
 local carriers = {}
 
--- Tells whether the capture has only the beginning of a packet, as with a snap length, and data end there.
+-- The number of the first packet with data of which the capture has only the beginning, as with a snap length.
+local first_cut = math.huge
+
+-- Tells whether the capture cut a packet, and data end there.
 local function is_cut_by_capture(tvb, stop, pinfo)
-    return stop == tvb:len() and pinfo.caplen < pinfo.len
+    if stop < tvb:len() or pinfo.caplen >= pinfo.len then return false end
+    first_cut = math.min(first_cut, pinfo.number)
+    return true
 end
 
 -- Dissects a message in a buffer. `conversation` is given in the first pass only; `said` replaces the message's own

@@ -80,14 +80,17 @@ do
     end
 
     -- Adds the bytes between two offsets, which are outside of frames. `length` is what the length field there says.
-    function streaming.dissect_no_frame(tvb, at, stop, length, tree, is_shown)
+    -- They may belong to a frame that the capture cut, in this packet or before.
+    function streaming.dissect_no_frame(tvb, at, stop, length, pinfo, tree, is_shown)
         local said = format("no frame (%s)", phrases.plural(stop - at, "byte"))
         local reason = "bytes that are in no frame, as after a gap in the capture"
         if length and (length < MIN_LENGTH or length > MAX_LENGTH) then
             reason = "no frame can start here: the length field says %d, but it can be %d to %d"
             reason = format(reason, length, MIN_LENGTH, MAX_LENGTH)
         end
-        return add_faulty(tvb, at, stop, tree, is_shown, said, "no_boundary", reason)
+        local is_cut = is_cut_by_capture(tvb, stop, pinfo) or pinfo.number > first_cut
+        local kind = is_cut and "cut_by_capture" or "no_boundary"
+        return add_faulty(tvb, at, stop, tree, is_shown, said, kind, reason)
     end
 
     -- Finds where a stream that is out of step continues: at a frame, a text, or the end; returns that, and whether
@@ -173,7 +176,8 @@ do
             end
             if verdict == OURS and captured - at < HEADER_SIZE then
                 local reason = "the frame is cut off in its header"
-                said, after = add_faulty(tvb, at, captured, tree, is_shown, "part of a frame", "cut_off", reason)
+                local kind = is_cut_by_capture(tvb, captured, pinfo) and "cut_by_capture" or "cut_off"
+                said, after = add_faulty(tvb, at, captured, tree, is_shown, "part of a frame", kind, reason)
             elseif verdict == OURS then
                 after = math.min(stop_of(text, at), captured)
                 local frame = at == 0 and after == captured and text or sub(text, at + 1, after)
@@ -196,7 +200,8 @@ do
                     after, is_open = next_step(text, from, stream.accepts, least, stream.first, stream.joint)
                     step = (is_open or after == captured) and "lost" or "sure"
                     if after > at then
-                        said = streaming.dissect_no_frame(tvb, at, after, reading.unsigned16(text, at), tree, is_shown)
+                        local length = reading.unsigned16(text, at)
+                        said = streaming.dissect_no_frame(tvb, at, after, length, pinfo, tree, is_shown)
                         lost = lost + after - at
                     end
                     if is_open then

@@ -63,6 +63,7 @@ do
             complain(item or tree, "bootloader_fault", format(reason, command.name))
         end
         if item and stop < captured then
+            item:set_len(captured)
             local rest = tvb(stop, captured - stop)
             item:add(field.padding, rest):append_text(format(" (%s)", phrases.plural(captured - stop, "byte")))
         end
@@ -77,7 +78,7 @@ do
         local captured = captured_len(tvb)
         brick = device_key(pinfo)
         start_line(pinfo.number, offset_of(tvb))
-        say((streaming.dissect_no_frame(tvb, 0, captured, length, tree, has_tree(tree))))
+        say((streaming.dissect_no_frame(tvb, 0, captured, length, pinfo, tree, has_tree(tree))))
         show(pinfo)
         return captured
     end

@@ -342,7 +342,7 @@ do
             return port and port > 0 and port <= MAX_PORT and port or nil
         end
 
-        local function dissect_beacon(tvb, text, tree, address)
+        local function dissect_beacon(tvb, text, tree, pinfo)
             local item = has_tree(tree) and add_item(tree, tvb(), "beacon")
             local at, values = 0, {}
             local port
@@ -350,7 +350,8 @@ do
                 local head = line.label .. ": "
                 local stop = find(text, "\r\n", at + 1, true)
                 if not stop or sub(text, at + 1, at + #head) ~= head then
-                    complain(item or tree, "fault", format("at offset %d: expected a line '%s...'", at, head))
+                    local kind = is_cut_by_capture(tvb, tvb:len(), pinfo) and "cut_by_capture" or "fault"
+                    complain(item or tree, kind, format("at offset %d: expected a line '%s...'", at, head))
                     break
                 end
                 local value = sub(text, at + #head + 1, stop - 1)
@@ -362,7 +363,7 @@ do
             end
             local said = "beacon: " .. concat(values, " ")
             if item then item:set_text("EV3: " .. said) end
-            if item and port then item:add(field.brick, address .. ":" .. port):set_generated() end
+            if item and port then item:add(field.brick, tostring(pinfo.src) .. ":" .. port):set_generated() end
             return said, port
         end
 
@@ -396,7 +397,7 @@ do
             local said
             if is_beacon(tvb, text, is_forced) then
                 local port
-                said, port = dissect_beacon(tvb, text, tree, tostring(pinfo.src))
+                said, port = dissect_beacon(tvb, text, tree, pinfo)
                 if not pinfo.visited then remember_brick(pinfo, port) end
             else
                 brick, said = answered_brick(pinfo), "answer to a beacon"

@@ -4282,7 +4282,7 @@ local OPERATIONS = {
             {
                 11, "GET_POOL", "Reserves a block of memory for the program",
                 [[
-                    { "SIZE", IN, DATA32, "how much memory", unit = "bytes", range = { 0, 2147483647 } },
+                    { "SIZE", IN, DATA32, "how much memory", unit = "bytes", range = { 1, 6000000 } },
                     { "HANDLE", OUT, HANDLE, "handle of the block" },
                     { "IP", OUT, DATA32, "address of the block" },
                 ]],
@@ -4458,28 +4458,28 @@ local OPERATIONS = {
             {
                 1, "CREATE8", "Creates an array of DATA8 elements",
                 [[
-                    { "ELEMENTS", IN, DATA32, "initial number of elements", range = { 0, 2147483647 } },
+                    { "ELEMENTS", IN, DATA32, "initial number of elements", range = { 0, 6000000 } },
                     { "HANDLE", OUT, HANDLE, "handle of the new array" },
                 ]],
             },
             {
                 2, "CREATE16", "Creates an array of DATA16 elements",
                 [[
-                    { "ELEMENTS", IN, DATA32, "initial number of elements", range = { 0, 2147483647 } },
+                    { "ELEMENTS", IN, DATA32, "initial number of elements", range = { 0, 3000000 } },
                     { "HANDLE", OUT, HANDLE, "handle of the new array" },
                 ]],
             },
             {
                 3, "CREATE32", "Creates an array of DATA32 elements",
                 [[
-                    { "ELEMENTS", IN, DATA32, "initial number of elements", range = { 0, 2147483647 } },
+                    { "ELEMENTS", IN, DATA32, "initial number of elements", range = { 0, 1500000 } },
                     { "HANDLE", OUT, HANDLE, "handle of the new array" },
                 ]],
             },
             {
                 4, "CREATEF", "Creates an array of DATAF elements",
                 [[
-                    { "ELEMENTS", IN, DATA32, "initial number of elements", range = { 0, 2147483647 } },
+                    { "ELEMENTS", IN, DATA32, "initial number of elements", range = { 0, 1500000 } },
                     { "HANDLE", OUT, HANDLE, "handle of the new array" },
                 ]],
             },
@@ -4487,7 +4487,7 @@ local OPERATIONS = {
                 5, "RESIZE", "Changes the number of elements of an array",
                 [[
                     { "HANDLE", IN, HANDLE, "the array" },
-                    { "ELEMENTS", IN, DATA32, "new number of elements", range = { 0, 2147483647 } },
+                    { "ELEMENTS", IN, DATA32, "new number of elements", range = { 0, 6000000 } },
                 ]],
             },
             {
@@ -4508,7 +4508,7 @@ local OPERATIONS = {
                 8, "INIT8", "Writes several elements of a DATA8 array, all within its size",
                 [[
                     { "HANDLE", IN, HANDLE, "the array" },
-                    { "INDEX", IN, DATA32, "first element to write, counted from 0", range = { 0, 2147483647 } },
+                    { "INDEX", IN, DATA32, "first element to write, counted from 0", range = { 0, 5999999 } },
                     { "ELEMENTS", IN, DATA32, "number of values that follow", range = { 0, 2147483647 } },
                     { "VALUES", IN, VALUES, "the values, one parameter each", element = DATA8 },
                 ]],
@@ -4517,7 +4517,7 @@ local OPERATIONS = {
                 9, "INIT16", "Writes several elements of a DATA16 array, all within its size",
                 [[
                     { "HANDLE", IN, HANDLE, "the array" },
-                    { "INDEX", IN, DATA32, "first element to write, counted from 0", range = { 0, 2147483647 } },
+                    { "INDEX", IN, DATA32, "first element to write, counted from 0", range = { 0, 5999999 } },
                     { "ELEMENTS", IN, DATA32, "number of values that follow", range = { 0, 2147483647 } },
                     { "VALUES", IN, VALUES, "the values, one parameter each", element = DATA16 },
                 ]],
@@ -4526,7 +4526,7 @@ local OPERATIONS = {
                 10, "INIT32", "Writes several elements of a DATA32 array, all within its size",
                 [[
                     { "HANDLE", IN, HANDLE, "the array" },
-                    { "INDEX", IN, DATA32, "first element to write, counted from 0", range = { 0, 2147483647 } },
+                    { "INDEX", IN, DATA32, "first element to write, counted from 0", range = { 0, 5999999 } },
                     { "ELEMENTS", IN, DATA32, "number of values that follow", range = { 0, 2147483647 } },
                     { "VALUES", IN, VALUES, "the values, one parameter each", element = DATA32 },
                 ]],
@@ -4535,7 +4535,7 @@ local OPERATIONS = {
                 11, "INITF", "Writes several elements of a DATAF array, all within its size",
                 [[
                     { "HANDLE", IN, HANDLE, "the array" },
-                    { "INDEX", IN, DATA32, "first element to write, counted from 0", range = { 0, 2147483647 } },
+                    { "INDEX", IN, DATA32, "first element to write, counted from 0", range = { 0, 5999999 } },
                     { "ELEMENTS", IN, DATA32, "number of values that follow", range = { 0, 2147483647 } },
                     { "VALUES", IN, VALUES, "the values, one parameter each", element = DATAF },
                 ]],
@@ -4596,7 +4596,7 @@ local OPERATIONS = {
         0xC2, "ARRAY_WRITE", "Writes one element of an array, which grows where needed",
         [[
             { "HANDLE", IN, HANDLE, "the array" },
-            { "INDEX", IN, DATA32, "which element, the first is 0", range = { 0, 2147483647 } },
+            { "INDEX", IN, DATA32, "which element, the first is 0", range = { 0, 5999999 } },
             { "VALUE", IN, ARRAY_TYPED, "the value, of the array's type" },
         ]],
     },
@@ -4604,7 +4604,7 @@ local OPERATIONS = {
         0xC3, "ARRAY_READ", "Reads one element of an array",
         [[
             { "HANDLE", IN, HANDLE, "the array" },
-            { "INDEX", IN, DATA32, "which element, the first is 0", range = { 0, 2147483647 } },
+            { "INDEX", IN, DATA32, "which element, the first is 0", range = { 0, 5999999 } },
             { "VALUE", OUT, ARRAY_TYPED, "the value, of the array's type" },
         ]],
     },
@@ -4767,7 +4767,7 @@ local OPERATIONS = {
             {
                 1, "GET_ON_OFF", "Reports whether Bluetooth or WiFi is on",
                 [[
-                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
+                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 3 } },
                     {
                         "ACTIVE", OUT, DATA8, "whether it is on",
                         special = { [0] = "off", [1] = "on" },
@@ -4778,7 +4778,7 @@ local OPERATIONS = {
             {
                 2, "GET_VISIBLE", "Reports whether other devices can see the brick by Bluetooth",
                 [[
-                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
+                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 1, 3 } },
                     {
                         "VISIBLE", OUT, DATA8, "whether it is visible",
                         special = { [0] = "no", [1] = "yes" },
@@ -4789,7 +4789,7 @@ local OPERATIONS = {
             {
                 4, "GET_RESULT", "Reports the state of a search or connection request",
                 [[
-                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
+                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 3 } },
                     { "ITEM", IN, DATA8, "place in the list, ignored by the firmware" },
                     { "RESULT", OUT, DATA8, "state of the request", enum = ENUMERATIONS.RESULT },
                 ]],
@@ -4814,7 +4814,7 @@ local OPERATIONS = {
             {
                 8, "SEARCH_ITEMS", "Counts the devices or networks that a search found",
                 [[
-                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
+                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 3 } },
                     { "ITEMS", OUT, DATA8, "number of entries in the list" },
                 ]],
             },
@@ -4853,7 +4853,7 @@ local OPERATIONS = {
             {
                 10, "FAVOUR_ITEMS", "Counts the paired devices, in range or not",
                 [[
-                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
+                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 2 } },
                     { "ITEMS", OUT, DATA8, "number of entries in the list" },
                 ]],
             },
@@ -4887,7 +4887,7 @@ local OPERATIONS = {
             {
                 12, "GET_ID", "Reads the brick's Bluetooth address",
                 [[
-                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
+                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 2 } },
                     {
                         "LENGTH", IN, DATA8, "size of the text buffer, including the zero", unit = "bytes",
                         special = { [-1] = "unlimited (handles only)" },
@@ -4933,7 +4933,7 @@ local OPERATIONS = {
             {
                 16, "GET_ENCRYPT", "Reports the encryption of a network, WiFi only",
                 [[
-                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
+                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 3, 3 } },
                     { "ITEM", IN, DATA8, "place in the list, counted from 0" },
                     {
                         "TYPE", OUT, DATA8, "kind of encryption; always none in the 2013 firmware",
@@ -4944,7 +4944,7 @@ local OPERATIONS = {
             {
                 17, "CONNEC_ITEMS", "Counts the connected devices, Bluetooth only",
                 [[
-                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
+                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 1, 3 } },
                     { "ITEMS", OUT, DATA8, "number of entries in the list" },
                 ]],
             },
@@ -4964,7 +4964,7 @@ local OPERATIONS = {
             {
                 19, "GET_INCOMING", "Reports which device asks for a connection, Bluetooth only",
                 [[
-                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
+                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 2 } },
                     {
                         "LENGTH", IN, DATA8, "size of the text buffer, including the zero", unit = "bytes",
                         special = { [-1] = "unlimited (handles only)" },
@@ -4976,7 +4976,7 @@ local OPERATIONS = {
             {
                 20, "GET_MODE2", "Reports whether Bluetooth is in its mode for Apple devices",
                 [[
-                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
+                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 2 } },
                     {
                         "ACTIVE", OUT, DATA8, "whether it is on",
                         special = { [0] = "off", [1] = "on" },
@@ -4992,7 +4992,7 @@ local OPERATIONS = {
             {
                 1, "SET_ON_OFF", "Switches Bluetooth or WiFi on or off",
                 [[
-                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
+                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 3 } },
                     {
                         "ACTIVE", IN, DATA8, "whether to switch it on",
                         special = { [0] = "off", [1] = "on" },
@@ -5014,7 +5014,7 @@ local OPERATIONS = {
             {
                 3, "SET_SEARCH", "Starts or stops the search for devices or networks",
                 [[
-                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
+                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 3 } },
                     {
                         "SEARCH", IN, DATA8, "whether to search",
                         special = { [0] = "stop (Bluetooth only)", [1] = "start" },
@@ -5025,7 +5025,7 @@ local OPERATIONS = {
             {
                 5, "SET_PIN", "Answers the request for a PIN (Bluetooth) or stores a network's password (WiFi)",
                 [[
-                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
+                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 3 } },
                     { "NAME", IN, STRING, "name of the other device or network" },
                     { "PINCODE", IN, STRING, "PIN or password" },
                 ]],
@@ -5033,7 +5033,7 @@ local OPERATIONS = {
             {
                 6, "SET_PASSKEY", "Answers the request to confirm a passkey, Bluetooth only",
                 [[
-                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
+                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 2 } },
                     {
                         "ACCEPT", IN, DATA8, "the answer",
                         special = { [0] = "reject", [1] = "accept" },
@@ -5044,7 +5044,7 @@ local OPERATIONS = {
             {
                 7, "SET_CONNECTION", "Connects a device or network, or ends a Bluetooth connection",
                 [[
-                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
+                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 3 } },
                     { "NAME", IN, STRING, "name of the other device or network" },
                     {
                         "CONNECTION", IN, DATA8, "what to do",
@@ -5060,21 +5060,21 @@ local OPERATIONS = {
             {
                 9, "SET_MOVEUP", "Moves a network up in the list, WiFi only",
                 [[
-                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
+                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 3, 3 } },
                     { "ITEM", IN, DATA8, "place in the list, counted from 0" },
                 ]],
             },
             {
                 10, "SET_MOVEDOWN", "Moves a network down in the list, WiFi only",
                 [[
-                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
+                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 3, 3 } },
                     { "ITEM", IN, DATA8, "place in the list, counted from 0" },
                 ]],
             },
             {
                 11, "SET_ENCRYPT", "Sets the encryption of a network, WiFi only",
                 [[
-                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
+                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 3, 3 } },
                     { "ITEM", IN, STRING, "name of the network" },
                     { "ENCRYPT", IN, DATA8, "kind of encryption", enum = ENUMERATIONS.ENCRYPT },
                 ]],
@@ -5082,14 +5082,14 @@ local OPERATIONS = {
             {
                 12, "SET_SSID", "Adds a network to the end of the list, WiFi only",
                 [[
-                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
+                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 3, 3 } },
                     { "NAME", IN, STRING, "name of the network" },
                 ]],
             },
             {
                 13, "SET_MODE2", "Switches the Bluetooth mode for Apple devices on or off",
                 [[
-                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
+                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 2 } },
                     {
                         "ACTIVE", IN, DATA8, "whether to switch it on",
                         special = { [0] = "off", [1] = "on" },

@@ -3646,7 +3646,7 @@ types:
   op_file_get_pool:
     doc: Reserves a block of memory for the program
     seq:
-      - {id: size, type: argument(false), doc: how much memory (0 to 2147483647 bytes)}
+      - {id: size, type: argument(false), doc: how much memory (1 to 6000000 bytes)}
       - {id: handle, type: argument(false), doc: handle of the block}
       - {id: ip, type: argument(false), doc: address of the block}
   op_file_set_log_sync_time:
@@ -3787,28 +3787,28 @@ types:
   op_array_create8:
     doc: Creates an array of DATA8 elements
     seq:
-      - {id: elements, type: argument(false), doc: initial number of elements (0 to 2147483647)}
+      - {id: elements, type: argument(false), doc: initial number of elements (0 to 6000000)}
       - {id: handle, type: argument(false), doc: handle of the new array}
   op_array_create16:
     doc: Creates an array of DATA16 elements
     seq:
-      - {id: elements, type: argument(false), doc: initial number of elements (0 to 2147483647)}
+      - {id: elements, type: argument(false), doc: initial number of elements (0 to 3000000)}
       - {id: handle, type: argument(false), doc: handle of the new array}
   op_array_create32:
     doc: Creates an array of DATA32 elements
     seq:
-      - {id: elements, type: argument(false), doc: initial number of elements (0 to 2147483647)}
+      - {id: elements, type: argument(false), doc: initial number of elements (0 to 1500000)}
       - {id: handle, type: argument(false), doc: handle of the new array}
   op_array_createf:
     doc: Creates an array of DATAF elements
     seq:
-      - {id: elements, type: argument(false), doc: initial number of elements (0 to 2147483647)}
+      - {id: elements, type: argument(false), doc: initial number of elements (0 to 1500000)}
       - {id: handle, type: argument(false), doc: handle of the new array}
   op_array_resize:
     doc: Changes the number of elements of an array
     seq:
       - {id: handle, type: argument(false), doc: the array}
-      - {id: elements, type: argument(false), doc: new number of elements (0 to 2147483647)}
+      - {id: elements, type: argument(false), doc: new number of elements (0 to 6000000)}
   op_array_fill:
     doc: Sets every element of an array to one value
     seq:
@@ -3823,7 +3823,7 @@ types:
     doc: "Writes several elements of a DATA8 array, all within its size"
     seq:
       - {id: handle, type: argument(false), doc: the array}
-      - {id: index, type: argument(false), doc: "first element to write, counted from 0 (0 to 2147483647)"}
+      - {id: index, type: argument(false), doc: "first element to write, counted from 0 (0 to 5999999)"}
       - {id: elements, type: argument(false), doc: number of values that follow (0 to 2147483647)}
       - id: values
         type: argument(false)
@@ -3834,7 +3834,7 @@ types:
     doc: "Writes several elements of a DATA16 array, all within its size"
     seq:
       - {id: handle, type: argument(false), doc: the array}
-      - {id: index, type: argument(false), doc: "first element to write, counted from 0 (0 to 2147483647)"}
+      - {id: index, type: argument(false), doc: "first element to write, counted from 0 (0 to 5999999)"}
       - {id: elements, type: argument(false), doc: number of values that follow (0 to 2147483647)}
       - id: values
         type: argument(false)
@@ -3845,7 +3845,7 @@ types:
     doc: "Writes several elements of a DATA32 array, all within its size"
     seq:
       - {id: handle, type: argument(false), doc: the array}
-      - {id: index, type: argument(false), doc: "first element to write, counted from 0 (0 to 2147483647)"}
+      - {id: index, type: argument(false), doc: "first element to write, counted from 0 (0 to 5999999)"}
       - {id: elements, type: argument(false), doc: number of values that follow (0 to 2147483647)}
       - id: values
         type: argument(false)
@@ -3856,7 +3856,7 @@ types:
     doc: "Writes several elements of a DATAF array, all within its size"
     seq:
       - {id: handle, type: argument(false), doc: the array}
-      - {id: index, type: argument(false), doc: "first element to write, counted from 0 (0 to 2147483647)"}
+      - {id: index, type: argument(false), doc: "first element to write, counted from 0 (0 to 5999999)"}
       - {id: elements, type: argument(false), doc: number of values that follow (0 to 2147483647)}
       - id: values
         type: argument(true)
@@ -3906,13 +3906,13 @@ types:
     doc: "Writes one element of an array, which grows where needed"
     seq:
       - {id: handle, type: argument(false), doc: the array}
-      - {id: index, type: argument(false), doc: "which element, the first is 0 (0 to 2147483647)"}
+      - {id: index, type: argument(false), doc: "which element, the first is 0 (0 to 5999999)"}
       - {id: value, type: argument(false), doc: "the value, of the array's type"}
   op_array_read:
     doc: Reads one element of an array
     seq:
       - {id: handle, type: argument(false), doc: the array}
-      - {id: index, type: argument(false), doc: "which element, the first is 0 (0 to 2147483647)"}
+      - {id: index, type: argument(false), doc: "which element, the first is 0 (0 to 5999999)"}
       - {id: value, type: argument(false), doc: "the value, of the array's type"}
   op_array_append:
     doc: Adds one element to the end of an array
@@ -4020,21 +4020,21 @@ types:
   op_com_get_get_on_off:
     doc: Reports whether Bluetooth or WiFi is on
     seq:
-      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
+      - {id: hardware, type: argument(false), doc: "carrier to use (2 to 3; a member of HWTYPE)"}
       - {id: active, type: argument(false), doc: "whether it is on (0 to 1; 0: off; 1: on)"}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_get_get_visible:
     doc: Reports whether other devices can see the brick by Bluetooth
     seq:
-      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
+      - {id: hardware, type: argument(false), doc: "carrier to use (1 to 3; a member of HWTYPE)"}
       - {id: visible, type: argument(false), doc: "whether it is visible (0 to 1; 0: no; 1: yes)"}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_get_get_result:
     doc: Reports the state of a search or connection request
     seq:
-      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
+      - {id: hardware, type: argument(false), doc: "carrier to use (2 to 3; a member of HWTYPE)"}
       - {id: item, type: argument(false), doc: "place in the list, ignored by the firmware"}
       - {id: result, type: argument(false), doc: state of the request (a member of RESULT)}
     instances:
@@ -4051,7 +4051,7 @@ types:
   op_com_get_search_items:
     doc: Counts the devices or networks that a search found
     seq:
-      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
+      - {id: hardware, type: argument(false), doc: "carrier to use (2 to 3; a member of HWTYPE)"}
       - {id: items, type: argument(false), doc: number of entries in the list}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
@@ -4077,7 +4077,7 @@ types:
   op_com_get_favour_items:
     doc: "Counts the paired devices, in range or not"
     seq:
-      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
+      - {id: hardware, type: argument(false), doc: "carrier to use (2 to 2; a member of HWTYPE)"}
       - {id: items, type: argument(false), doc: number of entries in the list}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
@@ -4102,7 +4102,7 @@ types:
   op_com_get_get_id:
     doc: "Reads the brick's Bluetooth address"
     seq:
-      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
+      - {id: hardware, type: argument(false), doc: "carrier to use (2 to 2; a member of HWTYPE)"}
       - id: length
         type: argument(false)
         doc: "size of the text buffer, including the zero (bytes; -1: unlimited (handles only))"
@@ -4142,7 +4142,7 @@ types:
   op_com_get_get_encrypt:
     doc: "Reports the encryption of a network, WiFi only"
     seq:
-      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
+      - {id: hardware, type: argument(false), doc: "carrier to use (3 to 3; a member of HWTYPE)"}
       - {id: item, type: argument(false), doc: "place in the list, counted from 0"}
       - id: type_
         type: argument(false)
@@ -4152,7 +4152,7 @@ types:
   op_com_get_connec_items:
     doc: "Counts the connected devices, Bluetooth only"
     seq:
-      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
+      - {id: hardware, type: argument(false), doc: "carrier to use (1 to 3; a member of HWTYPE)"}
       - {id: items, type: argument(false), doc: number of entries in the list}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
@@ -4171,7 +4171,7 @@ types:
   op_com_get_get_incoming:
     doc: "Reports which device asks for a connection, Bluetooth only"
     seq:
-      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
+      - {id: hardware, type: argument(false), doc: "carrier to use (2 to 2; a member of HWTYPE)"}
       - id: length
         type: argument(false)
         doc: "size of the text buffer, including the zero (bytes; -1: unlimited (handles only))"
@@ -4182,14 +4182,14 @@ types:
   op_com_get_get_mode2:
     doc: Reports whether Bluetooth is in its mode for Apple devices
     seq:
-      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
+      - {id: hardware, type: argument(false), doc: "carrier to use (2 to 2; a member of HWTYPE)"}
       - {id: active, type: argument(false), doc: "whether it is on (0 to 1; 0: off; 1: on)"}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_set_set_on_off:
     doc: Switches Bluetooth or WiFi on or off
     seq:
-      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
+      - {id: hardware, type: argument(false), doc: "carrier to use (2 to 3; a member of HWTYPE)"}
       - {id: active, type: argument(false), doc: "whether to switch it on (0 to 1; 0: off; 1: on)"}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
@@ -4203,14 +4203,14 @@ types:
   op_com_set_set_search:
     doc: Starts or stops the search for devices or networks
     seq:
-      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
+      - {id: hardware, type: argument(false), doc: "carrier to use (2 to 3; a member of HWTYPE)"}
       - {id: search, type: argument(false), doc: "whether to search (0 to 1; 0: stop (Bluetooth only); 1: start)"}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_set_set_pin:
     doc: "Answers the request for a PIN (Bluetooth) or stores a network's password (WiFi)"
     seq:
-      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
+      - {id: hardware, type: argument(false), doc: "carrier to use (2 to 3; a member of HWTYPE)"}
       - {id: name, type: argument(false), doc: name of the other device or network}
       - {id: pincode, type: argument(false), doc: PIN or password}
     instances:
@@ -4218,14 +4218,14 @@ types:
   op_com_set_set_passkey:
     doc: "Answers the request to confirm a passkey, Bluetooth only"
     seq:
-      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
+      - {id: hardware, type: argument(false), doc: "carrier to use (2 to 2; a member of HWTYPE)"}
       - {id: accept, type: argument(false), doc: "the answer (0 to 1; 0: reject; 1: accept)"}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_set_set_connection:
     doc: "Connects a device or network, or ends a Bluetooth connection"
     seq:
-      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
+      - {id: hardware, type: argument(false), doc: "carrier to use (2 to 3; a member of HWTYPE)"}
       - {id: name, type: argument(false), doc: name of the other device or network}
       - {id: connection, type: argument(false), doc: "what to do (0 to 1; 0: disconnect; 1: connect)"}
     instances:
@@ -4239,21 +4239,21 @@ types:
   op_com_set_set_moveup:
     doc: "Moves a network up in the list, WiFi only"
     seq:
-      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
+      - {id: hardware, type: argument(false), doc: "carrier to use (3 to 3; a member of HWTYPE)"}
       - {id: item, type: argument(false), doc: "place in the list, counted from 0"}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_set_set_movedown:
     doc: "Moves a network down in the list, WiFi only"
     seq:
-      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
+      - {id: hardware, type: argument(false), doc: "carrier to use (3 to 3; a member of HWTYPE)"}
       - {id: item, type: argument(false), doc: "place in the list, counted from 0"}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_set_set_encrypt:
     doc: "Sets the encryption of a network, WiFi only"
     seq:
-      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
+      - {id: hardware, type: argument(false), doc: "carrier to use (3 to 3; a member of HWTYPE)"}
       - {id: item, type: argument(false), doc: name of the network}
       - {id: encrypt, type: argument(false), doc: kind of encryption (a member of ENCRYPT)}
     instances:
@@ -4262,14 +4262,14 @@ types:
   op_com_set_set_ssid:
     doc: "Adds a network to the end of the list, WiFi only"
     seq:
-      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
+      - {id: hardware, type: argument(false), doc: "carrier to use (3 to 3; a member of HWTYPE)"}
       - {id: name, type: argument(false), doc: name of the network}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_set_set_mode2:
     doc: Switches the Bluetooth mode for Apple devices on or off
     seq:
-      - {id: hardware, type: argument(false), doc: carrier to use (a member of HWTYPE)}
+      - {id: hardware, type: argument(false), doc: "carrier to use (2 to 2; a member of HWTYPE)"}
       - {id: active, type: argument(false), doc: "whether to switch it on (0 to 1; 0: off; 1: on)"}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}

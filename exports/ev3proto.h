@@ -3114,7 +3114,7 @@ enum {
     /*
      * Writes one element of an array, which grows where needed
      *   HANDLE  handle       the array
-     *   INDEX   DATA32       which element, the first is 0 (0 to 2147483647)
+     *   INDEX   DATA32       which element, the first is 0 (0 to 5999999)
      *   VALUE   array-typed  the value, of the array's type
      */
     opARRAY_WRITE = 0xC2,
@@ -3122,7 +3122,7 @@ enum {
     /*
      * Reads one element of an array
      *   HANDLE  handle           the array
-     *   INDEX   DATA32           which element, the first is 0 (0 to 2147483647)
+     *   INDEX   DATA32           which element, the first is 0 (0 to 5999999)
      *   VALUE   out array-typed  the value, of the array's type
      */
     opARRAY_READ = 0xC3,
@@ -3250,7 +3250,7 @@ enum {
 
     /*
      * Reserves a block of memory for the program
-     *   SIZE    DATA32      how much memory (0 to 2147483647 bytes)
+     *   SIZE    DATA32      how much memory (1 to 6000000 bytes)
      *   HANDLE  out handle  handle of the block
      *   IP      out DATA32  address of the block
      */
@@ -3420,28 +3420,28 @@ enum {
 
     /*
      * Creates an array of DATA8 elements
-     *   ELEMENTS  DATA32      initial number of elements (0 to 2147483647)
+     *   ELEMENTS  DATA32      initial number of elements (0 to 6000000)
      *   HANDLE    out handle  handle of the new array
      */
     CREATE8 = 1,
 
     /*
      * Creates an array of DATA16 elements
-     *   ELEMENTS  DATA32      initial number of elements (0 to 2147483647)
+     *   ELEMENTS  DATA32      initial number of elements (0 to 3000000)
      *   HANDLE    out handle  handle of the new array
      */
     CREATE16 = 2,
 
     /*
      * Creates an array of DATA32 elements
-     *   ELEMENTS  DATA32      initial number of elements (0 to 2147483647)
+     *   ELEMENTS  DATA32      initial number of elements (0 to 1500000)
      *   HANDLE    out handle  handle of the new array
      */
     CREATE32 = 3,
 
     /*
      * Creates an array of DATAF elements
-     *   ELEMENTS  DATA32      initial number of elements (0 to 2147483647)
+     *   ELEMENTS  DATA32      initial number of elements (0 to 1500000)
      *   HANDLE    out handle  handle of the new array
      */
     CREATEF = 4,
@@ -3449,7 +3449,7 @@ enum {
     /*
      * Changes the number of elements of an array
      *   HANDLE    handle  the array
-     *   ELEMENTS  DATA32  new number of elements (0 to 2147483647)
+     *   ELEMENTS  DATA32  new number of elements (0 to 6000000)
      */
     RESIZE = 5,
 
@@ -3470,7 +3470,7 @@ enum {
     /*
      * Writes several elements of a DATA8 array, all within its size
      *   HANDLE    handle  the array
-     *   INDEX     DATA32  first element to write, counted from 0 (0 to 2147483647)
+     *   INDEX     DATA32  first element to write, counted from 0 (0 to 5999999)
      *   ELEMENTS  DATA32  number of values that follow (0 to 2147483647)
      *   VALUES    values  the values, one parameter each (each is DATA8)
      */
@@ -3479,7 +3479,7 @@ enum {
     /*
      * Writes several elements of a DATA16 array, all within its size
      *   HANDLE    handle  the array
-     *   INDEX     DATA32  first element to write, counted from 0 (0 to 2147483647)
+     *   INDEX     DATA32  first element to write, counted from 0 (0 to 5999999)
      *   ELEMENTS  DATA32  number of values that follow (0 to 2147483647)
      *   VALUES    values  the values, one parameter each (each is DATA16)
      */
@@ -3488,7 +3488,7 @@ enum {
     /*
      * Writes several elements of a DATA32 array, all within its size
      *   HANDLE    handle  the array
-     *   INDEX     DATA32  first element to write, counted from 0 (0 to 2147483647)
+     *   INDEX     DATA32  first element to write, counted from 0 (0 to 5999999)
      *   ELEMENTS  DATA32  number of values that follow (0 to 2147483647)
      *   VALUES    values  the values, one parameter each (each is DATA32)
      */
@@ -3497,7 +3497,7 @@ enum {
     /*
      * Writes several elements of a DATAF array, all within its size
      *   HANDLE    handle  the array
-     *   INDEX     DATA32  first element to write, counted from 0 (0 to 2147483647)
+     *   INDEX     DATA32  first element to write, counted from 0 (0 to 5999999)
      *   ELEMENTS  DATA32  number of values that follow (0 to 2147483647)
      *   VALUES    values  the values, one parameter each (each is DATAF)
      */
@@ -3757,21 +3757,21 @@ enum {
 enum {
     /*
      * Reports whether Bluetooth or WiFi is on
-     *   HARDWARE  DATA8      carrier to use (a member of HWTYPE)
+     *   HARDWARE  DATA8      carrier to use (2 to 3; a member of HWTYPE)
      *   ACTIVE    out DATA8  whether it is on (0 to 1; 0: off; 1: on)
      */
     GET_ON_OFF = 1,
 
     /*
      * Reports whether other devices can see the brick by Bluetooth
-     *   HARDWARE  DATA8      carrier to use (a member of HWTYPE)
+     *   HARDWARE  DATA8      carrier to use (1 to 3; a member of HWTYPE)
      *   VISIBLE   out DATA8  whether it is visible (0 to 1; 0: no; 1: yes)
      */
     GET_VISIBLE = 2,
 
     /*
      * Reports the state of a search or connection request
-     *   HARDWARE  DATA8      carrier to use (a member of HWTYPE)
+     *   HARDWARE  DATA8      carrier to use (2 to 3; a member of HWTYPE)
      *   ITEM      DATA8      place in the list, ignored by the firmware
      *   RESULT    out DATA8  state of the request (a member of RESULT)
      */
@@ -3795,7 +3795,7 @@ enum {
 
     /*
      * Counts the devices or networks that a search found
-     *   HARDWARE  DATA8      carrier to use (a member of HWTYPE)
+     *   HARDWARE  DATA8      carrier to use (2 to 3; a member of HWTYPE)
      *   ITEMS     out DATA8  number of entries in the list
      */
     SEARCH_ITEMS = 8,
@@ -3816,7 +3816,7 @@ enum {
 
     /*
      * Counts the paired devices, in range or not
-     *   HARDWARE  DATA8      carrier to use (a member of HWTYPE)
+     *   HARDWARE  DATA8      carrier to use (2 to 2; a member of HWTYPE)
      *   ITEMS     out DATA8  number of entries in the list
      */
     FAVOUR_ITEMS = 10,
@@ -3836,7 +3836,7 @@ enum {
 
     /*
      * Reads the brick's Bluetooth address
-     *   HARDWARE  DATA8       carrier to use (a member of HWTYPE)
+     *   HARDWARE  DATA8       carrier to use (2 to 2; a member of HWTYPE)
      *   LENGTH    DATA8       size of the text buffer, including the zero (bytes; -1: unlimited (handles only))
      *   STRING    out string  12 hex digits (as many bytes as LENGTH says)
      */
@@ -3869,7 +3869,7 @@ enum {
 
     /*
      * Reports the encryption of a network, WiFi only
-     *   HARDWARE  DATA8      carrier to use (a member of HWTYPE)
+     *   HARDWARE  DATA8      carrier to use (3 to 3; a member of HWTYPE)
      *   ITEM      DATA8      place in the list, counted from 0
      *   TYPE      out DATA8  kind of encryption; always none in the 2013 firmware (a member of ENCRYPT)
      */
@@ -3877,7 +3877,7 @@ enum {
 
     /*
      * Counts the connected devices, Bluetooth only
-     *   HARDWARE  DATA8      carrier to use (a member of HWTYPE)
+     *   HARDWARE  DATA8      carrier to use (1 to 3; a member of HWTYPE)
      *   ITEMS     out DATA8  number of entries in the list
      */
     CONNEC_ITEMS = 17,
@@ -3894,7 +3894,7 @@ enum {
 
     /*
      * Reports which device asks for a connection, Bluetooth only
-     *   HARDWARE  DATA8       carrier to use (a member of HWTYPE)
+     *   HARDWARE  DATA8       carrier to use (2 to 2; a member of HWTYPE)
      *   LENGTH    DATA8       size of the text buffer, including the zero (bytes; -1: unlimited (handles only))
      *   NAME      out string  name of the device (as many bytes as LENGTH says)
      *   TYPE      out DATA8   kind of device (a member of BTTYPE)
@@ -3903,7 +3903,7 @@ enum {
 
     /*
      * Reports whether Bluetooth is in its mode for Apple devices
-     *   HARDWARE  DATA8      carrier to use (a member of HWTYPE)
+     *   HARDWARE  DATA8      carrier to use (2 to 2; a member of HWTYPE)
      *   ACTIVE    out DATA8  whether it is on (0 to 1; 0: off; 1: on)
      */
     GET_MODE2 = 20,
@@ -3913,7 +3913,7 @@ enum {
 enum {
     /*
      * Switches Bluetooth or WiFi on or off
-     *   HARDWARE  DATA8  carrier to use (a member of HWTYPE)
+     *   HARDWARE  DATA8  carrier to use (2 to 3; a member of HWTYPE)
      *   ACTIVE    DATA8  whether to switch it on (0 to 1; 0: off; 1: on)
      */
     SET_ON_OFF = 1,
@@ -3927,14 +3927,14 @@ enum {
 
     /*
      * Starts or stops the search for devices or networks
-     *   HARDWARE  DATA8  carrier to use (a member of HWTYPE)
+     *   HARDWARE  DATA8  carrier to use (2 to 3; a member of HWTYPE)
      *   SEARCH    DATA8  whether to search (0 to 1; 0: stop (Bluetooth only); 1: start)
      */
     SET_SEARCH = 3,
 
     /*
      * Answers the request for a PIN (Bluetooth) or stores a network's password (WiFi)
-     *   HARDWARE  DATA8   carrier to use (a member of HWTYPE)
+     *   HARDWARE  DATA8   carrier to use (2 to 3; a member of HWTYPE)
      *   NAME      string  name of the other device or network
      *   PINCODE   string  PIN or password
      */
@@ -3942,14 +3942,14 @@ enum {
 
     /*
      * Answers the request to confirm a passkey, Bluetooth only
-     *   HARDWARE  DATA8  carrier to use (a member of HWTYPE)
+     *   HARDWARE  DATA8  carrier to use (2 to 2; a member of HWTYPE)
      *   ACCEPT    DATA8  the answer (0 to 1; 0: reject; 1: accept)
      */
     SET_PASSKEY = 6,
 
     /*
      * Connects a device or network, or ends a Bluetooth connection
-     *   HARDWARE    DATA8   carrier to use (a member of HWTYPE)
+     *   HARDWARE    DATA8   carrier to use (2 to 3; a member of HWTYPE)
      *   NAME        string  name of the other device or network
      *   CONNECTION  DATA8   what to do (0 to 1; 0: disconnect; 1: connect)
      */
@@ -3963,21 +3963,21 @@ enum {
 
     /*
      * Moves a network up in the list, WiFi only
-     *   HARDWARE  DATA8  carrier to use (a member of HWTYPE)
+     *   HARDWARE  DATA8  carrier to use (3 to 3; a member of HWTYPE)
      *   ITEM      DATA8  place in the list, counted from 0
      */
     SET_MOVEUP = 9,
 
     /*
      * Moves a network down in the list, WiFi only
-     *   HARDWARE  DATA8  carrier to use (a member of HWTYPE)
+     *   HARDWARE  DATA8  carrier to use (3 to 3; a member of HWTYPE)
      *   ITEM      DATA8  place in the list, counted from 0
      */
     SET_MOVEDOWN = 10,
 
     /*
      * Sets the encryption of a network, WiFi only
-     *   HARDWARE  DATA8   carrier to use (a member of HWTYPE)
+     *   HARDWARE  DATA8   carrier to use (3 to 3; a member of HWTYPE)
      *   ITEM      string  name of the network
      *   ENCRYPT   DATA8   kind of encryption (a member of ENCRYPT)
      */
@@ -3985,14 +3985,14 @@ enum {
 
     /*
      * Adds a network to the end of the list, WiFi only
-     *   HARDWARE  DATA8   carrier to use (a member of HWTYPE)
+     *   HARDWARE  DATA8   carrier to use (3 to 3; a member of HWTYPE)
      *   NAME      string  name of the network
      */
     SET_SSID = 12,
 
     /*
      * Switches the Bluetooth mode for Apple devices on or off
-     *   HARDWARE  DATA8  carrier to use (a member of HWTYPE)
+     *   HARDWARE  DATA8  carrier to use (2 to 2; a member of HWTYPE)
      *   ACTIVE    DATA8  whether to switch it on (0 to 1; 0: off; 1: on)
      */
     SET_MODE2 = 13,

@@ -16,9 +16,6 @@ HANDLES = 250
 NO_HANDLE = -1
 """The handle that programs get where none is left."""
 
-ROOM = 6_000_000
-"""Bytes that the arrays of all slots together may take. The firmware fits 5,000,000 and not 7,000,000."""
-
 
 class Array:
     """An array: elements of one type, in one buffer that keeps its identity when it is resized.

@@ -8,12 +8,12 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from ev3proto.bounded import Bounded
-from ev3proto.brick.handles import ROOM
 from ev3proto.brick.running_programs import RUNNING, Program, ProgramObject
 from ev3proto.errors import DecodeError
 from ev3proto.program import CodeObject, parse
 from ev3proto.program.parameters import table_bytes
 from ev3proto.program.walk import walk
+from ev3proto.tables.memory import ARRAY_ROOM
 from ev3proto.tables.program import ObjectKind
 
 FIRST_ADDRESS = 0x40000000
@@ -76,7 +76,7 @@ def load(slot: int, image: Image, started: int, dialect: str) -> Program | None:
     if not walk(image.data, dialect).accepted:
         return None
     needed = parsed.global_size + sum(part.local_size for part in parsed.objects)
-    if needed > ROOM or not parsed.objects:
+    if needed > ARRAY_ROOM or not parsed.objects:
         return None
     objects: dict[int, ProgramObject] = {}
     for part in parsed.objects:

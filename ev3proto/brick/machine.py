@@ -15,7 +15,7 @@ from ev3proto.brick.clock import QUICK_OPERATIONS, thread_time
 from ev3proto.brick.conversions import wrap8, wrap16
 from ev3proto.brick.equipment import Equipment
 from ev3proto.brick.handlers import Dispatch, Family
-from ev3proto.brick.handles import ROOM, Array
+from ev3proto.brick.handles import Array
 from ev3proto.brick.images import Image, Images, load
 from ev3proto.brick.open_files import OpenFile
 from ev3proto.brick.operation_exits import Busy, Failure, Leave, NoOperation, Sleep, WildAccess
@@ -34,6 +34,7 @@ from ev3proto.brick.running_programs import (
 from ev3proto.schema.argument import ENCODINGS, SHORT_VALUES, SIZES, STRINGS
 from ev3proto.tables.declaration import Type
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL, TEXT
+from ev3proto.tables.memory import ARRAY_ROOM
 from ev3proto.tables.validation import LABELS
 
 _SHORT_CONSTANT, _SHORT_LOCAL, _SHORT_GLOBAL, _LONG_CONSTANT, _OTHER = range(5)
@@ -402,4 +403,4 @@ class Machine:
     def has_room(self, more: int) -> bool:
         """Returns whether arrays may take this number of additional bytes."""
         held = (entry for program in self.slots if program is not None for entry in program.handles.entries())
-        return more <= 0 or sum(len(entry.data) for entry in held if isinstance(entry, Array)) + more <= ROOM
+        return more <= 0 or sum(len(entry.data) for entry in held if isinstance(entry, Array)) + more <= ARRAY_ROOM

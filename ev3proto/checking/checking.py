@@ -9,10 +9,13 @@ from ev3proto.checking import codes
 from ev3proto.checking.context import CheckContext, checked_operations
 from ev3proto.checking.mangled import mangled
 from ev3proto.checking.report import Finding, Report, Severity
+from ev3proto.checking.rules.alone import check_alone
 from ev3proto.checking.rules.arguments import check_arguments, check_lists
 from ev3proto.checking.rules.header import TYPE_OFFSET, check_command_header, check_daisy, check_envelope, check_system
 from ev3proto.checking.rules.memory import check_memory
 from ev3proto.checking.rules.operations import check_effects, check_flow, check_refusals
+from ev3proto.checking.rules.raw_bytes import is_swallowing
+from ev3proto.checking.rules.refused_when_run import check_failures
 from ev3proto.checking.verdict import verdict
 from ev3proto.errors import as_bytes
 from ev3proto.messages import DaisyCommand, DirectCommand, Message, SystemCommand
@@ -24,7 +27,11 @@ from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME
 
 
 def check(
-    frame: bytes | bytearray | memoryview | Message, *, dialect: str = "official", carrier: str | None = None
+    frame: bytes | bytearray | memoryview | Message,
+    *,
+    dialect: str = "official",
+    carrier: str | None = None,
+    alone: bool = False,
 ) -> Report:
     """Checks a frame: whether the brick accepts it, and what is wrong with it. No content of a frame makes it raise.
 
@@ -32,6 +39,7 @@ def check(
         frame: The bytes from the length field to the last one; or a message, whose frame is checked.
         dialect: "official", "xtended" or "compat": the firmware whose instruction set is used.
         carrier: "usb", "bluetooth" or "wifi": the carrier of the frame; None if it does not matter.
+        alone: Whether no other command belongs to it, so that one that does nothing by itself is worth a hint.
 
     Returns:
         The brick's verdict, and the findings ordered by offset.
@@ -46,7 +54,7 @@ def check(
         frame = frame.build()
     elif type(frame) is not bytes:
         frame = as_bytes(frame, "a frame")
-    context = _context(frame, dialect, carrier)
+    context = _context(frame, dialect, carrier, alone)
     findings = _in_order(_unswapped(context, _findings(context)))
     if findings and (text := mangled(frame)) is not None:
         # What follows from it is not worth a finding.
@@ -72,12 +80,13 @@ def _in_order(findings: list[Finding]) -> list[Finding]:
     return sorted([*errors, *warnings, *hints], key=_OFFSET)
 
 
+_OF_MEMORY = {code.code for code in (codes.BEYOND_LOCALS, codes.BEYOND_GLOBALS, codes.RAW_BYTE)}
 _NO_EFFECTS: frozenset[Effect] = frozenset()
 _MOST_BY_HAND = 64
 """Errors typical of frames written by hand."""
 
 
-def _context(frame: bytes, dialect: str, carrier: str | None) -> CheckContext:
+def _context(frame: bytes, dialect: str, carrier: str | None, alone: bool) -> CheckContext:
     """Returns the context of a frame with a corrected length field, so that the rules see what is wrong inside."""
     size = end = len(frame)
     content = frame
@@ -90,19 +99,23 @@ def _context(frame: bytes, dialect: str, carrier: str | None) -> CheckContext:
     operations = checked_operations(message.operations) if isinstance(message, DirectCommand) else ()
     effects = _NO_EFFECTS.union(*[operation.facts.effects for operation in operations])
     has_jumps = True in [operation.facts.is_jump for operation in operations]
-    return CheckContext(frame, end, message, verdict(frame, dialect), operations, effects, has_jumps, dialect, carrier)
+    return CheckContext(
+        frame, end, message, verdict(frame, dialect), operations, effects, has_jumps, dialect, carrier, alone
+    )
 
 
 def _unswapped(context: CheckContext, findings: list[Finding]) -> list[Finding]:
     """Returns the findings; those that swapping the two bytes of the memory word fixes become one."""
     frame, end = context.frame, COMMAND_HEADER_SIZE
     errors = [finding for finding in findings if finding.severity is _ERROR]
-    if not 0 < len(errors) <= _MOST_BY_HAND or {error.code for error in errors} - {"E401", "E402"}:
+    if not 0 < len(errors) <= _MOST_BY_HAND or {error.code for error in errors} - _OF_MEMORY:
         return findings
     word = frame[HEADER_SIZE:end][::-1]
     if word == frame[HEADER_SIZE:end]:
         return findings
-    other = _findings(_context(frame[:HEADER_SIZE] + word + frame[end:], context.dialect, context.carrier))
+    other = _findings(
+        _context(frame[:HEADER_SIZE] + word + frame[end:], context.dialect, context.carrier, context.is_alone)
+    )
     if not {*other} < {*findings} or any(finding.severity is _ERROR for finding in other):
         return findings
     help_text = f"did you swap these two bytes? The low byte comes first: {word.hex(' ').upper()}"
@@ -127,14 +140,19 @@ def _findings(context: CheckContext) -> list[Finding]:
     message = context.message
     if isinstance(message, DirectCommand):
         found += check_command_header(context, message)
-        found += check_refusals(context)
         if context.end > MAX_FRAME:
-            return found  # no byte of it is relevant
-        local, shared = check_arguments(context, found)
+            return [*found, *check_refusals(context, is_out_of_step=False)]  # no other byte of it is relevant
+        inside: list[Finding] = []
+        local, shared = check_arguments(context, inside)
+        found += check_refusals(context, is_out_of_step=any(map(is_swallowing, inside)))
+        found += inside
         found += check_lists(context.operations)
         found += check_memory(context, message, local, shared)
         found += check_flow(context)
+        found += check_failures(context)
         found += check_effects(context)
+        if context.is_alone:
+            found += check_alone(context)
     elif isinstance(message, SystemCommand):
         found += check_system(context, message)
     elif isinstance(message, DaisyCommand):

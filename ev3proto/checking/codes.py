@@ -24,6 +24,7 @@ class Code(NamedTuple):
     example         a frame that raises it
     counterexample  nearly the same frame, which does not raise it
     carrier         the carrier that both need, None if it does not matter
+    alone           whether it is only for a frame that is not among others
     """
 
     code: str
@@ -33,6 +34,7 @@ class Code(NamedTuple):
     example: bytes
     counterexample: bytes
     carrier: str | None = None
+    alone: bool = False
 
     def finding(
         self,
@@ -54,9 +56,16 @@ _SEVERITIES = {severity.value[0].upper(): severity for severity in Severity}
 
 
 def _code(
-    code: str, title: str, explanation: str, example: bytes, counterexample: bytes, carrier: str | None = None
+    code: str,
+    title: str,
+    explanation: str,
+    example: bytes,
+    counterexample: bytes,
+    carrier: str | None = None,
+    alone: bool = False,
 ) -> Code:
-    entry = CODES[code] = Code(code, _SEVERITIES[code[0]], title, explanation.strip(), example, counterexample, carrier)
+    severity = _SEVERITIES[code[0]]
+    entry = CODES[code] = Code(code, severity, title, explanation.strip(), example, counterexample, carrier, alone)
     return entry
 
 
@@ -334,6 +343,17 @@ NEWER = _code(
     _sized("2A:00|00|10:00|81:1D:60:64:68:6C"),
     VOLTAGE,
 )
+FAILS = _code(
+    "E213",
+    "an operation that fails on every brick",
+    """
+    The validator knows the operation and accepts it, but it cannot work in a direct command: the firmware has no code
+    for it, or it needs an address in the brick's own memory. The command ends there, and the reply is
+    DIRECT_REPLY_ERROR (0x04).
+    """,
+    _sized("2A:00|00|00:00|D1:01:00:00:00"),
+    _sized("2A:00|00|00:00|01"),
+)
 NEWER_ACCEPTED = _code(
     "W201",
     "an operation that the 2013 firmware misreads",
@@ -398,6 +418,33 @@ INTEGER_FOR_FLOAT = _code(
     _sized("2A:00|80|00:10|3F:01:40"),
     _sized("2A:00|80|00:10|3F:83:00:00:80:3F:40"),
 )
+RAW_BYTE = _code(
+    "E306",
+    "a raw byte instead of an argument",
+    """
+    An argument begins with an identification byte, which says how its value is encoded. Only the numbers -32 to 31 are
+    a single byte (LC0). 75 is 81 4B and -100 is 81 9C: 81 says that a number of one byte follows; 82 announces two
+    bytes, the low one first.
+
+    Written without it, 4B is the variable LV(11), 64 is GV(4), 9C begins a text that takes the bytes up to the next
+    zero, and the bytes after it are not read as intended.
+    """,
+    _sized("2A:00|80|00:00|A4:00:0F:4B:A6:00:0F"),
+    _sized("2A:00|80|00:00|A4:00:0F:81:4B:A6:00:0F"),
+)
+LABEL_FOR_NUMBER = _code(
+    "E307",
+    "a label instead of a number",
+    """
+    An identification byte of A0 to BF is LAB1, a label for jumps. The brick replaces it by the distance to that label,
+    whatever the operation does with it.
+
+    Programs that set a sign in the identification byte send A1 14 for -20. Negative numbers have no sign of their own:
+    -20 is 2C (LC0), -100 is 81 9C.
+    """,
+    _sized("2A:00|80|00:00|A5:00:01:A1:14:A6:00:01"),
+    _sized("2A:00|80|00:00|A5:00:01:2C:A6:00:01"),
+)
 NEGATIVE = _code(
     "W301",
     "a number that the brick reads as negative",
@@ -439,6 +486,18 @@ NO_MEMBER = _code(
     """,
     _sized("2A:00|80|00:00|82:1B:1F"),
     _sized("2A:00|80|00:00|82:1B:01"),
+)
+
+SMALL_NUMBER = _code(
+    "H301",
+    "a small negative number that may be a raw byte",
+    """
+    One byte without an identification byte is a number of -32 to 31 (LC0): 32 is -14, and 3C is -4. 50 and 60 are
+    written 81 32 and 81 3C. Only `check` of a single frame says so, since -14 may be meant.
+    """,
+    _sized("2A:00|80|00:00|A5:00:01:32:A6:00:01"),
+    _sized("2A:00|80|00:00|A5:00:01:81:32:A6:00:01"),
+    alone=True,
 )
 
 # 4: memory
@@ -506,6 +565,16 @@ NO_REPLY = _code(
     _sized("2A:00|80|04:00|81:01:60"),
     VOLTAGE,
 )
+UNWRITTEN = _code(
+    "W406",
+    "a local variable that nothing writes",
+    """
+    All local memory is zero when a command starts, and only the command itself can write it. It reads a local variable
+    that none of its operations writes, so the value is always 0, or an empty text, which is not a legal value here.
+    """,
+    _sized("2A:00|00|04:04|D3:01:40:60"),
+    _sized("2A:00|00|04:04|30:02:40|D3:01:40:60"),
+)
 UNALIGNED = _code(
     "W405",
     "a misaligned variable that the firmware accepts",
@@ -550,6 +619,28 @@ NAME_TOO_LONG = _code(
     _sized("2A:00|80|00:00|94:02:01:84:" + "61:" * 120 + "00"),
     _sized("2A:00|80|00:00|94:02:01:84:" + "61:" * 119 + "00"),
 )
+NO_HANDLE = _code(
+    "E503",
+    "a handle of nothing",
+    """
+    A handle is the number of an open file or an array, valid only in the command that made it: all are closed and
+    deleted when the command has ended. No operation before this one makes such a handle, so it fails, and so does the
+    command. Open, read and close a file in one command. To read a whole file, use the system commands BEGIN_UPLOAD
+    and CONTINUE_UPLOAD, whose handles remain.
+    """,
+    _sized("2A:00|00|00:00|C0:07:01"),
+    _sized("2A:00|00|08:00|C0:01:84:61:00:64:60:C0:07:64"),
+)
+REFUSED_LETTER = _code(
+    "E504",
+    "a character that the firmware refuses",
+    """
+    The text may contain only certain characters: letters from A to Z, digits, _ and - in the name of a brick. The
+    firmware refuses others when it runs the operation, and the command ends with an error.
+    """,
+    _sized("2A:00|00|00:00|D4:08:84:41:20:42:00"),
+    _sized("2A:00|00|00:00|D4:08:84:41:5F:42:00"),
+)
 REST_UNUSED = _code(
     "W501",
     "more bytes than announced",
@@ -570,8 +661,8 @@ JUMP_OUT = _code(
     first operation, where the brick runs whatever bytes it finds. A jump to the very end is fine: it ends the
     command.
     """,
-    _sized("2A:00|80|00:04|41:40:05:01"),
-    _sized("2A:00|80|00:04|41:40:01:01"),
+    _sized("2A:00|80|01:00|41:60:05:01"),
+    _sized("2A:00|80|01:00|41:60:01:01"),
 )
 JUMP_INTO = _code(
     "E602",
@@ -580,8 +671,8 @@ JUMP_INTO = _code(
     A jump distance is counted from the end of the jump. No operation starts where this one leads: the brick would
     take an argument for an opcode.
     """,
-    _sized("2A:00|80|00:04|41:40:01:82:1B:01"),
-    _sized("2A:00|80|00:04|41:40:03:82:1B:01"),
+    _sized("2A:00|80|01:00|41:60:01:82:1B:01"),
+    _sized("2A:00|80|01:00|41:60:03:82:1B:01"),
 )
 NO_SUCH_LABEL = _code(
     "E603",
@@ -590,8 +681,8 @@ NO_SUCH_LABEL = _code(
     LAB1 with 1 to 31 names a label, which LABEL sets. Without a LABEL the brick jumps by the value it has stored for
     that number, which may be left from an earlier command. Other numbers are distances in bytes.
     """,
-    _sized("2A:00|80|00:04|41:40:A0:01:01"),
-    _sized("2A:00|80|00:04|41:40:A0:01:01:0D:01"),
+    _sized("2A:00|80|01:00|41:60:A0:01:01"),
+    _sized("2A:00|80|01:00|41:60:A0:01:01:0D:01"),
 )
 UNREACHABLE = _code(
     "W601",
@@ -600,7 +691,7 @@ UNREACHABLE = _code(
     This code is unreachable: before it is a jump that is always taken, or RETURN, and nothing jumps to it.
     """,
     _sized("2A:00|80|00:00|40:03:82:1B:01:01"),
-    _sized("2A:00|80|00:04|41:40:03:82:1B:01:01"),
+    _sized("2A:00|80|01:00|41:60:03:82:1B:01:01"),
 )
 ENDLESS = _code(
     "W602",
@@ -610,7 +701,7 @@ ENDLESS = _code(
     ended, and runs no other direct command until then.
     """,
     _sized("2A:00|80|00:00|82:1B:01:40:3B"),
-    _sized("2A:00|80|00:04|82:1B:01:41:40:3A"),
+    _sized("2A:00|80|01:00|82:1B:01:41:60:3A"),
 )
 FOREIGN_OBJECT = _code(
     "W603",
@@ -629,8 +720,8 @@ JUMP_UNKNOWN = _code(
     The distance of this jump is in a variable, or behind a handle or an address. The brick accepts it, and what runs
     then depends on numbers outside the code. Read-only proxies and replay refuse such a command.
     """,
-    _sized("2A:00|80|00:04|40:40"),
-    _sized("2A:00|80|00:04|41:40:00"),
+    _sized("2A:00|80|04:00|40:60"),
+    _sized("2A:00|80|01:00|41:60:00"),
 )
 NEEDLESS_END = _code(
     "H601",
@@ -683,6 +774,40 @@ MOVE_INTERRUPTED = _code(
     """,
     _sized("2A:00|80|00:00|AE:00:01:1E:00:82:68:01:00:01|AE:00:01:22:00:82:68:01:00:01"),
     _sized("2A:00|80|00:00|AE:00:01:1E:00:82:68:01:00:01|AA:00:01|AE:00:01:22:00:82:68:01:00:01"),
+)
+
+SUFFIX_ADDED = _code(
+    "W705",
+    "a file name with the suffix that the firmware adds",
+    """
+    The firmware adds .rsf to every name of a sound file. With the suffix in the name it looks for a file such as
+    hello.rsf.rsf, finds none, and plays nothing. The reply does not report that.
+    """,
+    _sized("2A:00|80|00:00|94:02:01:84:68:2E:72:73:66:00"),
+    _sized("2A:00|80|00:00|94:02:01:84:68:00"),
+)
+NOT_STARTED = _code(
+    "H701",
+    "a power or a speed that starts no motor",
+    f"""
+    OUTPUT_POWER and OUTPUT_SPEED set how motors run; {opcode("OUTPUT_START")} makes them run. A motor that runs already
+    takes the new power or speed at once. Only `check` of a single frame says so, since another command may start it.
+    """,
+    _sized("2A:00|80|00:00|A5:00:01:1E"),
+    _sized("2A:00|80|00:00|A5:00:01:1E:A6:00:01"),
+    alone=True,
+)
+WRONG_KIND_OF_PORT = _code(
+    "H702",
+    "the number of a port, or a bit mask",
+    """
+    Most operations on motors take a bit mask of ports: A is 1, B is 2, C is 4, D is 8. OUTPUT_READ, OUTPUT_GET_COUNT
+    and OUTPUT_SET_TYPE take the number of one port: A is 0, B is 1, C is 2, D is 3. 1 and 2 are legal in both and mean
+    different ports. Only `check` of a single frame says so.
+    """,
+    _sized("2A:00|00|04:00|B3:00:01:60"),
+    _sized("2A:00|00|04:00|B3:00:00:60"),
+    alone=True,
 )
 
 # 8: system messages, and messages between bricks

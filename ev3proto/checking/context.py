@@ -77,6 +77,7 @@ class CheckContext:
     has_jumps   whether any of them jumps
     dialect     the firmware whose instruction set is used
     carrier     the carrier, None for any
+    is_alone    whether no other command belongs to it
     """
 
     frame: bytes
@@ -88,6 +89,7 @@ class CheckContext:
     has_jumps: bool
     dialect: str
     carrier: str | None
+    is_alone: bool = False
 
     @property
     def fault(self) -> Fault | None:

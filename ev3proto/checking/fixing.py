@@ -12,6 +12,7 @@ from enum import Flag, auto
 from itertools import chain
 
 from ev3proto.checking.checking import check, swapped
+from ev3proto.checking.codes import RAW_BYTE
 from ev3proto.checking.report import Change, Fix, Report
 from ev3proto.checking.rules.arguments import longer_arguments, shortest
 from ev3proto.checking.rules.header import MOST_IN_REPLY, TYPE_OFFSET, is_plausible
@@ -59,7 +60,7 @@ def fix(
         report = check(unswapped, dialect=dialect, carrier=carrier)
     steps = _ALL if shorten else _ALL & ~_Step.ENCODINGS
     while report.findings:
-        tried = _Fixing(report.frame, dialect, steps)
+        tried = _Fixing(report, steps)
         better = _better(report, tried)
         if better is None:
             return Fix(report.frame, tuple(changes), tuple(tried.unfixed + _not_made(tried.changes)), report)
@@ -93,7 +94,7 @@ def _better(report: Report, tried: _Fixing) -> tuple[_Fixing, Report] | None:
         return None
     fewer = (steps for steps in _FEWER if steps in tried.made and steps != tried.made)
     seen = {report.frame}
-    for fixing in chain((tried,), (_Fixing(report.frame, report.dialect, steps) for steps in fewer)):
+    for fixing in chain((tried,), (_Fixing(report, steps) for steps in fewer)):
         if fixing.frame not in seen:
             seen.add(fixing.frame)
             after = check(fixing.frame, dialect=report.dialect, carrier=report.carrier)
@@ -121,12 +122,13 @@ class _Fixing:
     made     the steps that changed something
     """
 
-    def __init__(self, frame: bytes, dialect: str, steps: _Step) -> None:
-        self.frame = frame
+    def __init__(self, report: Report, steps: _Step) -> None:
+        self.frame = report.frame
         self.changes: list[Change] = []
         self.unfixed: list[str] = []
         self.made = _Step(0)
-        self._dialect = dialect
+        self._dialect = report.dialect
+        self._raw = {finding.offset: finding for finding in report.findings if finding.code == RAW_BYTE.code}
         self._step = _Step(0)
         self._places: dict[str, list[Footprint]] = {GLOBAL: [], LOCAL: []}
         self._run(steps)
@@ -147,6 +149,7 @@ class _Fixing:
             for place in footprints(operation):
                 self._places[place.argument.form.kind].append(place)
         self._tell_misaligned()
+        self._tell_raw()
         if self._begins(_Step.TYPE, steps):
             message = self._reply_type(message)
         if self._begins(_Step.MEMORY, steps):
@@ -202,6 +205,13 @@ class _Fixing:
             for variable, (many, name) in needed.items()
         ]
 
+    def _tell_raw(self) -> None:
+        """Reports bytes that may be a number or a variable; only the author knows what was meant."""
+        self.unfixed += [
+            f"{finding.parameter} of {finding.operation} at offset {at}: {finding.help}"
+            for at, finding in self._raw.items()
+        ]
+
     def _reply_type(self, command: DirectCommand) -> DirectCommand:
         if command.type is not MessageType.DIRECT_COMMAND_NO_REPLY:
             return command
@@ -220,6 +230,9 @@ class _Fixing:
         for scope, stated in sizes.items():
             most = _most(command, scope)
             beyond = [place for place in self._places[scope] if place.start + place.size > stated]
+            if any(place.argument.offset in self._raw for place in beyond):
+                # More memory would hide the mistake.
+                continue
             if not beyond:
                 self._cut(command, scope, sizes)
                 continue

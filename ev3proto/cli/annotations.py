@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 from urllib.parse import quote
 
 from ev3proto.checking.codes import CODES
 from ev3proto.checking.program_codes import PROGRAM_CODES
-from ev3proto.checking.report import Finding, Report, Severity
+from ev3proto.checking.report import Finding, Fix, Report, Severity
+from ev3proto.cli.check_output import Output, Place, Tally
+from ev3proto.cli.output import Printer
 from ev3proto.cli.programs import SOURCE_CODE
+from ev3proto.program.report import ProgramReport
 from ev3proto.text.assembly.errors import AssemblyError, SourceWarning
 from ev3proto.version import VERSION
 
@@ -167,23 +170,32 @@ class Sarif:
         self._show(f"], {json.dumps(rest, ensure_ascii=False)[1:]}]}}")
 
 
-class Annotations:
+class Annotations(Output):
     """Shows findings to a workflow: commands for GitHub, or a SARIF log."""
 
-    def __init__(self, style: str, show: Callable[[str], None]) -> None:
-        """`style` is github or sarif; `show` prints a line."""
-        self._show = show
-        self._log = Sarif(show) if style == "sarif" else None
+    def __init__(self, style: str) -> None:
+        """`style` is github or sarif."""
+        self._show = Printer().text
+        self._log = Sarif(self._show) if style == "sarif" else None
 
-    def report(
-        self, report: Report, findings: Iterable[Finding], facts: Mapping[str, Any], *, is_file: bool = False
+    def frame(self, report: Report, shown: Sequence[Finding], place: Place) -> None:
+        """Shows the findings of a frame."""
+        self._notes(notes_on(report, shown, place.facts))
+
+    def fixed(self, fix: Fix, shown: Sequence[Finding], place: Place) -> None:
+        """Shows what remains in a fixed frame."""
+        self.frame(fix.report, shown, place)
+
+    def program(
+        self, report: ProgramReport, shown: Sequence[Finding], place: Place, warnings: Sequence[SourceWarning]
     ) -> None:
-        """Shows findings; the arguments are those of `notes_on`."""
-        self._notes(notes_on(report, findings, facts, is_file=is_file))
+        """Shows the findings of a program, by their offsets in the file, and the warnings of its source."""
+        self._notes(notes_on_source(place.facts["source"], warnings=warnings))
+        self._notes(notes_on(report, shown, place.facts, is_file=True))
 
-    def source(self, label: str, error: AssemblyError | None = None, warnings: Iterable[SourceWarning] = ()) -> None:
-        """Shows errors and warnings of a program's source."""
-        self._notes(notes_on_source(label, error, warnings))
+    def source_errors(self, label: str, error: AssemblyError) -> None:
+        """Shows the errors of a program's source."""
+        self._notes(notes_on_source(label, error))
 
     def complaint(self, sentence: str) -> None:
         """Shows a sentence about input that could not be read."""
@@ -192,7 +204,7 @@ class Annotations:
         else:
             self._log.complain(sentence)
 
-    def end(self) -> None:
+    def end(self, tally: Tally, *, is_quiet: bool) -> None:  # noqa: ARG002 - numbers are for people
         """Writes the end of the log."""
         if self._log is not None:
             self._log.end()

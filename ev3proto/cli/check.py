@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import json
 import sys
-from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import chain
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -16,7 +15,8 @@ from ev3proto.checking.checking import check as check_frame
 from ev3proto.checking.codes import CODES, Code
 from ev3proto.checking.fixing import fix
 from ev3proto.checking.program_codes import PROGRAM_CODES
-from ev3proto.checking.report import Finding, Fix, Report
+from ev3proto.checking.report import Finding, Report
+from ev3proto.cli.check_output import SEVERITIES, JsonOutput, Output, Place, Tally, TextOutput
 from ev3proto.cli.edited import EditedFile
 from ev3proto.cli.inputs import SOURCE_SUFFIX, Source, introduction, pieces, sources
 from ev3proto.cli.options import given_options, incompatible, json_option
@@ -25,25 +25,22 @@ from ev3proto.cli.reading import CaptureOptions, reading_options
 from ev3proto.cli.sources import SourceReader, looks_like_assembly
 from ev3proto.errors import counted, near_misses
 from ev3proto.tables.carriers import CARRIERS
-from ev3proto.text.diagnostics import diagnostics, explanation, fixed
+from ev3proto.text.diagnostics import explanation
 from ev3proto.text.fixed_text import FixedFrame, fix_pieces, is_command, is_whole, unix_lines
 from ev3proto.text.paste import Pasted
-from ev3proto.text.spans import Line, Role, plain_text
+from ev3proto.text.spans import Role
 from ev3proto.text.splitting import Piece
 
 if TYPE_CHECKING:
     from ev3proto.capture.formats import CaptureFile
     from ev3proto.capture.record import Record
-    from ev3proto.cli.annotations import Annotations
     from ev3proto.cli.captures import CaptureSource
+    from ev3proto.text.assembly.errors import SourceWarning
 
 # Captures and programs are imported when they are needed, which saves 40 ms for a frame.
 
 FORMATS = ("text", "json", "sarif", "github")
 """The formats of findings."""
-
-SEVERITIES = ("error", "warning", "hint")
-"""The severities that are counted, the worst first."""
 
 _BUT_ERRORS = frozenset(SEVERITIES[1:])
 
@@ -91,52 +88,35 @@ class CheckOptions:
         return tuple(finding for finding in report.findings if finding.severity not in self.hidden)
 
 
-class Place(NamedTuple):
-    """The place of a frame.
-
-    label     prefix of every offset, such as `robot.log, line 3`; empty for a single frame
-    facts     the same for other tools
-    is_among  whether it is one of many frames in a text or a capture
-    """
-
-    label: str
-    facts: dict[str, Any]
-    is_among: bool = False
-
-
 class Checking(SourceReader):
     """Checks the frames of the sources one by one, and counts the findings."""
 
     wanted = "command"
 
-    def __init__(self, reading: CaptureOptions, options: CheckOptions, *, is_single: bool) -> None:
+    def __init__(self, reading: CaptureOptions, options: CheckOptions, output: Output, *, is_single: bool) -> None:
         super().__init__(reading)
         self._options = options
+        self._output = output
         self._is_single = is_single
-        self._printer = Printer()
-        self._was_long: bool | None = None
-        self._annotations = _annotations(options.style, self._printer)
-        self._written: Iterator[FixedFrame] | None = None
-        self._is_edited = False
-        self.frames = 0
-        self.programs = 0
-        self.replies = 0
-        self.counts: Counter[str] = Counter()
+        self._edited: Iterator[FixedFrame] | None = None
+        self._first: tuple[bytes, Place] | None = None
+        self.tally = Tally()
 
     def piece(self, piece: Piece, pasted: Pasted, source: Source) -> None:
         """A frame of a text."""
         frame = piece.message.build()
         if pasted.direction == "received" or not (source.is_frame or is_command(piece.message, pasted)):
-            self.replies += 1
+            self.tally.replies += 1
             return
         if not is_whole(piece.message, pasted):
             self.complain(f"{source.where(pasted)}: cannot check a frame that is cut off after {len(frame)} bytes")
             return
         if source.is_frame:
             self._typed(frame)
-        else:
-            facts = {"source": source.label, "line": pasted.line, "column": pasted.column}
-            self._frame(frame, Place(source.where(pasted), facts, is_among=True), self._options.carrier)
+            return
+        facts = {"source": source.label, "line": pasted.line, "column": pasted.column}
+        is_logged = pasted.direction is not None or pasted.time is not None
+        self._written(frame, Place(source.where(pasted), facts, is_among=True), is_logged=is_logged)
 
     def text(self, source: Source, lines: Iterator[str]) -> None:
         """Checks a text. Its first line that is neither empty nor a comment decides whether it is assembly."""
@@ -149,7 +129,7 @@ class Checking(SourceReader):
 
     def text_file(self, source: Source, file: CaptureFile, lines: Iterable[str]) -> None:
         """Checks a text; with --fix, prints it with its frames fixed, and all else on standard error."""
-        if not self._options.fixes or self._options.as_json or self.reading.missing is not None:
+        if not self._options.fixes or self.reading.missing is not None or not isinstance(self._output, TextOutput):
             super().text_file(source, file, lines)
             return
         data = file.contents.read(MOST_EDITED + 1)
@@ -164,11 +144,11 @@ class Checking(SourceReader):
         found = list(pieces(unix_lines(text), None))
         made = fix_pieces(text, found, dialect=self.reading.dialect, carrier=self._options.carrier)
         contents.print(made.text)
-        self._is_edited = True
-        self._written = iter(made.frames)
+        self._output.is_edited = True
+        self._edited = iter(made.frames)
         for pasted in found:
             self.pasted(pasted, source)
-        self._written = None
+        self._edited = None
 
     def assembly(self, source: Source, lines: Iterator[str]) -> None:
         """Checks assembly as `encode` and `send` take it; its values are left to the check."""
@@ -179,23 +159,38 @@ class Checking(SourceReader):
         messages = assembled_messages(source, lines, self.complain, dialect=dialect, unchecked=True)
         for number, message in enumerate(messages, 1):
             if message.type is not None and not message.type.is_command:
-                self.replies += 1
+                self.tally.replies += 1
             elif source.is_frame:
                 self._typed(message.build())
             else:
                 place = Place(f"{source.label}, frame {number}", {"source": source.label}, is_among=True)
-                self._frame(message.build(), place, self._options.carrier)
+                self._written(message.build(), place)
 
     def _typed(self, frame: bytes) -> None:
         """Checks a frame of an argument."""
-        self._frame(frame, Place("" if self._is_single else f"frame {self.frames + 1}", {}), self._options.carrier)
+        label = "" if self._is_single else f"frame {self.tally.frames + (self._first is not None) + 1}"
+        self._written(frame, Place(label, {}))
+
+    def _written(self, frame: bytes, place: Place, *, is_logged: bool = False) -> None:
+        """Checks a frame of a text. The first one waits for the second: some hints are for a frame alone."""
+        if self._first is None and not self.tally.frames and not is_logged and self._edited is None:
+            self._first = frame, place
+            return
+        self._take_first(is_alone=False)
+        self._frame(frame, place, self._options.carrier)
+
+    def _take_first(self, *, is_alone: bool) -> None:
+        if self._first is not None:
+            (frame, place), self._first = self._first, None
+            self._frame(frame, place, self._options.carrier, is_alone=is_alone and not self.tally.replies)
 
     def capture(self, capture: CaptureSource) -> int:
         """Checks the commands in a capture, each for its carrier."""
-        before = self.frames
+        self._take_first(is_alone=False)
+        before = self.tally.frames
         for record in capture.records():
             if is_reply(record):
-                self.replies += 1
+                self.tally.replies += 1
                 continue
             place = Place(
                 f"{capture.label}, {capture.unit} {record.number}",
@@ -203,7 +198,7 @@ class Checking(SourceReader):
                 is_among=True,
             )
             self._frame(record.frame, place, self._options.carrier or capture.carrier(record))
-        return self.frames - before
+        return self.tally.frames - before
 
     def read(self, source: Source) -> None:
         """Reads everything in a source; one that ends in .lms is the source of a program."""
@@ -215,29 +210,26 @@ class Checking(SourceReader):
 
     def program(self, source: Source, image: bytes) -> None:
         """Checks a program image."""
-        self._image(source, image, [])
+        self._image(source, image, ())
 
-    def _image(self, source: Source, image: bytes, warnings: list[dict[str, Any]]) -> None:
+    def _image(self, source: Source, image: bytes, warnings: Sequence[SourceWarning]) -> None:
         """Checks a program image, and shows the warnings of its source."""
         from ev3proto.program import check_program  # takes 30 ms, which frames do not need
-        from ev3proto.program.report import program_findings  # the same
 
         if self._options.fixes:
             raise click.UsageError(f"--fix is for frames, but {source.label[:60]} is a program")
-        self.programs += 1
+        self._take_first(is_alone=False)
+        self.tally.programs += 1
         report = check_program(image, dialect=self.reading.dialect)
         place = Place("" if self._is_single else source.label, {"source": source.label})
-        if not self._is_shown_otherwise(report, place, report.as_dict, is_file=True, warnings=warnings):
-            shown = self._options.shown(report)
-            label = f"{place.label}, " if place.label else ""
-            self._paragraph(program_findings(report, shown, label), len(shown) > 0)
+        if not self._is_left_out(report, place):
+            self._output.program(report, self._options.shown(report), place, warnings)
         self._count(report)
 
     def _source(self, source: Source) -> None:
         """Shows the errors of a program's source, or checks the image that it assembles to."""
         # These take 30 ms, which frames do not need.
-        from ev3proto.cli.assembly import show_errors
-        from ev3proto.cli.programs import complain_of_warnings, read_source, source_findings
+        from ev3proto.cli.programs import read_source
         from ev3proto.program import assemble
         from ev3proto.text.assembly.errors import AssemblyError
 
@@ -248,149 +240,63 @@ class Checking(SourceReader):
         try:
             made = assemble(text)
         except AssemblyError as error:
-            self.programs += 1
+            self.tally.programs += 1
             self.at_fault = True
-            self.counts["error"] += 1 + len(error.others)
-            if self._annotations is not None:
-                self._annotations.source(source.label, error)
-            elif not self._options.quiet:
-                show_errors(f"{source.label}, ", error)
-                if self._options.as_json:
-                    entry = {"accepted": False, "rejected_at": None, "findings": source_findings(error), "hex": ""}
-                    self._print({"source": source.label}, entry)
+            self.tally.findings["error"] += 1 + len(error.others)
+            if not self._options.quiet:
+                self._output.source_errors(source.label, error)
             return
-        self.counts["warning"] += len(made.warnings)
-        if self._annotations is not None:
-            self._annotations.source(source.label, warnings=made.warnings)
-        elif not self._options.hidden >= {"warning"} and not self._options.quiet:
-            complain_of_warnings(source.label, made.warnings)
+        self.tally.findings["warning"] += len(made.warnings)
         self.at_fault |= self._options.strict and bool(made.warnings)
-        self._image(source, made.image, source_findings(warnings=made.warnings))
+        self._image(source, made.image, () if "warning" in self._options.hidden else made.warnings)
 
     def complain(self, sentence: str) -> None:
         """Prints a message about wrong input, also for a workflow."""
         super().complain(sentence)
-        if self._annotations is not None:
-            self._annotations.complaint(sentence)
+        self._output.complaint(sentence)
 
-    def summary(self) -> None:
-        """Prints the numbers of frames and findings, if there is more than one frame; none for no frame at all."""
-        if self._annotations is not None:
-            self._annotations.end()
-        elif self._options.as_json and self._options.quiet:
-            counts = {f"{severity}s": self.counts[severity] for severity in SEVERITIES}
-            entry = {"frames": self.frames, "programs": self.programs, "replies": self.replies, **counts}
-            self._printer.text(json.dumps(entry))
-        many = self.frames + self.programs + self.replies > 1
-        is_wanted = (self.frames or self.programs) and (many or self._options.quiet)
-        if self._options.style != FORMATS[0] or not is_wanted:
-            return
-        found = ", ".join(counted(self.counts[severity], severity) for severity in SEVERITIES)
-        line: Line = [(f"{self._inputs()}: ", Role.HEADING), (found, Role.PLAIN)]
-        if self.replies:
-            line.append((f"; {_frames(self.replies)} from the brick not checked", Role.ASIDE))
-        if self._is_edited:
-            complain(plain_text(line))
-        else:
-            self._paragraph(iter([line]), False)
+    def end(self) -> None:
+        """Checks the frame that waits, and shows the numbers of frames and findings."""
+        self._take_first(is_alone=True)
+        self._output.end(self.tally, is_quiet=self._options.quiet)
 
-    def _inputs(self) -> str:
-        """Returns `4 frames`, `2 programs`, `1 frame and 1 program`."""
-        programs = [counted(self.programs, "program")] if self.programs else []
-        return " and ".join([*([_frames(self.frames)] if self.frames or not programs else []), *programs])
-
-    def _frame(self, frame: bytes, place: Place, carrier: str | None) -> None:
-        self.frames += 1
-        if self._written is not None:
-            written = next(self._written)
-            report = written.report
-            self._show_written(written, place)
+    def _frame(self, frame: bytes, place: Place, carrier: str | None, *, is_alone: bool = False) -> None:
+        self.tally.frames += 1
+        dialect = self.reading.dialect
+        if self._edited is not None:
+            edited = next(self._edited)
+            report = edited.report
+            if not self._is_left_out(report, place) and isinstance(self._output, TextOutput):
+                shown = self._options.shown(edited.fix.report)
+                self._output.edited(edited.fix, shown, place, is_written=edited.is_written)
         elif self._options.fixes:
-            found = fix(frame, dialect=self.reading.dialect, carrier=carrier)
-            report = found.report
-            self._show_fix(found, place)
+            fixed = fix(frame, dialect=dialect, carrier=carrier)
+            report = fixed.report
+            if not self._is_left_out(report, place):
+                self._output.fixed(fixed, self._options.shown(report), place)
         else:
-            report = check_frame(frame, dialect=self.reading.dialect, carrier=carrier)
-            self._show(report, place)
+            report = check_frame(frame, dialect=dialect, carrier=carrier, alone=is_alone)
+            if not self._is_left_out(report, place):
+                self._output.frame(report, self._options.shown(report), place)
         self._count(report)
 
+    def _is_left_out(self, report: Report, place: Place) -> bool:
+        return self._options.leaves_out(report, is_alone=self._is_single and not place.is_among)
+
     def _count(self, report: Report) -> None:
-        severities = [finding.severity for finding in report.findings]
-        for severity in SEVERITIES:
-            self.counts[severity] += severities.count(severity)  # type: ignore[arg-type]
+        self.tally.add(report.findings)
+        severities = {finding.severity for finding in report.findings}
         if not report.accepted or "error" in severities or (self._options.strict and "warning" in severities):
             self.at_fault = True
 
-    def _show(self, report: Report, place: Place) -> None:
-        if self._is_shown_otherwise(report, place, report.as_dict):
-            return
-        shown = self._options.shown(report)
-        self._stand_apart(len(shown) > 0)
-        label, dialect = place.label, self.reading.dialect
-        self._printer.lines(diagnostics(report, shown, place=label, dialect=dialect))
 
-    def _show_fix(self, fix: Fix, place: Place) -> None:
-        if self._is_shown_otherwise(fix.report, place, fix.as_dict):
-            return
-        shown = self._options.shown(fix.report)
-        self._paragraph(fixed(fix, shown, place=place.label, dialect=self.reading.dialect), True)
+def _output(options: CheckOptions, dialect: str) -> Output:
+    """Returns what shows the findings in the format of the options."""
+    if options.style in ("github", "sarif"):
+        from ev3proto.cli.annotations import Annotations  # takes 30 ms: sources of programs have findings, too
 
-    def _show_written(self, written: FixedFrame, place: Place) -> None:
-        """Shows what was fixed in a text, and what remains, on standard error: the text itself is the output."""
-        found = written.fix
-        if not (found.is_fixed or found.report.findings) or self._options.leaves_out(found.report, is_alone=False):
-            return
-        shown = self._options.shown(found.report)
-        dialect = self.reading.dialect
-        lines = fixed(found, shown, place=place.label, dialect=dialect, is_written=written.is_written)
-        complain("\n".join(map(plain_text, lines)) + "\n")
-
-    def _is_shown_otherwise(
-        self,
-        report: Report,
-        place: Place,
-        entry: Callable[[], dict[str, Any]],
-        *,
-        is_file: bool = False,
-        warnings: Sequence[dict[str, Any]] = (),
-    ) -> bool:
-        """Shows findings in any format but text; returns whether nothing is left to be shown."""
-        if self._options.leaves_out(report, is_alone=self._is_single and not place.is_among):
-            return True
-        if self._annotations is not None:
-            self._annotations.report(report, self._options.shown(report), place.facts, is_file=is_file)
-        elif self._options.as_json:
-            self._json(place, entry(), report, warnings)
-        return self._options.style != FORMATS[0]
-
-    def _json(self, place: Place, entry: dict[str, Any], report: Report, warnings: Sequence[dict[str, Any]]) -> None:
-        entry["findings"] = [finding.as_dict() for finding in self._options.shown(report)]
-        if warnings and "warning" not in self._options.hidden:
-            entry["findings"] = [*warnings, *entry["findings"]]
-        self._print(place.facts, entry)
-
-    def _print(self, facts: dict[str, Any], entry: dict[str, Any]) -> None:
-        self._printer.text(json.dumps(facts | entry, ensure_ascii=False))
-
-    def _paragraph(self, lines: Iterable[Line], is_long: bool) -> None:
-        """Prints lines that belong together."""
-        self._stand_apart(is_long)
-        self._printer.lines(lines)
-
-    def _stand_apart(self, is_long: bool) -> None:
-        """Prints an empty line between two paragraphs if either has several lines."""
-        if self._was_long or (is_long and self._was_long is not None):
-            self._printer.text("")
-        self._was_long = is_long
-
-
-def _annotations(style: str, printer: Printer) -> Annotations | None:
-    """Returns what shows findings to a workflow; None for other formats."""
-    if style not in ("github", "sarif"):
-        return None
-    from ev3proto.cli.annotations import Annotations  # takes 30 ms: sources of programs have findings, too
-
-    return Annotations(style, printer.text)
+        return Annotations(options.style)
+    return JsonOutput(shows_warnings="warning" not in options.hidden) if options.as_json else TextOutput(dialect)
 
 
 def is_reply(record: Record) -> bool:
@@ -398,10 +304,6 @@ def is_reply(record: Record) -> bool:
     if record.direction is not None:
         return record.direction == "received"
     return record.message.type is not None and not record.message.type.is_command
-
-
-def _frames(count: int) -> str:
-    return counted(count, "frame")
 
 
 @click.command()
@@ -475,11 +377,13 @@ def check(
     style = style or ("json" if as_json else FORMATS[0])
     options = CheckOptions(style, fixes, strict, carrier, frozenset(hidden), quiet)
     found = sources(names)
-    checking = Checking(reading, options, is_single=len(found) == 1)
+    checking = Checking(reading, options, _output(options, reading.dialect), is_single=len(found) == 1)
     checking.read_all(found)
-    checking.summary()
-    if checking.replies and not checking.frames and not checking.programs and not checking.at_fault:
-        complain(f"no command found, only {_frames(checking.replies)} from the brick; `ev3proto check` checks commands")
+    checking.end()
+    tally = checking.tally
+    if tally.replies and not tally.frames and not tally.programs and not checking.at_fault:
+        replies = counted(tally.replies, "frame")
+        complain(f"no command found, only {replies} from the brick; `ev3proto check` checks commands")
         checking.at_fault = True
     sys.exit(1 if checking.at_fault else 0)
 
@@ -504,7 +408,7 @@ def _explain(name: str, *, as_json: bool, dialect: str) -> None:
 
             printer.lines(program_explanation(code, dialect))
         else:
-            report = check_frame(code.example, dialect=dialect, carrier=code.carrier)
+            report = check_frame(code.example, dialect=dialect, carrier=code.carrier, alone=code.alone)
             printer.lines(explanation(code, report, dialect))
 
 

@@ -66,7 +66,7 @@ SUBCOMMANDS = {
     "export": "Writes the protocol, or frames, in the formats of other tools",
     "extcap": "Captures for Wireshark through `ev3proto proxy`; Wireshark runs this, users do not",
     "files": "Recovers the files that were transferred to or from the brick",
-    "help": "Shows the help of a subcommand, or explains an operation or a code",
+    "help": "Shows the help of a subcommand, or explains an operation, a code, an encoding, a number",
     "live": "Shows dialogues live, one a line, with values and latency",
     "ops": "Lists or searches the operations, or shows one in full",
     "proxy": "Relays between a program and a brick, shows the dialogues and records them",

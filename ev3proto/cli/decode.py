@@ -15,6 +15,8 @@ from ev3proto.cli.reading import MIB, CaptureOptions, given_up, reading_options
 from ev3proto.cli.show import FORMATS, Show
 from ev3proto.cli.sources import SourceReader
 from ev3proto.dialogue import Dialogue
+from ev3proto.messages import DirectCommand, Message, Operation
+from ev3proto.tables.declaration import Effect
 from ev3proto.text.paste import Pasted
 from ev3proto.text.phrases import Seen
 from ev3proto.text.splitting import Piece
@@ -84,14 +86,25 @@ class Decoding(SourceReader):
         unknown = frozenset(one.offset - piece.start for one in pasted.unknown)
         seen = Seen(pasted.direction, pasted.time, cut, unknown=unknown)
         self._show.exchange(self._dialogue.follow(piece.message), seen, piece.rest)
+        never = _never_run(piece.message)
         if fault is not None and not cut:
             text = mangled(piece.message.build())
             self.complain(f"{source.where(pasted)}: fault at {fault}{f'; {text.message}' if text else ''}")
+        elif never is not None:
+            said = f"offset {never.offset}: opcode 0x{never.opcode:02X} is {never.name}, which the brick refuses"
+            self.complain(f"{source.where(pasted)}: {said}; `ev3proto check` says more")
 
     def say_what_was_given_up(self) -> None:
         """Reports commands of a text that were dropped before their replies came."""
         if self._dialogue.forgotten:
             complain(given_up("the input", self._dialogue.forgotten, self.reading.memory))
+
+
+def _never_run(message: Message) -> Operation | None:
+    """Returns the first operation of a command that no brick runs: bytes of something else look like that."""
+    operations = message.operations if isinstance(message, DirectCommand) else ()
+    never = (each for each in operations if Effect.NEVER_RUNS in each.schema.declaration.effects)
+    return next(never, None)
 
 
 @click.command()

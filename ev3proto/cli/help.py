@@ -1,4 +1,4 @@
-"""`ev3proto help`: the help of a subcommand, or what is known of an operation or a code of the checker."""
+"""`ev3proto help`: the help of a subcommand, or what is known of a name, a number or a code of the checker."""
 
 from __future__ import annotations
 
@@ -16,13 +16,19 @@ from ev3proto.cli.output import Failure, say
 @click.argument("words", nargs=-1)
 @click.pass_context
 def help(context: click.Context, words: tuple[str, ...]) -> None:  # noqa: A001 - what it is called
-    """Shows the help of a subcommand, or explains an operation or a code.
+    """Shows the help of a subcommand, or explains an operation, a code, an encoding, a number.
+
+    It knows the encodings of arguments (LC1), the modes of sensors (COL-COLOR), statuses, errors, and all meanings of a
+    number.
 
     \b
       ev3proto help decode
       ev3proto help export pcapng
       ev3proto help sound.tone
       ev3proto help E205
+      ev3proto help LC1
+      ev3proto help COL-COLOR
+      ev3proto help 0x81
     """  # noqa: D301 - the mark by which click leaves lines as they are
     parent = context.parent
     assert parent is not None

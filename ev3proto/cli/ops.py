@@ -4,16 +4,17 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator
 from difflib import get_close_matches
 from typing import Any
 
 import click
 
+from ev3proto.cli.entries import ENCODING, MODE, Entry, device_types, encoding, encodings, error_numbers, modes, named
 from ev3proto.cli.options import AREA, AREAS_HELP, dialect_option, json_option
 from ev3proto.cli.output import Failure, Printer
 from ev3proto.errors import near_misses
+from ev3proto.schema.argument import ENCODINGS
 from ev3proto.schema.instructions import instruction_set
 from ev3proto.semantics.domain import element, facts
 from ev3proto.tables import OPCODES, area_of, operations
@@ -41,7 +42,8 @@ def ops(words: tuple[str, ...], area: str | None, as_json: bool, dialect: str) -
       ev3proto ops LED_RED_FLASH
     """  # noqa: D301 - the mark by which click leaves lines as they are
     printer = Printer()
-    entries = [entry for entry in _entries(dialect) if area is None or entry.area == area]
+    every = [*_entries(dialect), *(_other_names() if words else ())]
+    entries = [entry for entry in every if area is None or entry.area == area]
     exact = _exact(entries, words) if words else []
     found = exact or _ranked(entries, words)
     if not found:
@@ -59,57 +61,29 @@ def ops(words: tuple[str, ...], area: str | None, as_json: bool, dialect: str) -
             printer.lines([entry.line()])
 
 
-@dataclass(frozen=True)
-class Entry:
-    """An operation, a system command or a name, as `ops` shows it.
-
-    kind      what it is; empty for operations
-    text      its meaning
-    searched  further words that find it
-    about     yields the lines under its name and text
-    record    returns all of it for other tools
-    """
-
-    name: str
-    number: int
-    area: str
-    kind: str
-    text: str
-    searched: str
-    about: Callable[[], Iterator[Line]]
-    record: Callable[[], dict[str, Any]]
-
-    @property
-    def texts(self) -> tuple[str, str, str]:
-        """The texts that are searched: the name, the meaning, all else."""
-        return self.name, f"{self.text} {self.kind}", self.searched
-
-    def line(self) -> Line:
-        """Returns its line in a list."""
-        name = f"{self.name} ({self.kind})" if self.kind else self.name
-        return [(f"0x{self.number:02X} ", Role.ASIDE), (name.ljust(32), Role.OPERATION), (f" {self.text}", Role.PLAIN)]
-
-    def page(self) -> Iterator[Line]:
-        """Yields the lines that show it in full."""
-        yield [(self.name, Role.OPERATION), (f"  {self.text}", Role.PLAIN)]
-        yield from self.about()
-
-
 def _entries(dialect: str) -> list[Entry]:
     return [
         *(_operation(declaration, dialect) for declaration in operations(dialect).values()),
         *map(_system, SYSTEM),
         *(
-            _named(opcode.name, opcode.number, "opcode of no firmware", opcode.text, [opcode.note])
+            named(opcode.name, opcode.number, "opcode of no firmware", opcode.text, [opcode.note])
             for opcode in OPCODES
             if opcode.dialects == UNRELEASED
         ),
         *map(_status, SystemStatus),
         *(
-            _named(member.name, member, "message type", text, filter(None, [TYPE_ADVICE.get(member)]))
+            named(member.name, member, "message type", text, filter(None, [TYPE_ADVICE.get(member)]))
             for member, text in TYPE_MEANINGS.items()
         ),
     ]
+
+
+def _other_names() -> Iterator[Entry]:
+    """Yields what is explained and not listed."""
+    yield from encodings()
+    yield from modes()
+    yield from error_numbers()
+    yield from device_types()
 
 
 def _operation(entry: Declaration, dialect: str) -> Entry:
@@ -180,25 +154,7 @@ def _status(status: SystemStatus) -> Entry:
     notes = [f"{entry.name}: {meaning}" for entry in SYSTEM for known, meaning in entry.statuses if known is status]
     if status in UNUSED_STATUSES:
         notes = ["no command of the published firmware answers with it"]
-    return _named(status.name, status, "status", text, notes)
-
-
-def _named(name: str, number: int, kind: str, text: str, notes: Iterable[str]) -> Entry:
-    """Returns the entry of any other name: a status, a message type, an unimplemented opcode."""
-    noted = list(notes)
-
-    def about() -> Iterator[Line]:
-        yield [(f"  {kind} 0x{number:02X}", Role.ASIDE)]
-        yield from ([(f"  {note}", Role.MEANING)] for note in noted)
-
-    def record() -> dict[str, Any]:
-        return {"name": name, "number": number, "kind": kind, "text": text, "notes": noted}
-
-    return Entry(name, number, "system", kind, text, " ".join(noted), about, record)
-
-
-_CODED = ("", "system")
-"""The kinds that can be found by number."""
+    return named(status.name, status, "status", text, notes)
 
 
 def _exact(entries: list[Entry], words: tuple[str, ...]) -> list[Entry]:
@@ -206,8 +162,10 @@ def _exact(entries: list[Entry], words: tuple[str, ...]) -> list[Entry]:
     name = ".".join(words).upper().replace(" ", ".")
     found = [entry for entry in entries if name == entry.name or (name == f"OP{entry.name}" and not entry.kind)]
     if not found and re.fullmatch(r"0X[0-9A-F]+|[0-9]{1,3}", name):
-        coded = [entry for entry in entries if entry.kind in _CODED]
-        found = [entry for entry in coded if entry.number == int(name, 16 if name.startswith("0X") else 10)]
+        number = int(name, 16 if name.startswith("0X") else 10)
+        form = encoding(number) if number < len(ENCODINGS) else None
+        others = [entry for entry in entries if entry.number == number and entry.kind not in (ENCODING, MODE)]
+        found = [*([] if form is None else [form]), *sorted(others, key=lambda entry: not entry.kind)]
     return found
 
 
@@ -227,7 +185,7 @@ def _ranked(entries: list[Entry], words: tuple[str, ...]) -> list[Entry]:
 def _near_word(entries: list[Entry], words: tuple[str, ...]) -> str:
     """Returns `: did you mean battery?` for the first unknown word that resembles a known one; or nothing."""
     known = sorted({word for entry in entries for text in entry.texts for word in _words(text)})
-    unknown = [word for each in words for word in _words(each) if not _has(known, word)]
+    unknown = [word for each in words for word in _words(each) if not (word.isdecimal() or _has(known, word))]
     close = [near for word in unknown for near in get_close_matches(word, known, 1, _LIKENESS)]
     return f": did you mean {close[0]}?" if close else ""
 

@@ -1645,7 +1645,7 @@ def array_write(handle: Number, index: Number, value: Real, *, unchecked: bool =
 
     Args:
         handle: The array; handle.
-        index: Which element, the first is 0; 0 to 2147483647; DATA32.
+        index: Which element, the first is 0; 0 to 5999999; DATA32.
         value: The value, of the array's type; array-typed.
         unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
@@ -1657,7 +1657,7 @@ def array_read(handle: Number, index: Number, value: Output = None, *, unchecked
 
     Args:
         handle: The array; handle.
-        index: Which element, the first is 0; 0 to 2147483647; DATA32.
+        index: Which element, the first is 0; 0 to 5999999; DATA32.
         value: The value, of the array's type; array-typed; an output, in global memory when omitted.
         unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """

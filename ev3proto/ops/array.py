@@ -48,7 +48,7 @@ def create8(elements: Number, handle: Output = None, *, unchecked: bool = False)
     """Creates an array of DATA8 elements.
 
     Args:
-        elements: Initial number of elements; 0 to 2147483647; DATA32.
+        elements: Initial number of elements; 0 to 6000000; DATA32.
         handle: Handle of the new array; handle; an output, in global memory when omitted.
         unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
@@ -59,7 +59,7 @@ def create16(elements: Number, handle: Output = None, *, unchecked: bool = False
     """Creates an array of DATA16 elements.
 
     Args:
-        elements: Initial number of elements; 0 to 2147483647; DATA32.
+        elements: Initial number of elements; 0 to 3000000; DATA32.
         handle: Handle of the new array; handle; an output, in global memory when omitted.
         unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
@@ -70,7 +70,7 @@ def create32(elements: Number, handle: Output = None, *, unchecked: bool = False
     """Creates an array of DATA32 elements.
 
     Args:
-        elements: Initial number of elements; 0 to 2147483647; DATA32.
+        elements: Initial number of elements; 0 to 1500000; DATA32.
         handle: Handle of the new array; handle; an output, in global memory when omitted.
         unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
@@ -81,7 +81,7 @@ def createf(elements: Number, handle: Output = None, *, unchecked: bool = False)
     """Creates an array of DATAF elements.
 
     Args:
-        elements: Initial number of elements; 0 to 2147483647; DATA32.
+        elements: Initial number of elements; 0 to 1500000; DATA32.
         handle: Handle of the new array; handle; an output, in global memory when omitted.
         unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
@@ -93,7 +93,7 @@ def resize(handle: Number, elements: Number, *, unchecked: bool = False) -> Draf
 
     Args:
         handle: The array; handle.
-        elements: New number of elements; 0 to 2147483647; DATA32.
+        elements: New number of elements; 0 to 6000000; DATA32.
         unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["ARRAY.RESIZE"].draft((handle, elements), unchecked)
@@ -155,7 +155,7 @@ def init8(
 
     Args:
         handle: The array; handle.
-        index: First element to write, counted from 0; 0 to 2147483647; DATA32.
+        index: First element to write, counted from 0; 0 to 5999999; DATA32.
         elements: Number of values that follow; 0 to 2147483647; DATA32; computed when omitted.
         values: The values, one parameter each; a list of DATA8.
         unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
@@ -197,7 +197,7 @@ def init16(
 
     Args:
         handle: The array; handle.
-        index: First element to write, counted from 0; 0 to 2147483647; DATA32.
+        index: First element to write, counted from 0; 0 to 5999999; DATA32.
         elements: Number of values that follow; 0 to 2147483647; DATA32; computed when omitted.
         values: The values, one parameter each; a list of DATA16.
         unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
@@ -239,7 +239,7 @@ def init32(
 
     Args:
         handle: The array; handle.
-        index: First element to write, counted from 0; 0 to 2147483647; DATA32.
+        index: First element to write, counted from 0; 0 to 5999999; DATA32.
         elements: Number of values that follow; 0 to 2147483647; DATA32; computed when omitted.
         values: The values, one parameter each; a list of DATA32.
         unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
@@ -281,7 +281,7 @@ def initf(
 
     Args:
         handle: The array; handle.
-        index: First element to write, counted from 0; 0 to 2147483647; DATA32.
+        index: First element to write, counted from 0; 0 to 5999999; DATA32.
         elements: Number of values that follow; 0 to 2147483647; DATA32; computed when omitted.
         values: The values, one parameter each; a list of DATAF.
         unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.

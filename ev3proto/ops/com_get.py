@@ -36,7 +36,7 @@ def get_on_off(hardware: AnyHWTYPE, active: Output = None, *, unchecked: bool = 
     """Reports whether Bluetooth or WiFi is on.
 
     Args:
-        hardware: Carrier to use; a member of HWTYPE; DATA8.
+        hardware: Carrier to use; 2 to 3; a member of HWTYPE; DATA8.
         active: Whether it is on; 0 to 1; 0: off; 1: on; DATA8; an output, in global memory when omitted.
         unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
@@ -47,7 +47,7 @@ def get_visible(hardware: AnyHWTYPE, visible: Output = None, *, unchecked: bool 
     """Reports whether other devices can see the brick by Bluetooth.
 
     Args:
-        hardware: Carrier to use; a member of HWTYPE; DATA8.
+        hardware: Carrier to use; 1 to 3; a member of HWTYPE; DATA8.
         visible: Whether it is visible; 0 to 1; 0: no; 1: yes; DATA8; an output, in global memory when omitted.
         unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
@@ -58,7 +58,7 @@ def get_result(hardware: AnyHWTYPE, item: Number, result: Output = None, *, unch
     """Reports the state of a search or connection request.
 
     Args:
-        hardware: Carrier to use; a member of HWTYPE; DATA8.
+        hardware: Carrier to use; 2 to 3; a member of HWTYPE; DATA8.
         item: Place in the list, ignored by the firmware; DATA8.
         result: State of the request; a member of RESULT; DATA8; an output, in global memory when omitted.
         unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
@@ -90,7 +90,7 @@ def search_items(hardware: AnyHWTYPE, items: Output = None, *, unchecked: bool =
     """Counts the devices or networks that a search found.
 
     Args:
-        hardware: Carrier to use; a member of HWTYPE; DATA8.
+        hardware: Carrier to use; 2 to 3; a member of HWTYPE; DATA8.
         items: Number of entries in the list; DATA8; an output, in global memory when omitted.
         unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
@@ -134,7 +134,7 @@ def favour_items(hardware: AnyHWTYPE, items: Output = None, *, unchecked: bool =
     """Counts the paired devices, in range or not.
 
     Args:
-        hardware: Carrier to use; a member of HWTYPE; DATA8.
+        hardware: Carrier to use; 2 to 2; a member of HWTYPE; DATA8.
         items: Number of entries in the list; DATA8; an output, in global memory when omitted.
         unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
@@ -174,7 +174,7 @@ def get_id(hardware: AnyHWTYPE, length: Number, string: Output = None, *, unchec
     """Reads the brick's Bluetooth address.
 
     Args:
-        hardware: Carrier to use; a member of HWTYPE; DATA8.
+        hardware: Carrier to use; 2 to 2; a member of HWTYPE; DATA8.
         length: Size of the text buffer, including the zero; bytes; -1: unlimited (handles only); DATA8.
         string: 12 hex digits; as many bytes as LENGTH says; string; an output, in global memory when omitted.
         unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
@@ -233,7 +233,7 @@ def get_encrypt(hardware: AnyHWTYPE, item: Number, type: Output = None, *, unche
     """Reports the encryption of a network, WiFi only.
 
     Args:
-        hardware: Carrier to use; a member of HWTYPE; DATA8.
+        hardware: Carrier to use; 3 to 3; a member of HWTYPE; DATA8.
         item: Place in the list, counted from 0; DATA8.
         type: Kind of encryption; always none in the 2013 firmware; a member of ENCRYPT; DATA8; an output, in global
             memory when omitted.
@@ -246,7 +246,7 @@ def connec_items(hardware: AnyHWTYPE, items: Output = None, *, unchecked: bool =
     """Counts the connected devices, Bluetooth only.
 
     Args:
-        hardware: Carrier to use; a member of HWTYPE; DATA8.
+        hardware: Carrier to use; 1 to 3; a member of HWTYPE; DATA8.
         items: Number of entries in the list; DATA8; an output, in global memory when omitted.
         unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
@@ -286,7 +286,7 @@ def get_incoming(
     """Reports which device asks for a connection, Bluetooth only.
 
     Args:
-        hardware: Carrier to use; a member of HWTYPE; DATA8.
+        hardware: Carrier to use; 2 to 2; a member of HWTYPE; DATA8.
         length: Size of the text buffer, including the zero; bytes; -1: unlimited (handles only); DATA8.
         name: Name of the device; as many bytes as LENGTH says; string; an output, in global memory when omitted.
         type: Kind of device; a member of BTTYPE; DATA8; an output, in global memory when omitted.
@@ -299,7 +299,7 @@ def get_mode2(hardware: AnyHWTYPE, active: Output = None, *, unchecked: bool = F
     """Reports whether Bluetooth is in its mode for Apple devices.
 
     Args:
-        hardware: Carrier to use; a member of HWTYPE; DATA8.
+        hardware: Carrier to use; 2 to 2; a member of HWTYPE; DATA8.
         active: Whether it is on; 0 to 1; 0: off; 1: on; DATA8; an output, in global memory when omitted.
         unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """

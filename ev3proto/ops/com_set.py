@@ -31,7 +31,7 @@ def set_on_off(hardware: AnyHWTYPE, active: Number, *, unchecked: bool = False) 
     """Switches Bluetooth or WiFi on or off.
 
     Args:
-        hardware: Carrier to use; a member of HWTYPE; DATA8.
+        hardware: Carrier to use; 2 to 3; a member of HWTYPE; DATA8.
         active: Whether to switch it on; 0 to 1; 0: off; 1: on; DATA8.
         unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
@@ -53,7 +53,7 @@ def set_search(hardware: AnyHWTYPE, search: Number, *, unchecked: bool = False) 
     """Starts or stops the search for devices or networks.
 
     Args:
-        hardware: Carrier to use; a member of HWTYPE; DATA8.
+        hardware: Carrier to use; 2 to 3; a member of HWTYPE; DATA8.
         search: Whether to search; 0 to 1; 0: stop (Bluetooth only); 1: start; DATA8.
         unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
@@ -64,7 +64,7 @@ def set_pin(hardware: AnyHWTYPE, name: Text, pincode: Text, *, unchecked: bool =
     """Answers the request for a PIN (Bluetooth) or stores a network's password (WiFi).
 
     Args:
-        hardware: Carrier to use; a member of HWTYPE; DATA8.
+        hardware: Carrier to use; 2 to 3; a member of HWTYPE; DATA8.
         name: Name of the other device or network; string.
         pincode: PIN or password; string.
         unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
@@ -76,7 +76,7 @@ def set_passkey(hardware: AnyHWTYPE, accept: Number, *, unchecked: bool = False)
     """Answers the request to confirm a passkey, Bluetooth only.
 
     Args:
-        hardware: Carrier to use; a member of HWTYPE; DATA8.
+        hardware: Carrier to use; 2 to 2; a member of HWTYPE; DATA8.
         accept: The answer; 0 to 1; 0: reject; 1: accept; DATA8.
         unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
@@ -87,7 +87,7 @@ def set_connection(hardware: AnyHWTYPE, name: Text, connection: Number, *, unche
     """Connects a device or network, or ends a Bluetooth connection.
 
     Args:
-        hardware: Carrier to use; a member of HWTYPE; DATA8.
+        hardware: Carrier to use; 2 to 3; a member of HWTYPE; DATA8.
         name: Name of the other device or network; string.
         connection: What to do; 0 to 1; 0: disconnect; 1: connect; DATA8.
         unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
@@ -109,7 +109,7 @@ def set_moveup(hardware: AnyHWTYPE, item: Number, *, unchecked: bool = False) ->
     """Moves a network up in the list, WiFi only.
 
     Args:
-        hardware: Carrier to use; a member of HWTYPE; DATA8.
+        hardware: Carrier to use; 3 to 3; a member of HWTYPE; DATA8.
         item: Place in the list, counted from 0; DATA8.
         unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
@@ -120,7 +120,7 @@ def set_movedown(hardware: AnyHWTYPE, item: Number, *, unchecked: bool = False) 
     """Moves a network down in the list, WiFi only.
 
     Args:
-        hardware: Carrier to use; a member of HWTYPE; DATA8.
+        hardware: Carrier to use; 3 to 3; a member of HWTYPE; DATA8.
         item: Place in the list, counted from 0; DATA8.
         unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
@@ -131,7 +131,7 @@ def set_encrypt(hardware: AnyHWTYPE, item: Text, encrypt: AnyENCRYPT, *, uncheck
     """Sets the encryption of a network, WiFi only.
 
     Args:
-        hardware: Carrier to use; a member of HWTYPE; DATA8.
+        hardware: Carrier to use; 3 to 3; a member of HWTYPE; DATA8.
         item: Name of the network; string.
         encrypt: Kind of encryption; a member of ENCRYPT; DATA8.
         unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
@@ -143,7 +143,7 @@ def set_ssid(hardware: AnyHWTYPE, name: Text, *, unchecked: bool = False) -> Dra
     """Adds a network to the end of the list, WiFi only.
 
     Args:
-        hardware: Carrier to use; a member of HWTYPE; DATA8.
+        hardware: Carrier to use; 3 to 3; a member of HWTYPE; DATA8.
         name: Name of the network; string.
         unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
@@ -154,7 +154,7 @@ def set_mode2(hardware: AnyHWTYPE, active: Number, *, unchecked: bool = False) -
     """Switches the Bluetooth mode for Apple devices on or off.
 
     Args:
-        hardware: Carrier to use; a member of HWTYPE; DATA8.
+        hardware: Carrier to use; 2 to 2; a member of HWTYPE; DATA8.
         active: Whether to switch it on; 0 to 1; 0: off; 1: on; DATA8.
         unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """

@@ -192,7 +192,7 @@ def get_pool(size: Number, handle: Output = None, ip: Output = None, *, unchecke
     """Reserves a block of memory for the program.
 
     Args:
-        size: How much memory; 0 to 2147483647 bytes; DATA32.
+        size: How much memory; 1 to 6000000 bytes; DATA32.
         handle: Handle of the block; handle; an output, in global memory when omitted.
         ip: Address of the block; DATA32; an output, in global memory when omitted.
         unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.

@@ -81,18 +81,23 @@ class _Check:
                 return
         stated = PACKED_HEADER.unpack_from(self._image, SIZE_AT)[0]
         if stated < len(self._image):
-            yield self._left_over(stated, len(self._image) - stated)
+            more = len(self._image) - stated
+            message = f"the header says that the image has {counted(stated, 'byte')}; {more} more follow"
+            yield codes.LEFT_OVER.finding(stated, more, message, f"omit the last {counted(more, 'byte')}")
         for offset, data in self._program.defects.gaps:
-            yield self._left_over(offset, len(data))
+            yield from self._left_over(offset, len(data))
         for part in self._program.objects:
             if self._walk.accepted:
                 yield from self._other_code(part)
             if part.shares is None:
                 yield from self._object(part)
 
-    def _left_over(self, offset: int, size: int) -> Finding:
-        verb, them = ("belongs", "it") if size == 1 else ("belong", "them")
-        return codes.LEFT_OVER.finding(offset, size, f"{counted(size, 'byte')} {verb} to no object", f"omit {them}")
+    def _left_over(self, offset: int, size: int) -> Iterator[Finding]:
+        """Yields the finding about bytes between objects; those after the image are reported as a whole."""
+        size = min(size, PACKED_HEADER.unpack_from(self._image, SIZE_AT)[0] - offset)
+        if size > 0:
+            verb, them = ("belongs", "it") if size == 1 else ("belong", "them")
+            yield codes.LEFT_OVER.finding(offset, size, f"{counted(size, 'byte')} {verb} to no object", f"omit {them}")
 
     def _refusal(self, at: int, why: str) -> Finding:
         """Returns the finding for the place where the firmware's validator stops."""
@@ -155,7 +160,7 @@ class _Check:
                 "put an OBJECT_END after its last operation",
             )
         elif part.rest and not part.flaw.headless:
-            yield self._left_over(part.offset + len(part.code) - len(part.rest), len(part.rest))
+            yield from self._left_over(part.offset + len(part.code) - len(part.rest), len(part.rest))
 
     # Operations
 

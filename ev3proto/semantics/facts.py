@@ -165,6 +165,8 @@ class OperationFacts:
         is_jump: Whether its last argument is a jump target.
         has_lists: Whether it takes texts or arrays with a known or limited length.
         ends_code: Whether the firmware reads nothing after it.
+        has_handles: Whether it makes or uses handles of files or arrays.
+        has_letters: Whether the firmware refuses some characters of a text, or adds a suffix.
     """
 
     __slots__ = (
@@ -173,6 +175,8 @@ class OperationFacts:
         "effects",
         "ends_code",
         "has_cmd",
+        "has_handles",
+        "has_letters",
         "has_lists",
         "is_jump",
         "name",
@@ -191,6 +195,8 @@ class OperationFacts:
         self.has_cmd = declaration.command is not None
         self.is_jump = declaration.is_jump
         self.has_lists = any(each.length is not None or each.most is not None for each in parameters)
+        self.has_handles = any(each.role in (Role.FILE, Role.ARRAY) for each in parameters)
+        self.has_letters = any(each.letters or each.suffix for each in parameters)
         self.ends_code = Effect.ENDS_CODE in declaration.effects
         self._elements: dict[tuple[Type, Direction], ParameterFacts] = {}
 

@@ -28,6 +28,13 @@ NO_YES = {0: "no", 1: "yes"}
 READY_BUSY = {0: "ready", 1: "busy"}
 
 HARDWARE = In("HARDWARE", DATA8, "carrier to use", enum=HWTYPE)
+USB, BLUETOOTH, WIFI = HWTYPE.members.values()
+# An operation fails for hardware that lacks the property.
+ANY_HARDWARE = HARDWARE._replace(range=(USB, WIFI))
+RADIO = HARDWARE._replace(range=(BLUETOOTH, WIFI))
+BLUETOOTH_ONLY = HARDWARE._replace(range=(BLUETOOTH, BLUETOOTH))
+WIFI_ONLY = HARDWARE._replace(range=(WIFI, WIFI))
+NAME_LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-"
 ITEM = In("ITEM", DATA8, "place in the list, counted from 0")
 ITEMS = Out("ITEMS", DATA8, "number of entries in the list")
 LENGTH = In(
@@ -107,10 +114,18 @@ COM = (
         effects=(Effect.WAITS, Effect.COMPUTES),
     ),
     Opcode(
-        0xD1, "COM_READDATA", "Does nothing in the firmware; meant to receive data", UNUSED, effects=(Effect.COMPUTES,)
+        0xD1,
+        "COM_READDATA",
+        "Does nothing in the firmware; meant to receive data",
+        UNUSED,
+        effects=(Effect.FAILS, Effect.COMPUTES),
     ),
     Opcode(
-        0xD2, "COM_WRITEDATA", "Does nothing in the firmware; meant to send data", UNUSED, effects=(Effect.COMPUTES,)
+        0xD2,
+        "COM_WRITEDATA",
+        "Does nothing in the firmware; meant to send data",
+        UNUSED,
+        effects=(Effect.FAILS, Effect.COMPUTES),
     ),
     Opcode(
         0xD3,
@@ -121,14 +136,14 @@ COM = (
                 1,
                 "GET_ON_OFF",
                 "Reports whether Bluetooth or WiFi is on",
-                (HARDWARE, IS_ACTIVE),
+                (RADIO, IS_ACTIVE),
                 effects=(Effect.VARIES, Effect.READS),
             ),
             Command(
                 2,
                 "GET_VISIBLE",
                 "Reports whether other devices can see the brick by Bluetooth",
-                (HARDWARE, Out("VISIBLE", DATA8, "whether it is visible", range=(0, 1), special=NO_YES)),
+                (ANY_HARDWARE, Out("VISIBLE", DATA8, "whether it is visible", range=(0, 1), special=NO_YES)),
                 effects=(Effect.VARIES, Effect.READS),
             ),
             Command(
@@ -136,7 +151,7 @@ COM = (
                 "GET_RESULT",
                 "Reports the state of a search or connection request",
                 (
-                    HARDWARE,
+                    RADIO,
                     In("ITEM", DATA8, "place in the list, ignored by the firmware"),
                     Out("RESULT", DATA8, "state of the request", enum=RESULT),
                 ),
@@ -166,7 +181,7 @@ COM = (
                 8,
                 "SEARCH_ITEMS",
                 "Counts the devices or networks that a search found",
-                (HARDWARE, ITEMS),
+                (RADIO, ITEMS),
                 effects=(Effect.VARIES, Effect.READS),
             ),
             Command(
@@ -189,7 +204,7 @@ COM = (
                 10,
                 "FAVOUR_ITEMS",
                 "Counts the paired devices, in range or not",
-                (HARDWARE, ITEMS),
+                (BLUETOOTH_ONLY, ITEMS),
                 effects=(Effect.VARIES, Effect.READS),
             ),
             Command(
@@ -203,7 +218,7 @@ COM = (
                 12,
                 "GET_ID",
                 "Reads the brick's Bluetooth address",
-                (HARDWARE, LENGTH, Out("STRING", STRING, "12 hex digits", length="LENGTH")),
+                (BLUETOOTH_ONLY, LENGTH, Out("STRING", STRING, "12 hex digits", length="LENGTH")),
                 effects=(Effect.VARIES, Effect.READS),
             ),
             Command(
@@ -244,7 +259,7 @@ COM = (
                 "GET_ENCRYPT",
                 "Reports the encryption of a network, WiFi only",
                 (
-                    HARDWARE,
+                    WIFI_ONLY,
                     ITEM,
                     Out("TYPE", DATA8, "kind of encryption; always none in the 2013 firmware", enum=ENCRYPT),
                 ),
@@ -254,7 +269,7 @@ COM = (
                 17,
                 "CONNEC_ITEMS",
                 "Counts the connected devices, Bluetooth only",
-                (HARDWARE, ITEMS),
+                (ANY_HARDWARE, ITEMS),
                 effects=(Effect.VARIES, Effect.READS),
             ),
             Command(
@@ -275,7 +290,7 @@ COM = (
                 "GET_INCOMING",
                 "Reports which device asks for a connection, Bluetooth only",
                 (
-                    HARDWARE,
+                    BLUETOOTH_ONLY,
                     LENGTH,
                     Out("NAME", STRING, "name of the device", length="LENGTH", note=WRITTEN),
                     Out(
@@ -292,7 +307,7 @@ COM = (
                 20,
                 "GET_MODE2",
                 "Reports whether Bluetooth is in its mode for Apple devices",
-                (HARDWARE, IS_ACTIVE),
+                (BLUETOOTH_ONLY, IS_ACTIVE),
                 effects=(Effect.VARIES, Effect.READS),
             ),
         ),
@@ -306,7 +321,7 @@ COM = (
                 1,
                 "SET_ON_OFF",
                 "Switches Bluetooth or WiFi on or off",
-                (HARDWARE, ACTIVE),
+                (RADIO, ACTIVE),
                 effects=(Effect.CHANGES_SETTINGS,),
             ),
             Command(
@@ -330,7 +345,7 @@ COM = (
                 "SET_SEARCH",
                 "Starts or stops the search for devices or networks",
                 (
-                    HARDWARE,
+                    RADIO,
                     In(
                         "SEARCH",
                         DATA8,
@@ -345,7 +360,7 @@ COM = (
                 5,
                 "SET_PIN",
                 "Answers the request for a PIN (Bluetooth) or stores a network's password (WiFi)",
-                (HARDWARE, NAME, In("PINCODE", STRING, "PIN or password")),
+                (RADIO, NAME, In("PINCODE", STRING, "PIN or password")),
                 effects=(Effect.CHANGES_SETTINGS,),
             ),
             Command(
@@ -353,7 +368,7 @@ COM = (
                 "SET_PASSKEY",
                 "Answers the request to confirm a passkey, Bluetooth only",
                 (
-                    HARDWARE,
+                    BLUETOOTH_ONLY,
                     In("ACCEPT", DATA8, "the answer", range=(0, 1), special={0: "reject", 1: "accept"}),
                 ),
                 effects=(Effect.CHANGES_SETTINGS,),
@@ -363,7 +378,7 @@ COM = (
                 "SET_CONNECTION",
                 "Connects a device or network, or ends a Bluetooth connection",
                 (
-                    HARDWARE,
+                    RADIO,
                     NAME,
                     In(
                         "CONNECTION",
@@ -379,21 +394,21 @@ COM = (
                 8,
                 "SET_BRICKNAME",
                 "Renames the brick",
-                (In("NAME", STRING, "new name, at most 118 characters, else refused", most=119),),
+                (In("NAME", STRING, "new name, at most 118 characters, else refused", most=119, letters=NAME_LETTERS),),
                 effects=(Effect.RENAMES, Effect.CHANGES_SETTINGS),
             ),
             Command(
                 9,
                 "SET_MOVEUP",
                 "Moves a network up in the list, WiFi only",
-                (HARDWARE, ITEM),
+                (WIFI_ONLY, ITEM),
                 effects=(Effect.CHANGES_SETTINGS,),
             ),
             Command(
                 10,
                 "SET_MOVEDOWN",
                 "Moves a network down in the list, WiFi only",
-                (HARDWARE, ITEM),
+                (WIFI_ONLY, ITEM),
                 effects=(Effect.CHANGES_SETTINGS,),
             ),
             Command(
@@ -401,7 +416,7 @@ COM = (
                 "SET_ENCRYPT",
                 "Sets the encryption of a network, WiFi only",
                 (
-                    HARDWARE,
+                    WIFI_ONLY,
                     In(
                         "ITEM",
                         STRING,
@@ -416,14 +431,14 @@ COM = (
                 12,
                 "SET_SSID",
                 "Adds a network to the end of the list, WiFi only",
-                (HARDWARE, In("NAME", STRING, "name of the network")),
+                (WIFI_ONLY, In("NAME", STRING, "name of the network")),
                 effects=(Effect.CHANGES_SETTINGS,),
             ),
             Command(
                 13,
                 "SET_MODE2",
                 "Switches the Bluetooth mode for Apple devices on or off",
-                (HARDWARE, ACTIVE),
+                (BLUETOOTH_ONLY, ACTIVE),
                 effects=(Effect.CHANGES_SETTINGS,),
             ),
         ),

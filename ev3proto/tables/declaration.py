@@ -76,6 +76,8 @@ class Role(Enum):
     MOTOR = "one motor port, counted from 0"
     PORT = "one port, of a sensor or a motor"
     PORTS = "a list of ports"
+    FILE = "the handle of a file that the same command opens"
+    ARRAY = "the handle of an array that the same command creates"
     FORMAT = "a format of C's printf"
     PUBLIC = "a text or list that says nothing about its owner: names of devices and modes, units, versions"
 
@@ -97,6 +99,8 @@ class Effect(Enum):
     STOPS_MOTORS = "stops motors"
     AWAITS_MOVE = "waits until the moves of motors have ended"
     RUNS_MOTORS = "makes motors turn"
+    STARTS_MOTORS = "starts motors at rest with what was set before"
+    AWAITS_START = "starts no motor at rest"
     SETS_MOTORS = "changes how motors turn, or their counts"
     WAITS = "waits, or reports whether to wait, for what was started before"
     JUMPS_ALWAYS = "never continues with the next operation"
@@ -104,6 +108,7 @@ class Effect(Enum):
     ENDS_CODE = "ends the code: the firmware reads nothing after it"
     MAY_END = "ends the command itself where its own slot or object is meant"
     NEVER_RUNS = "is refused everywhere"
+    FAILS = "ends the command with an error: the firmware has no code for it, or only for addresses in its own memory"
     OF_PROGRAMS = "acts on the objects of its own program"
     WRITES_FILES = "creates, changes or moves files or folders"
     DELETES_FILES = "deletes files or folders"
@@ -184,6 +189,8 @@ class Parameter(NamedTuple):
     stores     the operation writes that element, not the first byte of the variable
     names      names of its values besides those of `enum`: the letters of motor ports, names of another enumeration
     unsigned   the firmware reads its bits unsigned, so numbers up to all bits set are valid
+    letters    for texts: the characters that the firmware accepts, if not all
+    suffix     for names of files: what the firmware adds to every name
     any_type   for counts: the types of the values that follow are declared elsewhere, so each is written as it is
     """
 
@@ -207,6 +214,8 @@ class Parameter(NamedTuple):
     names: Mapping[str, int] = MappingProxyType({})
     unsigned: bool = False
     any_type: bool = False
+    letters: str = ""
+    suffix: str = ""
 
     @property
     def is_output(self) -> bool:
@@ -244,6 +253,8 @@ class Facts(TypedDict, total=False):
     names: Mapping[str, int]
     unsigned: bool
     any_type: bool
+    letters: str
+    suffix: str
 
 
 def In(name: str, type: Type, text: str, **facts: Unpack[Facts]) -> Parameter:  # noqa: N802 - a word of the tables' language

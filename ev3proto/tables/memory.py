@@ -26,6 +26,8 @@ from ev3proto.tables.declaration import (
 from ev3proto.tables.enumerations import DEL, SLOT
 
 NOT_NEGATIVE = (0, 2**31 - 1)
+ARRAY_ROOM = 6_000_000
+"""Bytes of memory for the arrays of all programs. 5,000,000 fit in one array, 7,000,000 do not."""
 NO_YES = {0: "no", 1: "yes"}
 
 # Access to a program's memory takes numbered slots only; arrays and images also accept CURRENT_SLOT (-1).
@@ -36,8 +38,8 @@ MEMORY_SIZE = In("SIZE", DATA32, "number of bytes", range=NOT_NEGATIVE, unit="by
 
 FILE_NAME = In("NAME", STRING, "path of the file; a bare name is taken from the program's own folder", most=paths.WHOLE)
 FOLDER_NAME = In("NAME", STRING, "path of the folder with its closing slash, such as ../prjs/", most=paths.WHOLE)
-FILE_HANDLE = In("HANDLE", HANDLE, "the open file")
-NEW_FILE = Out("HANDLE", HANDLE, "handle of the opened file")
+FILE_HANDLE = In("HANDLE", HANDLE, "the open file", role=Role.FILE)
+NEW_FILE = Out("HANDLE", HANDLE, "handle of the opened file", role=Role.FILE)
 LOG_HANDLE = In("HANDLE", HANDLE, "the open data log")
 DELIMITER = In("DEL", DATA8, "separator between two values in the file", enum=DEL)
 ROOM = In("LENGTH", DATA8, "size of the string's buffer, including the zero", unit="bytes")
@@ -45,9 +47,10 @@ ENTRY = In("ITEM", DATA8, "which entry of the folder, the first is 1", range=(1,
 IMAGE_ADDRESS = Out("IP", DATA32, "where it was loaded, for PROGRAM_START", special={0: "not loaded"})
 
 OWNER = In("PRGID", DATA16, "slot of the program that owns the array", enum=SLOT)
-ARRAY_HANDLE = In("HANDLE", HANDLE, "the array")
-NEW_ARRAY = Out("HANDLE", HANDLE, "handle of the new array")
-INDEX = In("INDEX", DATA32, "which element, the first is 0", range=NOT_NEGATIVE, role=Role.INDEX)
+ARRAY_HANDLE = In("HANDLE", HANDLE, "the array", role=Role.ARRAY)
+ANY_ARRAY_HANDLE = In("HANDLE", HANDLE, "the array")
+NEW_ARRAY = Out("HANDLE", HANDLE, "handle of the new array", role=Role.ARRAY)
+INDEX = In("INDEX", DATA32, "which element, the first is 0", range=(0, ARRAY_ROOM - 1), role=Role.INDEX)
 FIRST_BYTE = In("INDEX", DATA32, "first byte in the array's content, whatever its elements", range=NOT_NEGATIVE)
 BYTES_32 = In("BYTES", DATA32, "number of bytes", range=NOT_NEGATIVE, unit="bytes")
 BYTES_16 = In("BYTES", DATA16, "number of bytes", range=(0, 32767), unit="bytes")
@@ -60,7 +63,7 @@ def _create(number: int, name: str, element: Type) -> Command:
         name,
         f"Creates an array of {element} elements",
         (
-            In("ELEMENTS", DATA32, "initial number of elements", range=NOT_NEGATIVE),
+            In("ELEMENTS", DATA32, "initial number of elements", range=(0, ARRAY_ROOM // element.size)),
             NEW_ARRAY,
         ),
         effects=(Effect.COMPUTES,),
@@ -75,7 +78,7 @@ def _init(number: int, name: str, element: Type) -> Command:
         f"Writes several elements of a {element} array, all within its size",
         (
             ARRAY_HANDLE,
-            In("INDEX", DATA32, "first element to write, counted from 0", range=NOT_NEGATIVE),
+            In("INDEX", DATA32, "first element to write, counted from 0", range=(0, ARRAY_ROOM - 1)),
             # A negative count sends the firmware's validator into an endless loop.
             In("ELEMENTS", DATA32, "number of values that follow", range=NOT_NEGATIVE),
             Values("VALUES", "the values, one parameter each", element),
@@ -248,8 +251,8 @@ MEMORY = (
                 "GET_POOL",
                 "Reserves a block of memory for the program",
                 (
-                    In("SIZE", DATA32, "how much memory", range=NOT_NEGATIVE, unit="bytes"),
-                    Out("HANDLE", HANDLE, "handle of the block"),
+                    In("SIZE", DATA32, "how much memory", range=(1, ARRAY_ROOM), unit="bytes"),
+                    Out("HANDLE", HANDLE, "handle of the block", role=Role.ARRAY),
                     Out("IP", DATA32, "address of the block"),
                 ),
                 effects=(Effect.VARIES, Effect.COMPUTES),
@@ -333,7 +336,7 @@ MEMORY = (
                     ENTRY,
                     Out("IP", DATA32, "where it was loaded"),
                 ),
-                effects=(Effect.VARIES, Effect.CONTROLS_PROGRAMS),
+                effects=(Effect.FAILS, Effect.VARIES, Effect.CONTROLS_PROGRAMS),
             ),
             Command(
                 19,
@@ -504,7 +507,7 @@ MEMORY = (
                 "Changes the number of elements of an array",
                 (
                     ARRAY_HANDLE,
-                    In("ELEMENTS", DATA32, "new number of elements", range=NOT_NEGATIVE),
+                    In("ELEMENTS", DATA32, "new number of elements", range=(0, ARRAY_ROOM)),
                 ),
                 effects=(Effect.COMPUTES,),
             ),
@@ -523,11 +526,12 @@ MEMORY = (
                 "COPY",
                 "Copies the content of one array into another of the same type, which is resized to match",
                 (
-                    In("HSOURCE", HANDLE, "array to copy from"),
+                    In("HSOURCE", HANDLE, "array to copy from", role=Role.ARRAY),
                     In(
                         "HDEST",
                         HANDLE,
                         "array to copy into, which must exist",
+                        role=Role.ARRAY,
                         note="elsewhere an output; the firmware reads the handle of an array that exists",
                     ),
                 ),
@@ -565,7 +569,7 @@ MEMORY = (
                 "Reads an array's content as bytes, also of another program",
                 (
                     OWNER,
-                    ARRAY_HANDLE,
+                    ANY_ARRAY_HANDLE,
                     FIRST_BYTE,
                     BYTES_32,
                     Out("ARRAY", DATA8, "the bytes, zeros beyond the end of the array", length="BYTES"),
@@ -578,7 +582,7 @@ MEMORY = (
                 "Writes an array's content as bytes; the array then ends after them",
                 (
                     OWNER,
-                    ARRAY_HANDLE,
+                    ANY_ARRAY_HANDLE,
                     FIRST_BYTE,
                     BYTES_32,
                     In("ARRAY", DATA8, "the bytes", length="BYTES"),
@@ -591,7 +595,7 @@ MEMORY = (
                 "Returns the size of an array's content, also of another program",
                 (
                     OWNER,
-                    ARRAY_HANDLE,
+                    ANY_ARRAY_HANDLE,
                     Out("BYTES", DATA32, "number of bytes, 0 if there is no such array", unit="bytes"),
                 ),
                 effects=(Effect.COMPUTES,),

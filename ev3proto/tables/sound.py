@@ -9,6 +9,7 @@ NAME = In(
     STRING,
     "sound file without its extension .rsf, absolute or relative to /home/root/lms2012/sys",
     most=paths.WHOLE,
+    suffix=".rsf",
 )
 
 SOUND = (

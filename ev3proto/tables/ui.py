@@ -406,6 +406,7 @@ UI = (
                 "ADDRESS",
                 "Not implemented in the firmware: the program that runs it fails",
                 (Out("VALUE", DATA32, "address; never written"),),
+                effects=(Effect.FAILS,),
                 newer=True,
             ),
             Command(
@@ -422,6 +423,7 @@ UI = (
                     ),
                     In("LENGTH", DATA32, "number of bytes", unit="bytes"),
                 ),
+                effects=(Effect.FAILS,),
             ),
             Command(
                 15,
@@ -450,7 +452,7 @@ UI = (
                 "Selects the debug pulses that are shown (only in debug builds of the firmware)",
                 (In("VALUE", DATA8, "sum of bits", special={1: "menu background", 2: "browser", 4: "key"}),),
                 newer=True,
-                effects=(Effect.SIGNALS,),
+                effects=(Effect.FAILS, Effect.SIGNALS),
             ),
             Command(
                 18,
@@ -458,7 +460,7 @@ UI = (
                 "Raises debug pulses (only in debug builds of the firmware)",
                 (In("VALUE", DATA8, "sum of bits", special={1: "menu background", 2: "browser", 4: "key"}),),
                 newer=True,
-                effects=(Effect.SIGNALS,),
+                effects=(Effect.FAILS, Effect.SIGNALS),
             ),
             Command(
                 21,

@@ -184,7 +184,7 @@ VM = (
                     "The 2013 virtual machine reads a second 16-bit value, the number of instructions, after PRGID; "
                     "its validator and other published tables have only PRGID."
                 ),
-                effects=(Effect.CONTROLS_PROGRAMS,),
+                effects=(Effect.CONTROLS_PROGRAMS, Effect.FAILS),
             ),
             Command(
                 26,
@@ -238,7 +238,7 @@ VM = (
             In("IMAGE", DATA32, "address of the byte code image"),
             In("GLOBAL", DATA32, "address of the global memory it uses"),
         ),
-        effects=(Effect.CONTROLS_PROGRAMS,),
+        effects=(Effect.CONTROLS_PROGRAMS, Effect.FAILS),
     ),
     Opcode(
         0x60,

@@ -43,14 +43,16 @@ WITHOUT_A_NUMBER_TO_TRY = {
 """Codes whose helps may have digits but no number to apply, with the reason."""
 
 
-def trouble(frame: bytes, carrier: str | None = None, dialect: str = "official") -> Iterator[str]:
+def trouble(
+    frame: bytes, carrier: str | None = None, dialect: str = "official", *, alone: bool = False
+) -> Iterator[str]:
     """Returns what is wrong with the helps of a frame's findings."""
-    report = check(frame, carrier=carrier, dialect=dialect)
+    report = check(frame, carrier=carrier, dialect=dialect, alone=alone)
     known = {(it.code, it.offset) for it in report.findings}
     for finding in report.findings:
         for what, changed, place in Advised(frame, finding, dialect).frames():
             tried[finding.code] += 1
-            after = check(changed, carrier=carrier, dialect=dialect)
+            after = check(changed, carrier=carrier, dialect=dialect, alone=alone)
             again = [it for it in after.findings if it.offset == place and is_same(it, finding)]
             fresh = [it for it in after.errors if it.offset == place and (it.code, finding.offset) not in known]
             for left in again + fresh:
@@ -70,8 +72,10 @@ def is_same(one: Finding, other: Finding) -> bool:
 @pytest.mark.parametrize("code", CODES)
 def test_the_helps_for_the_examples_of_all_codes(code: str) -> None:
     entry = CODES[code]
-    assert list(trouble(entry.example, entry.carrier)) == []
-    (finding, *_) = [it for it in check(entry.example, carrier=entry.carrier).findings if it.code == code]
+    assert list(trouble(entry.example, entry.carrier, alone=entry.alone)) == []
+    (finding, *_) = [
+        it for it in check(entry.example, carrier=entry.carrier, alone=entry.alone).findings if it.code == code
+    ]
     if re.search(r"\d", finding.help):
         assert any(Advised(entry.example, finding).frames()) or code in WITHOUT_A_NUMBER_TO_TRY
 

@@ -53,7 +53,9 @@ def span(finding: Finding, frame: bytes) -> str:
 def test_every_code_has_a_frame_that_raises_it_and_one_that_does_not(name: str) -> None:
     code = CODES[name]
     carrier = code.carrier
-    found = [finding for finding in check(code.example, carrier=carrier).findings if finding.code == name]
+    found = [
+        finding for finding in check(code.example, carrier=carrier, alone=code.alone).findings if finding.code == name
+    ]
     assert found
     assert {finding.severity for finding in found} == {code.severity}
     assert name not in [finding.code for finding in check(code.counterexample, carrier=carrier).findings]
@@ -75,7 +77,7 @@ def test_names_and_stories(name: str) -> None:
     assert 5 < len(code.title) < 70
     assert code.explanation.endswith(".")
     assert len(code.explanation) > 80
-    for finding in check(code.example, carrier=CODES[name].carrier).findings:
+    for finding in check(code.example, carrier=code.carrier, alone=code.alone).findings:
         assert not finding.message.endswith(".")
         assert not finding.help.removesuffix("...").endswith(".")
 
@@ -152,13 +154,17 @@ def test_the_frames_of_the_lesson() -> None:
     ]
 
 
+FAILING = {("W303", "HARDWARE"), ("E503", "HANDLE")}
+
+
 @pytest.mark.parametrize(
     "path", sorted({*CAPTURES.glob("*.pcap*")} - {CAPTURES / "ev3_dc.pcap"}), ids=lambda path: path.name
 )
 def test_the_frames_of_captures(path: Path) -> None:
     """They have one command that the brick refuses, on purpose, and nothing else to improve.
 
-    `ev3_dc.pcap` is from another program, and unchanged.
+    `ev3_dc.pcap` is from another program, and unchanged. `conformance.pcapng` also shows what fails: hardware that
+    lacks a property, handles of nothing.
     """
     for record in ev3proto.capture.read(path):
         if not isinstance(record, ev3proto.capture.Record):
@@ -167,7 +173,8 @@ def test_the_frames_of_captures(path: Path) -> None:
         if kind is None or not kind.is_command or record.direction == "received":
             continue
         report = check(record.frame, carrier=str(record.carrier))
-        assert [(it.code, it.parameter) for it in report.findings] == ([] if report.accepted else [("E205", "VALUE")])
+        found = {(it.code, it.parameter) for it in report.findings} - FAILING
+        assert found == (set() if report.accepted else {("E205", "VALUE")})
 
 
 # 1: the frame
@@ -433,7 +440,7 @@ def test_arrays_in_the_command_itself() -> None:
     assert codes(command(operation("INPUT_WRITE", 0, 0, 1, "AB"))) == ["W501"]
     assert codes(command(operation("INPUT_WRITE", 0, 0, 1, 65))) == []
     assert codes(command(operation("INPUT_WRITE", 0, 0, 5, 65))) == ["E501"]
-    assert codes(command(operation("INPUT_WRITE", 0, 0, LV(0), "AB"), local_size=1)) == []
+    assert codes(command(operation("INPUT_WRITE", 0, 0, LV(0), "AB"), local_size=1)) == ["W406"]
 
 
 def test_names_that_are_too_long() -> None:

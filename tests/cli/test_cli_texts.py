@@ -276,3 +276,10 @@ def test_a_status_is_explained() -> None:
     assert line.endswith(f'CREATE_DIR path="/p/" -> NO_PERMISSION ({meaning})')
     reply = json.loads(run_ev3proto("decode", "--json", stdin=talk).stdout.splitlines()[-1])
     assert reply["status_meaning"] == meaning
+
+
+def test_an_opcode_that_no_brick_runs_is_a_fault() -> None:
+    """So look telegrams of other bricks."""
+    done = run("decode", "0C 00 00 04 00 64 07 00 00 20 00 00 00 00")
+    assert done.returncode == 1
+    assert b"offset 7: opcode 0x00 is ERROR, which the brick refuses" in done.stderr

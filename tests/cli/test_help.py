@@ -49,6 +49,35 @@ def test_help_of_anything(words: list[str], start: str) -> None:
     assert done.stdout.startswith(start)
 
 
+@pytest.mark.parametrize(
+    ("word", "lines"),
+    [
+        ("LC1", ["LC1  A number of -127 to 127 in two bytes", "  identification byte 0x81"]),
+        ("gv0", ["GV0  A variable in the first 32 bytes of global memory, which the reply carries"]),
+        ("LCX", ["LCX  The shortest encoding of a number"]),
+        ("COL-COLOR", ["COL-COLOR  Mode 2 of type 29, TYPE_COLOR"]),
+        ("US-DIST-CM", ["US-DIST-CM  Mode 0 of type 30, TYPE_ULTRASONIC"]),
+        ("VM_PROGRAM_VALIDATION", ["VM_PROGRAM_VALIDATION  An error of the firmware, as INFO.GET_ERROR reports it"]),
+    ],
+)
+def test_help_of_what_people_ask_for(word: str, lines: list[str]) -> None:
+    assert run("help", word).stdout.splitlines()[: len(lines)] == lines
+
+
+def test_help_of_a_number_has_all_of_its_meanings() -> None:
+    said = run("help", "0x81").stdout
+    assert said == run("help", "129").stdout
+    for name in ("LC1 (identification byte)", "SYSTEM_COMMAND_NO_REPLY (message type)", "UI_READ.GET_VBATT "):
+        assert f"0x81 {name}" in said
+    assert "0x08 END_OF_FILE (status)" in run("help", "8").stdout
+    assert "0x1D TYPE_COLOR (type of a sensor or motor)" in run("help", "29").stdout
+
+
+def test_help_suggests_what_is_known() -> None:
+    assert "did you mean COL-COLOR" in run("help", "COL-COLOUR").stderr
+    assert "did you mean US-DIST-CM" in run("help", "US-DISTCM").stderr
+
+
 def test_help_of_a_status_says_what_it_means_for_each_command() -> None:
     assert run("help", "UNKNOWN_HANDLE").stdout.splitlines()[:4] == [
         "UNKNOWN_HANDLE  The system command failed",

@@ -49,6 +49,13 @@ def test_a_block_has_the_locals_of_its_owner() -> None:
     assert check_program(bytes(image)).findings == ()
 
 
+def test_bytes_after_the_image_are_reported_once() -> None:
+    for image in (IMAGE, SHORTEST):
+        (finding,) = check_program(image + bytes((1, 2, 3))).findings
+        assert (finding.code, finding.offset, finding.length) == ("W011", len(image), 3)
+        assert finding.message == f"the header says that the image has {len(image)} bytes; 3 more follow"
+
+
 def test_nothing_in_an_image_raises() -> None:
     for size in range(len(IMAGE)):
         assert not check_program(IMAGE[:size]).accepted

@@ -195,6 +195,15 @@ def _raw(at: Advised, digits: str) -> Iterator[bytes]:
     yield at.spliced(at.finding.offset, at.finding.length, bytes.fromhex(digits))
 
 
+def _encoded(at: Advised, number: str, digits: str) -> Iterator[bytes]:
+    """Encodes a raw byte, or two of them; a label is replaced as a whole."""
+    value, first = int(number), at.frame[at.finding.offset]
+    length = at.finding.length
+    if value & 0xFF == first:
+        length = 1 if -128 <= value < 256 else 2
+    yield at.spliced(at.finding.offset, length, bytes.fromhex(digits))
+
+
 def _await_sound(at: Advised, number: str) -> Iterator[bytes]:
     operation = at.operation()
     yield at.spliced(operation.offset + operation.length, 0, bytes((int(number, 16),)))
@@ -238,7 +247,10 @@ _DOINGS: tuple[tuple[str, Doing], ...] = (
     (r"put LABEL (\d+)", _label),
     (r"values that follow, (\d+) or more", _beside),
     (r"write it as ([0-9A-F]{2}(?: [0-9A-F]{2})*)", _raw),
+    (r"(-?\d+) as ([0-9A-F]{2}(?: [0-9A-F]{2})*)", _encoded),
     (rf"put SOUND_READY \({_HEX}\)", _await_sound),
+    (r"use (\d+) (?:for|if port) [A-D]", _beside),
+    (rf"put OUTPUT_START \({_HEX}\)", _await_motors),
     (rf"put OUTPUT_READY \({_HEX}\)", _await_motors),
     (r"put UI_DRAW.UPDATE \(([0-9A-F]{2}):([0-9A-F]{2})\)", _update),
     (r"write (-?\d+) as a float", _as_float),

@@ -67,7 +67,7 @@ def test_every_parameter_is_consistent(entry: Declaration, parameter: Parameter)
     referred = {parameter.length, parameter.indexed_by, parameter.element}
     assert {name for name in referred if isinstance(name, str)} <= set(names)
     if parameter.range is not None:
-        assert parameter.range[0] < parameter.range[1]
+        assert parameter.range[0] <= parameter.range[1]
     if parameter.type in (Type.COUNT, Type.VALUES):
         assert parameter.element is not None
         assert parameter is entry.parameters[-1]

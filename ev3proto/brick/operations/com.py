@@ -10,6 +10,7 @@ from ev3proto.brick.machine import Machine
 from ev3proto.brick.operation_exits import Failure
 from ev3proto.brick.places import Place
 from ev3proto.brick.running_programs import OK
+from ev3proto.tables.com import NAME_LETTERS
 from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.enumerations import HWTYPE
@@ -25,7 +26,7 @@ NO_NETWORK, UNKNOWN = b"NONE", b"??"
 MOST_NAME = int(CONSTANTS["BRICKNAMESIZE"]) - 2
 """Characters of the brick's name."""
 
-_NAME = frozenset(b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-")
+_NAME = frozenset(NAME_LETTERS.encode())
 
 
 def _must_be(hardware: int, *allowed: int) -> None:

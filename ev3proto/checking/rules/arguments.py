@@ -9,13 +9,25 @@ from ev3proto.checking import codes
 from ev3proto.checking.context import CheckContext, CheckedOperation
 from ev3proto.checking.report import Finding
 from ev3proto.checking.rules.memory import Use
+from ev3proto.checking.rules.raw_bytes import how_to_write, label_for_number, raw_constant, raw_numbers
 from ev3proto.errors import counted
 from ev3proto.messages import Argument, Operation, Variable
 from ev3proto.schema.argument import ENCODINGS, SHORT, encode_integer, encode_variable
 from ev3proto.semantics.facts import ParameterFacts
 from ev3proto.semantics.footprint import InlineArray, footprint, inline_arrays
 from ev3proto.tables.declaration import Direction, Role, Type
-from ev3proto.tables.encoding import CONSTANT, CONSTANT_RANGES, GLOBAL, INDEX_RANGES, LOCAL, RANGES, TEXT, Encoding
+from ev3proto.tables.encoding import (
+    CONSTANT,
+    CONSTANT_RANGES,
+    GLOBAL,
+    INDEX_RANGES,
+    JUMP,
+    LOCAL,
+    RANGES,
+    TEXT,
+    Encoding,
+)
+from ev3proto.tables.output import LETTERS, PORT_SETS
 from ev3proto.tables.validation import LABELS
 
 
@@ -26,6 +38,10 @@ def value_finding(
     is_first = not number and not operation.facts.has_cmd
     parameter, form, value = argument.parameter, argument.form, argument.value
     kind, type_ = form.kind, parameter.type
+    if kind in (JUMP, TEXT) or form.handle or form.address:
+        slip = label_for_number(operation, argument, known) or raw_constant(operation, argument, known)
+        if slip is not None:
+            return slip
     if form.handle or form.address:
         # Only the brick knows the value there. Its validator takes the handle or address itself as the value.
         return _refused(operation, argument, value, known) if is_first and isinstance(value, int) else None
@@ -65,12 +81,19 @@ def _illegal(
     """Returns the finding about a number that is not in the tables."""
     parameter, domain = known.parameter, known.domain
     assert domain is not None
+    if parameter.role is Role.MOTOR and value in PORT_SETS:
+        ports = PORT_SETS[value]
+        message = f"{parameter.name} is {value}, the bit mask of {ports}, but it takes the number of one port"
+        advice = ", ".join(f"{LETTERS[letter]} for {letter}" for letter in ports.split("+"))
+        return operation.finding_at(codes.OUT_OF_RANGE, argument, message, f"use {advice}")
     if parameter.enum is not None and domain.has_names:
         code, outside = codes.NO_MEMBER, f", which is not in {parameter.enum.name}"
     else:
         unit = f" {parameter.unit}" if parameter.unit else ""
         code, outside = codes.OUT_OF_RANGE, f"{unit}, outside of {domain.text}"
-    return operation.finding_at(code, argument, f"{argument.name} is {value}{outside}{aside}", _value_help(known))
+    raw = raw_numbers(known, argument.raw, 0)[:1] if argument.form.width == 0 else []
+    advice = f"{_value_help(known)}, or {how_to_write(raw)} if that is meant" if raw else _value_help(known)
+    return operation.finding_at(code, argument, f"{argument.name} is {value}{outside}{aside}", advice)
 
 
 def _refused(operation: CheckedOperation, argument: Argument, value: int, known: ParameterFacts) -> Finding | None:
@@ -342,7 +365,8 @@ def check_arguments(context: CheckContext, found: list[Finding]) -> tuple[list[U
             else:
                 known = facts.of(number, argument.parameter)
                 # A range compares all of its numbers, one by one, with a value that is not a whole number.
-                if type(value) is not int or value not in known.legal:
+                form = argument.form
+                if type(value) is not int or value not in known.legal or kind == JUMP or form.handle or form.address:
                     wrong = value_finding(operation, number, argument, known)
                     if wrong is not None:
                         found.append(wrong)

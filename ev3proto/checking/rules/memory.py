@@ -8,10 +8,11 @@ from ev3proto.checking import codes
 from ev3proto.checking.context import CheckContext, CheckedOperation
 from ev3proto.checking.report import Finding
 from ev3proto.checking.rules.header import MOST_IN_REPLY, TYPE_OFFSET
+from ev3proto.checking.rules.raw_bytes import also_a_number, raw_variable
 from ev3proto.errors import counted
 from ev3proto.messages import DirectCommand, Variable
 from ev3proto.schema.header import HEADER_SIZE, MEMORY_SIZE
-from ev3proto.semantics.footprint import Footprint, needed, unread
+from ev3proto.semantics.footprint import Footprint, Taken, needed, unread
 from ev3proto.tables.encoding import GLOBAL, LOCAL, Encoding
 from ev3proto.tables.frame import MAX_FRAME, MAX_LOCALS, MessageType
 
@@ -40,7 +41,28 @@ def check_memory(
             yield from _overlaps(local, is_kept=False)
         if len(shared) > 1 and _have_results_in_common(shared):
             yield from _overlaps(shared, is_kept=command.wants_reply)
+    if local:
+        yield from _unwritten(local, command.local_size)
     yield from _asked_for(command, local, shared)
+
+
+def _unwritten(used: list[Use], asked: int) -> Iterator[Finding]:
+    """Yields findings about local variables that no operation writes, where 0 or an empty text is not legal."""
+    written = Taken((place.start, _furthest(place)) for _, place in used if place.facts.is_written)
+    for operation, place in used:
+        parameter = place.argument.parameter
+        domain = place.facts.domain
+        is_legal = parameter.most is None if domain is None else domain.covers(0)
+        is_beyond = place.end > asked or not place.size
+        if is_legal or is_beyond or place.facts.is_written or written.has_some_of(place.start, place.end):
+            continue
+        value, legal = ("an empty text", "a text") if domain is None else ("always 0", domain.choice)
+        yield operation.finding_at(
+            codes.UNWRITTEN,
+            place.argument,
+            f"no operation writes {place.variable}, so {place.argument.name} is {value}",
+            f"use {legal}, or write the variable first",
+        )
 
 
 _Identity = tuple[str, int, Encoding, int, int, int | None]
@@ -70,6 +92,7 @@ def _places(used: list[Use], asked: int) -> Iterator[Finding]:
     """Yields findings about variables that are misaligned or beyond the requested memory."""
     # One variable may be wrong in a thousand places: its finding is made once.
     said: dict[_Identity, list[Finding]] = {}
+    written: Taken | None = None
     for use in used:
         _, place = use
         start = place.start
@@ -77,19 +100,34 @@ def _places(used: list[Use], asked: int) -> Iterator[Finding]:
             key = _identity(use)
             found = said.get(key)
             if found is None:
-                found = said[key] = list(_wrongly_placed(use, asked))
+                if written is None:
+                    written = Taken((one.start, _furthest(one)) for _, one in used if one.facts.is_written)
+                is_written = written.has_some_of(place.start, place.end)
+                found = said[key] = list(_wrongly_placed(use, asked, is_written))
             for finding in found:
                 yield _again(finding, place.argument.offset)
 
 
-def _wrongly_placed(use: Use, asked: int) -> Iterator[Finding]:
+def _furthest(place: Footprint) -> int:
+    return MAX_FRAME if place.most is None else place.start + place.most
+
+
+def _wrongly_placed(use: Use, asked: int, is_written: bool) -> Iterator[Finding]:
+    """Yields what is wrong with the place of a variable; `is_written` says whether any operation writes it."""
     operation, place = use
+    if place.end > asked and not is_written:
+        slip = raw_variable(operation, place, asked, _memory(place.is_global)[1])
+        if slip is not None:
+            yield slip
+            return
     if place.start % max(place.facts.validator_alignment, place.facts.cpu_alignment):
         code = codes.MISALIGNED if place.start % place.facts.validator_alignment else codes.UNALIGNED
         yield operation.finding_at(code, place.argument, *_misaligned_texts(place, asked))
     if place.end > asked:
         code = codes.BEYOND_GLOBALS if place.is_global else codes.BEYOND_LOCALS
-        yield operation.finding_at(code, place.argument, *_beyond_texts(place, asked))
+        message, help_ = _beyond_texts(place, asked)
+        help_ += "" if is_written else also_a_number(place)
+        yield operation.finding_at(code, place.argument, message, help_)
 
 
 def _misaligned_texts(place: Footprint, asked: int) -> tuple[str, str]:

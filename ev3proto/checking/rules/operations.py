@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from ev3proto.checking import codes
 from ev3proto.checking.context import CheckContext, CheckedOperation
 from ev3proto.checking.report import Finding
+from ev3proto.checking.rules.raw_bytes import raw_start
 from ev3proto.errors import Fault, counted
 from ev3proto.messages import Argument
 from ev3proto.schema.argument import ENCODINGS
@@ -316,9 +317,14 @@ def _ports(operation: CheckedOperation) -> list[tuple[int, int]]:
     return [(layer, 1 << bit) for bit in range(_PORTS) if mask & 1 << bit]
 
 
-def check_refusals(context: CheckContext) -> Iterator[Finding]:
-    """Yields findings about operations that stop the parser, or the validator where the parser continues."""
-    if not context.effects.isdisjoint(_NEVER_RUNS):
+def check_refusals(context: CheckContext, *, is_out_of_step: bool) -> Iterator[Finding]:
+    """Yields findings about operations that stop the parser, or the validator where the parser continues.
+
+    Args:
+        context: The frame.
+        is_out_of_step: Whether an earlier argument took the bytes after it, which explains what is read there.
+    """
+    if not (is_out_of_step or context.effects.isdisjoint(_NEVER_RUNS)):
         yield from _never_run(context)
     if context.dialect == "official":
         yield from _newer(context)
@@ -328,7 +334,12 @@ def check_refusals(context: CheckContext) -> Iterator[Finding]:
         if fault is not None and _faulty_start(context) == context.verdict.rejected_at:
             return
     # A frame that ends early, or has a wrong length, is reported elsewhere.
-    if fault is not None and context.end > COMMAND_HEADER_SIZE and not (context.is_length_wrong and fault.truncated):
+    if (
+        fault is not None
+        and not is_out_of_step
+        and context.end > COMMAND_HEADER_SIZE
+        and not (context.is_length_wrong and fault.truncated)
+    ):
         yield _fault(context, fault)
 
 
@@ -495,6 +506,10 @@ def _faulty_argument(context: CheckContext, operation: CheckedOperation, fault: 
         return _faulty_count(context, operation, count, fault)
     parameters = operation.facts.declaration.parameters
     parameter = parameters[min(len(operation.arguments), len(parameters) - 1)]
+    known = operation.facts.of(len(operation.arguments), parameter)
+    slip = raw_start(operation, known, context.frame[: context.end], at)
+    if slip is not None:
+        return slip
     if fault.truncated:
         last = min(at, context.end)
         return codes.CUT_OFF.finding(

@@ -1,0 +1,76 @@
+"""Hints about a command that is tried by itself: what does nothing, and numbers that are easily mistaken.
+
+In a capture or a log, other commands do the rest, so these hints are not for frames in those.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ev3proto.checking import codes
+from ev3proto.checking.context import CheckContext, CheckedOperation
+from ev3proto.checking.report import Finding
+from ev3proto.checking.rules.raw_bytes import how_to_write
+from ev3proto.messages import Argument
+from ev3proto.semantics.footprint import whole_number
+from ev3proto.tables import with_effect
+from ev3proto.tables.declaration import Effect, Role
+from ev3proto.tables.output import PORT_SETS, PORTS
+
+_STARTS = with_effect(Effect.STARTS_MOTORS)
+_ROUND = 5
+_PERCENT = "%"
+
+
+def check_alone(context: CheckContext) -> Iterator[Finding]:
+    """Checks a direct command that is not among others."""
+    if not context.is_whole:
+        return
+    is_started = Effect.RUNS_MOTORS in context.effects
+    for operation in context.operations:
+        if operation.has(Effect.AWAITS_START) and not is_started:
+            yield operation.finding(
+                codes.NOT_STARTED,
+                f"{operation.name} starts no motor: it sets what {_STARTS.name} starts them with",
+                f"put {_STARTS.name} (0x{_STARTS.opcode.number:02X}) after it, unless the motors run already or a later"
+                " command starts them",
+            )
+        for argument in operation.arguments:
+            yield from _port(operation, argument)
+            yield from _small_number(operation, argument)
+
+
+def _port(operation: CheckedOperation, argument: Argument) -> Iterator[Finding]:
+    """Yields a hint about the number of a port that may be meant as a bit mask, and about a mask of no port."""
+    role, number = argument.parameter.role, whole_number(argument)
+    if role is Role.MOTORS and number == 0:
+        yield operation.finding_at(
+            codes.WRONG_KIND_OF_PORT,
+            argument,
+            f"{argument.name} is 0, a bit mask without a port, so {operation.name} does nothing",
+            f"use {', '.join(f'{1 << port} for {letter}' for port, letter in PORTS.items())}, or the sum of several",
+        )
+    elif role is Role.MOTOR and number in PORT_SETS and number in PORTS and len(PORT_SETS[number]) == 1 and number:
+        meant = next(port for port, letter in PORTS.items() if letter == PORT_SETS[number])
+        other = PORT_SETS[number]
+        yield operation.finding_at(
+            codes.WRONG_KIND_OF_PORT,
+            argument,
+            f"{argument.name} is {number}, the number of port {PORTS[number]}; as a bit mask it would be {other}",
+            f"use {meant} if port {other} is meant: {operation.name} takes the number of one port",
+        )
+
+
+def _small_number(operation: CheckedOperation, argument: Argument) -> Iterator[Finding]:
+    """Yields a hint about a negative percentage in one byte that would be a round number as a raw byte."""
+    parameter, value = argument.parameter, argument.value
+    if argument.form.width != 0 or parameter.unit != _PERCENT or not isinstance(value, int) or value >= 0:
+        return
+    raw = argument.raw[0]
+    if parameter.range is not None and raw <= parameter.range[1] and raw % _ROUND == 0 and value % _ROUND:
+        yield operation.finding_at(
+            codes.SMALL_NUMBER,
+            argument,
+            f"{argument.name} is {value}: 0x{raw:02X} is LC0, which holds -32 to 31",
+            f"{how_to_write([raw])} if that is meant",
+        )

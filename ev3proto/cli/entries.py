@@ -1,0 +1,165 @@
+"""What `ops` and `help` explain besides operations: encodings, modes of sensors, errors, meanings of a number."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from ev3proto.errors import counted
+from ev3proto.schema.argument import ENCODINGS, LABEL_BYTE
+from ev3proto.tables.devices import DEVICE_TYPES
+from ev3proto.tables.enumerations import TYPE
+from ev3proto.tables.errors import ERRORS
+from ev3proto.text.spans import Line, Role
+
+ENCODING, MODE = "identification byte", "mode of a sensor or motor"
+
+
+@dataclass(frozen=True)
+class Entry:
+    """An operation, a system command or a name, as `ops` shows it.
+
+    kind      what it is; empty for operations
+    text      its meaning
+    searched  further words that find it
+    about     yields the lines under its name and text
+    record    returns all of it for other tools
+    """
+
+    name: str
+    number: int
+    area: str
+    kind: str
+    text: str
+    searched: str
+    about: Callable[[], Iterator[Line]]
+    record: Callable[[], dict[str, Any]]
+
+    @property
+    def texts(self) -> tuple[str, str, str]:
+        """The texts that are searched: the name, the meaning, all else."""
+        return self.name, f"{self.text} {self.kind}", self.searched
+
+    def line(self) -> Line:
+        """Returns its line in a list."""
+        name = f"{self.name} ({self.kind})" if self.kind else self.name
+        return [(f"0x{self.number:02X} ", Role.ASIDE), (name.ljust(32), Role.OPERATION), (f" {self.text}", Role.PLAIN)]
+
+    def page(self) -> Iterator[Line]:
+        """Yields the lines that show it in full."""
+        yield [(self.name, Role.OPERATION), (f"  {self.text}", Role.PLAIN)]
+        yield from self.about()
+
+
+def named(name: str, number: int, kind: str, text: str, notes: Iterable[str]) -> Entry:
+    """Returns the entry of another name than that of an operation: a status, a message type, an encoding."""
+    noted = list(notes)
+
+    def about() -> Iterator[Line]:
+        yield [(f"  {kind} 0x{number:02X}", Role.ASIDE)]
+        yield from ([(f"  {note}", Role.MEANING)] for note in noted)
+
+    def record() -> dict[str, Any]:
+        return {"name": name, "number": number, "kind": kind, "text": text, "notes": noted}
+
+    return Entry(name, number, "system", kind, text, " ".join(noted), about, record)
+
+
+_ENCODINGS = {
+    "LC0": ("A number of -32 to 31 in one byte", "00 to 1F are 0 to 31, 20 to 3F are -32 to -1"),
+    "LC1": ("A number of -127 to 127 in two bytes", "the number follows: 75 is 81 4B, -100 is 81 9C"),
+    "LC2": ("A number of -32767 to 32767 in three bytes", "the number follows, low byte first: 440 is 82 B8 01"),
+    "LC4": (
+        "A number or a float in five bytes",
+        "the number follows, low byte first: 100000 is 83 A0 86 01 00; a float is the bytes of an IEEE single",
+    ),
+    "LCS": ("A text", "its characters follow in ISO-8859-1, then a zero: hi is 84 68 69 00"),
+    "LCS_OLD": ("A text, in a form that no program should send", "LCS, 84, means the same"),
+    "LV0": ("A variable in the first 32 bytes of local memory", "40 to 5F are LV(0) to LV(31)"),
+    "LV1": ("A variable in the first 256 bytes of local memory", "its place follows: LV(40) is C1 28"),
+    "LV2": ("A variable in local memory", "its place follows in two bytes, low byte first"),
+    "LV4": ("A variable in local memory", "its place follows in four bytes, low byte first"),
+    "GV0": (
+        "A variable in the first 32 bytes of global memory, which the reply carries",
+        "60 to 7F are GV(0) to GV(31)",
+    ),
+    "GV1": (
+        "A variable in the first 256 bytes of global memory, which the reply carries",
+        "its place follows: GV(40) is E1 28",
+    ),
+    "GV2": ("A variable in global memory, which the reply carries", "its place follows in two bytes, low byte first"),
+    "GV4": ("A variable in global memory, which the reply carries", "its place follows in four bytes, low byte first"),
+    "LAB1": ("A label, the target of a jump", "its number, 1 to 31, follows: label 1 is A0 01"),
+}
+_SHORTEST = {
+    "LCX": ("The shortest encoding of a number", "LC0", "LC1", "LC2", "LC4"),
+    "LVX": ("The shortest encoding of a local variable", "LV0", "LV1", "LV2", "LV4"),
+    "GVX": ("The shortest encoding of a global variable", "GV0", "GV1", "GV2", "GV4"),
+}
+_BITS = {
+    "HND": (0x10, "A handle: the variable holds the number of an array, which is meant"),
+    "ADR": (0x08, "An address: the variable holds the place in memory of what is meant"),
+}
+
+
+def encoding(byte: int) -> Entry | None:
+    """Returns the entry of an identification byte; None if it is undefined."""
+    form = ENCODINGS[byte]
+    if form is None:
+        return None
+    text, note = _ENCODINGS[form.name]
+    bits = [name for name, is_set in (("handle", form.handle), ("address", form.address)) if is_set]
+    notes = [note, *(f"with the {bit} bit" for bit in bits if byte != LABEL_BYTE)]
+    return named(form.name, byte, ENCODING, text, notes)
+
+
+def _first_byte(name: str) -> int:
+    return next(byte for byte, form in enumerate(ENCODINGS) if form is not None and form.name == name)
+
+
+def encodings() -> Iterator[Entry]:
+    """Yields the encodings of arguments, by the names of LEGO's macros."""
+    for name in _ENCODINGS:
+        entry = encoding(_first_byte(name))
+        assert entry is not None
+        yield entry
+    for name, (text, *forms) in _SHORTEST.items():
+        yield named(name, _first_byte(forms[0]), ENCODING, text, [f"{', '.join(forms[:-1])} or {forms[-1]}"])
+    for name, (bit, text) in _BITS.items():
+        yield named(name, bit, "bit of an identification byte", text, [])
+
+
+def modes() -> Iterator[Entry]:
+    """Yields the modes of sensors and motors, by the names of their manuals."""
+    for device in DEVICE_TYPES.values():
+        type_name = TYPE.name_of(device.number)
+        for number, mode in enumerate(device.modes):
+            unit = f" {mode.symbol}" if mode.symbol else ""
+            values = f"{counted(mode.datasets, 'value')}, {mode.si.least:g} to {mode.si.most:g}{unit}"
+            yield named(
+                mode.name,
+                number,
+                MODE,
+                f"Mode {number} of type {device.number}, {type_name}",
+                [
+                    f"{values}; raw {mode.raw.least:g} to {mode.raw.most:g}",
+                    f"INPUT_DEVICE(READY_SI, 0, PORT, {device.number}, {number}, {mode.datasets}, ...) reads it, with"
+                    " PORT 0 to 3 for a sensor and 16 to 19 for a motor",
+                ],
+            )
+
+
+def error_numbers() -> Iterator[Entry]:
+    """Yields the errors that the firmware logs."""
+    for number, name in enumerate(ERRORS):
+        yield named(name, number, "error number", "An error of the firmware, as INFO.GET_ERROR reports it", [])
+
+
+def device_types() -> Iterator[Entry]:
+    """Yields the types of sensors and motors."""
+    for device in DEVICE_TYPES.values():
+        names = [f"modes: {', '.join(f'{number} {mode.name}' for number, mode in enumerate(device.modes))}"]
+        yield named(
+            TYPE.name_of(device.number) or "", device.number, "type of a sensor or motor", "A device type", names
+        )

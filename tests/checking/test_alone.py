@@ -1,0 +1,112 @@
+"""Hints about a frame that is tried by itself; none of them where a frame is among others."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+from support.cli import run_ev3proto_text
+
+import ev3proto
+from ev3proto.checking.report import Finding
+from ev3proto.schema.header import with_length
+
+SPEED_WITHOUT_START = "09 00 2A 00 80 00 00 A5 00 01 1E"
+
+
+def findings(operations: str, memory: str = "00 00", kind: str = "80", *, alone: bool = True) -> list[Finding]:
+    frame = with_length(bytes.fromhex(f"2A 00 {kind} {memory} {operations}"))
+    return list(ev3proto.check(frame, alone=alone).findings)
+
+
+@pytest.mark.parametrize(
+    ("operations", "code", "message", "help_"),
+    [
+        (
+            "A5 00 01 1E",
+            "H701",
+            "OUTPUT_SPEED starts no motor: it sets what OUTPUT_START starts them with",
+            "put OUTPUT_START (0xA6) after it, unless the motors run already or a later command starts them",
+        ),
+        (
+            "B2 00 00",
+            "H702",
+            "NOS is 0, a bit mask without a port, so OUTPUT_CLR_COUNT does nothing",
+            "use 1 for A, 2 for B, 4 for C, 8 for D, or the sum of several",
+        ),
+        (
+            "A5 00 01 32 A6 00 01",
+            "H301",
+            "SPEED is -14: 0x32 is LC0, which holds -32 to 31",
+            "write the number 50 as 81 32 if that is meant",
+        ),
+    ],
+)
+def test_a_hint(operations: str, code: str, message: str, help_: str) -> None:
+    assert [(each.code, each.message, each.help) for each in findings(operations)] == [(code, message, help_)]
+    assert findings(operations, alone=False) == []
+
+
+def test_the_number_of_a_port_that_is_also_a_mask() -> None:
+    (found,) = findings("B3 00 02 60", "04 00", "00")
+    assert found.message == "NOS is 2, the number of port C; as a bit mask it would be B"
+    assert found.help == "use 1 if port B is meant: OUTPUT_GET_COUNT takes the number of one port"
+    assert findings("B3 00 00 60", "04 00", "00") == []
+    assert findings("B3 00 03 60", "04 00", "00") == []
+
+
+def test_a_mask_where_a_number_belongs_is_a_warning_everywhere() -> None:
+    (found,) = findings("B3 00 08 60", "04 00", "00", alone=False)
+    assert (found.code, found.message, found.help) == (
+        "W303",
+        "NOS is 8, the bit mask of D, but it takes the number of one port",
+        "use 3 for D",
+    )
+    (found,) = findings("B3 00 0C 60", "04 00", "00", alone=False)
+    assert found.help == "use 2 for C, 3 for D"
+
+
+def test_a_small_number_out_of_range_is_a_warning_everywhere() -> None:
+    (found,) = findings("94 01 32 82 B8 01 82 E8 03", alone=False)
+    assert (found.message, found.help) == (
+        "VOLUME is -14 %, outside of 0 to 100 %",
+        "use 0 to 100 %, or write the number 50 as 81 32 if that is meant",
+    )
+
+
+def test_the_suffix_of_a_sound_is_a_warning_everywhere() -> None:
+    (found,) = findings("94 03 01 84 68 2E 52 53 46 00", alone=False)
+    assert (found.code, found.message, found.help) == (
+        "W705",
+        "NAME ends in .rsf, and the firmware adds .rsf to every name",
+        "omit it: h",
+    )
+
+
+@pytest.mark.parametrize(
+    "operations",
+    [
+        "A6 00 01",  # the speed was set before
+        "A5 00 01 1E A6 00 01",
+        "A6 00 01 A5 00 01 1E",
+        "A5 00 01 2C A6 00 01",  # -20, and 44 is not a round number
+        "A5 00 01 3B A6 00 01",  # -5, and 59
+    ],
+)
+def test_no_hint(operations: str) -> None:
+    assert findings(operations) == []
+
+
+def test_the_command_line_gives_hints_for_one_frame_only(tmp_path: Path) -> None:
+    def codes(*words: str, stdin: str = "") -> list[list[str]]:
+        lines = run_ev3proto_text("check", "--json", *words, stdin=stdin).stdout.splitlines()
+        return [[finding["code"] for finding in json.loads(line)["findings"]] for line in lines]
+
+    assert codes(SPEED_WITHOUT_START) == [["H701"]]
+    assert codes(stdin=SPEED_WITHOUT_START) == [["H701"]]
+    assert codes("OUTPUT_SPEED(0, 1, 30)") == [["H701"]]
+    assert codes(SPEED_WITHOUT_START, SPEED_WITHOUT_START) == [[], []]
+    assert codes(stdin=f"{SPEED_WITHOUT_START}\n{SPEED_WITHOUT_START}\n") == [[], []]
+    assert codes(stdin=f"{SPEED_WITHOUT_START}\n03 00 2B 00 02\n") == [[]]
+    assert codes(stdin=f"12:00:01.5 sent {SPEED_WITHOUT_START}\n") == [[]]

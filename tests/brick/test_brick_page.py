@@ -100,6 +100,21 @@ def test_what_is_not_http_is_refused_in_a_sentence(
     assert (caplog.text, capfd.readouterr().err) == ("", "")
 
 
+def test_silent_connections_give_way(brick: Served, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("ev3proto.brick.servers.page.server.MOST_PAGE_CONNECTIONS", 5)
+    port = urlsplit(brick.now.link).port
+    with contextlib.ExitStack() as stack:
+        silent = [stack.enter_context(socket.create_connection(("127.0.0.1", port), 30)) for _ in range(8)]
+        assert fetch(brick.now.link)[0] == 200
+        for client in silent[:4]:
+            with contextlib.suppress(ConnectionError):
+                assert client.recv(1) == b""
+        silent[-1].settimeout(0.1)
+        with pytest.raises(TimeoutError):
+            silent[-1].recv(1)
+    assert brick.said == []
+
+
 def test_token_is_another_one_at_each_start(tmp_path: Path) -> None:
     with served(tmp_path, WITH_PAGE) as first, served(tmp_path, WITH_PAGE) as second:
         assert first.now.link.partition("token=")[2] != second.now.link.partition("token=")[2]

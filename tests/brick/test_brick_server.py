@@ -195,6 +195,47 @@ def test_a_frame_whose_rest_never_comes_is_shown_and_recorded(tmp_path: Path) ->
     assert unfinished in path.read_bytes()
 
 
+def test_frames_that_were_not_served_are_counted(tmp_path: Path) -> None:
+    """The brick is switched off while a client's command keeps its other frames waiting."""
+    wait = command("DATA32 t\nTIMER_WAIT(60000, t)\nTIMER_READY(t)")
+    with served(tmp_path) as brick, Client(brick.port) as client:
+        client.send(wait + VOLUME * 20 + b"\0\0" + VOLUME[:4])
+        until(lambda: brick.now.brick.is_busy and len(brick.now.host.connections[0].left) == 20 * len(VOLUME) + 6)
+    assert [said.partition(": ")[2] for said in brick.said] == [
+        "the connection ended before 20 frames of it were served"
+    ]
+
+
+def test_silent_clients_keep_no_other_out(tmp_path: Path) -> None:
+    call = (
+        f"ulimit -n 64; exec {sys.executable} -m ev3proto brick --port 0 --no-beacon --quiet --root {tmp_path} --http"
+    )
+    with subprocess.Popen(["bash", "-c", call], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+        assert process.stdout is not None
+        assert process.stderr is not None
+        ports = [int(re.findall(r":(\d+)", process.stdout.readline())[-1]) for _ in range(2)]
+        with contextlib.ExitStack() as stack:
+            for number in range(140):
+                with contextlib.suppress(OSError):  # those that are refused
+                    place = "127.0.0.1", ports[number % 2]
+                    stack.enter_context(socket.create_connection(place, 2))
+            for attempt in range(20):
+                with contextlib.suppress(OSError), Client(ports[0], timeout=5) as client:
+                    assert client.ask(VOLUME) == HUNDRED
+                    break
+                time.sleep(0.1 * attempt)
+            else:
+                pytest.fail("no client is served")
+        process.send_signal(signal.SIGINT)
+        assert process.wait(30) == 0
+        said = process.stderr.read().splitlines()
+        assert set(said) == {
+            "a client was refused: this process has too many open files (ulimit -n)",
+            "127.0.0.1 did not send the unlock text of a WiFi brick; disconnected",
+        }
+        assert len(said) == 2
+
+
 def test_a_recording_has_what_was_on_the_wire_and_nothing_else(tmp_path: Path) -> None:
     """No beacon and no serial number: the client's address and its unlock text, here with an invented number."""
     path, text = tmp_path / "talk.pcapng", b"GET /target?sn=12:34VMTP1.0\nProtocol: EV3\n"

@@ -267,7 +267,7 @@ class Host:
     def _report_end(self, connection: Connection) -> None:
         """Tells observers that a connection has ended, and the bytes of an unfinished frame."""
         if left := connection.left:
-            reason = (len(left) >= LENGTH_FIELD and out_of_step(left)) or _unfinished(left)
+            reason = _unfinished(left)
             self.say_once(f"{connection.name}: {reason}")
             self._tell(lambda observer: observer.left(connection, left, reason))
         self._tell(lambda observer: observer.closed(connection))
@@ -435,7 +435,14 @@ class Host:
 
 
 def _unfinished(left: bytes) -> str:
-    """Returns what is missing of a frame whose rest never came."""
+    """Returns what was not served of what a client has sent: whole frames, or one whose rest never came."""
+    frames = 0
+    while len(left) >= LENGTH_FIELD and len(left) >= frame_size(left):
+        frames += left[:LENGTH_FIELD] != _POLL
+        left = left[frame_size(left) :]
+    if frames or not left:
+        return f"the connection ended before {counted(frames, 'frame')} of it {'was' if frames == 1 else 'were'} served"
     if len(left) < LENGTH_FIELD:
         return f"the connection ended inside a frame: {counted(len(left), 'byte')} of its length came"
-    return f"the connection ended inside a frame: {len(left)} of its {counted(frame_size(left), 'byte')} came"
+    reason = out_of_step(left)
+    return reason or f"the connection ended inside a frame: {len(left)} of its {counted(frame_size(left), 'byte')} came"

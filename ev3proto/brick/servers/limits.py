@@ -18,5 +18,8 @@ MOST_DELAYED = 64
 MOST_QUEUED = 64
 """Connections that may wait until a client disconnects; further ones are closed at once."""
 
+MOST_PAGE_CONNECTIONS = 64
+"""Connections to the page; beyond that the oldest without an open page is closed."""
+
 UNLOCK_TIME = 30.0
 """Seconds in which a client has to send the unlock text."""

@@ -109,7 +109,6 @@ async def running(options: Options, root: Path, say: Say) -> AsyncIterator[Runni
         ServerError: A port, a file or a library is not to be had.
     """
     loop = asyncio.get_running_loop()
-    loop.set_exception_handler(lambda _, context: say(f"a defect, {REPORT_IT}: {_told(context)}"))
     async with AsyncExitStack() as stack:
         brick = Brick(root, dialect=options.dialect, stretch=STRETCH)
         options.script.set_up(brick)
@@ -117,6 +116,7 @@ async def running(options: Options, root: Path, say: Say) -> AsyncIterator[Runni
             brick.settings.bluetooth_address = options.serial_number
         _make_usual_folders(root)
         host = Host(brick, say, options.faults)
+        loop.set_exception_handler(lambda _, context: host.say_once(f"a defect, {REPORT_IT}: {_told(context)}"))
         stack.callback(host.stop)
         if options.screenshot is not None:
             _expect_place(options.screenshot)

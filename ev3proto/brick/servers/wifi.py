@@ -10,6 +10,7 @@ from typing import Protocol
 
 from ev3proto.brick.servers.host import Ends, Line, ServerError
 from ev3proto.brick.servers.limits import MOST_QUEUED, MOST_UNREAD, UNLOCK_TIME
+from ev3proto.brick.servers.listening import Listener
 from ev3proto.brick.servers.unlocking import BEACON_PERIOD, FIRST_READ, Unlocking, beacon_socket, why_not_open
 from ev3proto.errors import BuildError
 from ev3proto.schema.discovery import Beacon
@@ -65,7 +66,7 @@ class Wifi:
         self._locked: dict[_Client, None] = {}
         self._queued: deque[_Client] = deque()
         self._served: set[_Client] = set()
-        self._server: asyncio.Server | None = None
+        self._listener = Listener(lambda: _Client(self, self._host), self._full)
         self._beacon: asyncio.Task[None] | None = None
 
     async def listen(self, address: str, port: int) -> None:
@@ -78,12 +79,11 @@ class Wifi:
         Raises:
             ServerError: It cannot be opened.
         """
-        loop = asyncio.get_running_loop()
         try:
-            self._server = await loop.create_server(lambda: _Client(self, self._host), address, port, backlog=128)
+            await self._listener.open(address, port)
         except (OSError, OverflowError, UnicodeError) as error:
             raise ServerError(why_not_open(error, address, port, "--port 0 takes any")) from None
-        self.address, self.port = self._server.sockets[0].getsockname()[:2]
+        self.address, self.port = self._listener.address, self._listener.port
 
     def announce(self, beacon: Callable[[], Beacon], port: int = BEACON_PORT) -> None:
         """Begins to send beacons to a UDP port; `beacon` is called for each."""
@@ -93,8 +93,7 @@ class Wifi:
         """Closes the port and all connections."""
         if self._beacon is not None:
             self._beacon.cancel()
-        if self._server is not None:
-            self._server.close()
+        self._listener.close()
         clients = [*self._served, *self._queued, *self._locked]
         self._locked.clear()
         self._queued.clear()
@@ -111,6 +110,12 @@ class Wifi:
             return
         self._locked[client] = None
         if len(self._locked) > MOST_QUEUED:
+            next(iter(self._locked)).drop()
+
+    def _full(self) -> None:
+        """Disconnects the oldest client that has not sent the unlock text: too many files are open."""
+        self._host.say_once("a client was refused: this process has too many open files (ulimit -n)")
+        if self._locked:
             next(iter(self._locked)).drop()
 
     def unlocked(self, client: _Client) -> None:

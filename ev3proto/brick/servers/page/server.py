@@ -15,12 +15,15 @@ import secrets
 import time
 from collections.abc import AsyncIterator, Awaitable, Callable
 from contextlib import asynccontextmanager, suppress
+from functools import partial
 from importlib.resources import files
 
 from aiohttp import WSMsgType, web
 from aiohttp.http import HttpProcessingError
 
 from ev3proto.brick.servers.host import Host, ServerError
+from ev3proto.brick.servers.limits import MOST_PAGE_CONNECTIONS
+from ev3proto.brick.servers.listening import Listener
 from ev3proto.brick.servers.page.state import Changes, answer
 from ev3proto.brick.servers.page.watcher import Watcher
 from ev3proto.version import REPORT_IT
@@ -80,14 +83,16 @@ async def serving(host: Host, address: str, port: int) -> AsyncIterator[tuple[st
     runner = web.AppRunner(application, access_log=None, logger=logger, handle_signals=False, shutdown_timeout=0.2)
     await runner.setup()
     try:
+        assert runner.server is not None
+        page.listener = Listener(partial(page.connected, runner.server), page.full)
         try:
-            await web.TCPSite(runner, address, port).start()
-        except OSError as error:
+            await page.listener.open(address, port)
+        except (OSError, OverflowError, UnicodeError) as error:
             raise ServerError(
-                f"port {port} of {address} cannot be opened for the page: {error.strerror or error}; --http alone takes"
-                " any that is free"
+                f"port {port} of {address} cannot be opened for the page: {getattr(error, 'strerror', None) or error};"
+                " --http alone takes any that is free"
             ) from None
-        page.port = runner.addresses[0][1]
+        page.port = page.listener.port
         host.observers.append(page.watcher)
         shown = f"[{address}]" if ":" in address else address
         yield f"http://{shown}:{page.port}/?token={page.token}", page.was_opened
@@ -116,15 +121,38 @@ class _Page:
 
     def __init__(self, host: Host) -> None:
         self.port = 0
+        self.listener: Listener
         self.token = secrets.token_urlsafe(24)
         begin = time.perf_counter()
         self.watcher = Watcher(lambda: time.perf_counter() - begin)
         self.was_opened = asyncio.Event()
         self._host = host
         self._sockets: set[web.WebSocketResponse] = set()
+        self._connections: dict[web.RequestHandler, None] = {}
+        self._shown: set[asyncio.BaseProtocol] = set()
+
+    # Connections
+
+    def connected(self, server: web.Server) -> asyncio.BaseProtocol:
+        """Takes a connection. Beyond the limit, the oldest that shows no page gives way."""
+        open_ones = set(server.connections)
+        self._connections = {each: None for each in self._connections if each in open_ones}
+        if len(self._connections) >= MOST_PAGE_CONNECTIONS:
+            self.full()
+        connection = server()
+        self._connections[connection] = None
+        return connection
+
+    def full(self) -> None:
+        """Closes the oldest connection that shows no page."""
+        for connection in [each for each in self._connections if each not in self._shown][:1]:
+            del self._connections[connection]
+            if connection.transport is not None:
+                connection.transport.abort()
 
     async def close(self) -> None:
-        """Closes all pages."""
+        """Closes the port and all pages."""
+        self.listener.close()
         for socket in list(self._sockets):
             with suppress(OSError, TimeoutError):
                 await asyncio.wait_for(socket.close(), 1)
@@ -201,6 +229,7 @@ class _Page:
         socket = web.WebSocketResponse(max_msg_size=_MOST_MESSAGE, heartbeat=20)
         await socket.prepare(request)
         self._sockets.add(socket)
+        self._shown.add(request.protocol)
         self.was_opened.set()
         sender = asyncio.create_task(self._send(socket))
         try:
@@ -216,6 +245,7 @@ class _Page:
         finally:
             sender.cancel()
             self._sockets.discard(socket)
+            self._shown.discard(request.protocol)
         return socket
 
     async def _send(self, socket: web.WebSocketResponse) -> None:

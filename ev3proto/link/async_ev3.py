@@ -133,7 +133,12 @@ class AsyncEV3(Verbs[Coroutine[Any, Any, bytes], Coroutine[Any, Any, Any]]):
     async def _sent(self, prepared: Prepared, verbosity: int | None) -> Ticket:
         ev3 = self.connected
         printer = ev3.printer(SENT, verbosity)
-        return await self._in_thread(lambda: ev3.channel.send(prepared, printer))
+        sending = asyncio.get_running_loop().run_in_executor(self._sender, lambda: ev3.channel.send(prepared, printer))
+        try:
+            return await asyncio.shield(sending)
+        except asyncio.CancelledError:
+            sending.add_done_callback(lambda sent: _abandon(ev3, sent))
+            raise
 
     def _patience(self, timeout: float | None) -> float | None:
         return self.connected._patience(timeout)
@@ -147,6 +152,9 @@ class AsyncEV3(Verbs[Coroutine[Any, Any, bytes], Coroutine[Any, Any, Any]]):
             frame = await asyncio.wait_for(asyncio.shield(waiting), patience)
         except TimeoutError:
             raise ev3.channel.give_up(ticket, patience or 0.0, keep=keep) from None
+        except asyncio.CancelledError:
+            ev3.channel.give_up(ticket, 0.0, keep=keep)
+            raise
         ev3.channel.fetched(ticket)
         printer = ev3.printer(RECEIVED, verbosity, ticket.request.frame)
         if printer is not None:
@@ -258,6 +266,12 @@ class AsyncEV3(Verbs[Coroutine[Any, Any, bytes], Coroutine[Any, Any, Any]]):
                 patience = self._patience(None)
                 ticket = await self._sent(system(command, True), None)
                 reply = system_reply(await self._reply(ticket, None, patience, keep=False))
+
+
+def _abandon(ev3: EV3, sent: asyncio.Future[Ticket]) -> None:
+    """Abandons a command whose sender was cancelled before it was sent."""
+    if not sent.cancelled() and sent.exception() is None:
+        ev3.channel.give_up(sent.result(), 0.0)
 
 
 def _looked_at(reply: asyncio.Future[bytes]) -> None:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import hashlib
 import posixpath
+import time
 from collections.abc import Callable, Generator
 from typing import NamedTuple, TypeVar
 
@@ -35,6 +36,12 @@ Progress = Callable[[int, int], None]
 
 MOST_FILE = 1 << 28
 """Bytes of the largest file that is moved, and of the largest listing: more than any brick has room for in its RAM."""
+
+MOST_NAMES = 100_000
+"""Names in a folder, which a brick has no room for: further ones are not read."""
+
+PATIENCE = 10.0
+"""Seconds without a new name after which a listing counts as endless."""
 
 _DIGEST_DIGITS = 32
 _SIZE_DIGITS = 8
@@ -113,8 +120,10 @@ def list_dir(path: str) -> Task[Listing]:
 
     Raises:
         SystemCommandError: The folder does not exist.
+        TransferError: The brick lists it without end.
     """
-    data = yield from _read(list_files(path), continue_list_files, "list_size", "list", path, nothing_moved)
+    names = _Names()
+    data = yield from _read(list_files(path), continue_list_files, "list_size", "list", path, nothing_moved, names.feed)
     return read_listing(data)
 
 
@@ -153,12 +162,15 @@ def _read(
     data_field: str,
     path: str,
     progress: Progress,
+    watch: Callable[[bytes], str | None] = lambda _piece: None,
 ) -> Task[bytes]:
+    """Reads a file or a listing in pieces; `watch` is given each, and returns why to stop."""
     reply = yield begin
     handle = _begun(reply, path)
     size = reply.fields.get(size_field, 0)
     assert isinstance(size, int)
     data = bytearray(_bytes(reply.fields.get(data_field, b"")))
+    watch(bytes(data))
     if size > MOST_FILE:
         yield close_filehandle(handle)
         raise TransferError(f"{path}: the brick reports {size} bytes, which is more than a brick can store")
@@ -173,11 +185,38 @@ def _read(
             yield close_filehandle(handle)
             raise TransferError(f"{path}: the brick stopped sending after {len(data)} of {size} bytes")
         data += piece
+        reason = watch(piece)
+        if reason is not None:
+            yield close_filehandle(handle)
+            raise TransferError(f"{path}: {reason}")
         progress(min(len(data), size), size)
     if reply.status is not SystemStatus.END_OF_FILE:
         # After a full last piece the file may still be open; a brick that has closed it refuses this.
         yield close_filehandle(handle)
     return bytes(data[:size])
+
+
+class _Names:
+    """The names in a listing so far, to notice one without end."""
+
+    def __init__(self) -> None:
+        self._lines: set[bytes] = set()
+        self._rest = b""
+        self._newest = time.monotonic()
+
+    def feed(self, piece: bytes) -> str | None:
+        """Takes the next piece of the listing. Returns why it is endless, or None."""
+        *lines, self._rest = (self._rest + piece).split(b"\n")
+        before = len(self._lines)
+        self._lines.update(lines)
+        now = time.monotonic()
+        if len(self._lines) > before:
+            self._newest = now
+        if len(self._lines) > MOST_NAMES:
+            return f"the brick lists more than {MOST_NAMES:,} names"
+        if now - self._newest > PATIENCE:
+            return f"the brick has listed no new name for {PATIENCE:g} s"
+        return None
 
 
 def _compared(data: bytes, path: str) -> Task[File]:

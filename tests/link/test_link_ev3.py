@@ -508,6 +508,51 @@ def test_async_gives_up_in_time() -> None:
         asyncio.run(talk(port))
 
 
+@pytest.mark.parametrize("commands", [1, 1000])
+def test_a_cancelled_command_is_given_up(commands: int) -> None:
+    async def talk(port: int) -> None:
+        async with AsyncEV3(target=f"wifi:127.0.0.1:{port}", timeout=60) as my_ev3:
+            for cancel_after in (0.0, 0.1):
+                sent = [asyncio.create_task(my_ev3.send_direct_cmd(NOP, global_mem=1)) for _ in range(commands)]
+                with pytest.raises(TimeoutError):
+                    async with asyncio.timeout(cancel_after):
+                        await asyncio.gather(*sent)
+                await asyncio.gather(*sent, return_exceptions=True)
+            await my_ev3.send_direct_cmd(NOP, sync_mode=ev3proto.ASYNC)  # all others are sent by now
+            channel = my_ev3.connected.channel
+            assert channel._session.outstanding == []
+            assert (len(channel._by_request), len(channel._tickets)) == (0, 0)
+
+    with stub_brick(lambda *_: None) as port:
+        asyncio.run(talk(port))
+
+
+def listing_brick(piece: Callable[[int], bytes], size: int) -> Callable[[bytes, Callable[[bytes], None]], None]:
+    """A brick that sends a listing of this size in these pieces."""
+    count = [0]
+
+    def answer(frame: bytes, send: Callable[[bytes], None]) -> None:
+        number, count[0] = frame[5], count[0] + 1
+        head = {0x99: b"\0" + size.to_bytes(4, "little") + b"\1", 0x9A: b"\0\1", 0x98: b"\0\1"}[number]
+        body = frame[2:4] + b"\x03" + bytes((number,)) + head + (b"" if number == 0x98 else piece(count[0]))
+        send(len(body).to_bytes(2, "little") + body)
+
+    return answer
+
+
+def test_a_listing_without_end_is_left(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("ev3proto.link.file_moves.MOST_NAMES", 500)
+    monkeypatch.setattr("ev3proto.link.file_moves.PATIENCE", 0.2)
+    for piece, sentence in (
+        (lambda number: b"folder%d/\n" % number, "../prjs: the brick lists more than 500 names"),
+        (lambda _number: b"same/\n", "../prjs: the brick has listed no new name for 0.2 s"),
+    ):
+        with stub_brick(listing_brick(piece, 1 << 27)) as port, stubbed(port) as my_ev3:
+            with pytest.raises(ev3proto.TransferError) as raised:
+                my_ev3.list_dir("../prjs")
+            assert str(raised.value) == sentence
+
+
 def test_the_virtual_brick_in_this_process(tmp_path: Path) -> None:
     with EV3(target=f"virtual:{tmp_path}") as my_ev3:
         my_ev3.download(b"abc", "../prjs/x")

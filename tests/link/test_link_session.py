@@ -55,6 +55,17 @@ def test_counters_wrap_around_those_that_are_outstanding() -> None:
     assert session.command(TELL, NOP).counter == 3
 
 
+def test_counters_wrap_around_those_that_were_abandoned() -> None:
+    """Their replies may come after all."""
+    session = Session()
+    session.abandon(session.command(ASK, NOP))
+    for _ in range(65535):
+        session.command(TELL, NOP)
+    request = session.command(ASK, NOP)
+    assert request.counter == 43
+    assert session.feed(reply(42) + reply(43)) == [Stray(Oddity.LATE, reply(42)), Answered(request, reply(43))]
+
+
 def test_when_all_counters_wait_the_next_command_is_refused() -> None:
     session = Session()
     for _ in range(65536):

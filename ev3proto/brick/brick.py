@@ -164,21 +164,22 @@ class Brick(Equipment):
         if program is not None:
             self.machine.end_program(program, STOP)
 
-    def start(self, image: bytes, name: str = "program") -> Program | None:
-        """Starts a program as PROGRAM_START would, in the slot for programs of users; one that runs there ends.
+    def start(self, image: bytes, name: str = "program", slot: int = USER_SLOT) -> Program | None:
+        """Starts a program as PROGRAM_START would; one that runs in its slot ends.
 
         Args:
             image: Contents of an .rbf file.
             name: What its folder in prjs is called: letters, digits, _ and -, any others become _.
+            slot: Number of the slot, that for programs of users by default.
 
         Returns:
             The program; None where the brick refuses the image.
         """
         project = f"../prjs/{re.sub(r'[^A-Za-z0-9_-]', '_', name)[:_MOST_NAME] or 'program'}/"
         self.files.make_folder(project.rstrip("/").encode())
-        if not self.machine.start_program(USER_SLOT, Image(image, project)):
+        if not self.machine.start_program(slot, Image(image, project)):
             return None
-        return self.machine.program_in(USER_SLOT)
+        return self.machine.program_in(slot)
 
     # Frames
 

@@ -79,15 +79,8 @@ class Storage:
 
     def locate(self, path: bytes) -> Path | None:
         """Returns the path on this computer; None if it leads outside or through something other than a folder."""
-        if self.root is None or not path or b"\0" in path:
-            return None
-        parts = [] if path.startswith(b"/") else list(CURRENT)
-        for part in path.split(b"/"):
-            if part == b"..":
-                del parts[-1:]
-            elif part not in (b"", b"."):
-                parts.append(part)
-        if tuple(parts[: len(HOME)]) != HOME:
+        parts = self._parts(path)
+        if self.root is None or tuple(parts[: len(HOME)]) != HOME:
             return None
         place = self.root
         for part in parts[len(HOME) :]:
@@ -100,6 +93,24 @@ class Storage:
             place = place / name
         return place
 
+    def _parts(self, path: bytes) -> list[bytes]:
+        """Returns the names in a path, from the brick's root folder."""
+        parts = [] if path.startswith(b"/") else list(CURRENT)
+        for part in path.split(b"/") if b"\0" not in path else ():
+            if part == b"..":
+                del parts[-1:]
+            elif part not in (b"", b"."):
+                parts.append(part)
+        return parts if path else []
+
+    def _above(self, path: bytes) -> bytes | None:
+        """Returns the only entry of a folder above the brick's files, `/`, `/home` or `/home/root`; None for others."""
+        parts = self._parts(path)
+        is_above = (
+            self.root is not None and bool(path) and len(parts) < len(HOME) and HOME[: len(parts)] == tuple(parts)
+        )
+        return HOME[len(parts)] if is_above else None
+
     def is_file(self, path: bytes) -> bool:
         """Returns whether a path names a file."""
         place = self.locate(path)
@@ -108,7 +119,7 @@ class Storage:
     def is_folder(self, path: bytes) -> bool:
         """Returns whether a path names a folder."""
         place = self.locate(path)
-        return place is not None and _is_folder(place)
+        return (place is not None and _is_folder(place)) or self._above(path) is not None
 
     # Reading
 
@@ -132,7 +143,9 @@ class Storage:
 
         None for an unknown folder. Anything but files, folders and links is omitted.
         """
-        place = self.locate(path)
+        place, above = self.locate(path), self._above(path)
+        if above is not None:
+            return above + b"/\n../\n./\n"
         if place is None or not _is_folder(place):
             return None
         lines = []
@@ -161,7 +174,9 @@ class Storage:
 
     def entries(self, path: bytes) -> list[bytes]:
         """Returns the names in a folder, without . and ..; none for anything else."""
-        place = self.locate(path)
+        place, above = self.locate(path), self._above(path)
+        if above is not None:
+            return [above]
         if place is None or not _is_folder(place):
             return []
         return [os.fsencode(name) for name, _ in _entries(place)]

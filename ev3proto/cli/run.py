@@ -14,7 +14,7 @@ import click
 from ev3proto.brick import Brick
 from ev3proto.brick.devices.display.braille import braille
 from ev3proto.brick.devices.display.canvas import WIDTH
-from ev3proto.brick.running_programs import FAIL, RUNNING, Program
+from ev3proto.brick.running_programs import DEBUG_SLOT, FAIL, RUNNING, USER_SLOT, Program
 from ev3proto.brick.servers.host import ServerError
 from ev3proto.brick.servers.server import Options, Running, running
 from ev3proto.cli.brick import (
@@ -35,6 +35,8 @@ from ev3proto.tables.enumerations import LEDPATTERN
 from ev3proto.tables.errors import ERRORS
 from ev3proto.tables.program import MAX_IMAGE
 from ev3proto.text.spans import visible
+
+_SLOTS = {"user": USER_SLOT, "debug": DEBUG_SLOT}
 
 _PERIOD = 0.05
 _PRESS = 0.1
@@ -60,6 +62,13 @@ _KEYS = {
 @root_option
 @script_option
 @screenshot_option
+@click.option(
+    "--slot",
+    type=click.Choice(list(_SLOTS)),
+    default="user",
+    show_default=True,
+    help="Slot to run it in; LEGO's own self-tests run in the one for debugging.",
+)
 @click.option("--limit", type=FiniteRange(0), metavar="SECONDS", help="End the program after this time.")
 def run(
     file: Path,
@@ -67,6 +76,7 @@ def run(
     root: Path | None,
     script: Path | None,
     screenshot: Path | None,
+    slot: str,
     limit: float | None,
 ) -> None:
     """Runs a program (.rbf or .lms) on a virtual brick until it ends.
@@ -84,7 +94,7 @@ def run(
     image = _image(file)
     options = Options(port=None, page=page, screenshot=screenshot, script=read_script_file(script))
     with folder(root) as place:
-        sys.exit(asyncio.run(_run(image, file.stem, options, place, limit)))
+        sys.exit(asyncio.run(_run(image, file.stem, options, place, limit, _SLOTS[slot])))
 
 
 def _image(file: Path) -> bytes:
@@ -100,7 +110,7 @@ def _image(file: Path) -> bytes:
     return made.image
 
 
-async def _run(image: bytes, name: str, options: Options, root: Path, limit: float | None) -> int:
+async def _run(image: bytes, name: str, options: Options, root: Path, limit: float | None, slot: int) -> int:
     """Runs the program until it ends. Returns the exit status."""
     with failing_on(ServerError):
         async with running(options, root, complain) as now:
@@ -109,7 +119,7 @@ async def _run(image: bytes, name: str, options: Options, root: Path, limit: flo
                     say(f"page at {now.link}")
                     flush()
                     await _first(now.looked, ended)
-                program = _start(now.brick, image, name)
+                program = _start(now.brick, image, name, slot)
                 if program is None:
                     return 1
                 if now.link:
@@ -127,12 +137,12 @@ async def _first(*events: asyncio.Event) -> None:
         task.cancel()
 
 
-def _start(brick: Brick, image: bytes, name: str) -> Program | None:
+def _start(brick: Brick, image: bytes, name: str, slot: int) -> Program | None:
     """Starts the program as PROGRAM_START does, and prints the findings of `check`; None if the brick refuses it."""
     report = check_program(image, dialect=brick.dialect)
     if report.findings:
         complain(str(report))
-    program = brick.start(image, name)
+    program = brick.start(image, name, slot)
     if program is None and report.accepted:
         complain("the brick refuses the program: it needs more memory than there is")
     return program

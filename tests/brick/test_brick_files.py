@@ -147,6 +147,35 @@ def test_a_listing(brick: Brick, projects: Path) -> None:
     assert answer(brick, system.continue_list_files(0, 1000)) == (ERROR, bytes((10, 0xFF)))
 
 
+@pytest.mark.parametrize(
+    ("path", "only"),
+    [
+        ("/", b"home"),
+        ("/home", b"root"),
+        ("/home/", b"root"),
+        ("/home/root/", b"lms2012"),
+        ("../..", b"lms2012"),
+        ("/home/root/lms2012/../..", b"root"),
+    ],
+)
+def test_the_folders_above_are_listed_and_nothing_else(brick: Brick, path: str, only: bytes) -> None:
+    listing = only + b"/\n../\n./\n"
+    size = len(listing).to_bytes(4, "little")
+    assert answer(brick, system.list_files(path)) == (REPLY, b"\x08" + size + b"\0" + listing)
+    assert run(brick, op("FILENAME.EXIST", path, GV(0)), globals=1) == (OK, b"\1")
+    assert run(brick, op("FILE.GET_FOLDERS", path, GV(0)), globals=1) == (OK, b"\1")
+    assert text(brick, op("FILE.GET_SUBFOLDER_NAME", path, 1, 20, GV(0))) == only
+    assert answer(brick, system.create_dir(path.rstrip("/") + "/x"))[0] == ERROR
+    assert answer(brick, system.delete_file(path))[0] == ERROR
+    assert answer(brick, system.begin_upload(path))[0] == ERROR
+
+
+def test_other_folders_outside_are_not_listed(brick: Brick) -> None:
+    for path in ("/etc", "/home/x", "/root", "/homes", "", "/home/roo"):
+        assert answer(brick, system.list_files(path))[0] == ERROR
+    assert answer(Brick(), system.list_files("/"))[0] == ERROR
+
+
 def test_folders_are_made_and_deleted_one_at_a_time(brick: Brick, projects: Path) -> None:
     assert answer(brick, system.create_dir("../prjs/New")) == (REPLY, b"\0")
     (projects / "New" / "file").write_bytes(b"")

@@ -44,6 +44,7 @@ class TestHeldValues:
             ("", COUNT, "72 01 00 00"),
             ("OUTPUT_STOP(0, 1, 1)", READ, "d2 04 00 00 d6"),
             ("OUTPUT_CLR_COUNT(0, 1)", COUNT, "00 00 00 00"),
+            ("OUTPUT_CLR_COUNT(0, 1)", READ, "d2 04 00 00 d6"),
             ("OUTPUT_CLR_COUNT(0, 2)", COUNT, "72 01 00 00"),
             ("OUTPUT_CLR_COUNT(1, 1)", COUNT, "72 01 00 00"),
             ("", "DATA32 tacho DATA8 speed OUTPUT_READ(1, 0, speed, tacho)", "00 00 00 00 00"),
@@ -62,6 +63,21 @@ class TestHeldValues:
         brick.advance(5)
         assert number(ask(brick, COUNT)) == 470
         assert ask(brick, READ) == "64 00 00 00 00"
+
+
+def test_the_count_and_the_tacho_are_cleared_apart() -> None:
+    brick = Brick()
+    brick.plug("A", 7)
+    ask(brick, "OUTPUT_STEP_SPEED(0, 1, 50, 0, 1000, 0, 1)")
+    brick.advance(1)
+    counted = number(ask(brick, COUNT))
+    assert 100 < counted < 900
+    assert number(ask(brick, READ)[:11]) == counted
+    ask(brick, "OUTPUT_CLR_COUNT(0, 1)")
+    assert number(ask(brick, COUNT)) == 0
+    assert number(ask(brick, READ)[:11]) == counted
+    ask(brick, "OUTPUT_RESET(0, 1)")
+    assert number(ask(brick, READ)[:11]) == 0
 
 
 class TestMoves:

@@ -71,6 +71,31 @@ def test_source_and_image(tmp_path: Path) -> None:
     assert picture.read_bytes().startswith(b"\x89PNG")
 
 
+SLOTS = """
+vmthread MAIN
+{
+  DATA8 state
+  PROGRAM_INFO(GET_STATUS, DEBUG_SLOT, state)
+  JR_EQ8(state, 16, running)
+  UI_DRAW(FILLRECT, FG_COLOR, 0, 64, 178, 64)
+running:
+  UI_DRAW(UPDATE)
+}
+"""
+
+
+def test_a_program_runs_in_another_slot(tmp_path: Path) -> None:
+    source = tmp_path / "slots.lms"
+    source.write_text(SLOTS)
+    black = {}
+    for slot in ("user", "debug"):
+        done = run_ev3proto_text("run", source, "--slot", slot)
+        assert done.returncode == 0, done.stderr
+        black[slot] = "⣿" * 89 in done.stdout
+    assert black == {"user": True, "debug": False}
+    assert run_ev3proto_text("run", source, "--slot", "gui").returncode == 2
+
+
 def test_a_picture_that_cannot_be_written_is_an_error_before_the_program_runs(tmp_path: Path) -> None:
     source, picture = tmp_path / "square.lms", tmp_path / "nowhere" / "x.png"
     source.write_text(SQUARE)

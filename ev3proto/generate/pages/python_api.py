@@ -14,7 +14,15 @@ from typing import Any
 
 from ev3proto.generate.pages.markdown import block, link, listed, plain, table
 
-MODULES = ("ev3proto", "ev3proto.capture", "ev3proto.program", "ev3proto.system", "ev3proto.brick", "ev3proto.testing")
+MODULES = (
+    "ev3proto",
+    "ev3proto.schema",
+    "ev3proto.capture",
+    "ev3proto.program",
+    "ev3proto.system",
+    "ev3proto.brick",
+    "ev3proto.testing",
+)
 """The public modules; each lists its names in `__all__`."""
 
 _PLAIN = (bool, int, float, str, bytes, tuple, type(None))

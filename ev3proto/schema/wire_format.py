@@ -125,19 +125,20 @@ Shortest = Callable[[Parameter, Any], bytes]
 
 
 def _argument(parameter: Parameter, operation: str, shortest: Shortest) -> Construct:
-    encoded = ENCODED_FLOAT if parameter.type is Type.DATAF else ENCODED
+    encoded, name = ENCODED_FLOAT if parameter.type is Type.DATAF else ENCODED, parameter.name
 
     def readable(found: Any, _: Any) -> Any:
         if "rest" in found:
             is_cut = "rest" not in encoded.parse(found.rest + bytes(4))
             what = "the bytes end before or in" if is_cut else f"undefined identification byte 0x{found.rest[0]:02X} of"
-            raise _error(
-                found.offset, f"{what} the argument {parameter.name}", operation, parameter.name, truncated=is_cut
-            )
+            raise _error(found.offset, f"{what} the argument {name}", operation, name, truncated=is_cut)
         return found
 
     def encode(given: Any, _: Any) -> Any:
-        return given if isinstance(given, Mapping) else encoded.parse(shortest(parameter, given))
+        try:
+            return given if isinstance(given, Mapping) else encoded.parse(shortest(parameter, given))
+        except BuildError as error:
+            raise BuildError(str(error), f"(building) -> {operation} -> {name}") from None
 
     return ExprAdapter(encoded, readable, encode)
 

@@ -168,8 +168,10 @@ def test_lists_are_counted() -> None:
     ],
 )
 def test_values_that_do_not_fit(name: str, values: Mapping[str, Any], reason: str) -> None:
-    with pytest.raises(ConstructError, match=reason):
+    with pytest.raises(ConstructError, match=reason) as caught:
         OPERATIONS[name].build(values)
+    if "VOLUME" in reason:
+        assert caught.value.path == "(building) -> SOUND.TONE -> VOLUME"
 
 
 @pytest.mark.parametrize(

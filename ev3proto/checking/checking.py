@@ -7,7 +7,6 @@ from operator import attrgetter
 
 from ev3proto.checking import codes
 from ev3proto.checking.context import CheckContext, checked_operations
-from ev3proto.checking.mangled import mangled
 from ev3proto.checking.report import Finding, Report, Severity
 from ev3proto.checking.rules.alone import check_alone
 from ev3proto.checking.rules.arguments import check_arguments, check_lists
@@ -21,6 +20,7 @@ from ev3proto.errors import as_bytes
 from ev3proto.messages import DaisyCommand, DirectCommand, Message, SystemCommand
 from ev3proto.schema.frame import read_last
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, MEMORY_SIZE, frame_size, with_length
+from ev3proto.semantics.mangled import mangled
 from ev3proto.tables.carriers import CARRIERS
 from ev3proto.tables.declaration import Effect
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME

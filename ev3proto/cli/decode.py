@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 
 import click
 
-from ev3proto.checking.mangled import mangled
 from ev3proto.cli.inputs import Source, sources
 from ev3proto.cli.options import incompatible
 from ev3proto.cli.output import complain
@@ -16,6 +15,7 @@ from ev3proto.cli.show import FORMATS, Show
 from ev3proto.cli.sources import SourceReader
 from ev3proto.dialogue import Dialogue
 from ev3proto.messages import DirectCommand, Message, Operation
+from ev3proto.semantics.mangled import mangled
 from ev3proto.tables.declaration import Effect
 from ev3proto.text.paste import Pasted
 from ev3proto.text.phrases import Seen

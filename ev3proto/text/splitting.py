@@ -6,10 +6,10 @@ from collections.abc import Iterator
 from itertools import pairwise
 from typing import NamedTuple
 
-from ev3proto.checking.mangled import mangled
 from ev3proto.messages import Message
 from ev3proto.schema.frame import parse
 from ev3proto.schema.header import HEADER_SIZE, frame_size, may_have_length
+from ev3proto.semantics.mangled import mangled
 from ev3proto.tables.frame import LENGTH_FIELD, REPORT_SIZES, MessageType
 
 _TYPES = frozenset(map(int, MessageType))

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from ev3proto.schema.header import frame_size
 from ev3proto.tables.frame import REPORT_SIZES
-from ev3proto.text.paste.frames import bare_reason, is_wrong_frame, may_begin
+from ev3proto.text.paste.frames import LOOKS, bare_reason, is_prose, is_wrong_frame, may_begin
 from ev3proto.text.paste.notations import BASE64, NUMBERS, STRINGS
 from ev3proto.text.paste.pieces import LEAST, clean_head, head_before, short
 from ev3proto.text.paste.readings import Part, Run, starts_of
@@ -84,8 +84,11 @@ def wrong_frame(run: Run, line: str, *, is_row: bool) -> Near | None:
                 end += 1
             data = part.data[start:end]
             place = *run.place(owners[start])[:2], run.place(owners[end - 1])[2]
-            if is_alone and start == 0 and end == len(part.data) and (said := strange_bytes(data)):
+            is_all = is_alone and start == 0 and end == len(part.data) and 1 not in run.widths
+            if is_all and run.notation is NUMBERS and (said := strange_bytes(data)):
                 return Near(place, b"", said, is_strange=True)
+            if len(data) < LOOKS:
+                continue
             if part.name == "words" and data[-1:] == b"\0" and frame_size(data) < len(data):
                 data = data[:-1]
             if len(part.data) in REPORT_SIZES:
@@ -102,7 +105,11 @@ def _starts(run: Run, part: Part, line: str, owners: Sequence[int]) -> list[int]
     starts = [at for at in starts_of(run, part) if at < len(part.data)][:_MOST_STARTS]
     for at in starts:
         number, column, _ = run.place(owners[at])
-        if number == run.number and _OPENS.search(line, 0, column) and not _IS_INDEX.match(line, column):
+        if (
+            number == run.number
+            and _OPENS.search(line, max(0, column - _MOST_AROUND), column)
+            and not _IS_INDEX.match(line, column)
+        ):
             return [at]
     return starts
 
@@ -115,6 +122,8 @@ def _is_alone(run: Run, line: str) -> bool:
     before, after = line[start : run.start], line[run.end : run.end + _MOST_AROUND].lstrip(" ,;|:")
     if not before.strip(AROUND) and (not after.strip(AROUND) or _REMARK.match(after)):
         return True
+    if run.widths == {0} and not after.strip(AROUND):
+        return True
     if after[:1] in _CLOSERS and not _OPENERS.isdisjoint(before):
         return True
     return head_before(line, start, run.start).direction is not None
@@ -123,7 +132,8 @@ def _is_alone(run: Run, line: str) -> bool:
 def bare(run: Run, line: str) -> Near | None:
     """Returns what a line of nothing but bytes is without its header; None for other lines."""
     is_dull = len(run.tokens) > 1 and len({*run.tokens}) < LEAST - 1
-    if run.notation is BASE64 or 1 in run.widths or run.starts_with_name or is_dull:
+    is_counted = run.widths != {2} and all(map(str.isdecimal, run.tokens))
+    if run.notation is BASE64 or 1 in run.widths or run.starts_with_name or is_dull or is_counted:
         return None
     if (line[: run.start] + line[run.end :]).strip(AROUND):
         return None
@@ -151,18 +161,29 @@ def broken(run: Run, line: str, *, is_sure: bool) -> Near | None:
         return Near((run.number, lesson.start(), run.end), b"", f"column {lesson.end() + 1}: {_not_a_byte(word)}")
     if _ADDRESS.match(line, run.start) and not is_sure:
         return None
+    if not run.names:
+        return None
     near = _broken(run, _longest(run), line)
+    if is_prose(near.data) and near.data and not is_sure and not is_lesson:
+        return None
     is_log = is_first and head.is_log and head.direction is not None
     if near.problem is not None:
-        is_worth = len(near.data) >= LEAST - 1 and may_begin(near.data)
-        is_meant = (is_first and head.is_log and bool(near.data)) or is_lesson
+        is_worth = len(near.data) >= LEAST - 1 and may_begin(near.data) and not _is_counted(run, near.data)
+        is_listed = not {1, 3} & run.widths or line[: run.start].rstrip().endswith(tuple(_OPENERS))
+        is_number = len(run.tokens) == 1 and run.tokens[0].isdecimal()
+        is_meant = (is_first and head.is_log and bool(near.data) and is_listed and not is_number) or is_lesson
         return near if is_sure or is_worth or is_meant else None
     is_end = near.cut or not line[run.end :].strip(AROUND)
     is_log = is_log and not {1, 3} & run.widths
     is_meant = is_sure or (is_end and len(near.data) >= 2 and ((is_first and is_lesson) or is_log))
-    is_array = _is_alone(run, line) and (not {1, 3} & run.widths or near.data[LEAST - 1 :] >= b"\x80")
+    is_array = _is_alone(run, line) and not _is_counted(run, near.data)
     is_meant = is_meant or ((near.cut or is_array) and len(near.data) >= LEAST and may_begin(near.data))
     return near if is_meant and near.data else None
+
+
+def _is_counted(run: Run, data: bytes) -> bool:
+    """Whether bytes are rather small numbers, as code has them for everything."""
+    return bool({1, 3} & run.widths) and data[LEAST - 1 :] < b"\x80"
 
 
 def _longest(run: Run) -> Part:

@@ -248,12 +248,23 @@ _PART_OF_ELEMENT = r"""(?: [^,()\[\]{}"'`;=\\] | \([^()]*\) )"""
 _EXPRESSION = re.compile(rf"(?! \s | $ ){_PART_OF_ELEMENT}+? (?= \s* (?: [,\]}})] | $ ) )", re.VERBOSE)
 _ELEMENT = re.compile(rf"(?P<before> ^\s* | [\[{{(,] \s*+ )(?P<element>{_EXPRESSION.pattern})", re.VERBOSE)
 _IDENTIFIER = re.compile(r"(?<!\w)(?!0[xX])[A-Za-z_]\w*")
+_OPENING = re.compile(r"[\[{(]")
+_WORDS_OF_PROSE = re.compile(r"\w\s+\w")
 _KNOWN = _compiled(rf"(?:{_GAP})*+(?:{_NUMBER})(?:{_GAP})*")
 
 
-def without_expressions(line: str) -> str:
-    """Returns the line with an unknown byte for each element of an array that is an expression: `msgId & 0xFF`."""
-    return _ELEMENT.sub(_unknown, line) if "," in line and _IDENTIFIER.search(line) else line
+def without_expressions(line: str, *, is_inside: bool = False) -> str:
+    """Returns the line with an unknown byte for each element of an array that is an expression: `msgId & 0xFF`.
+
+    Args:
+        line: A line.
+        is_inside: It begins inside an array; otherwise its first bracket opens one.
+    """
+    opening = None if is_inside else _OPENING.search(line)
+    start = 0 if is_inside else len(line) if opening is None else opening.start()
+    if line.find(",", start) < 0 or _IDENTIFIER.search(line, start) is None:
+        return line
+    return line[:start] + _ELEMENT.sub(_unknown, line[start:])
 
 
 def expression_at(line: str, column: int) -> str:
@@ -264,6 +275,6 @@ def expression_at(line: str, column: int) -> str:
 
 def _unknown(found: re.Match[str]) -> str:
     element = found["element"]
-    if _IDENTIFIER.search(element) is None or _KNOWN.fullmatch(element):
+    if _IDENTIFIER.search(element) is None or _WORDS_OF_PROSE.search(element) or _KNOWN.fullmatch(element):
         return found[0]
     return found["before"] + EXPRESSION.ljust(len(element))

@@ -189,7 +189,7 @@ class Reader:
             return
         row, in_comment = self._row(line, number, text, None)
         if row.may_open:
-            was_opened = bool(self._before) and self._before[-1].rstrip().endswith(("[", "{", "("))
+            was_opened = self._is_opened()
             is_open = was_opened or row.depth > 0
             self._group = Group(is_open, near, in_comment, len(line), self._said(), int(was_opened))
             self._group.add(row)
@@ -219,9 +219,9 @@ class Reader:
         expressed = without_expressions(without_remarks(text)[0])
         if EXPRESSION in expressed:
             found = [Run(NUMBERS, expressed, *match.span("run"), number) for match in NUMBERS.run.finditer(expressed)]
-            runs = [run for run in found if run.tokens.count(EXPRESSION) * 2 < len(run.tokens)]
+            runs = [run for run in found if run.may_have_expressions]
             yield runs
-            tried = [*(run for run in runs if run.unknown), *tried]
+            tried = [*runs, *tried]
         every = _every(text, number)
         places = without_indexes(every.tokens, 0, LEAST)
         if places is not None:
@@ -345,7 +345,10 @@ class Reader:
         elif "\\" in bare_line and STRINGS.run.search(bare_line):
             notation, pattern = STRINGS, STRINGS.run
         if notation is NUMBERS and (group is None or group.has_commas):
-            bare_line = without_expressions(bare_line)
+            is_inside = group.is_array if group is not None else self._is_opened()
+            expressed = without_expressions(bare_line, is_inside=is_inside)
+            is_few = expressed.count(EXPRESSION) * 2 < expressed.count(",") + 1
+            bare_line = expressed if is_few else bare_line
         prefix = _PREFIX.match(bare_line) if notation is NUMBERS else None
         start = prefix.end() if prefix else 0
         spans = [found.span("run") for found in pattern.finditer(bare_line, start) if found["run"]]
@@ -371,6 +374,10 @@ class Reader:
         return Row(
             number, line, (run, every), is_head, is_tail, has_comma, depth, label is not None, offset
         ), in_comment
+
+    def _is_opened(self) -> bool:
+        """Whether the line above ends with a bracket that opens."""
+        return bool(self._before) and self._before[-1].rstrip().endswith(("[", "{", "("))
 
     def _check_sum(self) -> int | None:
         sums = (_CHECK_SUM.match(line) for line in self._before)

@@ -27,7 +27,7 @@ from ev3proto.text.paste.frames import (
 )
 from ev3proto.text.paste.notations import NUMBERS, STRINGS, Notation, values_in
 from ev3proto.text.paste.pieces import LEAST
-from ev3proto.text.paste.values import READINGS, UNLIKELY, WIDTH, joined, unknown_bytes
+from ev3proto.text.paste.values import EXPRESSION, READINGS, UNLIKELY, WIDTH, joined, unknown_bytes
 
 _MANY_MARKS = 4
 _ALPHANUMERIC = frozenset(filter(str.isalnum, map(chr, range(128))))
@@ -47,6 +47,9 @@ class Run:
         self.tokens = tokens
         self.widths = frozenset(map(WIDTH.__getitem__, tokens)) if self.notation is NUMBERS else frozenset()
         self.names = self.notation.readings(tokens, self.widths) if tokens else ()
+        if self.unknown and sum(map(sum, map(unknown_bytes, tokens))) * 2 >= sum(map(len, tokens)) // 2:
+            # Too little of it is known.
+            self.names = ()
         self._data: dict[str, bytes | None] = {}
         self._readings: list[Reading] | None = None
 
@@ -54,7 +57,12 @@ class Run:
         """Returns the bytes of all values in a reading; None where one has none."""
         if name not in self._data:
             data = joined(self.tokens, name)
-            if data is not None and -1 in self.widths and any(unknown_bytes(self.tokens[0])[:1]):
+            if (
+                data is not None
+                and self.unknown
+                and self.tokens[0] != EXPRESSION
+                and any(unknown_bytes(self.tokens[0])[:1])
+            ):
                 # An unknown length is the one that fits.
                 data = with_length(data[LENGTH_FIELD:])
             self._data[name] = data
@@ -109,6 +117,12 @@ class Run:
     def unknown(self) -> bool:
         """Whether some of its bytes are unknown."""
         return -1 in self.widths
+
+    @property
+    def may_have_expressions(self) -> bool:
+        """Whether its expressions may be bytes of a frame: few of them, and none in its length and its type."""
+        is_header = EXPRESSION not in (*self.tokens[:2], *self.tokens[4:5])
+        return is_header and 0 < self.tokens.count(EXPRESSION) * 2 < len(self.tokens)
 
     @property
     def starts_with_name(self) -> bool:
@@ -231,6 +245,8 @@ def _tried(run: Run) -> list[Reading]:
         if one.is_whole and (name in ("hex", "string") or one.is_flawless):
             # No other reading is worth more.
             return [one, *found[:-1]]
+    if not found:
+        return [Reading([], False, False)]
     most = max(one.worth for one in found)
     equals = [one for one in found if one.worth == most]
     best = next((one for one in equals if len(equals) > 1 and most[3] and one.is_flawless), equals[0])

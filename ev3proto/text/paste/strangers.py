@@ -87,8 +87,8 @@ def strange_text(line: str) -> str | None:
 
 def strange_bytes(data: bytes) -> str | None:
     """Returns what bytes are that are not a frame, as a sentence; None where they may have been meant as one."""
-    if is_prose(data) and len(data) >= _LEAST_PROSE:
-        text = data.decode("ascii")
+    text = data.decode("ascii") if is_prose(data) else ""
+    if len(text) >= _LEAST_PROSE and sum(map(str.isalpha, text)) * 2 > len(text):
         return strange_text(text) or f"no frame found: the bytes are text, {text[:_SHOWN]!r}"
     name = nxt_telegram(data)
     if name is not None:
@@ -112,6 +112,8 @@ def nxt_telegram(data: bytes) -> str | None:
         name, _ = _NXT_DIRECT.get(code) or _NXT_SYSTEM[code]
         return f"the reply to {name}"
     name, size = _NXT.get(kind, {}).get(code, ("", -1))
+    if size > 2 and not any(telegram[2:]):
+        return None
     if size < 0 and kind in (0x00, 0x80) and code in _NXT_LENGTHS:
         name, before, at = _NXT_LENGTHS[code]
         size = before + telegram[at] if len(telegram) > at else -1

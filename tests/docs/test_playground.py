@@ -140,6 +140,7 @@ def test_what_is_typed_is_read_and_stands_in_the_link(page: Page) -> None:
     assert page.browser.current_url.endswith("#text=" + quote("UI_WRITE(LED, LED_RED)", safe="()"))
     page.type("UI_WRITE(LED, LED_RDE)")
     page.wait(lambda: "did you mean LED_RED" in page.text("error"))
+    assert page.text("error").splitlines()[1:] == ["  UI_WRITE(LED, LED_RDE)", "                ^"]
     assert page.text("tree") == page.text("frame") == ""
     page.type("09:00|2A:00|80|00:00|81|01|60|")
     page.wait(lambda: "error[E102]" in page.text("findings"))
@@ -443,7 +444,7 @@ def test_files(page: Page, tmp_path: Path) -> None:
     assert run_ev3proto("encode", source, "-o", image).returncode == 0
     file = page.browser.find_element(By.ID, "file")
     file.send_keys(str(CAPTURES / "ev3_dc.pcap"))
-    page.wait(lambda: "received beacon" in page.text("tree"))
+    page.wait(lambda: "received beacon" in page.text("tree") and page.text("status") == "")
     shown, _, rest = page.text("tree").partition("... and ")
     assert printed("decode", CAPTURES / "ev3_dc.pcap").startswith(shown)
     assert len(shown) > 190_000

@@ -52,8 +52,8 @@ FEW = 200
 MOST_COMPLAINTS = 12
 """Maximum lines of errors."""
 
-OFTEN, FIRST = 0.25, 3.0
-"""Seconds between two reports of progress, and until a first part of the answer."""
+OFTEN, SOON, LATE = 0.25, 1.0, 5.0
+"""Seconds between two reports of progress; until a first part of the answer if the tree is full, and if it is not."""
 
 FEW_CHARACTERS = 4_000
 """A text up to this length is fixed to find out whether that changes it."""
@@ -81,7 +81,7 @@ class Reading(Decoding):
         self._findings = Findings()
         self._errors = io.StringIO()
         self._typed: str | None = None
-        self._folder = "\n"
+        self._folder = ""
         self._is_assembly = False
         self._frames: list[bytes] = []
         self._lesson: list[str] = []
@@ -94,7 +94,7 @@ class Reading(Decoding):
         self._start_ns = 0
         self._done: Callable[[], float] = lambda: 0.0
         self._begun = self._said = time.monotonic()
-        self._next = FIRST
+        self._next = LATE
 
     # Reading
 
@@ -244,7 +244,8 @@ class Reading(Decoding):
             return
         self._said = now
         self._publish(json.dumps({"part": self._done(), "count": self._showing.number + 1}))
-        if now - self._begun > self._next:
+        is_first = self._rows.is_full and self._next == LATE
+        if now - self._begun > (SOON if is_first else self._next):
             self._next *= 2
             self._publish(json.dumps({"answer": self.answer(is_whole=False)}))
 
@@ -281,7 +282,8 @@ class Reading(Decoding):
         }
 
     def _error(self) -> str:
-        lines = self._errors.getvalue().replace(self._folder, "").splitlines(keepends=True)
+        text = self._errors.getvalue()
+        lines = (text.replace(self._folder, "") if self._folder else text).splitlines(keepends=True)
         left = len(lines) - MOST_COMPLAINTS
         return "".join([*lines[:MOST_COMPLAINTS], *([f"... and {left} more lines\n"] if left > 0 else [])])
 

@@ -2980,7 +2980,7 @@ local OPERATIONS = {
     {
         0x98, "INPUT_DEVICE_LIST", "Lists the types of all devices, sensor ports of each layer first, then motor ports",
         [[
-            { "LENGTH", IN, DATA8, "size of the array; 32 holds the whole daisy chain" },
+            { "LENGTH", IN, DATA8, "size of the array; 32 holds the whole daisy chain", range = { 0, 127 } },
             {
                 "ARRAY", OUT, DATA8, "type of device at each port", enum = ENUMERATIONS.TYPE,
                 range = { 50, 98 },

@@ -3109,7 +3109,7 @@ types:
   op_input_device_list:
     doc: "Lists the types of all devices, sensor ports of each layer first, then motor ports"
     seq:
-      - {id: length, type: argument(false), doc: "size of the array; 32 holds the whole daisy chain"}
+      - {id: length, type: argument(false), doc: "size of the array; 32 holds the whole daisy chain (0 to 127)"}
       - id: array
         type: argument(false)
         doc: "type of device at each port (a member of TYPE; as many values as LENGTH says)"

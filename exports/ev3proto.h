@@ -2547,7 +2547,7 @@ enum {
 
     /*
      * Lists the types of all devices, sensor ports of each layer first, then motor ports
-     *   LENGTH   DATA8      size of the array; 32 holds the whole daisy chain
+     *   LENGTH   DATA8      size of the array; 32 holds the whole daisy chain (0 to 127)
      *   ARRAY    out DATA8  type of device at each port (a member of TYPE; as many values as LENGTH says)
      *   CHANGED  out DATA8  whether devices came or went since the last call (0: no change)
      */

@@ -13,6 +13,7 @@ from collections import deque
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from functools import partial
+from typing import TypeGuard
 
 from ev3proto.brick.servers.faults import Faults
 from ev3proto.brick.servers.host import Ends, Line, ServerError
@@ -37,7 +38,7 @@ from ev3proto.system import close_filehandle
 from ev3proto.tables.carriers import Carrier
 from ev3proto.tables.discovery import BEACON_PORT
 from ev3proto.tables.frame import MAX_FRAME
-from ev3proto.tables.system import SystemStatus
+from ev3proto.tables.system import SYSTEM_BY_NUMBER, SystemStatus
 
 _CLIENT = "client"
 """The name of the one client in a recording."""
@@ -47,6 +48,9 @@ _HIDDEN_HOST, _HIDDEN_PROXY = "192.0.2.1", "192.0.2.10"
 
 _TURN = 0.1
 _MOST_WAITING = 1024
+
+_MOST_FILES = 16
+"""Files that a client may have open with --read-only; the brick has 64 handles for all clients."""
 
 _GRACE = 10.0
 """Seconds for which the replies to a client that has disconnected are kept from the next one."""
@@ -249,6 +253,7 @@ class Proxy:
         elif (forgotten := client.remember(_Sent(client, command, frame, pairing_key(frame)))) is not None:
             self._show(RequestReply(forgotten.command, None))
         if status is None:
+            client.handles.lend(message)
             self._wire.send(frame)
         elif (reply := refused(message, status)) is not None:
             self._to_client(client, client.answered(reply), reply)
@@ -261,10 +266,13 @@ class Proxy:
             if message.type is not None and not message.type.is_command:
                 reasons = f"{message.type.name} is not a command"
             elif isinstance(message, SystemCommand) and set(harms) == {Harm.COMPUTING}:
-                reasons = f"{message.command} names a handle that this client did not open"
+                reasons = f"{message.command} names a handle that this client has not opened, or is using"
                 status = SystemStatus.UNKNOWN_HANDLE
             self.say_once(f"blocked by --read-only: {reasons}")
             return status
+        if self._options.is_read_only and _begins(message) and client.files >= _MOST_FILES:
+            self.say_once(f"blocked by --read-only: {message.command} opens more than {_MOST_FILES} files")
+            return SystemStatus.NO_HANDLES_AVAILABLE
         if len(frame) > MAX_FRAME and self._wire.carrier is Carrier.USB:
             self.say_once(
                 f"a frame of {len(frame)} bytes was not sent: on USB a frame has at most {MAX_FRAME} bytes; send the"
@@ -350,6 +358,12 @@ class _Sent:
     expires: float = 0.0
 
 
+def _begins(message: Message) -> TypeGuard[SystemCommand]:
+    """Returns whether a message opens a file or a listing."""
+    entry = SYSTEM_BY_NUMBER.get(message.number) if isinstance(message, SystemCommand) else None
+    return entry is not None and entry.transfer == "begin"
+
+
 def _first(waiting: Iterable[_Sent], reply: bytes) -> _Sent | None:
     """Returns the first command that a reply may answer."""
     key = pairing_key(reply)
@@ -373,6 +387,11 @@ class _Client:
         self.waiting: deque[_Sent] = deque()
         self.handles = OpenHandles()
         self._proxy = proxy
+
+    @property
+    def files(self) -> int:
+        """Files that are open, or may be once the replies have come."""
+        return len(self.handles) + sum(sent.key[0] == "system" for sent in self.waiting)
 
     def remember(self, sent: _Sent) -> _Sent | None:
         """Adds a command that waits for its reply. Returns the one that is forgotten for it, if any."""

@@ -1127,7 +1127,7 @@ def input_device_list(
     """Lists the types of all devices, sensor ports of each layer first, then motor ports.
 
     Args:
-        length: Size of the array; 32 holds the whole daisy chain; DATA8.
+        length: Size of the array; 32 holds the whole daisy chain; 0 to 127; DATA8.
         array: Type of device at each port; a member of TYPE; as many values as LENGTH says; DATA8; an output, in global
             memory when omitted.
         changed: Whether devices came or went since the last call; 0: no change; DATA8; an output, in global memory when

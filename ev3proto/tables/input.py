@@ -77,7 +77,7 @@ INPUT = (
         "INPUT_DEVICE_LIST",
         "Lists the types of all devices, sensor ports of each layer first, then motor ports",
         (
-            In("LENGTH", DATA8, "size of the array; 32 holds the whole daisy chain"),
+            In("LENGTH", DATA8, "size of the array; 32 holds the whole daisy chain", range=(0, 127)),
             Out("ARRAY", DATA8, "type of device at each port", enum=TYPE, length="LENGTH", role=Role.PUBLIC),
             Out("CHANGED", DATA8, "whether devices came or went since the last call", special={0: "no change"}),
         ),

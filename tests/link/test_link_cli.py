@@ -182,7 +182,7 @@ def test_a_reply_that_only_another_firmware_gives_is_shown(tmp_path: Path) -> No
 
 def test_the_conformance_capture_only_reads_and_computes() -> None:
     done = run_ev3proto_text("replay", CONFORMANCE, "--to", "usb", "--dry-run")
-    assert done.stderr == "224 commands would be sent, 76 omitted\n"
+    assert done.stderr == "223 commands would be sent, 77 omitted\n"
     done = run_ev3proto_text("replay", CONFORMANCE, "--to", "usb", "--dry-run", "--allow", "computing")
     assert done.stderr == "300 commands would be sent, 0 omitted\n"
     assert not re.search("OUTPUT_(?!GET|TEST|READ)|SOUND_?[.](TONE|PLAY)|UI_DRAW|UI_WRITE|_SET", done.stdout)
@@ -358,12 +358,12 @@ def system_7(number: int, body: bytes) -> bytes:
         (
             system_7(0x98, b"\0"),
             "06 00 07 00 05 98 01 ff",
-            "CLOSE_FILEHANDLE names a handle that this client did not open",
+            "CLOSE_FILEHANDLE names a handle that this client has not opened, or is using",
         ),
         (
             system_7(0x95, b"\0\0\2"),
             "06 00 07 00 05 95 01 ff",
-            "CONTINUE_UPLOAD names a handle that this client did not open",
+            "CONTINUE_UPLOAD names a handle that this client has not opened, or is using",
         ),
         (bytes.fromhex("0600 0700 0a a0 00 01"), "05 00 07 00 09 01 00", "the frame may do anything"),
         (bytes.fromhex("0300 0700 02"), "", "DIRECT_REPLY is not a command"),
@@ -428,6 +428,34 @@ def test_read_only_closes_what_a_client_leaves_open(tmp_path: Path) -> None:
                 found.proxy.stop()
                 found.thread.join(30)
         assert handles_in_use(brick) == 0
+
+
+def test_read_only_waits_for_the_reply_before_a_handle_is_used_again(tmp_path: Path) -> None:
+    """The first command may close it, and another client get it."""
+    (tmp_path / "prjs").mkdir()
+    (tmp_path / "prjs" / "x.rtf").write_bytes(bytes(30))
+    with standing(f"virtual:{tmp_path}", is_read_only=True) as found, Client(found.proxy.port) as client:
+        handle = client.ask(system(0x94, b"\x0a\0../prjs/x.rtf\0"))[11:12]
+        assert client.ask(system(0x95, handle + b"\x0a\0"))[6] == 0
+        client.send(system(0x95, handle + b"\x0a\0") + system(0x98, handle))
+        assert sorted(client.reply()[5:7] for _ in range(2)) == [b"\x95\x08", b"\x98\x01"]
+        assert found.said == [
+            "blocked by --read-only: CLOSE_FILEHANDLE names a handle that this client has not opened, or is using"
+        ]
+
+
+def test_read_only_leaves_handles_to_others(tmp_path: Path) -> None:
+    (tmp_path / "prjs").mkdir()
+    (tmp_path / "prjs" / "x.rtf").write_bytes(bytes(3000))
+    begin = system(0x94, b"\x0a\0../prjs/x.rtf\0")
+    with standing(f"virtual:{tmp_path}", is_read_only=True) as found, Client(found.proxy.port) as client:
+        client.send(begin * 80)
+        replies = [client.reply() for _ in range(80)]
+        assert sorted(reply[6] for reply in replies) == [0] * 16 + [SystemStatus.NO_HANDLES_AVAILABLE] * 64
+        assert client.ask(system(0x98, b"\3"))[6] == 0
+        assert client.ask(begin)[6] == 0
+        assert client.ask(begin)[6] == SystemStatus.NO_HANDLES_AVAILABLE
+        assert set(found.said) == {"blocked by --read-only: BEGIN_UPLOAD opens more than 16 files"}
 
 
 def test_a_client_gets_no_reply_to_another_one() -> None:

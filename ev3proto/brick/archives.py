@@ -13,7 +13,7 @@ MOST_MEMBERS = 1000
 """Files and folders of one archive."""
 
 _HEADS = 2 * MOST_MEMBERS * tarfile.BLOCKSIZE
-"""Largest overhead of an archive, in bytes besides the contents of its files."""
+"""Largest overhead of an archive, in bytes."""
 
 _GZIP = 16
 """For zlib: the data has the head of a gzip file."""

@@ -65,7 +65,7 @@ AFTER_CODE = bytes((_OBJECT_END,)) + bytes(8)
 """What the firmware puts after the operations of a direct command, and some of the zeros that follow."""
 
 LOCALS = 64
-"""Bytes of local memory that every direct command finds, however few it asks for: the most that it can ask for."""
+"""Local memory of every direct command: always the maximum, whatever it requests."""
 
 
 _MOST_NAME = 20
@@ -308,7 +308,7 @@ class Brick(Equipment):
     def _take_direct(self, channel: Hashable, frame: bytes, counter: int, wants_reply: bool) -> None:
         found = verdict(frame, self.dialect)
         if found.reason in (Reason.EMPTY, Reason.TOO_LONG, Reason.GLOBALS):
-            # The firmware never reads again after such a header; this brick answers and lives on.
+            # The firmware never reads again after such a header; this brick answers and continues.
             if wants_reply:
                 self._reply(channel, counter, MessageType.DIRECT_REPLY_ERROR, b"")
             return

@@ -3,7 +3,7 @@
 import time
 
 thread_time = getattr(time, "thread_time", time.perf_counter)
-"""The processor's time of this thread, in seconds. Python in a browser has one thread, and no such clock."""
+"""CPU time of this thread, in seconds. Python in a browser has one thread, and no such clock."""
 
 TICK = 1_000
 """Microseconds from one turn of the programs to the next while one of them waits."""
@@ -21,10 +21,10 @@ MOST_OPERATIONS = 3_000_000
 """Operations after which a direct command is ended: the firmware would execute it for ever."""
 
 OPERATIONS_OF_A_TURN = 20
-"""What a turn counts at least, where an object gives the rest of it away."""
+"""Operations that a turn counts at least, if an object gives up the rest of it."""
 
 MOST_PROCESSOR_SECONDS = 5.0
-"""Seconds of this computer's processor that a direct command may take at a stretch, whatever its operations."""
+"""CPU seconds of this computer that a direct command may take."""
 
 MOST_SECONDS = 600
 """Seconds after which a direct command that still waits is ended."""

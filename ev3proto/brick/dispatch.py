@@ -1,4 +1,4 @@
-"""From an opcode to its handler and to how its parameters are read: one table a dialect, made from the tables."""
+"""The dispatch table of a dialect: the handler of each opcode, and the readers of its parameters."""
 
 from __future__ import annotations
 

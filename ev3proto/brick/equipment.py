@@ -60,12 +60,12 @@ class Equipment:
         self.parts: list[Part] = [self.display, self.buttons, self.panel, self.sound, self.outputs, self.inputs]
 
     def program_started(self, program: Program) -> None:
-        """Tells the parts that a program, not a direct command, has started."""
+        """Notifies the parts that a program, not a direct command, has started."""
         for part in self.parts:
             part.program_started(program)
 
     def program_ended(self, program: Program) -> None:
-        """Frees what a program or a direct command leaves, and tells the parts that a program has ended."""
+        """Frees the resources of a program or direct command, and notifies the parts that a program has ended."""
         if program.slot == USER_SLOT:
             self.mailboxes.close_all()
         if program.slot != CMD_SLOT:

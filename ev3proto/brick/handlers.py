@@ -1,4 +1,4 @@
-"""The register of handlers: which function executes which operation. Handlers are registered by name, never by number.
+"""The registry of handlers, the functions that execute operations. They are registered by name, never by number.
 
 How to add one. Write a function in a file of `ev3proto.brick.operations` (and import a new file in that package's
 `__init__`):

@@ -1,4 +1,4 @@
-"""What programs hold by number: arrays and blocks of memory. Open files share the numbering (`open_files.py`).
+"""Handles of programs: arrays and blocks of memory. Open files share the numbering (`open_files.py`).
 
 Each program slot counts for itself and gives the lowest free number. Number 0 is the program's own memory, so the
 first array of a direct command is 1.
@@ -30,7 +30,7 @@ class Array:
 
     @property
     def elements(self) -> int:
-        """How many elements it has."""
+        """Its number of elements."""
         return len(self.data) // self.type.size
 
 

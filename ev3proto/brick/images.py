@@ -1,4 +1,4 @@
-"""Program images in the brick's memory: what LOAD_IMAGE loads, and the programs that PROGRAM_START makes of it.
+"""Program images in the brick's memory, which LOAD_IMAGE loads and PROGRAM_START runs.
 
 Addresses serve only to find the image again.
 """

@@ -139,7 +139,7 @@ class Machine:
     # Turns
 
     def turn(self, program: Program, most: int, deadline: float = math.inf) -> tuple[int, bool]:
-        """Gives the next object of a program its turn, or lets it go on with one that took too long.
+        """Gives the next object of a program its turn, or continues one that was interrupted.
 
         Args:
             program: A program that runs.
@@ -203,7 +203,7 @@ class Machine:
         except Leave:
             pass
         except (Failure, IndexError, ValueError, struct.error, OSError) as failure:
-            # Reading code beyond its end makes an IndexError, a text in it that never ends a ValueError, a short
+            # Reading code beyond its end raises IndexError, a text in it without an end ValueError, a short
             # variable beyond the memory a struct.error, a full disk an OSError.
             if program.slot != CMD_SLOT:
                 is_unknown = isinstance(failure, NoOperation)
@@ -270,7 +270,7 @@ class Machine:
         return [self.place() for _ in range(self.int8())]
 
     def skip(self) -> None:
-        """Goes past a parameter without looking at its value."""
+        """Skips a parameter."""
         first = self.code[self.ip]
         self.ip = self.code.index(0, self.ip + 1) + 1 if first in STRINGS else self.ip + (SIZES[first] or 1)
 
@@ -284,7 +284,7 @@ class Machine:
         encoding, number = ENCODINGS[first], SHORT_VALUES[first]
         self.ip = ip + 1
         if encoding is None:
-            # A width that is not defined takes no byte; the firmware leaves the value to chance.
+            # An undefined width takes no byte; the value in the firmware is arbitrary.
             return self._constant(0)
         kind = encoding.kind
         if kind == TEXT:

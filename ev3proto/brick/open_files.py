@@ -58,5 +58,5 @@ class RecentFiles:
         self.paths = [path, *(other for other in self.paths if other != path)][:MOST_RECENT]
 
     def forget(self, path: bytes) -> None:
-        """Takes a file off."""
+        """Removes a file."""
         self.paths = [other for other in self.paths if other != path]

@@ -1,8 +1,8 @@
-"""How an operation can end other than by reaching the next one. Handlers raise these; the machine catches them."""
+"""The exits of operations that do not continue with the next one. Handlers raise them; the machine catches them."""
 
 
 class OperationExit(Exception):  # noqa: N818 - not errors of this package
-    """The reason why an operation ends before the next one follows."""
+    """The base of the exits of operations."""
 
 
 class Failure(OperationExit):
@@ -10,7 +10,7 @@ class Failure(OperationExit):
 
 
 class WildAccess(Failure):
-    """Memory that no program owns. The firmware would read or write something else; here the operation fails."""
+    """An access outside a program's memory. The firmware reads or writes other memory; here the operation fails."""
 
 
 class NoOperation(Failure):
@@ -26,4 +26,4 @@ class Leave(OperationExit):
 
 
 class Sleep(OperationExit):
-    """The rest of the turn is given away; the next operation follows at the next one."""
+    """The rest of the turn is given up; the program continues with its next turn."""

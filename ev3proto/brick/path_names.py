@@ -6,7 +6,7 @@ from ev3proto.brick.places import Place
 from ev3proto.tables.paths import ALLOWED, has_room
 
 REPLACEMENT = ord("_")
-"""What the firmware puts in the place of any other character."""
+"""The firmware's replacement of any other character."""
 
 
 def check(place: Place) -> bool:

@@ -1,4 +1,4 @@
-"""A program in a slot of the machine: its code, its objects, its memory, what it holds, how it is doing."""
+"""A program in a slot of the machine: its code, objects, memory, resources and status."""
 
 from __future__ import annotations
 
@@ -69,7 +69,7 @@ class ProgramObject:
     results: list[Result] = field(default_factory=list)
 
     def reset(self) -> None:
-        """Goes back to its beginning."""
+        """Resets it to its beginning."""
         self.ip = self.begin
         self.pending = self.triggers
 

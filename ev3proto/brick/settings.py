@@ -1,4 +1,4 @@
-"""What the brick remembers about itself: name, volume, radios, the log of errors."""
+"""The settings of a brick: name, volume, radios, the log of errors."""
 
 from __future__ import annotations
 

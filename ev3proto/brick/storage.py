@@ -31,10 +31,10 @@ MOST_ENTRIES = 10_000
 """Files and folders that may be created; existing ones are kept in any case."""
 
 MOST_DEPTH = 32
-"""Folders within folders that copying, counting and packing follow."""
+"""Maximum nesting depth of folders for copying, counting and packing."""
 
 _HIDDEN = (b".", b"CVS")
-"""How the names begin that the firmware does not show."""
+"""Prefixes of the names that the firmware does not show."""
 
 _OPEN_FLAGS = getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
 
@@ -44,7 +44,7 @@ _PIECE = 1 << 16
 
 
 class Totals(NamedTuple):
-    """What a folder holds.
+    """The totals of a folder.
 
     entries  as the directory has them, with . and ..; 0 for a file
     size     bytes of the files
@@ -311,7 +311,7 @@ class Storage:
         return self._entries < MOST_ENTRIES
 
     def _open(self, place: Path, flags: int, mode: str) -> StoredFile | None:
-        """Opens a regular file; None for anything else, however it came there."""
+        """Opens a regular file; None for anything else."""
         try:
             descriptor = os.open(place, flags | _OPEN_FLAGS, 0o600)
         except OSError:

@@ -1,4 +1,4 @@
-"""System commands: files to and from the brick, folders, mailboxes; what each of them answers.
+"""System commands: files to and from the brick, folders, mailboxes, and their answers.
 
 A transfer keeps its handle from BEGIN to its end, to CLOSE_FILEHANDLE or to an error. There are 64 handles for all
 connections; those of a connection that ends are freed.
@@ -28,7 +28,7 @@ from ev3proto.tables.system import SYSTEM_BY_NUMBER, Kind, SystemStatus
 
 HANDLES = 64
 NO_HANDLE = 0xFF
-"""The handle in replies that say why there is none."""
+"""The handle in replies to refused commands."""
 
 CUT_PATH = 59
 """Bytes to which CREATE_DIR and DELETE_FILE cut a path."""
@@ -56,7 +56,7 @@ _ADDRESS_ROOM = int(CONSTANTS["BTADRSIZE"])
 
 
 class Answer(NamedTuple):
-    """What a system command answers.
+    """The answer to a system command.
 
     status    how it went
     fields    by name: the reply's other fields, possibly more
@@ -69,7 +69,7 @@ class Answer(NamedTuple):
 
 
 class Request(NamedTuple):
-    """A system command that came.
+    """A received system command.
 
     channel  the connection
     fields   the fields that are present, by name; texts as bytes
@@ -133,7 +133,7 @@ class SystemCommands:
         self._transfers: dict[int, Transfer] = {}
 
     def answer(self, channel: Hashable, frame: bytes) -> tuple[bool, bytes] | None:
-        """Does a system command.
+        """Executes a system command.
 
         Returns whether it is an error reply, and what follows the header in the reply; None for commands that have no
         reply and for those that the firmware does not know.
@@ -326,7 +326,7 @@ class SystemCommands:
 
     @_answers("DELETE_FILE")
     def delete_file(self, request: Request) -> Answer:
-        """Returns a file or an empty folder."""
+        """Deletes a file or an empty folder."""
         return _permitted(self._brick.files.delete(request.text("path")[:CUT_PATH]))
 
     @_answers("LIST_OPEN_HANDLES")

@@ -99,17 +99,17 @@ def proxy(
             stack.callback(wire.close)
             if beacon:
                 options = replace(options, announced=serial_number or announced_number(target, wire))
-            standing = Proxy(wire, str(target), options, show=shown, say=complain, recording=recording)
-        shown.start_ns = standing.records.start_ns
+            relay = Proxy(wire, str(target), options, show=shown, say=complain, recording=recording)
+        shown.start_ns = relay.records.start_ns
         if not ipaddress.ip_address(address).is_loopback:
             complain(f"Anyone who can reach {address} can control the brick through this proxy (--from, --read-only).")
         tell = complain if record == "-" else say
-        with stopped_by_signals(standing.stop):
-            tell(f"listening on {f'[{address}]' if ':' in address else address}:{standing.port}")
+        with stopped_by_signals(relay.stop):
+            tell(f"listening on {f'[{address}]' if ':' in address else address}:{relay.port}")
             flush()
-            standing.serve()
-    if standing.lost is not None:
-        raise Failure(str(standing.lost))
+            relay.serve()
+    if relay.lost is not None:
+        raise Failure(str(relay.lost))
 
 
 class _Shown:

@@ -42,7 +42,7 @@ def known_timeout(seconds: float | None) -> float | None:
 
 
 class Ticket:
-    """A command on its way, and the place where its reply will be.
+    """A pending command and the future of its reply.
 
     prepared  the command as prepared; None where a whole frame was given
     request   the command that it became
@@ -218,7 +218,7 @@ class Channel:
 
     @property
     def is_open(self) -> bool:
-        """Whether the connection is there, as far as is known."""
+        """Whether the connection is open, as far as is known."""
         return self._lost is None
 
     def close(self) -> None:

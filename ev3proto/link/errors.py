@@ -1,4 +1,4 @@
-"""What goes wrong between a program and a brick. Each error is a sentence that says what to do about it."""
+"""Errors of the connection to a brick. Each says what to do about it."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from ev3proto.tables.system import status_meaning
 
 
 class LinkError(Exception):
-    """Something went wrong between this program and the brick."""
+    """The base of the errors of a connection to a brick."""
 
 
 class NoBrickError(LinkError):

@@ -18,7 +18,7 @@ from ev3proto.text.spans import plain_text, visible
 SENT, RECEIVED = "Sent", "Recv"
 
 LOGGER = logging.getLogger("ev3proto.link")
-"""Has each frame at the level DEBUG."""
+"""The logger of all frames, at the level DEBUG."""
 
 VERBOSITIES = (0, 1, 2)
 """Print nothing; frames; frames and their meaning."""

@@ -185,7 +185,7 @@ class Proxy:
     # The client
 
     def open(self, line: Line, name: str, carrier: str, ends: Ends, opening: Sequence[tuple[bytes, bool]]) -> _Client:
-        """Begins to serve a client. Records the beginning of its connection, without what is masked."""
+        """Begins to serve a client, and records the beginning of its connection."""
         self._client = _Client(self, line, name, Decoder(strict=False, dialect=self._options.dialect))
         host, proxy = ends
         if self._options.is_masked:
@@ -233,7 +233,7 @@ class Proxy:
         self._close_handles(client)
 
     def _close_handles(self, client: _Client) -> None:
-        """Closes what a client leaves open: the brick has few handles for all clients."""
+        """Closes the files that a client leaves open: the brick has few handles for all clients."""
         for handle in client.handles.take() if self._options.is_read_only else ():
             self._wire.send(close_filehandle(handle, reply=False).build())
             self.say_once(f"{client.name} left the handle {handle} open; it was closed")
@@ -414,7 +414,7 @@ class _Client:
         (self.line.pause if is_throttled else self.line.resume)()
 
     def close(self) -> None:
-        """Ends, as the client has disconnected."""
+        """Learns that the client has disconnected."""
         self._proxy.act(lambda: self._proxy.gone(self))
 
 

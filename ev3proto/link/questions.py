@@ -1,4 +1,4 @@
-"""What a brick is asked for as a property: the operations, and what their answers make."""
+"""Properties read from a brick: the operations that read them, and the types of their values."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _ADDRESS_LENGTH = 48
 
 
 class Battery(NamedTuple):
-    """How the battery is: voltage in V, current in A, charge in percent."""
+    """The state of the battery: voltage in V, current in A, charge in percent."""
 
     voltage: float
     current: float
@@ -29,7 +29,7 @@ class Battery(NamedTuple):
 
 
 class Memory(NamedTuple):
-    """The memory for users' files in KiB: all of it, and what is free."""
+    """The memory for users' files in KiB: total and free."""
 
     total: int
     free: int
@@ -68,7 +68,7 @@ class Sensors(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Question(Generic[T]):
-    """Operations, and what becomes of the values in the reply to them."""
+    """A property: the operations that read it, and how their values make it."""
 
     operations: tuple[Draft, ...]
     answer: Callable[[list[Any]], T]

@@ -1,4 +1,4 @@
-"""What goes to a brick and comes back, as records: the same as a capture of it would give."""
+"""Records of the frames to and from a brick, as a capture of them would give."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ev3proto.tables.carriers import Carrier
 
 
 class Records:
-    """Makes records of one connection, numbered in their order, or by the packets of what records it."""
+    """Makes records of one connection, numbered in their order or by the packets of its recording."""
 
     def __init__(
         self, carrier: Carrier, peer: str, dialect: str = "official", packets: Callable[[], int] | None = None

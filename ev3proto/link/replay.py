@@ -162,7 +162,7 @@ def _varies(value: Value) -> bool:
 
 
 def firmware_of(reply: Record) -> str | None:
-    """Returns the version of the firmware that a reply tells; None where it tells none."""
+    """Returns the version of the firmware in a reply; None if it has none."""
     found = [value.value for value in reply.values if value.full_name == _FIRMWARE]
     return str(found[0]) if found else None
 

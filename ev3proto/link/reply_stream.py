@@ -1,4 +1,4 @@
-"""The bytes from a brick, cut into frames. Reading continues after other bytes, by what a client knows of its commands.
+"""Splits the bytes from a brick into frames, and resyncs after other bytes by the counters of waiting commands.
 
 Nothing in a stream marks the start of a frame. Some firmware answers some commands with zeros, a USB report may be
 broken, a bad radio loses bytes. A reader of captures looks for the next faultless frame; a client has a better sign:
@@ -28,7 +28,7 @@ class Garbage:
 
 
 class ReplyStream:
-    """Cuts what a brick sends into frames. It keeps at most one unfinished frame."""
+    """Splits what a brick sends into frames. It keeps at most one incomplete frame."""
 
     def __init__(self, is_expected: Callable[[int], bool]) -> None:
         """Starts at the beginning of a stream.

@@ -64,7 +64,7 @@ class Stray:
 
 
 Event = Answered | Stray | Garbage
-"""What comes of what the brick sent."""
+"""The events of a session."""
 
 
 class Session:
@@ -89,12 +89,12 @@ class Session:
 
     @property
     def pending(self) -> bytes:
-        """What came of a frame that is not complete yet."""
+        """The bytes of an incomplete frame."""
         return self._stream.pending
 
     @property
     def missing(self) -> int:
-        """Bytes that this frame still lacks."""
+        """Missing bytes of the incomplete frame."""
         return self._stream.missing
 
     def command(self, kind: MessageType, body: bytes) -> Request:

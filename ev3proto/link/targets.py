@@ -1,4 +1,4 @@
-"""Which brick is meant: `wifi:192.0.2.10`, `usb`, `bluetooth:00:16:53:42:2B:99`, `serial:/dev/rfcomm0`, `virtual`."""
+"""Targets select a brick: `wifi:192.0.2.10`, `usb`, `bluetooth:00:16:53:42:2B:99`, `serial:/dev/rfcomm0`, `virtual`."""
 
 from __future__ import annotations
 

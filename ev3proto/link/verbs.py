@@ -15,7 +15,7 @@ Values = TypeVar("Values")
 
 
 class Verbs(ABC, Generic[Bytes, Values]):
-    """How commands are sent: what joined bytes give, and what operations and messages give, are type parameters."""
+    """The commands. The type parameters are the results for joined bytes, and for operations and messages."""
 
     @overload
     def send_direct_cmd(
@@ -128,7 +128,7 @@ class Verbs(ABC, Generic[Bytes, Values]):
     def wait_for_reply(
         self, msg_cnt: bytes | int, *, verbosity: int | None = None, timeout: float | None = None
     ) -> Values:
-        """Waits for the reply to a command that was sent with ASYNC. One that did not come can be waited for again.
+        """Waits for the reply to a command that was sent with ASYNC. After a timeout, it can be waited for again.
 
         Args:
             msg_cnt: The counter that sending it returned.

@@ -135,7 +135,7 @@ def test_operations_without_an_effect(brick: Brick, without_effect: bytes) -> No
 
 
 @pytest.mark.parametrize("name", ["RETURN", "OBJECT_TRIG", "OBJECT_WAIT", "CALL"])
-def test_what_would_crash_the_machine_fails(brick: Brick, name: str) -> None:
+def test_operations_that_would_crash_the_machine_fail(brick: Brick, name: str) -> None:
     values: dict[str, tuple[object, ...]] = {"RETURN": (), "CALL": (7, [])}
     assert run(brick, op(name, *values.get(name, (7,))))[0] == FAIL
 
@@ -302,7 +302,7 @@ def test_a_shell_command_is_never_run(brick: Brick, tmp_path: object) -> None:
     assert found == (OK, b"\xff\xff\xff\xff")
 
 
-def test_a_wait_of_minutes_is_no_endless_command(brick: Brick) -> None:
+def test_a_wait_of_minutes_is_not_endless(brick: Brick) -> None:
     wait = command(op("TIMER_WAIT", 120_000, LV(0)), op("TIMER_READY", LV(0)), locals=4)
     assert brick.receive(wait) == []
     assert brick.advance(119) == []

@@ -376,7 +376,7 @@ class TestText:
             expected.canvas.line(sign, 18 + indent, 14, 20 + indent, 14)
         assert by_value.canvas.rows == expected.canvas.rows
 
-    def test_a_number_erases_the_line_it_stands_on(self) -> None:
+    def test_a_number_erases_the_line_behind_it(self) -> None:
         display = Display()
         display.canvas.fillrect(1, 0, 0, WIDTH, HEIGHT)
         display.view_value(1, 20, 10, float("nan"), 1, 0)

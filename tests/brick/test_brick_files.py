@@ -261,7 +261,7 @@ def test_a_text_stops_at_its_room(brick: Brick, projects: Path) -> None:
     assert [memory[at : at + 4].partition(b"\0")[0] for at in (0, 4, 8, 12)] == [b"abcd", b"ef", b"gh", b""]
 
 
-def test_a_missing_file_is_no_failure(brick: Brick) -> None:
+def test_a_missing_file_does_not_fail(brick: Brick) -> None:
     code = op("MOVE32_32", -1, GV(0)), op("FILE.OPEN_READ", "../prjs/none", GV(0), GV(4))
     kind, memory = run(brick, *code, op("INFO.GET_ERROR", GV(8)), globals=9)
     assert (kind, memory[:2], memory[4:]) == (OK, bytes(2), bytes(5))
@@ -295,7 +295,7 @@ def test_closing_frees_arrays_too(brick: Brick) -> None:
     assert run(brick, *code, globals=4, locals=2) == (OK, bytes(4))
 
 
-def test_forbidden_characters_become_underscores_and_opening_goes_on(brick: Brick, projects: Path) -> None:
+def test_forbidden_characters_become_underscores_before_opening(brick: Brick, projects: Path) -> None:
     assert run(brick, op("FILE.OPEN_WRITE", "../prjs/a*b.rtf", LV(0)), locals=2)[0] == OK
     assert (projects / "a_b.rtf").exists()
     assert run(brick, op("INFO.GET_ERROR", GV(0)), globals=1) == (OK, bytes((31,)))
@@ -384,7 +384,7 @@ def test_what_a_failure_leaves_in_memory(brick: Brick, code: bytes, memory: byte
     assert run(brick, code, globals=4) == (FAIL, memory)
 
 
-def test_a_delimiter_that_there_is_none_of_fails_after_the_text(brick: Brick, projects: Path) -> None:
+def test_an_unknown_delimiter_fails_after_the_text(brick: Brick, projects: Path) -> None:
     code = op("FILE.OPEN_WRITE", "../prjs/a.rtf", LV(0)), op("FILE.WRITE_TEXT", LV(0), 8, "text")
     assert run(brick, *code, locals=2)[0] == FAIL
     assert (projects / "a.rtf").read_bytes() == b"text"
@@ -428,7 +428,7 @@ def test_a_file_is_found_by_the_name_that_opened_it(brick: Brick) -> None:
     assert run(brick, *code, globals=6, locals=2) == (OK, bytes((0xFF, 0xFF, 0, 1, 1, 0)))
 
 
-def test_moving_what_is_not_there_empties_the_target(brick: Brick, projects: Path) -> None:
+def test_moving_a_missing_file_empties_the_target(brick: Brick, projects: Path) -> None:
     (projects / "a.rtf").write_bytes(b"x")
     assert run(brick, op("FILE.MOVE", "../prjs/none.rtf", "../prjs/a.rtf"))[0] == OK
     assert not (projects / "a.rtf").exists()
@@ -493,7 +493,7 @@ def test_synchronised_time(brick: Brick) -> None:
     assert run(brick, *code, globals=8) == (OK, bytes((5, 0, 0, 0, 6, 0, 0, 0)))
 
 
-def test_a_missing_image_is_no_failure(brick: Brick) -> None:
+def test_a_missing_image_does_not_fail(brick: Brick) -> None:
     code = op("FILE.LOAD_IMAGE", 1, "../prjs/none", GV(0), GV(4))
     assert run(brick, op("INIT_BYTES", GV(0), 8, [9] * 8), code, globals=8) == (OK, bytes(8))
 

@@ -58,7 +58,7 @@ def test_any_bytes_in_a_frame(root: Path, head: tuple[int, int], body: bytes) ->
 
 @settings(max_examples=effort(80, 3000), deadline=None)
 @given(frame=st.binary(max_size=40))
-def test_bytes_that_need_be_no_frame(frame: bytes) -> None:
+def test_any_bytes_in_place_of_a_frame(frame: bytes) -> None:
     brick = Brick()
     brick.receive(frame)
     brick.advance(0.1)

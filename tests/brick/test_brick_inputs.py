@@ -135,7 +135,7 @@ class TestValues:
         ask(brick, "INPUT_DEVICE(CAL_DEFAULT, 29, 0)")
         assert ask(brick, PERCENT.format(1, 0)) == "1e"
 
-    def test_what_a_sensor_does_not_see_is_no_number(self, brick: Brick) -> None:
+    def test_a_reading_that_is_missing_is_nan(self, brick: Brick) -> None:
         read = "DATAF a DATAF b DATAF c DATAF d INPUT_DEVICE(READY_SI, 0, 2, 0, 1, 4, a, b, c, d)"
         assert ask(brick, read, seconds=1.2) == f"00 00 20 c1 00 00 20 42 00 00 00 00 {NAN}"
 

@@ -63,13 +63,13 @@ class TestDrawing:
         ask(brick, "UI_DRAW(PIXEL, 1, 1, 0)")
         assert ask(brick, "UI_DRAW(POPUP, 1)", seconds=1) == "busy"
 
-    def test_nobody_draws_on_a_blocked_display(self, brick: Brick) -> None:
+    def test_a_blocked_display_ignores_drawing(self, brick: Brick) -> None:
         ask(brick, "UI_WRITE(SCREEN_BLOCK, 1) UI_DRAW(FILLRECT, 1, 0, 0, 9, 9) UI_DRAW(UPDATE)")
         assert rows(brick, 0, 1) == ["00" * 23]
         ask(brick, "UI_WRITE(SCREEN_BLOCK, 0) UI_DRAW(FILLRECT, 1, 0, 0, 8, 9) UI_DRAW(UPDATE)")
         assert rows(brick, 0, 1) == ["ff" + "00" * 22]
 
-    def test_the_line_at_the_top_comes_by_itself(self, brick: Brick) -> None:
+    def test_the_line_at_the_top_is_redrawn(self, brick: Brick) -> None:
         ask(brick, "UI_DRAW(TOPLINE, 1) UI_DRAW(FILLRECT, 1, 0, 9, 8, 3)")
         brick.advance(0.5)
         assert rows(brick, 9, 4) == ["00" * 23, "ff" * 22 + "c0", "ff" + "00" * 22, "00" * 23]

@@ -253,7 +253,7 @@ def test_damaged_images_are_not_started(brick: Brick, data: bytes) -> None:
     assert state(brick)[0] == STOPPED
 
 
-def test_what_the_validator_does_not_mind_is_no_damage(brick: Brick) -> None:
+def test_images_that_the_validator_accepts_are_loaded(brick: Brick) -> None:
     """An unknown CMD is accepted, and does nothing; bytes after the last object are ignored."""
     code = bytes.fromhex("8D 1F") + op("MOVE8_8", 7, GV(0)) + op("JR", -2)
     start(brick, image((0, 0, 0, code + op("OBJECT_END")), globals=1) + b"more")
@@ -261,7 +261,7 @@ def test_what_the_validator_does_not_mind_is_no_damage(brick: Brick) -> None:
     assert globals_of(brick, 1) == b"\x07"
 
 
-def test_an_address_that_is_no_image_does_nothing(brick: Brick) -> None:
+def test_an_unknown_address_does_nothing(brick: Brick) -> None:
     assert run(brick, op("PROGRAM_START", 1, 100, 12345, 0))[0] == OK
     assert state(brick) == (STOPPED, 0)
 
@@ -345,7 +345,7 @@ def test_names_are_cut_and_numbers_checked(brick: Brick) -> None:
     assert run(brick, op("MAILBOX_TEST", -1, GV(0)), globals=1)[0] == FAIL
 
 
-def test_sending_to_nobody_is_fine(brick: Brick) -> None:
+def test_sending_without_a_receiver_succeeds(brick: Brick) -> None:
     assert run(brick, op("MAILBOX_WRITE", "", 2, "abc", "DATA_8", [1]))[0] == OK
 
 
@@ -432,7 +432,7 @@ def test_hardware_without_a_property_answers_0_and_fails(brick: Brick, code: byt
     assert run(brick, code, globals=1) == (FAIL, memory)
 
 
-def test_visibility_of_other_hardware_is_no_failure(brick: Brick) -> None:
+def test_visibility_of_other_hardware_does_not_fail(brick: Brick) -> None:
     assert run(brick, op("COM_SET.SET_VISIBLE", 1, 1))[0] == OK
 
 

@@ -105,7 +105,7 @@ def test_one_client_at_a_time(tmp_path: Path) -> None:
         assert "--clients" in brick.said[0]
 
 
-def test_a_client_that_says_nothing_keeps_nobody_waiting(tmp_path: Path) -> None:
+def test_a_silent_client_keeps_no_other_waiting(tmp_path: Path) -> None:
     with served(tmp_path) as brick, contextlib.ExitStack() as stack:
         silent = [stack.enter_context(Client(brick.port, unlocks=False)) for _ in range(70)]
         silent[-1].send(b"GET /")
@@ -147,7 +147,7 @@ def until(is_so: Callable[[], bool]) -> None:
         time.sleep(0.01)
 
 
-def test_what_a_client_sent_is_done_after_it_has_gone(tmp_path: Path) -> None:
+def test_commands_of_a_disconnected_client_are_executed(tmp_path: Path) -> None:
     """The last command waits 300 ms and turns the light orange, long after the client closed its socket."""
     red = command("UI_WRITE(LED, LED_RED)")
     later = command("DATA32 timer\nTIMER_WAIT(300, timer)\nTIMER_READY(timer)\nUI_WRITE(LED, LED_ORANGE)")
@@ -182,7 +182,7 @@ def test_a_client_out_of_step_is_named(tmp_path: Path) -> None:
     assert brick.said[0].endswith(": length 29264: text where a frame should be")
 
 
-def test_a_frame_whose_rest_never_comes_is_shown_and_recorded(tmp_path: Path) -> None:
+def test_an_incomplete_frame_is_reported_and_recorded(tmp_path: Path) -> None:
     """A client whose lengths are too large by one."""
     unfinished = bytes.fromhex("1100000001920a0000002f6e6f6e652f7800")
     path = tmp_path / "talk.pcapng"
@@ -655,7 +655,7 @@ def test_script_that_says_something_impossible(tmp_path: Path, text: str, expect
     assert expected in done.stderr
 
 
-def test_script_that_is_no_text(tmp_path: Path) -> None:
+def test_a_script_that_is_not_text(tmp_path: Path) -> None:
     path = tmp_path / "robot.toml"
     path.write_bytes(b"name = 'x'\nname = '\xff'\n")
     done = run_ev3proto_text("brick", "--script", path)

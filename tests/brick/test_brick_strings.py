@@ -250,7 +250,7 @@ def test_no_failures_of_arrays(brick: Brick, harmless: bytes) -> None:
 
 
 @pytest.mark.parametrize("endless", [op("ARRAY.FILL", 9, 1), bytes.fromhex("C1 1F"), op("BP0")])
-def test_what_is_repeated_for_ever(endless: bytes) -> None:
+def test_operations_that_are_repeated_for_ever(endless: bytes) -> None:
     brick = Brick()
     assert brick.receive(command(endless)) == []
     assert brick.advance(2) == []
@@ -363,7 +363,7 @@ def test_sizes_of_printf(brick: Brick, number: float, pattern: str, expected: by
     assert text(brick, op(f"STRINGS.{name}", number, pattern, 40, GV(0))) == expected
 
 
-def test_a_negative_text_that_is_no_number_keeps_its_sign(brick: Brick) -> None:
+def test_a_negative_nan_in_a_text_keeps_its_sign(brick: Brick) -> None:
     assert run(brick, op("STRINGS.STRING_TO_VALUE", "-nan", GV(0)), globals=4) == (OK, bytes((0, 0, 0xC0, 0xFF)))
 
 

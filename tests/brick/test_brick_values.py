@@ -244,7 +244,7 @@ def test_functions(brick: Brick, name: str, values: tuple[float, ...], expected:
         ("FLOOR", (0.5,), 0),
     ],
 )
-def test_results_that_are_no_numbers_and_zeros_with_their_sign(
+def test_nan_results_and_zeros_with_their_sign(
     brick: Brick, name: str, values: tuple[float, ...], expected: int
 ) -> None:
     assert bits(brick, op(f"MATH.{name}", *values, GV(0))) == expected

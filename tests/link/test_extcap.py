@@ -44,7 +44,7 @@ def test_what_it_cannot_do(words: list[str], sentence: str) -> None:
     assert sentence in done.stderr
 
 
-def test_a_brick_that_is_not_there_is_named(tmp_path: Path) -> None:
+def test_a_missing_brick_is_named(tmp_path: Path) -> None:
     words = ["--extcap-interface", "ev3proxy", "--capture", "--fifo", str(tmp_path / "pipe")]
     done = run("extcap", *words, "--target", "wifi:127.0.0.1:1", "--port", "0")
     assert done.returncode == 1

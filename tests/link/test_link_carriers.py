@@ -79,7 +79,7 @@ def test_the_beacon_of_another_brick_is_passed_over() -> None:
             wifi.discover("001653000001", 0.2, interface="127.0.0.1", port=port)
 
 
-def test_nobody_announces_anything() -> None:
+def test_without_a_beacon_no_brick_is_found() -> None:
     with pytest.raises(ev3proto.NoBrickError, match=r"no brick was found within 0\.05 s\. Is the brick's WiFi on"):
         wifi.discover(None, 0.05, interface="127.0.0.1", port=free_udp_port())
 
@@ -91,7 +91,7 @@ def test_the_port_of_the_beacon_is_in_use() -> None:
             wifi.discover(None, 1.0, interface="127.0.0.1", port=other.getsockname()[1])
 
 
-def test_a_name_that_nobody_has() -> None:
+def test_an_unknown_host_name() -> None:
     with pytest.raises(ev3proto.NoBrickError, match="no computer or brick has this name"):
         open_wire(Target(Way.WIFI, "brick..local"))
 
@@ -144,7 +144,7 @@ def test_a_serial_port_that_cannot_be_opened(
         open_wire(Target(Way.SERIAL, "/dev/rfcomm0"))
 
 
-def test_what_is_no_serial_port(tmp_path: Path) -> None:
+def test_a_file_that_is_not_a_serial_port(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
     for place in (str(tmp_path / "file"), str(tmp_path)):
         with pytest.raises(ev3proto.NoBrickError) as caught:

@@ -119,7 +119,7 @@ def test_send_says_what_to_do(words: tuple[str, ...], status: int, sentence: str
 # replay
 
 
-def test_replay_leaves_out_what_changes_the_brick() -> None:
+def test_replay_omits_commands_that_do_more_than_read() -> None:
     done = run_ev3proto_text("replay", WIFI_CAPTURE, "--to", "virtual", "--dry-run")
     assert done.returncode == 0
     left_out = [line for line in done.stdout.splitlines() if line.startswith("omitted")]
@@ -233,7 +233,7 @@ def line_of(pair: RequestReply) -> str:
     return plain_text(dialogue_line(command, reply, None))
 
 
-class Standing:
+class Relay:
     """A proxy in a thread, its output and its messages."""
 
     def __init__(self, target: str, recording: Recording | None = None, **options: Any) -> None:
@@ -258,8 +258,8 @@ class Standing:
 
 
 @contextlib.contextmanager
-def standing(target: str, recording: Recording | None = None, **options: Any) -> Iterator[Standing]:
-    found = Standing(target, recording, **options)
+def relay(target: str, recording: Recording | None = None, **options: Any) -> Iterator[Relay]:
+    found = Relay(target, recording, **options)
     try:
         yield found
     finally:
@@ -270,12 +270,12 @@ def standing(target: str, recording: Recording | None = None, **options: Any) ->
         assert not [each.name for each in threading.enumerate() if each.name == "reads from the brick"]
 
 
-def through(found: Standing) -> EV3:
+def through(found: Relay) -> EV3:
     return EV3(protocol=ev3proto.WIFI, address=("127.0.0.1", found.proxy.port), timeout=30.0)
 
 
 def test_a_program_talks_through_the_proxy(tmp_path: Path) -> None:
-    with served(tmp_path) as brick, standing(f"wifi:127.0.0.1:{brick.port}") as found:
+    with served(tmp_path) as brick, relay(f"wifi:127.0.0.1:{brick.port}") as found:
         for _ in range(2):  # one client after the other
             with through(found) as my_ev3:
                 assert my_ev3.volume == 100
@@ -289,7 +289,7 @@ def test_writes_of_a_client_are_recorded_as_they_were() -> None:
     """In parts of a frame, and several frames at once."""
     stream = io.BytesIO()
     ask = command("DATA8 volume\nINFO(GET_VOLUME, volume)")
-    with standing("virtual", Recording(stream)) as found, Client(found.proxy.port) as client:
+    with relay("virtual", Recording(stream)) as found, Client(found.proxy.port) as client:
         client.send(ask[:3])
         time.sleep(0.3)
         client.send(ask[3:])
@@ -302,9 +302,9 @@ def test_writes_of_a_client_are_recorded_as_they_were() -> None:
     assert sent[-3:] == [ask[:3], ask[3:], LED + ask]
 
 
-def test_what_goes_through_is_recorded(tmp_path: Path) -> None:
+def test_a_dialogue_is_recorded(tmp_path: Path) -> None:
     stream = io.BytesIO()
-    with standing("virtual", Recording(stream)) as found, through(found) as my_ev3:
+    with relay("virtual", Recording(stream)) as found, through(found) as my_ev3:
         my_ev3.send_direct_cmd(ev3proto.ops.ui_write.led(2))
         assert my_ev3.name == "EV3"
     (tmp_path / "talk.pcapng").write_bytes(stream.getvalue())
@@ -317,7 +317,7 @@ def test_what_goes_through_is_recorded(tmp_path: Path) -> None:
 
 
 def test_read_only_lets_nothing_through_that_changes_the_brick() -> None:
-    with standing("virtual", is_read_only=True) as found, through(found) as my_ev3:
+    with relay("virtual", is_read_only=True) as found, through(found) as my_ev3:
         with pytest.raises(ev3proto.DirectCommandError):
             my_ev3.name = "other"
         with pytest.raises(ev3proto.SystemCommandError, match="NO_PERMISSION"):
@@ -373,7 +373,7 @@ def system_7(number: int, body: bytes) -> bytes:
     ],
 )
 def test_what_read_only_blocks(sent: bytes, reply: str, sentence: str) -> None:
-    with standing("virtual", is_read_only=True) as found, Client(found.proxy.port) as client:
+    with relay("virtual", is_read_only=True) as found, Client(found.proxy.port) as client:
         forwarded: list[bytes] = []
         send = found.wire.send
         found.wire.send = lambda frame: (forwarded.append(frame), send(frame))[1]  # type: ignore[method-assign]
@@ -390,7 +390,7 @@ def test_what_read_only_blocks(sent: bytes, reply: str, sentence: str) -> None:
 def test_read_only_leaves_the_download_of_another_client_alone(tmp_path: Path) -> None:
     with (
         served(tmp_path, Options(port=0, beacon=False, clients=2)) as brick,
-        standing(f"wifi:127.0.0.1:{brick.port}", is_read_only=True) as found,
+        relay(f"wifi:127.0.0.1:{brick.port}", is_read_only=True) as found,
         Client(brick.port) as other,
         Client(found.proxy.port) as client,
     ):
@@ -409,7 +409,7 @@ def test_read_only_closes_what_a_client_leaves_open(tmp_path: Path) -> None:
     (tmp_path / "prjs").mkdir()
     (tmp_path / "prjs" / "x.rtf").write_bytes(bytes(3000))
     with served(tmp_path) as brick:
-        with standing(f"wifi:127.0.0.1:{brick.port}", is_read_only=True) as found:
+        with relay(f"wifi:127.0.0.1:{brick.port}", is_read_only=True) as found:
             upload_begun = system(0x94, b"\x0a\0../prjs/x.rtf\0")
             with Client(found.proxy.port) as client:
                 handle = client.ask(upload_begun)[11:12]
@@ -434,7 +434,7 @@ def test_read_only_waits_for_the_reply_before_a_handle_is_used_again(tmp_path: P
     """The first command may close it, and another client get it."""
     (tmp_path / "prjs").mkdir()
     (tmp_path / "prjs" / "x.rtf").write_bytes(bytes(30))
-    with standing(f"virtual:{tmp_path}", is_read_only=True) as found, Client(found.proxy.port) as client:
+    with relay(f"virtual:{tmp_path}", is_read_only=True) as found, Client(found.proxy.port) as client:
         handle = client.ask(system(0x94, b"\x0a\0../prjs/x.rtf\0"))[11:12]
         assert client.ask(system(0x95, handle + b"\x0a\0"))[6] == 0
         client.send(system(0x95, handle + b"\x0a\0") + system(0x98, handle))
@@ -448,7 +448,7 @@ def test_read_only_leaves_handles_to_others(tmp_path: Path) -> None:
     (tmp_path / "prjs").mkdir()
     (tmp_path / "prjs" / "x.rtf").write_bytes(bytes(3000))
     begin = system(0x94, b"\x0a\0../prjs/x.rtf\0")
-    with standing(f"virtual:{tmp_path}", is_read_only=True) as found, Client(found.proxy.port) as client:
+    with relay(f"virtual:{tmp_path}", is_read_only=True) as found, Client(found.proxy.port) as client:
         client.send(begin * 80)
         replies = [client.reply() for _ in range(80)]
         assert sorted(reply[6] for reply in replies) == [0] * 16 + [SystemStatus.NO_HANDLES_AVAILABLE] * 64
@@ -459,7 +459,7 @@ def test_read_only_leaves_handles_to_others(tmp_path: Path) -> None:
 
 
 def test_a_client_gets_no_reply_to_another_one() -> None:
-    with standing("virtual") as found:
+    with relay("virtual") as found:
         with Client(found.proxy.port) as client:
             client.send(command("DATA32 t\nTIMER_WAIT(300, t)\nTIMER_READY(t)", 7))
         with Client(found.proxy.port) as client:
@@ -482,7 +482,7 @@ def test_a_download_of_any_length_goes_through(tmp_path: Path, size: int) -> Non
     stream = io.BytesIO()
     with (
         served(tmp_path) as brick,
-        standing(f"wifi:127.0.0.1:{brick.port}", Recording(stream)) as found,
+        relay(f"wifi:127.0.0.1:{brick.port}", Recording(stream)) as found,
         Client(found.proxy.port) as client,
     ):
         assert upload(client, data)[6] == 8  # END_OF_FILE
@@ -496,7 +496,7 @@ def test_a_download_of_any_length_goes_through(tmp_path: Path, size: int) -> Non
 
 
 def test_a_download_byte_by_byte_goes_through(tmp_path: Path) -> None:
-    with standing(f"virtual:{tmp_path}") as found, Client(found.proxy.port) as client:
+    with relay(f"virtual:{tmp_path}") as found, Client(found.proxy.port) as client:
         handle = client.ask(system(0x92, len(PROGRAM).to_bytes(4, "little") + b"../prjs/x.rbf\0"))[7:8]
         for byte in system(0x93, handle + PROGRAM):
             client.send(bytes((byte,)))
@@ -505,7 +505,7 @@ def test_a_download_byte_by_byte_goes_through(tmp_path: Path) -> None:
 
 
 def test_read_only_lets_no_long_download_through(tmp_path: Path) -> None:
-    with standing(f"virtual:{tmp_path}", is_read_only=True) as found, Client(found.proxy.port) as client:
+    with relay(f"virtual:{tmp_path}", is_read_only=True) as found, Client(found.proxy.port) as client:
         refused = client.ask(system(0x93, b"\0" + PROGRAM))
         assert (refused[4], refused[6]) == (0x05, SystemStatus.NO_PERMISSION)
         assert client.ask(command("NOP()", 7)) == bytes.fromhex("0300070002")
@@ -513,7 +513,7 @@ def test_read_only_lets_no_long_download_through(tmp_path: Path) -> None:
 
 
 def test_a_long_frame_that_is_not_a_download_ends_the_connection() -> None:
-    with standing("virtual") as found, Client(found.proxy.port) as client:
+    with relay("virtual") as found, Client(found.proxy.port) as client:
         client.send(system(0x99, bytes(1100)))
         with pytest.raises(ConnectionError):
             client.reply()
@@ -522,7 +522,7 @@ def test_a_long_frame_that_is_not_a_download_ends_the_connection() -> None:
 
 def test_a_poll_between_frames_is_passed_over(tmp_path: Path) -> None:
     stream = io.BytesIO()
-    with standing("virtual", Recording(stream)) as found, Client(found.proxy.port) as client:
+    with relay("virtual", Recording(stream)) as found, Client(found.proxy.port) as client:
         for poll in (b"\0\0", b"\0", b"\0", b"\0\0" * 600):
             client.send(poll)
         assert client.ask(command("NOP()", 7)) == bytes.fromhex("0300070002")
@@ -534,7 +534,7 @@ def test_a_poll_between_frames_is_passed_over(tmp_path: Path) -> None:
 
 
 def test_a_frame_that_is_longer_than_a_report_does_not_go_to_usb(tmp_path: Path) -> None:
-    with standing(f"virtual:{tmp_path}") as found, Client(found.proxy.port) as client:
+    with relay(f"virtual:{tmp_path}") as found, Client(found.proxy.port) as client:
         found.wire.carrier = Carrier.USB
         refused = upload(client, PROGRAM)
         assert (refused[4], refused[6]) == (0x05, SystemStatus.SIZE_ERROR)
@@ -543,9 +543,9 @@ def test_a_frame_that_is_longer_than_a_report_does_not_go_to_usb(tmp_path: Path)
         ]
 
 
-def test_names_and_pins_can_be_left_out(tmp_path: Path) -> None:
+def test_names_and_pins_can_be_masked(tmp_path: Path) -> None:
     stream = io.BytesIO()
-    with standing("virtual", Recording(stream), is_masked=True) as found, through(found) as my_ev3:
+    with relay("virtual", Recording(stream), is_masked=True) as found, through(found) as my_ev3:
         my_ev3.name = "secret"
         assert my_ev3.name == "secret"
     assert found.shown == ['COM_SET.SET_BRICKNAME(NAME="xxxxxx") -> ok', *found.shown[1:]]
@@ -554,7 +554,7 @@ def test_names_and_pins_can_be_left_out(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("words", [[], ["--json"]])
-def test_addresses_can_be_left_out(tmp_path: Path, words: list[str]) -> None:
+def test_addresses_can_be_masked(tmp_path: Path, words: list[str]) -> None:
     """Those of brick and client: in lines, JSON, messages and recordings."""
     recording = tmp_path / "talk.pcapng"
     with served(tmp_path) as brick:
@@ -605,7 +605,7 @@ def test_what_is_masked() -> None:
 
 @pytest.mark.parametrize(("faults", "sentence"), [(Faults(drop=1.0), "within"), (Faults(delay=0.3), "within")])
 def test_faults_on_purpose(faults: Faults, sentence: str) -> None:
-    with standing("virtual", faults=faults) as found, through(found) as my_ev3:
+    with relay("virtual", faults=faults) as found, through(found) as my_ev3:
         with pytest.raises(ev3proto.NoAnswerError, match=sentence):
             my_ev3.send_direct_cmd(b"\x01", sync_mode="SYNC", timeout=0.1)
         if faults.delay:
@@ -615,22 +615,22 @@ def test_faults_on_purpose(faults: Faults, sentence: str) -> None:
 def test_replies_with_a_wrong_byte() -> None:
     faults = Faults(corrupt=1.0, random=Random(1))
     with (
-        standing("virtual", faults=faults) as found,
+        relay("virtual", faults=faults) as found,
         through(found) as my_ev3,
         pytest.raises(ev3proto.NoAnswerError),
     ):
         my_ev3.send_direct_cmd(b"\x01", sync_mode="SYNC", timeout=0.1)
 
 
-def test_strangers_are_sent_away() -> None:
-    with standing("virtual", only_from="127.0.0.2") as found:
+def test_other_addresses_are_disconnected() -> None:
+    with relay("virtual", only_from="127.0.0.2") as found:
         with pytest.raises(ev3proto.NoBrickError):
             through(found)
         assert found.said == ["127.0.0.1 was disconnected: only 127.0.0.2 is served (--from)"]
 
 
 def test_garbage_of_a_client_ends_its_connection_only() -> None:
-    with standing("virtual") as found:
+    with relay("virtual") as found:
         with Client(found.proxy.port) as client:
             client.send(b"\xff" * 9)
             with pytest.raises(ConnectionError):
@@ -641,7 +641,7 @@ def test_garbage_of_a_client_ends_its_connection_only() -> None:
 
 
 def test_a_client_that_sends_text_is_named() -> None:
-    with standing("virtual") as found:
+    with relay("virtual") as found:
         with Client(found.proxy.port) as client:
             client.send(b"Protocol: EV3\r\n")
             with pytest.raises(ConnectionError):
@@ -652,8 +652,8 @@ def test_a_client_that_sends_text_is_named() -> None:
         )
 
 
-def test_a_frame_whose_rest_never_comes_is_named() -> None:
-    with standing("virtual") as found:
+def test_an_incomplete_frame_is_reported() -> None:
+    with relay("virtual") as found:
         with Client(found.proxy.port) as client:
             client.send(bytes.fromhex("1100000001920a0000002f6e6f6e652f7800"))
         with Client(found.proxy.port) as client:
@@ -661,8 +661,8 @@ def test_a_frame_whose_rest_never_comes_is_named() -> None:
         assert "the stream ends inside a frame, after 18 bytes" in found.said[0]
 
 
-def test_of_many_clients_that_say_nothing_the_oldest_gives_way() -> None:
-    with standing("virtual") as found, contextlib.ExitStack() as stack:
+def test_the_oldest_of_many_silent_clients_gives_way() -> None:
+    with relay("virtual") as found, contextlib.ExitStack() as stack:
         silent = [stack.enter_context(Client(found.proxy.port, unlocks=False)) for _ in range(70)]
         with Client(found.proxy.port, timeout=5) as client:
             assert client.ask(command("NOP()", 7)) == bytes.fromhex("0300070002")
@@ -674,7 +674,7 @@ def test_of_many_clients_that_say_nothing_the_oldest_gives_way() -> None:
 
 def test_the_brick_goes_away(tmp_path: Path) -> None:
     with served(tmp_path) as brick:
-        found = Standing(f"wifi:127.0.0.1:{brick.port}")
+        found = Relay(f"wifi:127.0.0.1:{brick.port}")
         my_ev3 = through(found)
         assert my_ev3.volume == 100
     found.thread.join(30)
@@ -685,8 +685,8 @@ def test_the_brick_goes_away(tmp_path: Path) -> None:
 
 
 def test_the_port_of_the_proxy_is_in_use(tmp_path: Path) -> None:
-    with standing("virtual") as found, pytest.raises(PortInUseError, match="is in use: end what uses it"):
-        Standing(f"virtual:{tmp_path}", port=found.proxy.port)
+    with relay("virtual") as found, pytest.raises(PortInUseError, match="is in use: end what uses it"):
+        Relay(f"virtual:{tmp_path}", port=found.proxy.port)
 
 
 def test_a_recording_of_the_proxy_that_cannot_be_written() -> None:
@@ -732,7 +732,7 @@ def test_the_proxy_announces_itself() -> None:
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as listener:
         listener.bind(("127.0.0.1", 0))
         listener.settimeout(30)
-        with standing("virtual", announced="001653000001", beacon_port=listener.getsockname()[1]) as found:
+        with relay("virtual", announced="001653000001", beacon_port=listener.getsockname()[1]) as found:
             datagram, _ = listener.recvfrom(1024)
     port = str(found.proxy.port).encode()
     assert datagram == b"Serial-Number: 001653000001\r\nPort: " + port + b"\r\nName: EV3\r\nProtocol: EV3\r\n"

@@ -288,7 +288,7 @@ def test_a_brick_that_never_answers() -> None:
             my_ev3.send_direct_cmd(NOP, sync_mode=ev3proto.SYNC, timeout=0.01)
 
 
-def test_a_late_answer_goes_to_nobody() -> None:
+def test_a_late_answer_is_dropped() -> None:
     frames: list[bytes] = []
 
     def answer(frame: bytes, send: Callable[[bytes], None]) -> None:
@@ -302,7 +302,7 @@ def test_a_late_answer_goes_to_nobody() -> None:
         assert my_ev3.send_direct_cmd(NOP, global_mem=1) == b"\x02"
 
 
-def test_waiting_again_for_what_did_not_come() -> None:
+def test_a_reply_can_be_waited_for_again() -> None:
     ready = threading.Event()
 
     def answer(frame: bytes, send: Callable[[bytes], None]) -> None:
@@ -319,7 +319,7 @@ def test_waiting_again_for_what_did_not_come() -> None:
 
 
 @pytest.mark.parametrize("sent", [b"\0\0\0\0", b"\0\0", b"\xff\xff\xff\xff"])
-def test_a_brick_that_goes_away_after_what_is_no_reply(sent: bytes) -> None:
+def test_a_brick_that_goes_away_after_other_bytes(sent: bytes) -> None:
     def answer(_: bytes, send: Callable[[bytes], None]) -> None:
         send(sent)
         raise HangUp
@@ -353,7 +353,7 @@ def test_a_brick_that_goes_away_in_the_middle_of_a_reply() -> None:
     ],
     ids=["the same again", "another counter", "zeros", "another protocol"],
 )
-def test_what_stands_between_answers_goes_to_nobody(extra: Callable[[bytes], bytes]) -> None:
+def test_bytes_between_answers_are_dropped(extra: Callable[[bytes], bytes]) -> None:
     numbers = iter(range(1, 9))
 
     def answer(frame: bytes, send: Callable[[bytes], None]) -> None:
@@ -363,7 +363,7 @@ def test_what_stands_between_answers_goes_to_nobody(extra: Callable[[bytes], byt
         assert [my_ev3.send_direct_cmd(NOP, global_mem=1) for _ in range(3)] == [b"\x01", b"\x02", b"\x03"]
 
 
-def test_what_came_instead_of_an_answer_is_told() -> None:
+def test_the_error_shows_the_last_bytes_received() -> None:
     there = threading.Event()
 
     def answer(frame: bytes, send: Callable[[bytes], None]) -> None:
@@ -408,7 +408,7 @@ def test_an_operation_that_failed_is_told_from_a_wrong_frame() -> None:
         (b"", 0.1, "did not answer the unlock text"),
     ],
 )
-def test_what_listens_may_be_no_brick(
+def test_a_server_that_is_not_a_brick(
     accept: bytes, patience: float, sentence: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("ev3proto.link.ev3.CONNECT_TIMEOUT", patience)
@@ -416,12 +416,12 @@ def test_what_listens_may_be_no_brick(
         stubbed(port)
 
 
-def test_the_zero_after_the_accepted_text_is_no_reply() -> None:
+def test_the_zero_after_the_accepted_text_is_skipped() -> None:
     with stub_brick(lambda frame, send: send(reply(frame)), b"Accept:EV340\r\n\r\n\0") as port, stubbed(port) as my_ev3:
         assert my_ev3.send_direct_cmd(NOP, sync_mode=ev3proto.SYNC) == b""
 
 
-def test_nobody_listens() -> None:
+def test_a_port_without_a_server() -> None:
     with socket.create_server(("127.0.0.1", 0)) as listening:
         port = listening.getsockname()[1]
     with pytest.raises(ev3proto.NoEV3, match=rf"nothing is listening on 127\.0\.0\.1:{port}; is the brick's WiFi on\?"):
@@ -496,7 +496,7 @@ def test_async_has_the_same_methods_and_properties(port: int, tmp_path: Path) ->
     asyncio.run(talk())
 
 
-def test_async_gives_up_in_time() -> None:
+def test_async_times_out() -> None:
     async def talk(port: int) -> None:
         async with AsyncEV3(target=f"wifi:127.0.0.1:{port}", timeout=0.05) as my_ev3:
             with pytest.raises(ev3proto.NoAnswerError):

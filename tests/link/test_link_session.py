@@ -74,7 +74,7 @@ def test_when_all_counters_wait_the_next_command_is_refused() -> None:
         session.command(ASK, NOP)
 
 
-def test_a_late_answer_is_no_answer_to_another_command() -> None:
+def test_a_late_answer_does_not_answer_another_command() -> None:
     session = Session()
     session.abandon(session.command(ASK, NOP))
     assert session.outstanding == []
@@ -83,7 +83,7 @@ def test_a_late_answer_is_no_answer_to_another_command() -> None:
     assert session.feed(reply(42)) == [Stray(Oddity.FOREIGN, reply(42))]
 
 
-def test_a_second_answer_is_known_for_what_it_is() -> None:
+def test_a_second_answer_is_foreign() -> None:
     session = Session()
     request = session.command(ASK, NOP)
     assert session.feed(reply(42) * 2) == [Answered(request, reply(42)), Stray(Oddity.FOREIGN, reply(42))]
@@ -97,7 +97,7 @@ def test_a_second_answer_is_known_for_what_it_is() -> None:
         (bytes.fromhex("0a000100819e026100010031"), Oddity.UNASKED),  # a program's mailbox message
     ],
 )
-def test_what_answers_nothing(frame: bytes, oddity: Oddity) -> None:
+def test_frames_that_answer_no_command(frame: bytes, oddity: Oddity) -> None:
     session = Session()
     request = session.command(ASK, NOP)
     assert session.feed(frame + reply(42)) == [Stray(oddity, frame), Answered(request, reply(42))]
@@ -173,7 +173,7 @@ class Traffic(RuleBasedStateMachine):
             self.expected.append(self.seen[-1])
 
     @rule(counter=st.integers(20000, 40000))
-    def answer_what_nobody_asked(self, counter: int) -> None:
+    def answer_without_a_command(self, counter: int) -> None:
         if counter not in self.open and counter not in self.given_up:
             self.wire += reply(counter)
             self.settle()

@@ -145,7 +145,7 @@ def test_a_masked_command_has_the_same_operations() -> None:
     assert [argument.value for argument in short.arguments] == [0, 8]
 
 
-def test_what_is_harmless_stays() -> None:
+def test_commands_without_texts_stay() -> None:
     tone = asking(operation("SOUND.TONE", 1, 440, 1000))
     sensor = asking(operation("INPUT_DEVICE.READY_SI", 0, 1, 32, 3, [GV(0), GV(4)]))
     name = asking(operation("INPUT_DEVICE.GET_NAME", 0, 2, 16, GV(0)))

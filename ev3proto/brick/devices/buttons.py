@@ -1,4 +1,4 @@
-"""The six buttons: what holds them down, and what the firmware remembers about each until a program asks.
+"""The six buttons: what holds them down, and the presses that the firmware keeps until a program reads them.
 
 A button is held by hand (`Brick.press`) or by the virtual finger of UI_BUTTON.PRESS. The firmware looks at the
 buttons every 10 ms: what an operation presses shows later, or to the next command. A press by hand shows at once.
@@ -14,7 +14,7 @@ from ev3proto.brick.running_programs import USER_SLOT, Program
 from ev3proto.tables.enumerations import BUTTONTYPE
 
 SAMPLE_PERIOD = 10_000
-"""Microseconds from one look at the buttons to the next."""
+"""Microseconds between two polls of the buttons."""
 
 REPEAT_AFTER, REPEAT_EVERY = 400_000, 200_000
 """Microseconds that a button is held before it counts as pressed again, and from then on."""
@@ -35,7 +35,7 @@ _NOT_REPEATED = (BUTTONS["enter"], BUTTONS["back"])
 
 @dataclass
 class Button:
-    """One button: whether it is down, and what no program has asked for yet.
+    """One button: whether it is down, and its presses that no program has read yet.
 
     held       by a hand, by an operation
     down       as the firmware saw it last
@@ -57,7 +57,7 @@ class Button:
 
 @dataclass
 class _Touch:
-    """What an operation did to a button, not yet seen by the firmware."""
+    """The effect of an operation on a button, which the firmware has not noticed yet."""
 
     button: int
     is_press: bool
@@ -119,7 +119,7 @@ class Buttons(Part):
     # Time
 
     def advance(self, microseconds: int) -> None:
-        """Lets the firmware look at the buttons."""
+        """Polls the buttons."""
         self._settle(microseconds, lambda touch: touch.due <= microseconds)
         for number, button in self._buttons.items():
             if not button.down:
@@ -196,6 +196,6 @@ class Buttons(Part):
         return 1 if self.short_press(BUTTONS[positive]) else result
 
     def flush(self) -> None:
-        """Forgets all that no program has asked for."""
+        """Forgets all presses that no program has read."""
         for button in self._buttons.values():
             button.activated = button.long = button.bumped = False

@@ -1,4 +1,4 @@
-"""What UI_READ and UI_WRITE know of a brick: its versions, battery, light and warnings."""
+"""The state that UI_READ and UI_WRITE access: versions, battery, light and warnings."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ class Battery:
 
     @property
     def percent(self) -> int:
-        """How full it is, 0 to 100."""
+        """Charge in percent."""
         return max(0, min(100, int((self.voltage * 1000 - _EMPTY) * 100 / _SPAN)))
 
 

@@ -36,7 +36,7 @@ _IIC = CONN.members["CONN_NXT_IIC"]
 ANALOG = (CONN.members["CONN_INPUT_DUMB"], CONN.members["CONN_NXT_DUMB"], _MOTOR)
 _COUNTING_MODE = 1
 _COUNTERS = {_TOUCH: "changes", _NXT_TOUCH: "bumps"}
-"""What the second mode of touch sensors reads."""
+"""The reading of the second mode of touch sensors."""
 
 _NOT_A_NUMBER = {number: RANGES[kind].nan for number, kind in FORMAT_TYPES.items() if kind in (DATA8, DATA16, DATA32)}
 """By DATA_FORMAT: the raw value with which a sensor says that it has none."""
@@ -53,7 +53,7 @@ _CHANGE_TIME, _INFRARED_CHANGE_TIME = 10_000, 1_100_000
 
 @dataclass
 class Device:
-    """What the firmware knows of the device on a port.
+    """The firmware's state of the device on a port.
 
     type       its type, or the one that a program selected; an empty port has one, too
     plugged    its real type
@@ -205,7 +205,7 @@ class Inputs(Part):
         """Advances to a time."""
         self._now = microseconds
 
-    # What operations ask
+    # Readings for operations
 
     def device(self, layer: int, number: int) -> Device | None:
         """Returns the device on a port, empty on other bricks of the daisy chain; None for an unknown port."""

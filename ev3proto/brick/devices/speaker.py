@@ -1,4 +1,4 @@
-"""The loudspeaker: what it plays, and until when. This computer makes no sound; a page may play it."""
+"""The speaker: what it plays, and until when. The sound is played only by the page."""
 
 from __future__ import annotations
 

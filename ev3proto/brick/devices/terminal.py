@@ -6,7 +6,7 @@ ROOM = 255
 """Bytes that the buffer holds; it is flushed when it is full."""
 
 _MOST_PRINTED = 1 << 16
-"""The number of last printed bytes that are kept."""
+"""Printed bytes that are kept, the latest ones."""
 
 
 class Terminal:

@@ -1,4 +1,4 @@
-"""ARRAY and its kind: arrays that programs make and name by handles."""
+"""ARRAY, ARRAY_READ and the like: arrays, which programs create and name by handles."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def _resize(vm: Machine, array: Array, elements: int) -> None:
 
 
 def _put(array: Array, offset: int, data: bytes) -> None:
-    """Writes what is within the array, where the firmware overwrites the memory behind it."""
+    """Writes only within the array; the firmware overwrites the memory behind it."""
     data = data[: max(0, len(array.data) - offset)]
     array.data[offset : offset + len(data)] = data
 
@@ -85,7 +85,7 @@ def resize(vm: Machine, handle: int, elements: int) -> None:
 
 @handles("ARRAY.FILL")
 def fill(vm: Machine, handle: int, value: Place) -> None:
-    """Sets all elements. Without such an array it waits for ever, as the firmware does."""
+    """Sets all elements. For an unknown handle it waits for ever, as the firmware does."""
     array = vm.program.handles.get(handle, Array)
     if array is None:
         raise Busy

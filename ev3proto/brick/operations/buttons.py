@@ -1,4 +1,4 @@
-"""UI_BUTTON: what was pressed, and the virtual finger."""
+"""UI_BUTTON: reading the buttons, and pressing them."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ computes(
         "UI_BUTTON.PRESS": lambda vm, button: _buttons(vm).touch(button, True, vm.program, vm.microseconds),
         "UI_BUTTON.RELEASE": lambda vm, button: _buttons(vm).touch(button, False, vm.program, vm.microseconds),
         "UI_BUTTON.PRESSED": lambda vm, button: _buttons(vm).is_down(button),
-        # Asking forgets the press, except by the TEST commands.
+        # Reading a press clears it, except by the TEST commands.
         "UI_BUTTON.SHORTPRESS": lambda vm, button: _buttons(vm).short_press(button),
         "UI_BUTTON.TESTSHORTPRESS": lambda vm, button: _buttons(vm).short_press(button, forget=False),
         "UI_BUTTON.LONGPRESS": lambda vm, button: _buttons(vm).long_press(button),
@@ -40,6 +40,6 @@ computes(
 
 @handles("UI_BUTTON.WAIT_FOR_PRESS")
 def wait_for_press(vm: Machine) -> None:
-    """Waits for any button; the press can still be asked for."""
+    """Waits for any button; the press can still be read."""
     if not _buttons(vm).short_press(ANY_BUTTON, forget=False):
         raise Busy

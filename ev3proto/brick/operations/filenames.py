@@ -1,4 +1,4 @@
-"""FILENAME: what a path is made of, whether it is there, how much it holds, archives."""
+"""FILENAME: the parts of paths, whether they exist, sizes of folders, archives."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from ev3proto.tables.encoding import STRING_CODING
 ARCHIVE_EXTENSION = str(CONSTANTS["EXT_ARCHIVE"]).encode(STRING_CODING)
 
 _AS_THEY_ARE = (b".", b"/", b"~", b'"')
-"""How names begin that are never looked up in the program's own folder."""
+"""First characters of names that are never looked up in the program's own folder."""
 
 
 _MOST_PATH = 118

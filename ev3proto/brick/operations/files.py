@@ -305,7 +305,7 @@ def get_pool(vm: Machine, size: int, handle: Place, address: Place) -> None:
         raise Failure
 
 
-# What needs no more than a line
+# Operations that need only one line
 
 
 def _make_folder(vm: Machine, path: bytes) -> bool:
@@ -329,7 +329,7 @@ computes(
         # The recent files, 10 at most.
         "FILE.GET_CACHE_FILES": lambda vm: len(vm.brick.recent.paths),
         "FILE.DEL_CACHE_FILE": lambda vm, path: vm.brick.recent.forget(path),
-        # What data logs are aligned by: a time and a tick.
+        # The time and tick to which data logs are aligned.
         "FILE.SET_LOG_SYNC_TIME": lambda vm, *sync: setattr(vm.brick, "log_sync", sync),
         "FILE.GET_LOG_SYNC_TIME": lambda vm: vm.brick.log_sync,
     }

@@ -12,7 +12,7 @@ NUMBER_ROOM = 10
 """Elements of an array for the text of an error that has no name."""
 
 NO_ERROR_ROOM = 26
-"""Elements of an array for the empty text of no error, where no length is given."""
+"""Default array size for an empty error text."""
 
 computes(
     {

@@ -148,7 +148,7 @@ handles("INPUT_DEVICE.READY_RAW")(_waits(_RAW))
 handles("INPUT_DEVICE.READY_SI")(_waits(_SI))
 
 
-# What a device is
+# Properties of devices
 
 
 @handles("INPUT_DEVICE.GET_FORMAT", computes=True)

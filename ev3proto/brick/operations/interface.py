@@ -18,7 +18,7 @@ _MOST_FLOAT, _MOST_FIXED, _MOST_STAMP = 23, 31, 49
 """Characters that VALUEF, FLOATVALUE and STAMP write at most."""
 
 
-# What the brick is and how it is doing
+# Versions and state of the brick
 
 
 def _reads_text(name: str, source: Callable[[Panel], bytes]) -> None:

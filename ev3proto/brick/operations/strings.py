@@ -11,13 +11,13 @@ from ev3proto.brick.machine import Machine
 from ev3proto.brick.places import NOT_A_NUMBER, Place
 
 NO_TEXT = b"(null)"
-"""What printf shows for a text that is not there."""
+"""What printf shows for a missing text."""
 
 NEGATIVE_NOT_A_NUMBER = NOT_A_NUMBER | 0x80000000
 """The bits of NaN, read from a text with a minus sign."""
 
 MOST_CHARACTERS = 1023
-"""Of a text that the firmware puts together in a buffer of its own."""
+"""Bytes of the buffer in which the firmware builds a text."""
 
 MOST_DASHES = 4
 """Dashes that NaN is written as, at most."""
@@ -47,7 +47,7 @@ def strip(vm: Machine, text: bytes, destination: Place) -> None:
 
 @handles("STRINGS.SUB")
 def sub(vm: Machine, text: bytes, sought: bytes, destination: Place) -> None:
-    """Writes what follows the first occurrence of a text; without one, the rest of what printf shows for no text."""
+    """Writes what follows the first occurrence of a text; without one, the rest of printf's text for a missing one."""
     at = text.find(sought)
     rest = (NO_TEXT if at < 0 else text[at:][:MOST_CHARACTERS])[len(sought) :]
     vm.write_text(destination, rest, len(text) + 1)
@@ -76,7 +76,7 @@ def _number(value: float, figures: int, decimals: int) -> str:
     text = text[: abs(figures)]
     if decimals == 0:
         return text
-    # The firmware does not look whether there is a point: 100 becomes 1.
+    # The firmware does not check for a point: 100 becomes 1.
     kept = text[:1] + text[1:].rstrip("0")
     if len(kept) > 1:
         kept = kept.removesuffix(".")

@@ -1,4 +1,4 @@
-"""The clocks: waiting, and reading the time that has passed."""
+"""Timers: waiting, and reading the elapsed time."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Drives a virtual brick with the real clock and serves its connections, each frame in its turn.
+"""Runs a virtual brick by the real clock, and serves its connections, one frame at a time.
 
 A direct command in progress keeps the whole brick waiting, as on the real one. The next client is chosen by how much
 of the brick's time each connection has had, so that a client with endless commands cannot keep the others out.
@@ -20,22 +20,22 @@ from ev3proto.tables.frame import LENGTH_FIELD
 from ev3proto.version import REPORT_IT
 
 _COMPUTING_PERIOD, _BUSY_PERIOD, _IDLE_PERIOD = 0.0, 0.002, 0.02
-"""Seconds from one look at the clock to the next: while a direct command computes, while it waits, otherwise."""
+"""Seconds between two checks of the clock: while a direct command computes, while it waits, otherwise."""
 
 _MOST_SERVING = 0.01
-"""Seconds for which frames are served before the event loop gets its turn."""
+"""Seconds for which frames are served before the event loop continues."""
 
 _LONG = 0.1
-"""Seconds from which on a command is one that keeps others waiting."""
+"""Seconds after which a command counts as one that keeps others waiting."""
 
 _LEAST_STEP, _MOST_STEP = 500, 10_000
 """Microseconds that the brick's clock advances at once."""
 
 _MOST_ADVANCING = 0.01
-"""Seconds after which the event loop gets its turn, though the brick's clock is still behind."""
+"""Seconds after which the event loop continues, even if the brick's clock is still behind."""
 
 _MOST_BEHIND = 250_000
-"""Microseconds that the brick's clock may be behind. When this computer cannot keep up, that clock is slow."""
+"""Microseconds that the brick's clock may be behind. If this computer cannot keep up, the clock is slow."""
 
 _POLL = bytes(LENGTH_FIELD)
 
@@ -288,7 +288,7 @@ class Host:
     # Serving
 
     def wake(self) -> None:
-        """Serves what may have arrived."""
+        """Serves the frames that have arrived."""
         if not self._is_serving and not self._is_stopped:
             self._serve()
 

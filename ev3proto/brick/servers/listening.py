@@ -27,7 +27,7 @@ class Listener:
     """
 
     def __init__(self, client: Callable[[], asyncio.BaseProtocol], full: Callable[[], None]) -> None:
-        """Makes it; `open` opens the port.
+        """Does not open the port yet; `open` does.
 
         Args:
             client: Makes the protocol of a client that has connected.

@@ -25,7 +25,7 @@ class Recorder:
 
     @property
     def packets(self) -> int:
-        """How many were written."""
+        """Number of packets written."""
         return self._recording.packets
 
     def opened(self, connection: Connection) -> None:
@@ -58,7 +58,7 @@ class Recorder:
                 self._say(f"{self._path}: it cannot be ended: {error.strerror or error}")
 
     def _try(self, write: Callable[[], None]) -> None:
-        """Writes, until that fails for the first time."""
+        """Writes, until writing fails."""
         if not self._is_open:
             return
         try:

@@ -64,7 +64,7 @@ class Reporter:
         """Checks nothing."""
 
     def left(self, connection: Connection, data: bytes, reason: str) -> None:  # noqa: ARG002 - the recording has them
-        """Keeps how a client's bytes ended."""
+        """Keeps the reason why a client's bytes ended."""
         if len(self._broken) < _MOST_BROKEN:
             self._broken.append((self._place(connection), reason))
 

@@ -1,4 +1,4 @@
-"""`--script`: what is plugged into a brick, and what happens to it over time, as TOML.
+"""`--script`: the devices of a brick, and events over time, as TOML.
 
 name = "EV3"
 voltage = 7.9               # volt
@@ -49,13 +49,13 @@ _PORT_NAMES = (*(str(number) for number in range(1, PORTS + 1)), *MOTOR_PORTS)
 _MOST_NAME = 12
 
 _SAID_TWICE = ("Cannot ", "Duplicate ")
-"""How Python begins where a key or a table comes a second time."""
+"""The beginning of Python's message about a duplicate key or table."""
 
 Readings = dict[int, tuple[float, ...]]
 
 
 class ScriptError(ValueError):
-    """A script that says something impossible; the text names the key."""
+    """An invalid script; the text names the key."""
 
 
 @dataclass(frozen=True)
@@ -69,7 +69,7 @@ class Plug:
 
 @dataclass(frozen=True)
 class Step:
-    """What happens at a time: seconds, new readings of ports, a button pressed or released."""
+    """An event at a time in seconds: new readings of ports, a button pressed or released."""
 
     at: float
     readings: Mapping[int | str, Readings]
@@ -79,7 +79,7 @@ class Step:
 
 @dataclass(frozen=True)
 class Script:
-    """A robot and what happens to it.
+    """A robot and its events.
 
     period  seconds after which the steps begin again; None: they happen once
     """
@@ -169,7 +169,7 @@ def _no_toml(said: str) -> str:
 
 @dataclass
 class _Reading:
-    """Takes a script apart; remembers the types of the ports, which decide what readings there are."""
+    """Parses a script; keeps the types of the ports, which determine the valid readings."""
 
     types: dict[int | str, int] = field(default_factory=dict)
 

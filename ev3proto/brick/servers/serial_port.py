@@ -15,7 +15,7 @@ from ev3proto.brick.servers.host import Connection, Host, ServerError
 from ev3proto.brick.servers.limits import MOST_UNREAD
 
 _PERIOD = 0.05
-"""Seconds from one look whether the port was opened to the next."""
+"""Seconds between two checks whether the port is open."""
 
 _CHUNK = 1 << 14
 
@@ -71,12 +71,12 @@ class SerialPort:
             if str(self.path.readlink()) == self._target:
                 self.path.unlink()
         except OSError:
-            pass  # it is gone, or no link any more: not ours to remove
+            pass  # it was removed or replaced by something else
 
     # Opening and closing
 
     def _wait(self) -> None:
-        """Looks now and then whether a program has opened the port."""
+        """Checks regularly whether a program has opened the port."""
         self._timer = None
         poll = select.poll()
         poll.register(self._master, select.POLLIN)

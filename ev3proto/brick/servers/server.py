@@ -1,4 +1,4 @@
-"""A virtual brick with everything that is asked for around it, from the moment it is switched on until it is off."""
+"""A virtual brick with the servers and observers of its options, from power-on to power-off."""
 
 from __future__ import annotations
 

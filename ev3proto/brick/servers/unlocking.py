@@ -1,4 +1,4 @@
-"""What a WiFi brick and the proxy begin with: the beacon, the port, the unlock text in what a client sends first."""
+"""The start of WiFi connections, for the virtual brick and the proxy: the beacon, the port, the unlock text."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ FIRST_READ = 100
 """Bytes that the firmware reads to find the unlock text; what else is among them is lost."""
 
 _UNLOCK = UNLOCK_REQUEST[1:].encode()
-"""What the firmware looks for."""
+"""The part of the unlock text that the firmware checks."""
 
 _MOST_SAID = 1024
-"""Bytes before its end that are kept of what a client says until it is unlocked."""
+"""Bytes that are kept of what a client sends before the unlock text is complete, the latest ones."""
 
 _EVERYBODY = "255.255.255.255"
 

@@ -31,7 +31,7 @@ class Session(Protocol):
 
 
 class Owner(Protocol):
-    """What serves the clients: a virtual brick's `Host`, or the proxy."""
+    """The server of the clients: a virtual brick's `Host`, or the proxy."""
 
     def open(self, line: Line, name: str, carrier: str, ends: Ends, opening: Sequence[tuple[bytes, bool]]) -> Session:
         """Begins to serve a client."""
@@ -51,7 +51,7 @@ class Wifi:
     """
 
     def __init__(self, host: Owner, clients: int = 1, only_from: str | None = None) -> None:
-        """Makes it; `listen` opens the port.
+        """Does not open the port yet; `listen` does.
 
         Args:
             host: What serves the clients.
@@ -174,7 +174,7 @@ class _Client(asyncio.Protocol):
         self._rest: bytes | None = None
         self._timer: asyncio.TimerHandle | None = None
 
-    # What asyncio calls
+    # Callbacks of asyncio
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
         assert isinstance(transport, asyncio.Transport)
@@ -209,7 +209,7 @@ class _Client(asyncio.Protocol):
         finally:
             self._wifi.disconnected(self)
 
-    # What the port calls
+    # Called by the port
 
     @property
     def address(self) -> str:
@@ -251,7 +251,7 @@ class _Client(asyncio.Protocol):
                 " as on the real brick: wait for its answer"
             )
 
-    # What the connection calls
+    # Called by the connection
 
     def send(self, data: bytes) -> None:
         assert self._transport is not None

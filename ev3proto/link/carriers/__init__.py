@@ -1,4 +1,4 @@
-"""What brings bytes to a brick and back: one module for each carrier, and one that opens the right one.
+"""The carriers of frames to a brick, a module each, and the module that opens the right one.
 
 They do not know commands and replies. Packages that only one carrier needs are imported by it alone.
 """

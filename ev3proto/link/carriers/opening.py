@@ -11,7 +11,7 @@ from ev3proto.link.carriers.wire import Wire
 from ev3proto.link.targets import Target, Way
 
 CONNECT_TIMEOUT = 15.0
-"""Seconds to wait for a beacon, and for a brick that takes the connection. Beacons come every five seconds."""
+"""Seconds to wait for a beacon, and for a connection. Beacons are sent every five seconds."""
 
 
 def open_wire(target: Target, timeout: float = CONNECT_TIMEOUT) -> Wire:

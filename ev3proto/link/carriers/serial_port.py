@@ -1,4 +1,4 @@
-"""A serial port: the one that a system makes of a Bluetooth connection. It needs pyserial."""
+"""A serial port, which the operating system provides for a Bluetooth connection. It needs pyserial."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ class SerialWire:
         self._port.close()
 
     def _gone(self, error: Exception) -> ConnectionLostError:
-        # pyserial stumbles with a TypeError where another thread has closed the port.
+        # pyserial raises TypeError if another thread has closed the port.
         number = _number(error)
         reason = "it was closed" if number is None else os.strerror(number)
         return ConnectionLostError(f"the connection to {self.label} was lost ({reason}); connect again")
@@ -83,7 +83,7 @@ def open_serial(target: Target) -> SerialWire:
 
 
 def _number(error: BaseException | None) -> int | None:
-    """Returns the number of the system's error, which pyserial often has only in a text or in the error it caught."""
+    """Returns the system's error number, which pyserial often has only in its text or in the error it caught."""
     while error is not None:
         number = error.args[0] if error.args else None
         if isinstance(number, int):

@@ -17,7 +17,7 @@ UDEV_RULE = (
 """The rule that lets all users of a Linux computer talk to a brick."""
 
 _REPORT_ID = b"\0"
-"""What hidapi wants in front of a report of a device without report numbers. It is not sent."""
+"""The report number that hidapi expects before a report. It is not sent."""
 
 _MILLISECONDS = 1000
 
@@ -93,7 +93,7 @@ def open_usb(target: Target) -> UsbWire:
 
 
 def _chosen(target: Target, found: dict[str, Any], *, is_updating: bool) -> str:
-    """Returns the serial number of the brick that is meant, of the plugged-in ones. Raises NoBrickError."""
+    """Returns the serial number of the selected brick, if it is plugged in. Raises NoBrickError."""
     listed = ", ".join(found)
     if not found:
         if is_updating:

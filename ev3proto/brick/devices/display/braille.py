@@ -10,7 +10,7 @@ _DOTS = ((0x01, 0x08), (0x02, 0x10), (0x04, 0x20), (0x40, 0x80))
 
 
 def braille(rows: Sequence[bytes], width: int) -> list[str]:
-    """Makes text of the display.
+    """Returns the display as text.
 
     Args:
         rows: The rows of pixels, whole bytes each, the leftmost pixel the highest bit.

@@ -1,4 +1,4 @@
-"""The display as operations see it: a canvas to draw on, what of it is shown, the selected font, saved pictures.
+"""The display: the canvas, what is shown, the selected font, saved pictures.
 
 Shapes are drawn by the canvas. This file draws what needs letters and icons, and handles the display as a
 whole: showing, saving, the line at the top.
@@ -47,7 +47,7 @@ class Display(Part):
     """
 
     def __init__(self, settings: Settings | None = None, battery: Battery | None = None) -> None:
-        """Makes a display; `settings` and `battery` are what its line at the top is about."""
+        """Makes a display; its top line shows `settings` and `battery`."""
         self.canvas = Canvas()
         self.font = NORMAL
         self.is_headed = False
@@ -115,7 +115,7 @@ class Display(Part):
             self._stored[level] = self.canvas.copy()
 
     def restore(self, level: int) -> None:
-        """Brings a saved canvas back; levels other than 0 to 2 are ignored."""
+        """Restores a saved canvas; levels other than 0 to 2 are ignored."""
         if 0 <= level < STORE_LEVELS:
             self.canvas = self._stored[level].copy()
 

@@ -16,7 +16,7 @@ class Picture:
 
     @property
     def height(self) -> int:
-        """Number of rows."""
+        """Its number of rows."""
         return len(self.rows)
 
 

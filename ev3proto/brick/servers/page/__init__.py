@@ -1,1 +1,1 @@
-"""The page that shows a virtual brick in a browser: what it sends is in `state`, the server in `server`."""
+"""The page that shows a virtual brick in a browser: its messages are in `state`, the server in `server`."""

@@ -33,7 +33,7 @@ _NAMES = {number: name.removeprefix("TYPE_") for name, number in TYPE.members.it
 
 
 def _facts() -> dict[str, Any]:
-    """Returns what never changes: known devices, names of the light's patterns, deviations from a real brick."""
+    """Returns the constant part of the state: known devices, names of the light's patterns, deviations."""
     types = [
         {
             "number": number,
@@ -59,7 +59,7 @@ def _facts() -> dict[str, Any]:
 
 
 class Changes:
-    """The updates for one page: first what never changes, then what has changed since the last update."""
+    """The updates for one page: first the constant part of the state, then the changes since the last update."""
 
     def __init__(self, brick: Brick, unshown: Unshown, clients: Callable[[], Sequence[str]]) -> None:
         self._brick = brick

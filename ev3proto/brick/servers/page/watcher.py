@@ -1,4 +1,4 @@
-"""The dialogue as it happens, for pages: each command with its reply, decoded only while a page is open."""
+"""The live dialogue for pages: each command with its reply, decoded only while a page is open."""
 
 from __future__ import annotations
 

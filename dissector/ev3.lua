@@ -6291,21 +6291,28 @@ do
 
     local CARRIES = { direct = 0x000000, system = 0x010000, daisy = 0x020000 }
 
-    -- By place. `replies`: for a command, the number of the packet with its reply. `requests`: for a reply, its
-    -- command. `transfers`: for a message, the state of its file.
-    local replies, requests, transfers
+    -- By place. `replies`: for a command, the number of the packet with its reply. `requests`, `delays` and `bodies`:
+    -- for a reply, the place of its command, the response time in seconds, and, of a direct command, the bytes after
+    -- the type. A table for each takes less memory than a table for each reply. `transfers`: for a message, the state
+    -- of its file.
+    local replies, requests, delays, bodies, transfers
+
+    -- Equal bodies as one string.
+    local shared_bodies
 
     local conversations
 
     function dialogues.forget()
-        replies, requests, transfers, conversations = {}, {}, {}, {}
+        replies, requests, delays, bodies, transfers = {}, {}, {}, {}, {}
+        shared_bodies, conversations = {}, {}
     end
     dialogues.forget()
 
     -- Returns the command that a reply answers: its `place`, the `delay` of the reply in seconds, and, of a direct
     -- command, its `body`, the bytes after the type.
     function dialogues.request_of(place)
-        return requests[place]
+        local command = requests[place]
+        return command and { place = command, delay = delays[place], body = bodies[place] }
     end
 
     -- Returns the number of the packet with the reply to a command.
@@ -6342,6 +6349,8 @@ do
         local body = sub(message.text, HEADER_SIZE + 1)
         -- Of a system command, its number and a handle are enough.
         if message.command then body = sub(body, 1, 2) end
+        body = shared_bodies[body] or body
+        shared_bodies[body] = body
         commands[#commands + 1] = { place = place, time = pinfo.rel_ts, body = body }
     end
 
@@ -6451,7 +6460,7 @@ do
             if request then
                 conversation.is_answered = conversation.is_answered or is_proof(message, request)
                 replies[request.place] = storage.number_of(place)
-                request.delay, requests[place] = pinfo.rel_ts - request.time, request
+                requests[place], delays[place], bodies[place] = request.place, pinfo.rel_ts - request.time, request.body
             end
             transfer = is_on_file and follow_reply(conversation, message, request)
         end
@@ -8207,7 +8216,7 @@ do
     -- Looking up these methods for each packet would take longer than they do.
     local bytes_of, offset_of = Tvb.raw, Tvb.offset
 
-    -- `bricks`: the bricks by the places where answers to their beacons may go; `answers`: the packets that went there;
+    -- `bricks`: the bricks by the addresses that their beacons came from; `answers`: the bricks of packets to these;
     -- `announced`: the places where bricks listen by their beacons; `has_found`: whether connections on other ports
     -- were claimed.
     local bricks, answers, announced, has_found
@@ -8523,14 +8532,12 @@ do
         return true
     end
 
-    local dissect_udp, guess_udp
+    local dissect_udp
     do
-        -- The host may answer to the port that the beacon came from, to the one that it names, or to the beacon's.
         local function remember_brick(pinfo, named)
-            local address = tostring(pinfo.src) .. " "
-            local name = tostring(pinfo.src) .. ":" .. (named or pinfo.src_port)
-            bricks[address .. pinfo.src_port], bricks[address .. CARRIERS.beacon_port] = name, name
-            if named then bricks[address .. named], announced[address .. named] = name, true end
+            local address = tostring(pinfo.src)
+            bricks[address] = address .. ":" .. (named or pinfo.src_port)
+            if named then announced[address .. " " .. named] = true end
         end
 
         -- Returns the port that a beacon names, nil if it is out of range.
@@ -8578,15 +8585,7 @@ do
             return sub(CARRIERS.protocol, 1, #protocol) == protocol
         end
 
-        -- Returns the brick whose beacon a packet answers, or nil.
-        local function answered_brick(pinfo)
-            if not pinfo.visited then
-                answers[pinfo.number] = bricks[tostring(pinfo.dst) .. " " .. pinfo.dst_port]
-            end
-            return answers[pinfo.number]
-        end
-
-        -- Dissects a brick's beacon, or a host's answer to it.
+        -- Dissects a brick's beacon, or a host's answer to it from or to the port of beacons.
         function dissect_udp(tvb, pinfo, tree)
             local text, number = tvb:raw(), pinfo.number
             brick = nil
@@ -8597,7 +8596,8 @@ do
                 said, port = dissect_beacon(tvb, text, tree, pinfo)
                 if not pinfo.visited then remember_brick(pinfo, port) end
             else
-                brick, said = answered_brick(pinfo), "answer to a beacon"
+                if not pinfo.visited then answers[number] = bricks[tostring(pinfo.dst)] end
+                brick, said = answers[number], "answer to a beacon"
                 if not brick and not is_forced then return 0 end
                 if has_tree(tree) then add_item(tree, tvb(), said):add(field.beacon_answer, tvb()) end
             end
@@ -8605,13 +8605,6 @@ do
             say(said)
             show(pinfo)
             return tvb:len()
-        end
-
-        -- Dissects answers to the port that a beacon came from, which is not known in advance.
-        function guess_udp(tvb, pinfo, tree)
-            if not answered_brick(pinfo) then return false end
-            dissect_udp(tvb, pinfo, tree)
-            return true
         end
     end
 
@@ -8638,7 +8631,6 @@ do
         take_ports()
         ev3:register_heuristic("tcp", guess_tcp)
         DissectorTable.get("udp.port"):add(CARRIERS.beacon_port, ev3)
-        ev3:register_heuristic("udp", guess_udp)
     end
 
     carriers[#carriers + 1] = {

@@ -363,14 +363,14 @@ def answer(port: int, target_port: int, target: bytes = BRICK) -> bytes:
     return datagram(b"\0", HOST, port, target, target_port)
 
 
-def test_a_beacon_and_the_answer_to_its_source_port(ask: Ask) -> None:
+def test_a_beacon_and_answers_from_or_to_its_port(ask: Ask) -> None:
     capture = Capture(RAW_IP)
-    capture.add(answer(40_000, 41_234))  # too early
+    capture.add(answer(3015, 41_234))  # too early
     capture.add(datagram(BEACON, port=41_234))
-    capture.add(answer(40_000, 41_234))
+    capture.add(answer(40_000, 3015))
     capture.add(answer(3015, 41_234))
-    capture.add(answer(40_000, 41_235))  # to another port
-    capture.add(answer(40_000, 41_234, HOST))  # to another machine
+    capture.add(answer(40_000, 41_234))  # between other ports
+    capture.add(answer(3015, 41_234, HOST))  # to another machine
     assert ask(capture, "ev3.beacon.name", "frame.number", "ev3.beacon.serial") == [f"2\t{SERIAL}"]
     assert ask(capture, "ev3.beacon.answer") == ["3", "4"]
     assert ask(capture, "ev3.beacon.answer", words=("-2",)) == ["3", "4"]
@@ -388,7 +388,7 @@ def test_a_beacon_with_a_port_that_there_cannot_be(tshark: Tshark) -> None:
     capture = Capture(RAW_IP)
     for number, port in enumerate((b"0", b"65536", b"1" + 30 * b"0", b"9" * 400)):
         capture.add(datagram(BEACON.replace(b"5555", port), port=50_000 + number))
-        capture.add(answer(40_000, 50_000 + number))
+        capture.add(answer(3015, 50_000 + number))
     path = tshark.place(capture.data(), "ports.pcap")
     assert tshark.lua_errors(path, "-V") == []
     assert tshark.run(path, "-Y", "ev3.beacon.serial", "-T", "fields", "-e", "frame.number").split() == list("1357")

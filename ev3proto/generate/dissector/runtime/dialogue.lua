@@ -14,21 +14,28 @@ do
 
     local CARRIES = { direct = 0x000000, system = 0x010000, daisy = 0x020000 }
 
-    -- By place. `replies`: for a command, the number of the packet with its reply. `requests`: for a reply, its
-    -- command. `transfers`: for a message, the state of its file.
-    local replies, requests, transfers
+    -- By place. `replies`: for a command, the number of the packet with its reply. `requests`, `delays` and `bodies`:
+    -- for a reply, the place of its command, the response time in seconds, and, of a direct command, the bytes after
+    -- the type. A table for each takes less memory than a table for each reply. `transfers`: for a message, the state
+    -- of its file.
+    local replies, requests, delays, bodies, transfers
+
+    -- Equal bodies as one string.
+    local shared_bodies
 
     local conversations
 
     function dialogues.forget()
-        replies, requests, transfers, conversations = {}, {}, {}, {}
+        replies, requests, delays, bodies, transfers = {}, {}, {}, {}, {}
+        shared_bodies, conversations = {}, {}
     end
     dialogues.forget()
 
     -- Returns the command that a reply answers: its `place`, the `delay` of the reply in seconds, and, of a direct
     -- command, its `body`, the bytes after the type.
     function dialogues.request_of(place)
-        return requests[place]
+        local command = requests[place]
+        return command and { place = command, delay = delays[place], body = bodies[place] }
     end
 
     -- Returns the number of the packet with the reply to a command.
@@ -65,6 +72,8 @@ do
         local body = sub(message.text, HEADER_SIZE + 1)
         -- Of a system command, its number and a handle are enough.
         if message.command then body = sub(body, 1, 2) end
+        body = shared_bodies[body] or body
+        shared_bodies[body] = body
         commands[#commands + 1] = { place = place, time = pinfo.rel_ts, body = body }
     end
 
@@ -174,7 +183,7 @@ do
             if request then
                 conversation.is_answered = conversation.is_answered or is_proof(message, request)
                 replies[request.place] = storage.number_of(place)
-                request.delay, requests[place] = pinfo.rel_ts - request.time, request
+                requests[place], delays[place], bodies[place] = request.place, pinfo.rel_ts - request.time, request.body
             end
             transfer = is_on_file and follow_reply(conversation, message, request)
         end

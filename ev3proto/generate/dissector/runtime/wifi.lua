@@ -10,7 +10,7 @@ do
     -- Looking up these methods for each packet would take longer than they do.
     local bytes_of, offset_of = Tvb.raw, Tvb.offset
 
-    -- `bricks`: the bricks by the places where answers to their beacons may go; `answers`: the packets that went there;
+    -- `bricks`: the bricks by the addresses that their beacons came from; `answers`: the bricks of packets to these;
     -- `announced`: the places where bricks listen by their beacons; `has_found`: whether connections on other ports
     -- were claimed.
     local bricks, answers, announced, has_found
@@ -326,14 +326,12 @@ do
         return true
     end
 
-    local dissect_udp, guess_udp
+    local dissect_udp
     do
-        -- The host may answer to the port that the beacon came from, to the one that it names, or to the beacon's.
         local function remember_brick(pinfo, named)
-            local address = tostring(pinfo.src) .. " "
-            local name = tostring(pinfo.src) .. ":" .. (named or pinfo.src_port)
-            bricks[address .. pinfo.src_port], bricks[address .. CARRIERS.beacon_port] = name, name
-            if named then bricks[address .. named], announced[address .. named] = name, true end
+            local address = tostring(pinfo.src)
+            bricks[address] = address .. ":" .. (named or pinfo.src_port)
+            if named then announced[address .. " " .. named] = true end
         end
 
         -- Returns the port that a beacon names, nil if it is out of range.
@@ -381,15 +379,7 @@ do
             return sub(CARRIERS.protocol, 1, #protocol) == protocol
         end
 
-        -- Returns the brick whose beacon a packet answers, or nil.
-        local function answered_brick(pinfo)
-            if not pinfo.visited then
-                answers[pinfo.number] = bricks[tostring(pinfo.dst) .. " " .. pinfo.dst_port]
-            end
-            return answers[pinfo.number]
-        end
-
-        -- Dissects a brick's beacon, or a host's answer to it.
+        -- Dissects a brick's beacon, or a host's answer to it from or to the port of beacons.
         function dissect_udp(tvb, pinfo, tree)
             local text, number = tvb:raw(), pinfo.number
             brick = nil
@@ -400,7 +390,8 @@ do
                 said, port = dissect_beacon(tvb, text, tree, pinfo)
                 if not pinfo.visited then remember_brick(pinfo, port) end
             else
-                brick, said = answered_brick(pinfo), "answer to a beacon"
+                if not pinfo.visited then answers[number] = bricks[tostring(pinfo.dst)] end
+                brick, said = answers[number], "answer to a beacon"
                 if not brick and not is_forced then return 0 end
                 if has_tree(tree) then add_item(tree, tvb(), said):add(field.beacon_answer, tvb()) end
             end
@@ -408,13 +399,6 @@ do
             say(said)
             show(pinfo)
             return tvb:len()
-        end
-
-        -- Dissects answers to the port that a beacon came from, which is not known in advance.
-        function guess_udp(tvb, pinfo, tree)
-            if not answered_brick(pinfo) then return false end
-            dissect_udp(tvb, pinfo, tree)
-            return true
         end
     end
 
@@ -441,7 +425,6 @@ do
         take_ports()
         ev3:register_heuristic("tcp", guess_tcp)
         DissectorTable.get("udp.port"):add(CARRIERS.beacon_port, ev3)
-        ev3:register_heuristic("udp", guess_udp)
     end
 
     carriers[#carriers + 1] = {

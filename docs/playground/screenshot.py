@@ -21,7 +21,7 @@ sys.path.insert(0, str(ROOT / "tests"))
 from support.browser import chromium  # noqa: E402
 
 TEXT = "0x|08:00|01:00|00|05:00|81:01:61|"
-SIZE = (1200, 780)
+SIZE = (1200, 920)
 """Pixels of the window."""
 
 

@@ -7,6 +7,8 @@ const COLUMNS = 16, FEW_COLUMNS = 8;
 const WIDE = 560;
 const MOST_ROWS_SHOWN = 10;
 const HEADER = [2, 4, 5, 7];
+/** A line of bytes below a finding, or of marks under them. */
+const EXCERPT = /^ *(\+\d+)? \|/;
 
 const bytesBox = find("bytes"), treeBox = find("tree"), findingsBox = find("findings");
 
@@ -79,11 +81,19 @@ const showFindings = (explain) => {
   blocks.forEach((block, number) => {
     const box = make("div", "", `finding ${block.severity}`);
     if (block.frame >= 0) box.dataset.block = number;
+    let excerpt = null;
     for (const pieces of block.lines) {
       const text = pieces.map(([it]) => it).join("");
-      const line = filled(make("div", "", /^ *(\+\d+)? \|/.test(text) ? "excerpt" : text ? "" : "gap"), pieces);
+      const line = filled(make("div", "", text ? "" : "gap"), pieces);
       line.append("\n");
-      box.append(line);
+      if (!EXCERPT.test(text)) {
+        excerpt = null;
+        box.append(line);
+      } else {
+        // The bytes and their marks scroll together.
+        if (!excerpt) box.append(excerpt = make("div", "", "excerpt"));
+        excerpt.append(line);
+      }
     }
     for (const code of block.codes) box.append(explanation(code, explain));
     elements.push(box);

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from ev3proto.cli.inputs import split
 from ev3proto.text.json_format.to_messages import RecordError, frames_in, read_records
 from ev3proto.text.paste import read_argument, read_bare, read_text
+from ev3proto.text.splitting import split
 
 
 def one_input(data: bytes) -> None:

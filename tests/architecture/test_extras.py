@@ -82,7 +82,7 @@ def test_in_an_environment_on_windows(tmp_path: Path, monkeypatch: pytest.Monkey
         ("aiohttp", "from ev3proto.cli.commands import cli; cli(['brick', '--port', '0', '--http'])", "page"),
     ],
 )
-def test_whoever_misses_a_package_is_shown_the_command(missing: str, program: str, extra: str) -> None:
+def test_a_missing_package_is_reported_with_the_command(missing: str, program: str, extra: str) -> None:
     done = subprocess.run(
         [sys.executable, "-c", f"import sys; sys.modules[{missing!r}] = None; {program}"],
         cwd=ROOT,

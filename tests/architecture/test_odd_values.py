@@ -39,7 +39,7 @@ def test_seconds_that_cannot_pass(seconds: float) -> None:
 
 
 @pytest.mark.parametrize("timeout", [-1, float("nan")])
-def test_a_timeout_that_is_none_is_refused_before_anything_is_sent(timeout: float) -> None:
+def test_an_invalid_timeout_is_refused_before_anything_is_sent(timeout: float) -> None:
     with pytest.raises(ValueError, match=r"^timeout must be seconds, 0 or more, or None, not "):
         ev3proto.EV3(target="virtual", timeout=timeout)
     with ev3proto.EV3(target="virtual") as ev3:

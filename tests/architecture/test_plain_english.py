@@ -62,11 +62,13 @@ def _found(text: str) -> Iterator[tuple[int, str, str]]:
 
 
 def _files() -> Iterator[tuple[str, str]]:
+    """Yields names and contents; names of tests are read as words."""
     inside = (path for folder in FOLDERS for path in (ROOT / folder).rglob("*") if path.suffix in SUFFIXES)
     for path in [*ROOT.glob("*.md"), ROOT / "pyproject.toml", *inside]:
         name = path.relative_to(ROOT).as_posix()
         if path.is_file() and name not in NOT_READ:
-            yield name, path.read_text(encoding="utf-8", errors="replace")
+            text = path.read_text(encoding="utf-8", errors="replace")
+            yield name, re.sub(r"(?<=def )test_\w+", lambda test: test[0].replace("_", " "), text)
 
 
 @pytest.mark.parametrize(

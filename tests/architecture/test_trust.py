@@ -45,7 +45,7 @@ def test_every_harmful_character_is_written_as_an_escape(text: str) -> None:
     assert visible(f"a{text}b") == f"a\\u{ord(text):04x}b"
 
 
-def test_what_nobody_sees_is_written_as_json_writes_it() -> None:
+def test_invisible_characters_are_written_as_in_json() -> None:
     for text, escaped in (
         ("\u206a", "\\u206a"),
         ("\ufff9", "\\ufff9"),
@@ -63,7 +63,7 @@ def test_json_stays_json() -> None:
     assert done.stdout.isascii()
 
 
-def test_a_failure_that_nobody_thought_of_is_one_sentence(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_an_unforeseen_failure_is_one_sentence(monkeypatch: pytest.MonkeyPatch) -> None:
     import ev3proto.cli.ops
 
     def broken(*_: object, **__: object) -> None:

@@ -130,7 +130,7 @@ def test_a_name_as_long_as_can_be(tmp_path: Path) -> None:
         assert (tmp_path / name).read_bytes() == b"data"
 
 
-def test_whoever_writes_may_fail(tmp_path: Path) -> None:
+def test_a_writer_may_fail(tmp_path: Path) -> None:
     def fail(stream: BinaryIO) -> None:
         stream.write(b"half")
         raise ZeroDivisionError

@@ -423,7 +423,7 @@ class TestGraphs:
     def test_the_oldest_samples_are_lost(self) -> None:
         assert self.graph(9.0, 1.0, self.NAN, 3.0, 2.0).draw(Canvas(), 0) == (2.0, 1.0, 3.0, 2.0)
 
-    def test_without_samples_there_are_no_numbers(self) -> None:
+    def test_no_samples_give_nan(self) -> None:
         assert [math.isnan(number) for number in self.graph(self.NAN).draw(Canvas(), 0)] == [True] * 4
 
 

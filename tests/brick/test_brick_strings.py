@@ -374,7 +374,7 @@ def test_memory_is_copied_byte_by_byte(brick: Brick) -> None:
     assert run(brick, *code, globals=4) == (OK, bytes((1, 1, 1, 1)))
 
 
-def test_the_text_of_an_error_is_empty_where_there_is_no_room(brick: Brick) -> None:
+def test_the_text_of_an_error_is_empty_without_room(brick: Brick) -> None:
     code = op("MOVE16_16", 0x0909, GV(0)), op("INFO.ERRORTEXT", 5, 0, GV(0))
     assert run(brick, *code, globals=2) == (OK, bytes((0, 9)))
 

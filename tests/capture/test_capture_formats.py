@@ -445,7 +445,7 @@ class Watched(io.BytesIO):
         return data
 
 
-def test_nothing_is_read_before_somebody_iterates() -> None:
+def test_nothing_is_read_before_iteration() -> None:
     packets = timed([segments()[0]] + [segments()[0]] * 5000)
     stream = Watched(pcap(RAW_IP, packets))
     capture = read(stream)
@@ -517,7 +517,7 @@ def test_the_file_is_closed_when_the_iterator_is_dropped(path: Path) -> None:
     assert open_files(path) == 0
 
 
-def test_the_file_is_closed_when_it_is_no_capture(path: Path) -> None:
+def test_the_file_is_closed_when_it_is_refused(path: Path) -> None:
     path.write_bytes(b"no capture")
     with pytest.raises(CaptureError):
         read(path)

@@ -171,7 +171,7 @@ def test_ipv6_with_extension_headers(link: int, head: bytes, extensions: tuple[t
         b"\x60",
     ],
 )
-def test_what_is_no_segment_to_a_brick_is_passed_over(packet: bytes) -> None:
+def test_segments_to_other_hosts_are_ignored(packet: bytes) -> None:
     events, capture = opened(pcap(101, timed([packet])))
     assert events == []
     assert capture.account.other == len(packet)

@@ -96,7 +96,7 @@ def test_another_device_gets_the_number() -> None:
     assert len(records(packets)) == 1
 
 
-def test_what_a_brick_sends_that_is_no_frame_is_told() -> None:
+def test_bytes_of_a_brick_that_are_not_a_frame_are_reported() -> None:
     packets = Packets(USBMON)
     device = Device(packets, size=64)
     device.enumerate(LEGO, EV3)
@@ -110,7 +110,7 @@ def test_what_a_brick_sends_that_is_no_frame_is_told() -> None:
 
 
 @pytest.mark.parametrize("report", UNLIKELY)
-def test_what_is_no_frame_in_every_respect_is_passed_over(report: str) -> None:
+def test_reports_without_a_whole_frame_are_ignored(report: str) -> None:
     from_host, data = UNLIKELY[report]
     for is_known in (False, True):
         packets = Packets(USBMON)

@@ -114,7 +114,7 @@ def test_downloads_are_longer_than_all_other_frames(size: int) -> None:
     assert [frame for frame, _ in frames(events)] == [voltage(1), download(1100), voltage(2)]
 
 
-def test_a_long_frame_that_is_no_download_is_none() -> None:
+def test_a_long_frame_other_than_a_download_is_not_read() -> None:
     long = struct.pack("<HHB", 1100, 7, 0x80) + bytes(1097)
     events, _ = of(connected(UNLOCK, voltage(1), long, voltage(2)))
     assert [frame for frame, _ in frames(events)] == [voltage(1), voltage(2)]
@@ -122,7 +122,7 @@ def test_a_long_frame_that_is_no_download_is_none() -> None:
     assert reason.startswith("no frame can start here: the length field says 1100")
 
 
-def test_the_rest_of_a_long_download_that_was_not_captured_is_no_frame() -> None:
+def test_the_rest_of_a_partly_captured_download_is_not_a_frame() -> None:
     whole = download(3000)
     stream = (UNLOCK, voltage(1), whole[:1460], whole[1460:2920], whole[2920:], voltage(2))
     packets = list(connected(*stream))
@@ -352,7 +352,7 @@ def test_a_command_captured_after_its_reply_is_a_message_of_its_own() -> None:
     assert not complaints(events)
 
 
-def test_nobody_acknowledges() -> None:
+def test_without_acknowledgements() -> None:
     """Waiting data is given at the end, up to a limit."""
     stream = b"".join(voltage(number) for number in range(10_000))
     pieces = [segment(True, 1000 + at, stream[at : at + 10]) for at in range(0, len(stream), 10)]
@@ -463,7 +463,7 @@ def test_a_port_is_used_again() -> None:
 
 
 @pytest.mark.parametrize("at", [3_000_000_000, 1_000_000_000, 4_000_000_000])
-def test_a_port_is_used_again_and_nobody_captured_how(at: int) -> None:
+def test_a_port_is_reused_without_a_captured_handshake(at: int) -> None:
     events, _ = of([*connected(voltage(1)), segment(True, at, voltage(2)), segment(True, at + 10, voltage(3))])
     assert frames(events) == [(voltage(1), (2,)), (voltage(2), (3,)), (voltage(3), (4,))]
     sentence = "the stream continues elsewhere: what is in between is not in the capture"
@@ -484,7 +484,7 @@ def test_a_connection_that_is_reset() -> None:
     ]
 
 
-def test_the_end_of_a_connection_takes_a_number_that_is_no_byte() -> None:
+def test_the_end_of_a_connection_takes_a_sequence_number() -> None:
     packets = [
         *connected(voltage(1)),
         segment(True, 1010, flags=FIN),
@@ -758,7 +758,7 @@ def test_frames_are_cut_anywhere_in_rfcomm() -> None:
         assert [frame for frame, _ in frames(events)] == [voltage(1), tone(2), voltage(3)], size
 
 
-def test_what_is_no_serial_port_of_a_brick_is_left_alone() -> None:
+def test_serial_ports_of_other_devices_are_left_alone() -> None:
     link = Link()
     link.ask()
     link.l2cap(True, 0x50, voltage(1))

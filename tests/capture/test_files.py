@@ -220,7 +220,7 @@ def test_pieces_whose_beginning_was_not_captured(tmp_path: Path) -> None:
     assert written(tmp_path) == {"handle-0.part": b"23"}
 
 
-def test_a_handle_that_stands_for_one_unknown_file_after_the_other(tmp_path: Path) -> None:
+def test_a_handle_of_several_unknown_files(tmp_path: Path) -> None:
     brick = Brick()
     for data in (b"one", b"two"):
         # Only replies: none of their commands was captured.
@@ -264,7 +264,7 @@ def test_many_files_at_once(tmp_path: Path) -> None:
     assert written(tmp_path) == {str(number): b"abcdef" for number in range(10)}
 
 
-def test_more_files_than_anybody_wants(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_limit_of_files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(module, "MOST_FILES", 2)
     brick = Brick()
     for number in range(4):

@@ -181,7 +181,7 @@ def test_a_reply(text: str, expected: bool) -> None:
     assert holds(text, ANSWER) is expected
 
 
-def test_a_variable_is_there_but_has_no_value_that_anybody_knows() -> None:
+def test_a_variable_is_present_and_its_value_unknown() -> None:
     assert holds("VALUE", VOLTAGE)
     assert not holds("VALUE == 0", VOLTAGE)
     assert not holds("VALUE != 0", VOLTAGE)
@@ -567,7 +567,7 @@ def test_a_command_with_its_reply() -> None:
     assert not compile_filter("!error").of_dialogue(RequestReply(failed, answered(failed, 2.1, failed=True)))
 
 
-def test_the_words_of_the_language_are_no_reserved_words() -> None:
+def test_the_words_of_the_language_are_not_reserved() -> None:
     record = seen(COMMAND.frame, route=replace(WIFI, interface="in"))
     assert holds("interface == in and op", record)
     assert not holds("interface == or or error", record)

@@ -248,7 +248,7 @@ def test_percentiles_of_many_are_as_right_as_they_say(kinds: list[float], seed: 
         assert value == pytest.approx(exact, rel=ACCURACY * 1.001)
 
 
-def test_clocks_that_go_backwards_or_stand_still() -> None:
+def test_clocks_that_go_backwards_or_stop() -> None:
     latencies = Latencies()
     for seconds in [-5.0, 0.0, 1e9] * EXACT:
         latencies.add(seconds)
@@ -338,7 +338,7 @@ def test_a_command_whose_reply_the_filter_keeps_back_has_one(chosen: str) -> Non
     assert (found["whole"]["unanswered"], found["unanswered"]) == (0, [])
 
 
-def test_what_is_no_capture() -> None:
+def test_other_files_than_captures() -> None:
     done = run(str(CAPTURES / "README.md"))
     assert (done.returncode, done.stdout) == (1, "")
     assert "Traceback" not in done.stderr

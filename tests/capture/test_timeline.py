@@ -202,7 +202,7 @@ def test_how_it_went() -> None:
     }
 
 
-def test_what_is_no_message_is_a_faulty_frame() -> None:
+def test_an_unknown_message_is_a_faulty_frame() -> None:
     timeline = collected([Brick().tells(0, bytes.fromhex("04 00 01 00 77 00"))])
     assert [(mark.outcome, mark.tip["title"]) for mark in timeline.marks] == [(MarkState.FAULTY, "faulty frame")]
 

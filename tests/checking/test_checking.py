@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -31,11 +32,11 @@ def raw(code: str, *, memory: int = 0, type: int = 0x80) -> bytes:
     return len(rest).to_bytes(2, "little") + rest
 
 
-def codes(frame: bytes, **options: str) -> list[str]:
+def codes(frame: bytes, **options: Any) -> list[str]:
     return [finding.code for finding in check(frame, **options).findings]
 
 
-def only(frame: bytes, **options: str) -> Finding:
+def only(frame: bytes, **options: Any) -> Finding:
     """The only finding."""
     (finding,) = check(frame, **options).findings
     return finding
@@ -62,7 +63,7 @@ def test_every_code_has_a_frame_that_raises_it_and_one_that_does_not(name: str) 
 
 
 @pytest.mark.parametrize("name", CODES)
-def test_a_counterexample_is_a_frame_to_be_proud_of(name: str) -> None:
+def test_a_counterexample_has_no_findings(name: str) -> None:
     report = check(CODES[name].counterexample, carrier=CODES[name].carrier)
     assert (report.accepted, report.findings) == (True, ())
 
@@ -325,7 +326,7 @@ def test_names_and_special_values() -> None:
     assert codes(command(operation("INPUT_DEVICE.CLR_ALL", 4))) == ["W303"]
 
 
-def test_constants_where_something_else_should_stand() -> None:
+def test_constants_in_place_of_variables() -> None:
     assert codes(raw("81 01 00")) == ["E302"]
     assert codes(raw("81 0A 05 84 78 00")) == ["E302"]
     assert codes(raw("94 02 01 05")) == ["E303"]
@@ -413,7 +414,7 @@ def test_results_that_overlap() -> None:
     assert codes(command(*scratch, *scratch, local_size=4)) == []
 
 
-def test_results_that_nobody_gets() -> None:
+def test_results_that_are_not_sent() -> None:
     frame = command(operation("UI_READ.GET_VBATT", GV(0)), global_size=4)
     assert (only(frame).code, span(only(frame), frame)) == ("W404", "80")
     motor = operation("INPUT_READ", 0, 0, 0, 0, GV(0)), operation("OUTPUT_POWER", 0, 1, GV(0))
@@ -477,7 +478,7 @@ def test_dead_ends() -> None:
     assert codes(raw("40 41", memory=5 << 10)) == ["E205", "W604"]
 
 
-def test_what_stands_behind_the_end() -> None:
+def test_operations_after_the_end() -> None:
     frame = raw("82 1B 01 0A 82 1B 02")
     assert (only(frame).code, span(only(frame), frame)) == ("E202", "82 1b 02")
     assert codes(raw("82 1B 01 0A")) == ["H601"]

@@ -86,7 +86,7 @@ def test_only_some_of_the_findings() -> None:
         (12, 1, "     |                                     ^^"),
     ],
 )
-def test_what_stands_behind_the_line_under_the_bytes(offset: int, length: int, line: str) -> None:
+def test_the_label_behind_the_underline(offset: int, length: int, line: str) -> None:
     lines = texts(diagnostics(report(TONE, replace(LENGTH, offset=offset, length=length))))
     assert lines[6] == line
 

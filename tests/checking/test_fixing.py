@@ -70,7 +70,7 @@ def test_a_frame_that_is_cut_off_stays() -> None:
     )
 
 
-def test_padding_is_no_wrong_length() -> None:
+def test_padding_is_not_a_wrong_length() -> None:
     padded = hexed(VOLTAGE) + bytes(1014)
     fixed = fix(padded)
     assert (fixed.frame, fixed.changes) == (padded, ())

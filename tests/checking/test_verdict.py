@@ -223,7 +223,7 @@ def test_a_length_field_that_is_wrong() -> None:
 
 
 @pytest.mark.parametrize("frame", [b"", b"\x06", bytes(4), bytes.fromhex("03002A0002"), bytes.fromhex("04002A00019D")])
-def test_what_is_no_direct_command(frame: bytes) -> None:
+def test_messages_other_than_direct_commands(frame: bytes) -> None:
     assert verdict(frame).reason is Reason.NO_COMMAND
 
 

@@ -62,7 +62,7 @@ def test_numbers_without_quotes(words: str) -> None:
     assert run("encode", *words.split()).stdout == "0x|0E:00|2A:00|80|00:00|94:01:01:82:B8:01:82:E8:03|\n"
 
 
-def test_numbers_without_quotes_that_are_no_frame() -> None:
+def test_numbers_without_quotes_and_without_a_frame() -> None:
     text = "14 0 42 0 128 0 0 148 1 1 130 184 1"
     done, quoted = run("decode", *text.split()), run("decode", text)
     assert (done.returncode, done.stdout, done.stderr) == (1, quoted.stdout, quoted.stderr)

@@ -146,7 +146,7 @@ def test_every_capture_of_the_repository(name: str, frames: int) -> None:
     assert not [entry for entry in found if "fault" in entry]
 
 
-def test_there_is_no_other_capture() -> None:
+def test_only_one_capture_is_accepted() -> None:
     assert len(EVERY) == 12
 
 
@@ -250,7 +250,7 @@ def test_garbage_in_a_stream() -> None:
     assert done.stderr.decode().startswith("standard input: packet 2, 192.0.2.1:49152 to 192.0.2.10:5555: ")
 
 
-def test_no_more_complaints_than_anybody_reads() -> None:
+def test_complaints_have_a_limit() -> None:
     capture = Capture(RAW_IP)
     connection = Connection(capture)
     for _ in range(30):
@@ -290,7 +290,7 @@ PACKED = (
         (("timeline", "-o", "x.svg"), "no frame found"),
     ],
 )
-def test_what_is_packed_into_other_packets_is_no_secret(words: tuple[str, ...], nothing: str, tmp_path: Path) -> None:
+def test_packets_inside_other_packets_are_named(words: tuple[str, ...], nothing: str, tmp_path: Path) -> None:
     path = tmp_path / "tunnels.pcap"
     path.write_bytes(in_tunnels(TONE))
     words = tuple(str(tmp_path / word) if word.endswith("svg") else word for word in words)
@@ -311,7 +311,7 @@ def test_packets_that_were_cut_are_counted_where_no_frame_is_found() -> None:
     )
 
 
-def test_a_link_that_nobody_knows() -> None:
+def test_an_unknown_link_type() -> None:
     capture = Capture(147)
     capture.add(TONE)
     done = run("decode", stdin=capture.data())
@@ -476,7 +476,7 @@ def test_each_of_several_files_that_has_no_frame_is_named(tmp_path: Path, words:
     assert run_ev3proto_text(*words.split(), "frame.log", cwd=tmp_path).returncode == 0
 
 
-def test_files_says_where_there_is_no_frame(tmp_path: Path) -> None:
+def test_files_names_a_file_without_frames(tmp_path: Path) -> None:
     (tmp_path / "frame.log").write_text("06:00|2A:00|80|00:00|01\n")
     (tmp_path / "words.log").write_text("hello world\n")
     done = run_ev3proto_text("files", "words.log", "frame.log", cwd=tmp_path)

@@ -92,7 +92,7 @@ def test_a_text_in_a_file(tmp_path: Path) -> None:
     assert 'COM_SET.SET_BRICKNAME: NAME "Ä" */' in target.read_text(encoding="utf-8")
 
 
-def test_no_file_is_left_where_there_is_no_frame(tmp_path: Path) -> None:
+def test_without_a_frame_no_file_is_left(tmp_path: Path) -> None:
     done = run("-o", str(tmp_path / "nothing"), "SUOND(TONE)")
     assert done.exit_code == 1
     assert list(tmp_path.iterdir()) == []
@@ -308,7 +308,7 @@ def test_objects_at_fault(change: dict[str, Any], sentence: str) -> None:
     assert str(caught.value).startswith(sentence)
 
 
-def test_texts_on_wifi_are_no_frames() -> None:
+def test_texts_on_wifi_are_not_frames() -> None:
     assert list(frames_in({"kind": "beacon", "text": {}, "hex": "00"})) == []
 
 

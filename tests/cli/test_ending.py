@@ -129,7 +129,7 @@ def test_one_signal_is_enough_whatever_hangs() -> None:
 
 
 @pytest.mark.parametrize("words", [[SCRIPT], [sys.executable, "-m", "ev3proto"]])
-def test_what_nobody_reads_is_no_fault(words: list[str], tmp_path: Path) -> None:
+def test_a_closed_pipe_is_not_a_fault(words: list[str], tmp_path: Path) -> None:
     (tmp_path / "long").write_text(f"{TONE}\n" * 20_000)
     call = " ".join(map(str, words))
     for command in ("decode --json long", "ops", "ops --json", "--help", "export json", "stats --help"):
@@ -160,7 +160,7 @@ def test_help_and_version_that_cannot_be_written(words: str) -> None:
         assert (done.returncode, done.stderr) == expected, redirection
 
 
-def test_a_signal_while_a_class_is_made_is_no_internal_error(
+def test_a_signal_while_a_class_is_made_is_not_an_internal_error(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """Python 3.11 turns such an exception into a RuntimeError, for example while a subcommand is being loaded."""

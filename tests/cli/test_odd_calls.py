@@ -40,7 +40,7 @@ def files_in(folder: Path) -> list[str]:
 
 
 @pytest.mark.parametrize("words", READERS, ids=lambda words: words[0])
-def test_a_folder_is_no_input(words: Sequence[str], tmp_path: Path) -> None:
+def test_a_folder_is_refused_as_input(words: Sequence[str], tmp_path: Path) -> None:
     (tmp_path / "folder").mkdir()
     done = run(*words, "folder", cwd=tmp_path)
     assert (done.returncode, done.stdout) == (1, "")

@@ -266,7 +266,7 @@ UNLOCKS = [
 ]
 
 
-def test_texts_stand_before_the_frames(ask: Ask) -> None:
+def test_texts_precede_the_frames(ask: Ask) -> None:
     """Every end of the text, in its own segment or together with the frame: a connection each."""
     capture = Capture(RAW_IP)
     ways = [(unlock, apart) for unlock in UNLOCKS for apart in (True, False)]
@@ -465,7 +465,7 @@ def test_what_is_behind_the_frame_is_padding(tshark: Tshark, is_known: bool) -> 
         assert bytes.fromhex(padding.raw_value).startswith(b"what an earlier")
 
 
-def test_what_is_no_frame_in_every_respect_is_left_to_wireshark(ask: Ask) -> None:
+def test_reports_without_a_whole_frame_are_left_to_wireshark(ask: Ask) -> None:
     """Each report is from another device; the last device sends a frame."""
     capture = Capture(USBMON)
     sent = {}

@@ -230,7 +230,7 @@ def test_a_tshark_that_is_not_there(tmp_path: Path) -> None:
         ("#!/no/such/shell\n", "cannot be run: No such file or directory"),
     ],
 )
-def test_a_program_that_is_no_tshark(tmp_path: Path, script: str, complaint: str) -> None:
+def test_another_program_than_tshark(tmp_path: Path, script: str, complaint: str) -> None:
     program = tmp_path / "tshark"
     program.write_text(script)
     program.chmod(0o755)

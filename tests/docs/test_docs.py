@@ -106,7 +106,7 @@ def test_every_page_of_the_html_has_an_icon(built: Path) -> None:
 
 
 @pytest.mark.parametrize("name", ["index.md", "tutorial.md", "reference/index.md", "reference/sound.md"])
-def test_pages_say_their_version_where_nobody_built_them(name: str) -> None:
+def test_pages_have_their_version_without_a_build(name: str) -> None:
     assert re.findall(r"for ev3proto ([0-9.]+\d)", (DOCS / name).read_text(encoding="utf-8")) == [VERSION]
 
 

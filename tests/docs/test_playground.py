@@ -134,7 +134,7 @@ def _look_at_a_phone(page: Page) -> None:
     page.wait(lambda: page.is_shown("display"))
 
 
-def test_what_is_typed_is_read_and_stands_in_the_link(page: Page) -> None:
+def test_what_is_typed_is_read_and_is_in_the_link(page: Page) -> None:
     page.type("UI_WRITE(LED, LED_RED)")
     page.wait(lambda: page.text("frame") == "0x|08:00|00:00|80|00:00|82:1B:02|")
     assert page.browser.current_url.endswith("#text=" + quote("UI_WRITE(LED, LED_RED)", safe="()"))

@@ -119,7 +119,10 @@ def test_computing_is_all_that_the_conformance_capture_needs() -> None:
 
 def test_every_operation_reads_or_is_in_a_group() -> None:
     grouped = {effect for harm in Harm for effect in harm.effects} | {Effect.READS}
-    entries = [(one.name, one.effects) for one in (*declarations(OPCODES), *SYSTEM)]
+    entries = [
+        *((one.name, one.effects) for one in declarations(OPCODES)),
+        *((one.name, one.effects) for one in SYSTEM),
+    ]
     assert {name for name, effects in entries if grouped.isdisjoint(effects)} == {
         "ERROR",
         "PROBE",
@@ -135,9 +138,8 @@ def test_every_operation_reads_or_is_in_a_group() -> None:
 
 
 def test_what_reads_has_no_other_effect() -> None:
-    found = {
-        effect for one in (*declarations(OPCODES), *SYSTEM) if Effect.READS in one.effects for effect in one.effects
-    }
+    all_effects = [*(one.effects for one in declarations(OPCODES)), *(one.effects for one in SYSTEM)]
+    found = {effect for effects in all_effects if Effect.READS in effects for effect in effects}
     assert found == {Effect.READS, Effect.VARIES, Effect.WAITS}
     assert not any(one.is_newer for one in operations().values() if Effect.READS in one.effects)
 
@@ -150,7 +152,7 @@ HIDDEN = operation("STRINGS.GET_SIZE", "\xa6\x40\x0f\x40\x02", GV(0))
 
 LONG = "x" * 60
 
-ATTACKS = {
+ATTACKS: dict[str, list[Operation | bytes]] = {
     # Programs that a direct command does not have: the firmware runs whatever is there.
     "CALL 2": [operation("CALL", 2, [])],
     "OBJECT_TRIG 2": [operation("OBJECT_TRIG", 2)],
@@ -236,12 +238,12 @@ ATTACKS = {
 
 @each("attack", ATTACKS)
 def test_attacks_are_not_on_the_list(attack: str) -> None:
-    assert harms(command(*ATTACKS[attack]))  # type: ignore[arg-type]
+    assert harms(command(*ATTACKS[attack]))
 
 
 @each("attack", [name for name in ATTACKS if name.startswith("a jump") and name != "a jump to itself"])
 def test_no_code_is_hidden_from_computing(attack: str) -> None:
-    assert harms(command(*ATTACKS[attack]), "computing") == UNKNOWN  # type: ignore[arg-type]
+    assert harms(command(*ATTACKS[attack]), "computing") == UNKNOWN
 
 
 @each(
@@ -260,7 +262,7 @@ def test_no_code_is_hidden_from_computing(attack: str) -> None:
     ],
 )
 def test_no_memory_is_written_over_by_computing(attack: str) -> None:
-    assert Harm.UNKNOWN in harms(command(*ATTACKS[attack]), "computing")  # type: ignore[arg-type]
+    assert Harm.UNKNOWN in harms(command(*ATTACKS[attack]), "computing")
 
 
 @pytest.mark.parametrize(

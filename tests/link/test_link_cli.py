@@ -376,7 +376,7 @@ def test_what_read_only_blocks(sent: bytes, reply: str, sentence: str) -> None:
     with relay("virtual", is_read_only=True) as found, Client(found.proxy.port) as client:
         forwarded: list[bytes] = []
         send = found.wire.send
-        found.wire.send = lambda frame: (forwarded.append(frame), send(frame))[1]  # type: ignore[method-assign]
+        found.wire.send = lambda frame: forwarded.append(frame) or send(frame)  # type: ignore[method-assign, func-returns-value]
         client.send(sent)
         if reply:
             assert client.reply() == bytes.fromhex(reply)
@@ -559,7 +559,17 @@ def test_addresses_can_be_masked(tmp_path: Path, words: list[str]) -> None:
     recording = tmp_path / "talk.pcapng"
     with served(tmp_path) as brick:
         target = f"wifi:127.0.0.1:{brick.port}"
-        call = ["proxy", "--to", target, "--listen", "wifi:127.0.0.1:0", "--no-beacon", "--hide", "--record", recording]
+        call = [
+            "proxy",
+            "--to",
+            target,
+            "--listen",
+            "wifi:127.0.0.1:0",
+            "--no-beacon",
+            "--hide",
+            "--record",
+            str(recording),
+        ]
         process = subprocess.Popen(
             [sys.executable, "-m", "ev3proto", *call, *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
         )

@@ -63,7 +63,7 @@ def test_strings_end_at_their_zero_or_their_length(memory: bytes, text: str) -> 
     assert (value.name, value.value, value.type) == ("DESTINATION", text, "string")
 
 
-def test_a_length_of_minus_one_is_no_limit() -> None:
+def test_a_length_of_minus_one_means_unlimited() -> None:
     (value,) = values(ev3proto.operation("UI_READ.GET_FW_VERS", -1, GV(3)), memory=b"...V1.09H\0")
     assert value.value == "V1.09H"
 

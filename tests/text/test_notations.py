@@ -171,7 +171,7 @@ def test_text_that_does_not_look_like_a_frame(text: str) -> None:
     assert pieces(f"first\n{text}\nlast\n") == []
 
 
-def test_long_lists_of_addresses_are_no_frames() -> None:
+def test_long_lists_of_addresses_have_no_frames() -> None:
     addresses = [":".join(f"{(13 * place + line) % 251:02x}" for place in range(6)) for line in range(4000)]
     assert pieces("\n".join(addresses)) == []
 

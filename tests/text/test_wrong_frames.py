@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from itertools import product
 
 import pytest
@@ -19,7 +20,7 @@ def headed(frame: bytes, length: int) -> bytes:
     return length.to_bytes(2, "little") + frame[2:]
 
 
-HEADS = {
+HEADS: dict[str, tuple[Callable[[bytes], bytes], str]] = {
     "length one too small": (lambda frame: headed(frame, len(frame) - 3), "E103"),
     "length three too small": (lambda frame: headed(frame, len(frame) - 5), "E103"),
     "length counts itself": (lambda frame: headed(frame, len(frame)), "E102"),

@@ -51,7 +51,7 @@ def test_the_messages_of_each_packet(tshark: Tshark) -> None:
     assert counts[0][2:] == counts[3][2:] == ["42", "18"]
 
 
-def test_a_dialect_that_there_is_not() -> None:
+def test_an_unknown_dialect() -> None:
     import ev3proto.pyshark
 
     with pytest.raises(ValueError, match="dialect must be one of"):

@@ -160,7 +160,7 @@ def test_types_of_messages() -> None:
         assert {operation.name for operation in message.operations} <= {"SOUND"}
 
 
-def test_frames_that_are_no_longer_right() -> None:
+def test_frames_that_became_wrong() -> None:
     done = run("-n", "200", "--mutate", "--op", "UI_DRAW")
     faults = 0
     for line in done.stdout.splitlines():

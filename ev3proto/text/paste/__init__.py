@@ -23,9 +23,10 @@ from collections.abc import Iterable, Iterator
 from typing import Literal
 
 from ev3proto.text.paste.frames import bare_reason, is_flawless, with_header, without_length
-from ev3proto.text.paste.near import AROUND, broken, pieces_of_argument
+from ev3proto.text.paste.near import AROUND, broken
 from ev3proto.text.paste.pieces import MAX_LINE, MAX_TEXT, MOST_SHORT, Pasted, check_text, clean_head, short
 from ev3proto.text.paste.reader import Reader, bytes_in
+from ev3proto.text.paste.readings import runs_in
 
 __all__ = ["MAX_LINE", "Missing", "Pasted", "read_argument", "read_bare", "read_text"]
 
@@ -84,7 +85,7 @@ def read_argument(text: str) -> Pasted:
 
 def _short(line: str) -> Pasted:
     """Returns what a line is that is known to be meant as bytes, and has no frame."""
-    runs = [run for run in pieces_of_argument(line) if not line[clean_head(line).end : run.start].strip(AROUND + "x0b")]
+    runs = [run for run in runs_in(line, 1) if not line[clean_head(line).end : run.start].strip(AROUND + "x0b")]
     one = next((one for run in runs if (one := broken(run, line, is_sure=True))), None)
     if one is not None:
         return Pasted(one.data, 1, short(line, MAX_TEXT), cut=one.cut, problem=one.problem)

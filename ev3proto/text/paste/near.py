@@ -7,7 +7,7 @@ and the bytes in front of it are given out.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from itertools import product
 from typing import NamedTuple
 
@@ -50,7 +50,7 @@ class Near(NamedTuple):
     problem  what is wrong with the text, as a sentence
     cut      the text says that more bytes existed
     note     who cut it
-    strange  `problem` says what they are instead
+    is_strange  `problem` says what they are instead
     """
 
     place: tuple[int, int, int]
@@ -264,11 +264,3 @@ def _who_cut(line: str) -> str | None:
     if _NSDATA.search(line):
         return "the description of NSData is cut in the middle; print each byte"
     return None
-
-
-def pieces_of_argument(text: str) -> Iterator[Run]:
-    """Yields the runs in an argument of a command line, the likeliest first."""
-    for notation in (STRINGS, NUMBERS):
-        for found in notation.more.finditer(text):
-            if found["run"]:
-                yield Run(notation, text, *found.span("run"), 1)

@@ -30,7 +30,7 @@ from ev3proto.text.paste.pieces import (
     head_before,
     short,
 )
-from ev3proto.text.paste.readings import Part, Reading, Rows, Run, whole
+from ev3proto.text.paste.readings import Part, Reading, Rows, Run, runs_in, whole
 from ev3proto.text.paste.rows import clean, without_columns, without_indexes, without_remarks
 from ev3proto.text.paste.strangers import strange_text
 from ev3proto.text.paste.values import EXPRESSION, WIDTH, unknown_bytes
@@ -196,30 +196,25 @@ class Reader:
         elif not self._emit(left):
             self._miss(near, [row])
 
-    def _attempts(self, text: str, number: int, near: list[Near]) -> Iterator[list[Run]]:
+    def _attempts(self, text: str, number: int, near: list[Near] | None) -> Iterator[list[Run]]:
         """Yields the runs of a line in each notation, then all its numbers, whatever is between them.
 
         Args:
             text: The line, cleaned.
             number: Its number.
-            near: Gets what the runs are if none of them is a frame.
+            near: Gets what the runs are if none of them is a frame; None if that does not matter.
         """
         line = without_columns(text)
         tried: list[Run] = []
-        for notation in (STRINGS, NUMBERS, BASE64) if "\\" in line else (NUMBERS, BASE64):
-            runs = [
-                _without_indexes(Run(notation, line, *match.span("run"), number))
-                for match in notation.run.finditer(line)
-                if match["run"] and match.end() - match.start() >= 2 * LEAST - 1
-            ]
+        for notation in (STRINGS, NUMBERS, BASE64):
+            runs = [_without_indexes(run) for run in runs_in(line, number, (notation,), 2 * LEAST - 1)]
             yield runs
             tried += runs
         if len(text) > _MOST_WORDS:
             return
         expressed = without_expressions(without_remarks(text)[0])
         if EXPRESSION in expressed:
-            found = [Run(NUMBERS, expressed, *match.span("run"), number) for match in NUMBERS.run.finditer(expressed)]
-            runs = [run for run in found if run.may_have_expressions]
+            runs = [run for run in runs_in(expressed, number, (NUMBERS,)) if run.may_have_expressions]
             yield runs
             tried = [*runs, *tried]
         every = _every(text, number)
@@ -227,9 +222,9 @@ class Reader:
         if places is not None:
             tried = [run := every.only(places)]
             yield [run]
-        for run in tried:
+        for run in tried if near is not None else ():
             wrong = wrong_frame(run, text, is_row=False) if run.is_long else None
-            if wrong is not None and all(wrong.data != other.data for other in near):
+            if near is not None and wrong is not None and all(wrong.data != other.data for other in near):
                 near.append(wrong)
         if near:
             return
@@ -321,12 +316,7 @@ class Reader:
         if text.lstrip().startswith(("#", "//")):
             return None
         line = without_columns(without_remarks(text)[0])
-        runs = [
-            Run(notation, line, *found.span("run"), row.number)
-            for notation in ((STRINGS, NUMBERS) if "\\" in line else (NUMBERS,))
-            for found in notation.run.finditer(line)
-            if found["run"]
-        ]
+        runs = runs_in(line, row.number)
         runs = [run for run in runs if run.is_long] or runs
         found = next((one for run in runs[:1] if (one := broken(run, text, is_sure=False))), None)
         return found or unclosed(text, row.number) or next((one for run in runs[:1] if (one := bare(run, line))), None)
@@ -482,8 +472,13 @@ class Reader:
         """Emits what each of some rows has by itself, which are not one frame together."""
         left: list[Row] = []
         for row in rows if len(rows) > 1 else ():
+            run = row.runs[0]
+            if left and run is not None and row.is_head and row.is_tail and not run.readings[0].has_frames:
+                # There is nothing else in the row.
+                left.append(row)
+                continue
             own: list[Near] = []
-            for runs in self._attempts(clean(row.line), row.number, own):
+            for runs in self._attempts(clean(row.line), row.number, None if near or left else own):
                 pieces, _ = self._frames(runs, row.line)
                 if pieces:
                     if left:
@@ -540,10 +535,6 @@ def _without_indexes(run: Run) -> Run:
 def bytes_in(line: str) -> bytes:
     """Returns the bytes of the longest run in a line, in its likeliest reading, whether they are a frame or not."""
     text = without_columns(without_remarks(clean(line))[0])
-    found = (
-        Run(notation, text, *match.span("run")).likely_data() or b""
-        for notation in ((STRINGS, NUMBERS) if "\\" in text else (NUMBERS, BASE64))
-        for match in notation.run.finditer(text)
-        if match["run"]
-    )
+    notations = (STRINGS, NUMBERS) if "\\" in text else (NUMBERS, BASE64)
+    found = (run.likely_data() or b"" for run in runs_in(text, 0, notations))
     return max(found, key=len, default=b"")

@@ -139,7 +139,7 @@ class Run:
         """Whether it may have as many bytes as a frame."""
         return len(self.tokens) >= LEAST or sum(map(len, self.tokens)) >= 2 * LEAST
 
-    @property
+    @cached_property
     def marks(self) -> int:
         """How many characters separate its values; a blank after a comma does not count."""
         return len({*self.line[self.start : self.end].replace(", ", ",")} - _ALPHANUMERIC)
@@ -168,6 +168,26 @@ class Rows(Run):
         """Returns the line of a value, the column where it begins and that after it."""
         row = max(row for row, start in enumerate(self._starts) if start <= index)
         return self._runs[row].place(index - self._starts[row])
+
+
+def runs_in(
+    line: str, number: int = 0, notations: Sequence[Notation] = (STRINGS, NUMBERS), least: int = 1
+) -> list[Run]:
+    """Returns the runs in a line.
+
+    Args:
+        line: The line, without what is not a value.
+        number: Its number.
+        notations: The notations that are looked for; strings only where a backslash is.
+        least: The fewest characters of a run.
+    """
+    return [
+        Run(notation, line, *found.span("run"), number)
+        for notation in notations
+        if notation is not STRINGS or "\\" in line
+        for found in notation.run.finditer(line)
+        if found["run"] and found.end() - found.start() >= least
+    ]
 
 
 class Part(NamedTuple):

@@ -3,7 +3,7 @@
 
 (() => {
   const fake = globalThis.fake = {
-    isRefused: false, isSilent: false, isUnplugged: false, isBusy: false, delay: 0, sent: [], requests: 0,
+    isRefused: false, isSilent: false, isUnplugged: false, isBusy: false, isHeld: false, sent: [], requests: 0,
   };
   const REPORT = 1024;
   const hexOf = (bytes) => [...bytes].map((byte) => byte.toString(16).padStart(2, "0")).join("");
@@ -22,7 +22,7 @@
     if (fake.isSilent) return;
     const answer = await fetch("/brick", { method: "POST", body: hexOf(frame) });
     const replies = await answer.json();
-    await new Promise((resolve) => { setTimeout(resolve, fake.delay); });
+    if (fake.isHeld) await new Promise((resolve) => { fake.release = resolve; });
     for (const each of replies) reply(bytesOf(each));
   };
 

@@ -538,7 +538,9 @@ def test_a_real_brick(page: Page, carrier: str, tmp_path: Path) -> None:
     assert "Connected by" in page.text("brick-status")
     page.click("send")
     page.wait(lambda: "VALUE = 7.5 V" in page.text("answer"))
-    assert re.search(r"answered (late, )?after \d+\.\d ms:\nDIRECT_REPLY, counter 42, 9 bytes: ok\n", page.text("answer"))
+    assert re.search(
+        r"answered (late, )?after \d+\.\d ms:\nDIRECT_REPLY, counter 42, 9 bytes: ok\n", page.text("answer")
+    )
     assert page.fact("sent") == ["08002a00000400810160"]
     page.click("watch")
     page.wait(lambda: "Battery" in page.text("facts") and "Firmware" in page.text("facts"))

@@ -55,7 +55,7 @@ types:
       global_size: {value: "memory & 1023", doc: "Bytes of global memory: the reply's."}
       local_size: {value: "memory >> 10", doc: Bytes of local memory.}
   direct_reply:
-    doc: "What the bytes mean only the command tells, by its outputs in global memory."
+    doc: "Only the command tells what these bytes mean, by its outputs in global memory."
     seq:
       - {id: memory, size-eos: true}
   system_command:

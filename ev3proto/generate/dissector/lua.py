@@ -101,7 +101,7 @@ def _table(table: Table, depth: int, used: int) -> str:
 
 
 def _rows(table: Table, depth: int) -> Iterator[str]:
-    """Yields the lines inside a long table: as many plain values a line as fit, each table on its own."""
+    """Yields the lines inside a long table: plain values fill lines, each table has its own."""
     margin = INDENT * depth
     row = margin
     for head, value in table.entries():

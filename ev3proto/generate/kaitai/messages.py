@@ -62,7 +62,7 @@ def message_types() -> Mapping:
             },
         },
         "direct_reply": {
-            "doc": "What the bytes mean only the command tells, by its outputs in global memory.",
+            "doc": "Only the command tells what these bytes mean, by its outputs in global memory.",
             "seq": [{"id": "memory", **_REST}],
         },
         **_system(),

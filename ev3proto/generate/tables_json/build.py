@@ -119,7 +119,7 @@ _PARAMETER_PROPERTIES: dict[str, Any] = {
         lambda it: {str(value): said for value, said in it.special.items()},
     ),
     "length": (
-        number("bytes (strings) or elements (others) that there are", 0),
+        number("number of bytes (strings) or elements (others)", 0),
         lambda it: it.length if isinstance(it.length, int) else None,
     ),
     "length_from": (

@@ -11,7 +11,17 @@ import pytest
 from support.cases import each
 from support.notations import EVERY, LINE
 
-from ev3proto.text.paste import Pasted, read_text
+from ev3proto.text.paste import Pasted, read_argument, read_text
+from ev3proto.text.paste.notations import (
+    BASE64,
+    FOREIGN,
+    GAPS,
+    NUMBER_FORMS,
+    NUMBERS,
+    STRING_FORMS,
+    STRINGS,
+    Notation,
+)
 
 PAGE = Path(__file__).parents[2] / "docs" / "notations.md"
 TONE = bytes.fromhex("0f 00 00 00 80 00 00 94 01 81 02 82 e8 03 82 e8 03")
@@ -163,6 +173,13 @@ NO_FRAMES = (
     'd="M15 7a4,4 0 0 1 4,4 V 58 H 18 V 37 a 4,4 0 0 1 4,-4 z"',
     "rusersd\t\t100002\trusers\nnfs\t\t100003\tnfsprog\nypserv\t\t100004\typprog\nmountd\t\t100005\tmount\n"
     "ypbind\t\t100007\nwalld\t\t100008\trwall shutdown\nyppasswdd\t100009\typpasswd",
+    "(C) 1992, 1997-2002, 2004-2022",
+    "d. Sections 1, 5, 6, 7, a",
+    "for (i = 0; i < 10; i++) a[i] = f(x, y, 0, 0, 0, n);",
+    "12:30:45 read 2,040,294 bytes",
+    "TEMPLATE=/tmp/XXXXXXXXXX",
+    "// Prints: <Buffer 04 03 02 01 08 07 06 05>",
+    "regex [012][0-9][0-9][0-9]-[012][0-9]-[0123][0-9]",
 )
 
 
@@ -223,6 +240,22 @@ def test_every_example_on_the_page_of_notations_is_read() -> None:
     assert len(examples) > 80
     for example in examples:
         assert [(frame_of(piece), piece.problem) for piece in pieces(example)] == [(TONE, None)], example
+        assert frame_of(read_argument(example)) == TONE
+
+
+def test_the_example_of_every_form_has_its_pattern() -> None:
+    for form in (*NUMBER_FORMS, *GAPS, *FOREIGN, *STRING_FORMS):
+        pattern = re.compile(form.pattern, re.VERBOSE | re.DOTALL)
+        around = {"separators": ", 0", "character after its number": "97 'a'", "the lesson's mark": "0x|"}
+        text = around.get(form.name, form.example)
+        assert pattern.search(text) is not None, form.name
+    for form in FOREIGN:
+        assert [piece.data for piece in pieces(f"{form.example} {TONE.hex(' ')}")] == [TONE], form.name
+
+
+@pytest.mark.parametrize("notation", [NUMBERS, STRINGS, BASE64], ids=["numbers", "strings", "base64"])
+def test_the_example_of_every_notation_is_read(notation: Notation) -> None:
+    assert [piece.data.hex() for piece in pieces(notation.example)] == ["0e002a0080000094010182b80182e803"]
 
 
 def test_rows_of_bytes_of_which_some_are_db() -> None:

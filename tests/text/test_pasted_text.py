@@ -25,14 +25,8 @@ def only(text: str) -> Pasted:
 
 
 WAYS = {
-    "lesson, no last bar": "0x|0E:00|2A:00|80|00:00|94|01|01|82:B8:01|82:E8:03",
     "lesson, no 0x": "0E:00|2A:00|80|00:00|94|01|01|82:B8:01|82:E8:03|",
-    "bare, quoted": '"0e002a0080000094010182b80182e803"',
     "remark behind": "0e002a0080000094010182b80182e803  # a tone",
-    "byte string at a prompt": r">>> b'\x0e\x00*\x00\x80\x00\x00\x94\x01\x01\x82\xb8\x01\x82\xe8\x03'",
-    "assignment": r"ops = b'\x0e\x00*\x00\x80\x00\x00\x94\x01\x01\x82\xb8\x01\x82\xe8\x03'",
-    "unhexlify": 'frame = binascii.unhexlify("0e002a0080000094010182b80182e803")',
-    "JSON": '{"data": [14, 0, 42, 0, 128, 0, 0, 148, 1, 1, 130, 184, 1, 130, 232, 3]}',
     "C array": """unsigned char cmd[] = {
         0x0E, 0x00,             // length
         0x2A, 0x00, 0x80, 0x00, 0x00,
@@ -47,24 +41,15 @@ WAYS = {
     "00000005: 0000 9401 01  .....\n"
     "0000000a: 82b8 0182 e803  ......\n",
 }
-"""In addition to the notations of `support.notations`."""
+"""In addition to the notations of `docs/notations.md` and `support.notations`."""
 
 
 @pytest.mark.parametrize("way", WAYS.values(), ids=WAYS.keys())
 def test_every_way_to_write_a_frame(way: str) -> None:
-    pasted = only(way)
-    assert pasted.data == TONE
-    assert pasted.problem is None
-    assert not pasted.cut
-    assert pasted.time is None
-    # A prompt is read as an arrow; a command is sent in either direction.
-    assert pasted.direction == ("sent" if way.startswith(">>> ") else None)
-    assert pasted.line == 1 + (way.partition("\n")[0].strip()[-1:] in "{[")
-    assert pasted.text
-    assert len(pasted.text) <= 200
-    argument = read_argument(way)
-    assert argument.data == TONE
-    assert argument.problem is None
+    pasted, argument = only(way), read_argument(way)
+    assert (pasted.data, pasted.problem, pasted.cut, pasted.time, pasted.direction) == (TONE, None, False, None, None)
+    assert pasted.line == 1 + (way.partition("\n")[0].strip()[-1:] == "{")
+    assert (argument.data, argument.problem) == (TONE, None)
 
 
 LOG = {
@@ -185,6 +170,25 @@ def test_a_dump_that_starts_anew_is_another_one() -> None:
 def test_a_dump_in_words_that_breaks_off_is_the_start_of_a_frame() -> None:
     assert read_argument("0000000 000e 002a 0080 9400 0101 b882 8201 03e8").data == TONE
     assert read_argument("0000000 000e 002a 0080 9400 0101 b882 8201").data == TONE[:14]
+
+
+SHORT_OF_A_FRAME = {
+    TONE.hex()[:-2]: None,
+    TONE.hex() + "00": None,
+    TONE.hex()[:-1]: "odd number of hex digits (31)",
+    "03002a007f": None,
+    "0e 0 02a0080000094010182b80182e803": "odd number of hex digits",
+    "\uff10e002a0080000094010182b80182e803": "is not a hex digit",
+}
+
+
+@pytest.mark.parametrize("text", SHORT_OF_A_FRAME)
+def test_hex_that_is_not_a_frame_is_read_as_bytes(text: str) -> None:
+    found, problem = read_argument(text), SHORT_OF_A_FRAME[text]
+    if problem is None:
+        assert (found.data.hex(), found.problem) == (text, None)
+    else:
+        assert problem in (found.problem or "")
 
 
 ARGUMENTS = {

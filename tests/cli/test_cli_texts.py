@@ -70,6 +70,14 @@ def test_unknown_bytes_are_shown_as_such(text: str) -> None:
         assert said in done.stdout.decode()
 
 
+def test_operations_joined_in_python() -> None:
+    text = "ops = b''.join((ev3.opSound, ev3.TONE, ev3.LCX(1), ev3.LCX(440), ev3.LCX(1000)))\n"
+    assert "--operations reads them" in run("decode", "-", stdin=text).stderr.decode()
+    assert "FREQUENCY = 440 Hz" in run("decode", "--operations", "-", stdin=text).stdout.decode()
+    frame = text.replace("((", "((0x0e, 0, 0x2a, 0, 0x80, 0, 0,  # head\n  ")
+    assert "FREQUENCY = 440 Hz" in run("decode", "-", stdin=frame).stdout.decode()
+
+
 def test_expressions_are_named_with_line_and_column() -> None:
     head = "send([0x0f, 0x00, n, 0x00, 0x80, 0x00, 0x00, 0x94, 0x01, 0x81"
     text = f"first\n{head}, lo(f, 1), 0x82, 0xe8, 0x03, 0x82, 0xe8, 3])"

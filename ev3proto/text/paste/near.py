@@ -115,7 +115,7 @@ def _starts(run: Run, part: Part, line: str, owners: Sequence[int]) -> list[int]
 
 
 def _is_alone(run: Run, line: str) -> bool:
-    """Whether a run is a literal, an array, or all of a line but for what introduces it."""
+    """Returns whether a run is a literal, an array, or all of a line but for what introduces it."""
     if run.notation is not NUMBERS:
         return True
     start = max(0, run.start - _MOST_AROUND)
@@ -182,7 +182,7 @@ def broken(run: Run, line: str, *, is_sure: bool) -> Near | None:
 
 
 def _is_counted(run: Run, data: bytes) -> bool:
-    """Whether bytes are rather small numbers, as code has them for everything."""
+    """Returns whether bytes are rather small numbers, which code has for everything."""
     return bool({1, 3} & run.widths) and data[LEAST - 1 :] < b"\x80"
 
 

@@ -11,7 +11,7 @@ import re
 from collections import deque
 from collections.abc import Iterable, Iterator, Sequence
 
-from ev3proto.text.paste.frames import is_one_frame, may_begin
+from ev3proto.text.paste.frames import bare_reason, is_one_frame, may_begin
 from ev3proto.text.paste.groups import Group, Row
 from ev3proto.text.paste.near import AROUND, Near, bare, broken, unclosed, wrong_frame
 from ev3proto.text.paste.notations import BASE64, EACH, NUMBERS, STRINGS, expression_at, without_expressions
@@ -120,8 +120,13 @@ class Reader:
                 self._take(line, number)
             else:
                 self._pass(line)
-            if not self._has_any and self._strange is None and number <= _MOST_STRANGE and (said := strange_text(line)):
-                self._strange = Pasted(b"", number, short(line, MAX_TEXT), problem=said)
+            if not self._has_any and self._strange is None and number <= _MOST_STRANGE:
+                said = (
+                    bare_reason(bytes_in(line))
+                    if ".join(" in line and len(line) <= _MOST_ONE * 10
+                    else strange_text(line)
+                )
+                self._strange = Pasted(b"", number, short(line, MAX_TEXT), problem=said) if said else None
             if self._found:
                 yield from self._found
                 self._has_any = True
@@ -366,7 +371,7 @@ class Reader:
         ), in_comment
 
     def _is_opened(self) -> bool:
-        """Whether the line above ends with a bracket that opens."""
+        """Returns whether the line above ends with an opening bracket."""
         return bool(self._before) and self._before[-1].rstrip().endswith(("[", "{", "("))
 
     def _check_sum(self) -> int | None:
@@ -513,7 +518,7 @@ def _unknown(run: Run, part: Part, start: int, stop: int, lines: dict[int, str])
 
 
 def _may_have(line: str) -> bool:
-    """Whether a frame may be in a line, or the first row of one."""
+    """Returns whether a frame, or its first row, may be in a line."""
     time = _TIME_FIRST.match(line)
     found = _MAY_HAVE.search(line, time.end() if time else 0)
     return found is not None or (len(line) < _MOST_ONE and _ONE.match(line) is not None)

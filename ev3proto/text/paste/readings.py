@@ -357,7 +357,7 @@ def _frames(run: Run, part: Part, *, is_complete: bool) -> tuple[Part, bool]:
 
 
 def _is_likely(run: Run, part: Part, *, is_whole: bool) -> bool:
-    """Whether a frame is meant as one, be it all of a run or among other values."""
+    """Returns whether a frame is meant as one, be it all of a run or among other values."""
     (frame,), data, tokens = part.frames, part.data, run.tokens
     content = data[frame.start : frame.end]
     if part.name in UNLIKELY and not is_flawless(content):

@@ -12,10 +12,11 @@ from ev3proto.capture.conversation import Conversation
 from ev3proto.capture.reading import Capture
 from ev3proto.capture.record import HOST, NANOSECONDS, Direction, Event, Route
 from ev3proto.schema.frame import frame_reader
-from ev3proto.schema.header import HEADER_SIZE, frame_size, may_have_length, unpack_header
+from ev3proto.schema.header import HEADER_SIZE, unpack_header
 from ev3proto.tables.carriers import DEFAULT_CARRIER
 from ev3proto.tables.frame import MessageType
 from ev3proto.text.paste.pieces import Pasted
+from ev3proto.text.splitting import split
 
 BEGIN_NS = 1_767_225_600 * NANOSECONDS
 """The day of times without dates: 2026-01-01, so that the same text makes the same capture."""
@@ -120,25 +121,12 @@ def _events(pieces: Iterable[Pasted], account: Account, dialect: str, budget: Bu
         account.captured += len(piece.data)
         account.first_ns = time_ns if account.first_ns is None else account.first_ns
         account.last_ns = time_ns
-        for frame in _frames(piece.data):
+        for frame in (one.message.build() for one in split(piece.data, dialect=dialect)):
             account.frames += len(frame)
             route = routes[_direction(piece, frame), piece.time is not None]
             yield conversation.record(frame, (piece.line,), time_ns, route)
         account.padding = account.captured - account.frames
         account.forgotten = budget.dropped
-
-
-def _frames(data: bytes) -> Iterator[bytes]:
-    """Yields the frames in a piece, or the piece itself without one. What follows the last frame is padding."""
-    at = 0
-    while at + HEADER_SIZE <= len(data):
-        end = at + frame_size(data, at)
-        if not may_have_length(data, at) or end > len(data):
-            break
-        yield data[at:end]
-        at = end
-    if at == 0:
-        yield data
 
 
 def _direction(piece: Pasted, frame: bytes) -> Direction:

@@ -5435,13 +5435,13 @@ local DAISY = {
 -- When traffic is claimed as this protocol.
 
 local CLAIMS = {
-    strange_packets = 3, replies = 2, never_sent = 0,
+    strange_packets = 3, replies = 2, most_held = 4, never_sent = 0,
     not_telling = { [2] = true, [3] = true, [12] = true },
     only_in_programs = {
         [4] = true, [5] = true, [6] = true, [7] = true, [8] = true, [9] = true, [10] = true, [11] = true, [13] = true,
         [14] = true, [15] = true, [64] = true,
     },
-    first_of_devices = 128, nxt_write = 33537, nxt_flag = 128,
+    nxt_write = 33537, nxt_flag = 128,
 }
 -- The range of each type.
 local TYPE_RANGES = {
@@ -5494,6 +5494,9 @@ local byte, find, format, gsub, sub = string.byte, string.find, string.format, s
 local concat, floor = table.concat, math.floor
 
 local ev3 = Proto("EV3", "LEGO MINDSTORMS EV3")
+
+-- The same for Decode As, without the rule of Claims below.
+local ev3_all = Proto("EV3_all", "EV3 (all of it)")
 
 local fields = {}
 
@@ -6365,13 +6368,20 @@ do
         return message.size - HEADER_SIZE == sizes % (GLOBAL_MASK + 1)
     end
 
-    -- Tells whether a reply proves that both are ours: only a brick returns exactly the requested size.
-    local function is_proof(message, command)
-        local type, size = message.type, message.size
-        if message.fault or type.carries == "daisy" then return false end
-        if type.carries == "direct" and #command.body < COMMAND_HEADER_SIZE - HEADER_SIZE then return false end
-        if type.is_error and type.carries == "direct" then return size == HEADER_SIZE end
-        return fits(message, command)
+    -- Tells whether the reply to a command shows that both are ours: a direct reply has the requested length, or is an
+    -- error; a system reply has the command's number, known or not. `body` is what follows the type in the command.
+    local function is_proof(reply, body)
+        local carries, memory, sizes = reply.type.carries, reply.size - HEADER_SIZE, reading.unsigned16(body, 0)
+        if carries == "system" then return body ~= "" and byte(reply.text, HEADER_SIZE + 1) == byte(body, 1) end
+        if carries ~= "direct" then return false end
+        return sizes ~= nil and memory == sizes % (GLOBAL_MASK + 1) or reply.type.is_error and memory == 0
+    end
+
+    -- Tells whether a message is the reply to a command, and shows that both are ours.
+    function dialogues.proves(reply, command)
+        local type, asked = reply.type, command.type
+        if not type or type.is_command or not asked or not asked.wants_reply then return false end
+        return pending_key(reply) == pending_key(command) and is_proof(reply, sub(command.text, HEADER_SIZE + 1))
     end
 
     -- Returns the command that a reply answers: the newest with its counter and the right size, else the newest with
@@ -6458,7 +6468,9 @@ do
         else
             local request = answered(conversation, message)
             if request then
-                conversation.is_answered = conversation.is_answered or is_proof(message, request)
+                if conversation.state == "claimed" and is_proof(message, request.body) then
+                    conversation.state = "answered"
+                end
                 replies[request.place] = storage.number_of(place)
                 requests[place], delays[place], bodies[place] = request.place, pinfo.rel_ts - request.time, request.body
             end
@@ -7231,8 +7243,8 @@ do
     end
 end
 
--- Which conversations are ours: see Claims below.
-local claiming = {}
+-- Which conversations are ours, and where frames are: see Claims and Finding below.
+local claiming, finding = {}, {}
 
 -- Each carrier below adds a table: `dissectors`, by Wireshark's type of ports; `register`, which registers them;
 -- optionally `forget`, which drops the state of the last capture, and `prefs_changed`.
@@ -7310,6 +7322,10 @@ end
 -- What data turn out to be: OURS; PART if more is needed to decide; nil if they are not ours.
 local OURS, PART = "ours", "part"
 
+-- What is found in them: CHAIN, a plausible command; SINGLE, whole frames that a reply may prove; OPEN, what may become
+-- a command.
+local CHAIN, SINGLE, OPEN = "chain", "single", "open"
+
 do
     -- Calls a function with each firmware's instructions, the preferred one's first, until it returns true.
     local function by_any(says, ...)
@@ -7376,7 +7392,7 @@ do
             is_right = is_right and is_in_place(parameter, encoding, value, sizes)
         end
         local function judge(code)
-            if CLAIMS.only_in_programs[code] or is_cut and code < CLAIMS.first_of_devices then is_right = false end
+            if CLAIMS.only_in_programs[code] then is_right = false end
             if not CLAIMS.not_telling[code] then is_telling = true end
         end
         local kind = claiming.scan(text, COMMAND_HEADER_SIZE, stop, judge, visit)
@@ -7398,55 +7414,123 @@ do
         return counter ~= CLAIMS.nxt_write and counter - CLAIMS.nxt_flag ~= CLAIMS.nxt_write
     end
 
-    -- Counts the complete, non-empty replies in a text; 0 if it contains anything else.
-    function claiming.count_replies(text)
-        local at, count = 0, 0
-        while #text - at >= HEADER_SIZE do
-            local stop = stop_of(text, at)
-            if stop > #text or stop - at < HEADER_SIZE then return 0 end
-            local message = messages.read(sub(text, at + 1, stop))
-            local type = message.type
-            if not type or type.is_command or type.carries == "daisy" or message.fault then return 0 end
-            if type.carries == "direct" and (type.is_error or message.stop == HEADER_SIZE) then return 0 end
-            at, count = stop, count + 1
-        end
-        return at == #text and count or 0
+    -- The types with which a claim of a stream begins.
+    function claiming.begins(type)
+        return type.is_command and type.carries ~= "daisy"
     end
 
-    -- Claims a conversation from now on; with `is_sure` for good, whatever it contains.
-    function claiming.begin(conversation, is_sure)
-        conversation.is_claimed, conversation.is_sure, conversation.is_answered = true, is_sure, false
+    -- The state of a conversation: nil, not claimed; "claimed" from a plausible command, or from replies, on;
+    -- "answered", when a reply has proved it: faulty frames keep the claim, too; "sure", for good; "ended", claimed
+    -- before: a new claim may begin anywhere in a packet.
+    local IS_CLAIMED = { claimed = true, answered = true, sure = true }
+
+    function claiming.is_claimed(conversation)
+        return IS_CLAIMED[conversation.state] == true
+    end
+
+    -- Claims a conversation from now on.
+    function claiming.begin(conversation, state)
+        conversation.state, conversation.held, conversation.replies = state or "claimed", {}, 0
         conversation.strange, conversation.unread, conversation.has_frame, conversation.is_good = 0, 0, false, false
         conversation.claims = (conversation.claims or 0) + 1
     end
 
-    -- Takes note of a message of a claimed conversation, in the first pass.
-    function claiming.note(conversation, message)
-        if not conversation.is_claimed or conversation.is_sure then return end
-        conversation.has_frame = true
-        conversation.is_good = conversation.is_good or not conversation.is_answered and claiming.is_sensible(message)
+    -- Claims a conversation from a command that waits for a reply on, if a frame of another side is that. The packets
+    -- from there on are taken, with their commands.
+    local function is_proved(conversation, side, reply)
+        local held = conversation.held or {}
+        for index = #held, 1, -1 do
+            local packet = held[index]
+            for _, frame in ipairs(packet.side ~= side and packet.frames or {}) do
+                if dialogues.proves(reply, frame.message) then
+                    claiming.begin(conversation, "answered")
+                    conversation.side_to_brick = packet.side
+                    for later = index, #held do
+                        if held[later].side ~= side then held[later].adopt(held[later]) end
+                    end
+                    return true
+                end
+            end
+        end
+        return false
     end
 
-    -- Counts a packet of a claimed conversation; `size` is the number of its bytes outside of frames. Returns whether
-    -- the conversation is still claimed.
+    -- Counts complete, non-empty replies; they begin a claim if there are enough in a row.
+    local function has_replies(conversation, text)
+        local places, stop = finding.frames_of(text, 0, #text)
+        local count = (conversation.replies or 0) + #places
+        for _, at in ipairs(places) do
+            local message = messages.read(sub(text, at + 1, stop_of(text, at)))
+            local type = message.type
+            local is_empty = type.carries == "direct" and (type.is_error or message.stop == HEADER_SIZE)
+            if type.is_command or type.carries == "daisy" or message.fault or is_empty then count = 0 end
+        end
+        conversation.replies = stop == #text and count or 0
+        if conversation.replies < CLAIMS.replies then return false end
+        claiming.begin(conversation)
+        return true
+    end
+
+    -- Judges the newest packet of a conversation that is not claimed, and what waits before it. `packet` has
+    --   side       its direction
+    --   to_brick   whether that goes to the brick; nil if only commands tell
+    --   text       the bytes, in which packets begin at `starts`, the newest last
+    --   reported   their number on the wire
+    --   begins     tells which types begin a claim
+    --   adopt      is called with the packet, which then has its `frames`, when a reply has proved it
+    -- Returns CHAIN, and the offset from which on it is ours; OPEN, and the offset of what waits for more; SINGLE; or nil.
+    function claiming.judge(conversation, packet)
+        local text, starts, side = packet.text, packet.starts, packet.side
+        if not packet.to_brick then
+            local newest = starts[#starts]
+            local reply = finding.frames_of(text, newest, packet.reported)[1]
+            if reply and is_proved(conversation, side, messages.read(sub(text, newest + 1, stop_of(text, newest)))) then
+                return CHAIN, newest
+            end
+        end
+        if packet.to_brick == false then return has_replies(conversation, text) and CHAIN or nil, 0 end
+        local is_ended = conversation.state == "ended"
+        local found, place = finding.find_command(text, starts, packet.begins, packet.reported, is_ended)
+        if found == CHAIN then
+            claiming.begin(conversation)
+            conversation.side_to_brick = side
+        elseif found == SINGLE then
+            packet.frames = {}
+            for index, at in ipairs((finding.frames_of(text, place, packet.reported))) do
+                packet.frames[index] = { at = at, message = messages.read(sub(text, at + 1, stop_of(text, at))) }
+            end
+            local held = conversation.held or {}
+            if #held == CLAIMS.most_held then table.remove(held, 1) end
+            held[#held + 1], conversation.held = packet, held
+        end
+        return found, place
+    end
+
+    -- Takes note of a message of a claimed conversation, in the first pass.
+    function claiming.note(conversation, message)
+        if not claiming.is_claimed(conversation) or conversation.state == "sure" then return end
+        conversation.has_frame = true
+        local is_answered = conversation.state == "answered"
+        conversation.is_good = conversation.is_good or not is_answered and claiming.is_sensible(message)
+    end
+
+    -- Counts a packet of a claimed conversation; `size` is the number of its bytes outside of frames.
     function claiming.count(conversation, size, number)
-        local is_good, has_frame = conversation.is_good, conversation.has_frame
+        local is_good, has_frame, is_answered = conversation.is_good, conversation.has_frame, conversation.state == "answered"
         conversation.is_good, conversation.has_frame = false, false
-        if conversation.is_sure or not has_frame and size == 0 then return true end
-        if is_good or conversation.is_answered and has_frame then
+        if conversation.state == "sure" or not has_frame and size == 0 then return end
+        if is_good or is_answered and has_frame then
             conversation.strange, conversation.unread, conversation.counted = 0, 0, number
-            return true
+            return
         end
         -- A packet counts once, even if it comes in several buffers.
         if conversation.counted ~= number then conversation.strange = conversation.strange + 1 end
         conversation.unread, conversation.counted = conversation.unread + size, number
         -- In a dialogue, the rest of a frame may come in many packets.
-        local is_over = conversation.strange >= CLAIMS.strange_packets
-            and (not conversation.is_answered or conversation.unread > LENGTH_FIELD + MAX_LENGTH)
-        if is_over then
-            conversation.is_claimed, conversation.is_answered, conversation.has_ended = false, false, true
+        if conversation.strange >= CLAIMS.strange_packets
+            and (not is_answered or conversation.unread > LENGTH_FIELD + MAX_LENGTH) then
+            conversation.state, conversation.side_to_brick = "ended", nil
         end
-        return not is_over
     end
 end
 
@@ -7455,7 +7539,6 @@ end
 -- Frames in streams that are not claimed yet, or out of step after a gap: a header alone is often a coincidence, so a
 -- frame is also judged by its contents and by what follows it.
 
-local finding = {}
 do
     -- Maximum number of places in one piece of a stream where a frame is tried.
     local MOST_TRIALS = 64
@@ -7463,8 +7546,8 @@ do
     -- Maximum number of following headers that are checked.
     local MOST_FOLLOWING = 2
 
-    -- Bytes of a truncated command that must be captured, so that it can be recognised.
-    local LEAST_CUT = COMMAND_HEADER_SIZE + 2
+    -- The minimum size of a command that is cut or inside a packet: one byte of operations, such as NOP, proves nothing.
+    local LEAST = COMMAND_HEADER_SIZE + 2
 
     -- Tells whether an incomplete frame at an offset may turn out to have no fault.
     function finding.may_become(text, at, accepts)
@@ -7521,25 +7604,32 @@ do
         end
     end
 
-    -- Returns the first place with a plausible command, and true; else the first with what may become one (or nil), and
-    -- false. Packets begin at 0 and at `joint`: anything may follow a command there, elsewhere only another frame. A
-    -- truncated command counts as whole if it ends at `reported`, where the packet did.
-    function finding.find_command(text, joint, accepts, reported)
-        local open = finding.header_at_end(text, 0)
-        for place, stop, type in each_start(text, 0, accepts) do
-            local is_cut = reported > #text and stop == reported and #text - place >= LEAST_CUT
-            local is_whole = stop <= #text or is_cut
-            local is_split = not is_whole or place < joint and joint < stop
-            local is_chance = is_split and type.carries == "system" and has_data[byte(text, place + HEADER_SIZE + 1)]
-            if type.carries == "daisy" or is_chance then
-                -- This proves nothing.
-            elseif not is_whole then
-                if not (open and open < place) and finding.may_become(text, place, accepts) then open = place end
-            elseif place == 0 or place == joint or stop >= #text or may_start(text, stop) then
-                if claiming.is_plausible(messages.read(sub(text, place + 1, stop)), is_cut) then return place, true end
-            end
+    -- Returns the offsets of the whole frames that follow each other from an offset on, and the offset after them. The
+    -- last one may be cut by the capture: it then ends at `reported`.
+    function finding.frames_of(text, at, reported)
+        local places = {}
+        while #text - at >= HEADER_SIZE and may_start(text, at) do
+            local stop = stop_of(text, at)
+            if stop > #text and stop ~= reported then break end
+            places[#places + 1], at = at, stop
         end
-        return open, false
+        return places, at
+    end
+
+    -- Tells whether whole frames of accepted types fill a text from an offset on.
+    local function is_filled(text, at, accepts, reported)
+        local places, stop = finding.frames_of(text, at, reported)
+        for _, place in ipairs(places) do
+            if not accepts(MESSAGE_TYPES[byte(text, place + HEADER_SIZE)]) then return false end
+        end
+        return stop == reported
+    end
+
+    local function is_split(starts, place, stop)
+        for _, start in ipairs(starts) do
+            if place < start and start < stop then return true end
+        end
+        return false
     end
 
     -- Counts the headers that follow each other from an offset on; nil if none can start there. A few are enough: the
@@ -7553,6 +7643,47 @@ do
             at, count = stop_of(text, at), count + 1
         end
         return count
+    end
+
+    -- Searches for a command with which a claim begins. Packets begin at `starts`: anything may follow a command there,
+    -- elsewhere another header must, at least its length. With `anywhere`, as after a gap, frames may begin and end anywhere. Returns what is
+    -- found first, of a CHAIN, a SINGLE, what is OPEN, and its offset; or nil.
+    function finding.find_command(text, starts, accepts, reported, anywhere)
+        local size, is_begin = #text, {}
+        local function examine(place)
+            local code, number = byte(text, place + HEADER_SIZE, place + HEADER_SIZE + 1)
+            local type, stop = MESSAGE_TYPES[code], stop_of(text, place)
+            if not may_start(text, place) or type and not accepts(type) then return nil end
+            local is_cut = type and reported > size and stop == reported and size - place >= LEAST
+            local is_whole = type and stop <= size or is_cut
+            local is_data = type and type.carries == "system" and has_data[number]
+            if is_data and (not is_whole or is_split(starts, place, stop)) then return nil end
+            if not is_whole then
+                return (is_begin[place] or anywhere) and finding.may_become(text, place, accepts) and OPEN or nil
+            end
+            local is_enough = stop - place >= LEAST and (anywhere or size - stop >= LENGTH_FIELD)
+            local is_likely = is_begin[place] or is_enough and finding.follow(text, stop)
+            if is_likely and claiming.is_plausible(messages.read(sub(text, place + 1, stop)), is_cut) then return CHAIN end
+            return is_begin[place] and is_filled(text, place, accepts, reported) and SINGLE or nil
+        end
+        local places, first = {}, {}
+        for index, start in ipairs(starts) do
+            places[index], is_begin[start] = start, true
+        end
+        for place in each_start(text, 0, accepts) do
+            if not is_begin[place] then places[#places + 1] = place end
+        end
+        for place = math.max(size - HEADER_SIZE + 1, 0), anywhere and size - 1 or -1 do
+            if not is_begin[place] then places[#places + 1] = place end
+        end
+        table.sort(places)
+        for _, place in ipairs(places) do
+            local found = (is_begin[place] or not first[SINGLE]) and examine(place)
+            if found == CHAIN then return CHAIN, place end
+            if found then first[found] = first[found] or place end
+        end
+        if first[SINGLE] then return SINGLE, first[SINGLE] end
+        return first[OPEN] and OPEN, first[OPEN]
     end
 
     -- Finds where a stream that is out of step continues, from an offset on. Returns the place of a complete frame
@@ -7766,7 +7897,7 @@ do
                 said, after = dissect_text(tvb, text, at, tree, is_shown)
                 if not said and not stream.is_last and is_part_of_text(text, at) then return at, nil, lost, step end
                 if said then step = "sure" end
-                if said and conversation and not conversation.is_sure then claiming.begin(conversation, true) end
+                if said and conversation and conversation.state ~= "sure" then claiming.begin(conversation, "sure") end
             end
             local polled = step ~= "lost" and after_polls(text, at) or at
             if polled > at and (polled == captured or may_start(text, polled)) then
@@ -7836,6 +7967,10 @@ do
         return pinfo.src_port == HOST
     end
 
+    local function is_command(type)
+        return type.is_command
+    end
+
     local function is_control(pinfo)
         return pinfo.src_port == 0 or pinfo.dst_port == 0
     end
@@ -7855,7 +7990,7 @@ do
     -- The numbers of our packets, of devices whose product is not known.
     local taken
 
-    -- The number of the last packet from or to a known brick.
+    -- The number of the last packet from or to a known brick, or a device that the user chose.
     local marked
 
     local function forget_devices()
@@ -7914,7 +8049,7 @@ do
         return dissect_report(tvb, read_report(tvb), device_key(pinfo), pinfo, tree)
     end
 
-    -- Wireshark calls this for all transfers of a known product, of any type. Bulk transfers are not ours: other
+    -- Wireshark calls this for all transfers of a known or chosen device, of any type. Bulk transfers are not ours: other
     -- software on the brick uses them with the same product number. So the packet is only marked here; for interrupt
     -- transfers Wireshark then calls the heuristic below.
     local function mark_known(_, pinfo)
@@ -7936,14 +8071,25 @@ do
                 return claiming.is_sensible(message) and message or nil
             end
         end
-        if not message or (type.is_command == true) ~= is_from_host(pinfo) then
-            local conversation = dialogues.conversation_of(key)
-            if conversation.is_claimed then claiming.count(conversation, captured, pinfo.number) end
+        local conversation, number, from_host = dialogues.conversation_of(key), pinfo.number, is_from_host(pinfo)
+        if not message or (type.is_command == true) ~= from_host then
+            if claiming.is_claimed(conversation) then claiming.count(conversation, captured, number) end
             return nil
         end
-        local conversation = dialogues.conversation_of(key)
-        if not conversation.is_claimed and claiming.is_plausible(message) then claiming.begin(conversation) end
-        return conversation.is_claimed and message or nil
+        if claiming.is_claimed(conversation) then return message end
+        local place, time, text = storage.place_of(number, offset_of(tvb)), pinfo.rel_ts, message.text
+        local found = claiming.judge(conversation, {
+            side = from_host,
+            text = text,
+            starts = { 0 },
+            reported = #text,
+            begins = is_command,
+            adopt = function()
+                taken[number] = true
+                dialogues.take_note(place, conversation, message, { rel_ts = time })
+            end,
+        })
+        return found == CHAIN and message or nil
     end
 
     -- Dissects reports of a known brick, or of a device whose product was not captured, as in most captures that were
@@ -7960,7 +8106,7 @@ do
         if not message then return false end
         dissect_report(tvb, message, device, pinfo, tree)
         local conversation = not pinfo.visited and dialogues.conversation_of(device)
-        if conversation and conversation.is_claimed then claiming.count(conversation, 0, number) end
+        if conversation and claiming.is_claimed(conversation) then claiming.count(conversation, 0, number) end
         return true
     end
 
@@ -7969,6 +8115,8 @@ do
         for _, product in ipairs(CARRIERS.usb_products) do
             products:add(product, ev3)
         end
+        products:add_for_decode_as(ev3_all)
+        DissectorTable.get("usb.device"):add_for_decode_as(ev3_all)
         ev3:register_heuristic("usb.interrupt", guess_usb)
     end
 
@@ -8053,24 +8201,14 @@ do
         stream.left, stream.list, stream.starts = sub(text, place + 1), list, starts
     end
 
-    -- Returns the record of a packet whose channel was not ours so far, nil unless a command makes it ours. What may
-    -- still become a command is kept: text that is typed comes letter by letter.
-    local function claim(conversation, stream, piece, missing, number)
-        local left = stream.left
-        local text = left .. piece
-        local place, is_whole = finding.find_command(text, #left, is_command, #text + missing)
-        if not place then
-            clear(stream)
-            return nil
-        end
-        keep(stream, text, place, number)
-        if not is_whole then return nil end
-        claiming.begin(conversation)
-        local list, packet = stream.list, { accepts = is_command, step = "sure" }
-        clear_sides(conversation)
+    -- Makes the records of the packets that a command came in: the newest, in which it ends, and those before it. The
+    -- pieces are in the stream; `left` is what waited before the newest.
+    local function record_packets(list, left, place, number)
+        local packet = { accepts = is_command, step = "sure" }
+        packets[number] = packet
         if place >= #left then
             packet.start = place - #left
-            return packet
+            return
         end
         list[#list] = nil
         for index, before in ipairs(list) do
@@ -8078,7 +8216,38 @@ do
         end
         list.complete_in = number
         packet.list, packet.earlier, packet.before = list, #list, sub(left, place + 1)
-        return packet
+    end
+
+    -- Looks for a reason to claim a channel, and makes the record of the packet if there is one. What may still become a
+    -- command is kept: text that is typed comes letter by letter.
+    local function claim(conversation, stream, piece, missing, offset, pinfo)
+        local number, time, left, starts = pinfo.number, pinfo.rel_ts, stream.left, {}
+        for index, start in ipairs(stream.starts or {}) do
+            starts[index] = start
+        end
+        starts[#starts + 1] = #left
+        local function adopt(packet)
+            local first = packet.frames[1].at
+            record_packets(packet.list, left, first, number)
+            for _, frame in ipairs(packet.frames) do
+                local at = first < #left and frame.at - first or offset + frame.at - #left
+                dialogues.take_note(storage.place_of(number, at), conversation, frame.message, { rel_ts = time })
+            end
+        end
+        local packet = {
+            side = stream, text = left .. piece, starts = starts, reported = #left + #piece + missing,
+            begins = claiming.begins, adopt = adopt,
+        }
+        local found, place = claiming.judge(conversation, packet)
+        if found then keep(stream, packet.text, place, number) end
+        packet.list = stream.list
+        if found ~= OPEN then clear(stream) end
+        if found == CHAIN and stream == conversation.side_to_brick then
+            clear_sides(conversation)
+            record_packets(packet.list, left, place, number)
+        elseif found == CHAIN then
+            packets[number] = { accepts = is_from_brick, step = "sure", start = 0 }
+        end
     end
 
     -- Tells whether all of a text has to wait for more; the newest packet starts at `joint`.
@@ -8129,28 +8298,28 @@ do
         if list and list.complete_in then item:add(field.fragment_of, list.complete_in):set_generated() end
     end
 
-    -- Returns the record of a packet in the first pass, nil if it is not ours.
-    local function first_look(conversation, stream, piece, missing, pinfo)
-        local number = pinfo.number
-        if conversation.is_claimed then
-            local accepts = stream == conversation.to_brick and is_command or is_from_brick
-            local packet = { accepts = accepts, step = stream.step == "lost" and "lost" or nil }
-            join(stream, piece, packet, number)
-            return packet
-        end
-        local packet = claim(conversation, stream, piece, missing, number)
-        -- A command claimed it, so this packet goes to the brick.
-        if packet then conversation.name, conversation.to_brick = tostring(pinfo.dl_dst), stream end
-        return packet
+    -- Tells whether a direction goes to the brick. If the user claimed the channel, the computer sends to it.
+    local function is_to_brick(conversation, stream, pinfo)
+        if conversation.side_to_brick then return stream == conversation.side_to_brick end
+        return pinfo.p2p_dir == P2P_DIR_SENT
     end
 
-    local function dissect_rfcomm(tvb, pinfo, tree)
+    -- Makes the record of a packet in the first pass, if it is ours.
+    local function first_look(conversation, stream, piece, missing, offset, pinfo)
+        if not claiming.is_claimed(conversation) then return claim(conversation, stream, piece, missing, offset, pinfo) end
+        local accepts = is_to_brick(conversation, stream, pinfo) and is_command or is_from_brick
+        packets[pinfo.number] = { accepts = accepts, step = stream.step == "lost" and "lost" or nil }
+        join(stream, piece, packets[pinfo.number], pinfo.number)
+    end
+
+    local function dissect_rfcomm(tvb, pinfo, tree, is_all)
         local piece, number, missing = tvb:raw(), pinfo.number, tvb:reported_len() - tvb:len()
         if piece == "" then return 0 end
         local conversation, stream
         if not pinfo.visited then
             conversation, stream = channel_of(pinfo)
-            packets[number] = first_look(conversation, stream, piece, missing, pinfo)
+            if is_all and conversation.state ~= "sure" then claiming.begin(conversation, "sure") end
+            first_look(conversation, stream, piece, missing, tvb:offset(), pinfo)
         end
         local packet = packets[number]
         if not packet then return 0 end
@@ -8183,7 +8352,8 @@ do
                     packet.begun = stream.list
                 end
                 stream.step = step
-                if not claiming.count(conversation, lost, number) then clear_sides(conversation) end
+                claiming.count(conversation, lost, number)
+                if not claiming.is_claimed(conversation) then clear_sides(conversation) end
             end
         end
         if size > 0 then
@@ -8199,6 +8369,7 @@ do
         local channels = DissectorTable.get("btrfcomm.dlci")
         channels:add(2 * CARRIERS.rfcomm_channel, ev3)
         channels:add(2 * CARRIERS.rfcomm_channel + 1, ev3)
+        channels:add_for_decode_as(ev3_all)
     end
 
     carriers[#carriers + 1] = { dissectors = { [11] = dissect_rfcomm }, forget = forget_streams, register = register }
@@ -8216,13 +8387,13 @@ do
     -- Looking up these methods for each packet would take longer than they do.
     local bytes_of, offset_of = Tvb.raw, Tvb.offset
 
-    -- `bricks`: the bricks by the addresses that their beacons came from; `answers`: the bricks of packets to these;
-    -- `announced`: the places where bricks listen by their beacons; `has_found`: whether connections on other ports
-    -- were claimed.
+    -- Lists of addresses by port, each with the `name` of its brick: `announced`, where bricks listen by their beacons;
+    -- `bricks`, from where beacons came, at port 0. `answers`: the bricks of the packets to these. `has_found`: whether
+    -- connections on other ports were claimed.
     local bricks, answers, announced, has_found
 
-    -- The ports in the preference.
-    local listened = tostring(CARRIERS.tcp_port)
+    -- The ports in the preference; without any, the usual one, whose connections are judged.
+    local listed = ""
 
     -- Buffers by place, if unusual: DECLINED if it is not ours; else `asked`, the offset from which on more was
     -- requested before the connection was claimed; or the `step` of the stream, and the number of bytes that were
@@ -8233,30 +8404,51 @@ do
     -- The same ports as keys.
     local ports = {}
 
-    -- By ports: the last used direction of a connection. `pending` has the bytes that wait for the next segment, `step`
-    -- the step of the stream there, `done` the number of bytes before them in their buffer; `number` is the last
-    -- packet, whose data began at `offset`.
+    -- By both ports: the directions of connections, the newest first, `older` the next one. Their addresses are compared
+    -- as objects: the text of an address may become a name. `conversation` is that of both directions. `pending` has the
+    -- bytes that wait for the next segment, `step` the step of the stream there, `done` the number of bytes before them
+    -- in their buffer; `number` is the last packet, whose data began at `offset`. Until the claim, `waits` is the number
+    -- of waiting bytes, in which packets begin at `starts`.
     local connections
 
-    -- Both directions of a connection have one key.
-    local function conversation_key(pinfo)
-        local from = tostring(pinfo.src) .. " " .. pinfo.src_port
-        local to = tostring(pinfo.dst) .. " " .. pinfo.dst_port
-        return from < to and from .. " " .. to or to .. " " .. from
+    local function find_direction(ends, from, to)
+        local known = connections[ends]
+        while known and (known.from ~= from or known.to ~= to) do
+            known = known.older
+        end
+        return known
     end
 
-    -- Returns a packet's conversation, and its direction in that. Addresses are compared because that is faster than
-    -- converting them to text.
+    -- Returns a packet's conversation, and its direction in that.
     local function connection_of(pinfo)
-        local from, to, ends = pinfo.src, pinfo.dst, pinfo.src_port * 0x10000 + pinfo.dst_port
-        local known = connections[ends]
-        if not known or known.from ~= from or known.to ~= to then
-            local conversation = dialogues.conversation_of(conversation_key(pinfo))
-            conversation.sides = conversation.sides or {}
-            known = conversation.sides[ends] or { from = from, to = to, conversation = conversation }
-            conversation.sides[ends], connections[ends] = known, known
+        local from, to, port, other = pinfo.src, pinfo.dst, pinfo.src_port, pinfo.dst_port
+        local ends = port * 0x10000 + other
+        local known = find_direction(ends, from, to)
+        if not known then
+            local back = find_direction(other * 0x10000 + port, to, from)
+            known = { from = from, to = to, older = connections[ends], waits = 0, starts = {} }
+            known.conversation = back and back.conversation or dialogues.conversation_of(known)
+            connections[ends] = known
         end
         return known.conversation, known
+    end
+
+    -- Returns the entry of an address and port in a list of places.
+    local function entry_at(places, address, port)
+        for _, entry in ipairs(places[port] or {}) do
+            if entry.address == address then return entry end
+        end
+        return nil
+    end
+
+    local function add_entry(places, address, port, name)
+        local entry = entry_at(places, address, port)
+        if not entry then
+            entry = { address = address }
+            places[port] = places[port] or {}
+            table.insert(places[port], entry)
+        end
+        entry.name = name
     end
 
     local function forget_wifi()
@@ -8273,7 +8465,7 @@ do
 
     -- Tells whether a packet goes to the brick that its connection is named after.
     local function is_to_named(conversation, pinfo)
-        return conversation.name == tostring(pinfo.dst) .. ":" .. pinfo.dst_port
+        return conversation.port == pinfo.dst_port and conversation.address == pinfo.dst
     end
 
     -- Returns how many bytes a frame needs that was requested segment by segment, if Wireshark passed on only one byte
@@ -8389,7 +8581,7 @@ do
 
     -- Tells whether a beacon announced this port.
     local function is_announced(address, port)
-        return next(announced) ~= nil and announced[tostring(address) .. " " .. port] == true
+        return entry_at(announced, address, port) ~= nil
     end
 
     -- Names a connection after its brick, to which a packet goes or from which it comes.
@@ -8398,7 +8590,7 @@ do
         if to_brick then
             address, port = pinfo.dst, pinfo.dst_port
         end
-        conversation.name = tostring(address) .. ":" .. port
+        conversation.name, conversation.address, conversation.port = tostring(address) .. ":" .. port, address, port
     end
 
     local dissect_first
@@ -8418,73 +8610,77 @@ do
 
         -- Tells whether a port is ours by the user's preference or by a beacon.
         local function is_sure(pinfo, to_brick)
-            if listened ~= tostring(CARRIERS.tcp_port) then return true end
+            if listed ~= "" then return true end
             if to_brick then return is_announced(pinfo.dst, pinfo.dst_port) end
             return is_announced(pinfo.src, pinfo.src_port)
         end
 
-        -- Judges a buffer of a connection that is not claimed, in the first pass: OURS, with the offset where that
-        -- begins; PART, with the offset from which on more is needed; or nil.
-        local function claim(conversation, known, text, reported, pinfo)
+        -- Judges a buffer of a connection that is not claimed, in the first pass: CHAIN, with the offset where our bytes
+        -- begin; OPEN, with the offset from which on more is needed; or anything else.
+        local function claim(conversation, known, text, reported, offset, pinfo)
             local to_brick = may_be_brick(pinfo.dst, pinfo.dst_port)
             if not to_brick and not may_be_brick(pinfo.src, pinfo.src_port) then return nil end
-            local verdict, place = streaming.judge_text(text), 0
-            if verdict == PART then return PART, 0 end
+            local verdict, found, place = streaming.judge_text(text), CHAIN, 0
+            if verdict == PART then return OPEN, 0 end
             if verdict == OURS or has_two_named(pinfo) then to_brick = tells_brick(text, verdict ~= nil, pinfo) end
-            local joint = known.waits or 0
             if verdict == OURS or is_sure(pinfo, to_brick) then
-                claiming.begin(conversation, true)
-            elseif to_brick then
-                local is_whole
-                place, is_whole = finding.find_command(text, joint, is_command, reported)
-                -- Other dissectors get their packets at once, unless one may begin with a command.
-                local is_waited = place and not is_whole and (conversation.has_ended or place == 0 or place == joint)
-                if not is_whole then return is_waited and PART or nil, place end
-                claiming.begin(conversation)
+                claiming.begin(conversation, "sure")
             else
-                local count = claiming.count_replies(text)
-                conversation.replies = count > 0 and (conversation.replies or 0) + count or 0
-                if conversation.replies < CLAIMS.replies then return nil end
-                claiming.begin(conversation)
-                conversation.replies = 0
+                local number, time = pinfo.number, pinfo.rel_ts
+                local function adopt(packet)
+                    buffers[storage.place_of(number, offset)] = { step = "sure", done = packet.frames[1].at }
+                    for _, frame in ipairs(packet.frames) do
+                        local position = storage.place_of(number, offset + frame.at)
+                        dialogues.take_note(position, conversation, frame.message, { rel_ts = time })
+                    end
+                end
+                found, place = claiming.judge(conversation, {
+                    side = known, to_brick = to_brick, text = text, starts = known.starts, reported = reported,
+                    begins = claiming.begins, adopt = adopt,
+                })
+                if found ~= CHAIN then return found, place end
             end
             conversation.claimed_in = pinfo.number
             name_brick(conversation, pinfo, to_brick)
-            return OURS, place
+            return CHAIN, place
         end
 
         -- Requests more of what may become a frame or a text, from an offset on.
         local function ask_for_more(known, text, place, offset, pinfo)
-            local joint = offset == 0 and known.waits or 0
-            local rest = place == 0 and rest_of(text, joint, known.begins, pinfo)
+            local rest, starts = place == 0 and rest_of(text, known.waits, known.begins, pinfo), {}
+            for _, start in ipairs(known.starts) do
+                if start >= place then starts[#starts + 1] = start - place end
+            end
             pinfo.desegment_offset, pinfo.desegment_len = place, rest or DESEGMENT_ONE_MORE_SEGMENT
-            known.waits = #text - place
+            known.waits, known.starts = #text - place, starts
             if offset > 0 then known.begins = offset end
         end
 
-        function dissect_first(tvb, text, pinfo, tree, number)
+        function dissect_first(tvb, text, pinfo, tree, number, is_all)
             local conversation, known = connection_of(pinfo)
             -- Wireshark may offer a declined buffer again, for the port of the other end.
-            local place = storage.place_of(number, offset_of(tvb))
+            local offset, reported = offset_of(tvb), tvb:reported_len()
+            local place = storage.place_of(number, offset)
             if buffers[place] == DECLINED then return 0 end
             local port = pinfo.match_uint
-            if not conversation.name and not ports[port] then
+            if not conversation.name and (is_all or not ports[port]) then
                 name_brick(conversation, pinfo, pinfo.dst_port == port)
-                claiming.begin(conversation, true)
+                claiming.begin(conversation, "sure")
             end
-            if conversation.is_claimed then
+            if claiming.is_claimed(conversation) then
                 return dissect_claimed(tvb, text, pinfo, tree, number, conversation, known)
             end
-            if offset_of(tvb) > 0 then known.waits = 0 end
-            local verdict, at = claim(conversation, known, text, tvb:reported_len(), pinfo)
-            if verdict == PART and #text == tvb:reported_len() and pinfo.can_desegment > 0 then
-                ask_for_more(known, text, at, offset_of(tvb), pinfo)
+            if offset > 0 then known.waits, known.starts = 0, {} end
+            table.insert(known.starts, known.waits)
+            local found, at = claim(conversation, known, text, reported, offset, pinfo)
+            if found == OPEN and #text == reported and pinfo.can_desegment > 0 then
+                ask_for_more(known, text, at, offset, pinfo)
                 buffers[place] = { asked = at }
                 return #text
             end
             -- More may have been requested for the same packet before.
-            known.waits, buffers[place] = 0, nil
-            if verdict ~= OURS then
+            known.waits, known.starts, buffers[place] = 0, {}, nil
+            if found ~= CHAIN then
                 buffers[place] = DECLINED
                 return 0
             end
@@ -8492,9 +8688,9 @@ do
         end
     end
 
-    local function dissect_tcp(tvb, pinfo, tree)
+    local function dissect_tcp(tvb, pinfo, tree, is_all)
         local text, number = bytes_of(tvb), pinfo.number
-        if not pinfo.visited then return dissect_first(tvb, text, pinfo, tree, number) end
+        if not pinfo.visited then return dissect_first(tvb, text, pinfo, tree, number, is_all) end
         local buffer = buffers[storage.place_of(number, offset_of(tvb))]
         if buffer == DECLINED then return 0 end
         if buffer and buffer.asked then
@@ -8525,7 +8721,7 @@ do
         end
         local conversation, known = connection_of(pinfo)
         pinfo.conversation = ev3
-        claiming.begin(conversation, true)
+        claiming.begin(conversation, "sure")
         conversation.is_found, conversation.claimed_in, has_found = true, pinfo.number, true
         name_brick(conversation, pinfo, to_brick)
         dissect_claimed(tvb, bytes_of(tvb), pinfo, tree, pinfo.number, conversation, known)
@@ -8535,9 +8731,10 @@ do
     local dissect_udp
     do
         local function remember_brick(pinfo, named)
-            local address = tostring(pinfo.src)
-            bricks[address] = address .. ":" .. (named or pinfo.src_port)
-            if named then announced[address .. " " .. named] = true end
+            local address = pinfo.src
+            local name = tostring(address) .. ":" .. (named or pinfo.src_port)
+            add_entry(bricks, address, 0, name)
+            if named then add_entry(announced, address, named, name) end
         end
 
         -- Returns the port that a beacon names, nil if it is out of range.
@@ -8596,7 +8793,7 @@ do
                 said, port = dissect_beacon(tvb, text, tree, pinfo)
                 if not pinfo.visited then remember_brick(pinfo, port) end
             else
-                if not pinfo.visited then answers[number] = bricks[tostring(pinfo.dst)] end
+                if not pinfo.visited then answers[number] = (entry_at(bricks, pinfo.dst, 0) or {}).name end
                 brick, said = answers[number], "answer to a beacon"
                 if not brick and not is_forced then return 0 end
                 if has_tree(tree) then add_item(tree, tvb(), said):add(field.beacon_answer, tvb()) end
@@ -8610,9 +8807,10 @@ do
 
     -- Registers the ports of the preference, such as 5555,6000-6003.
     local function take_ports()
-        tcp_ports:add(listened, ev3)
+        local taken = listed ~= "" and listed or tostring(CARRIERS.tcp_port)
+        tcp_ports:add(taken, ev3)
         ports = {}
-        for first, last in listened:gmatch("(%d+)%-?(%d*)") do
+        for first, last in taken:gmatch("(%d+)%-?(%d*)") do
             for port = tonumber(first), tonumber(last ~= "" and last or first) do
                 ports[port] = true
             end
@@ -8620,15 +8818,18 @@ do
     end
 
     local function follow_ports()
-        if listened == ev3.prefs.tcp_ports then return end
-        tcp_ports:remove(listened, ev3)
-        listened = ev3.prefs.tcp_ports
+        if listed == ev3.prefs.tcp_ports then return end
+        tcp_ports:remove(listed ~= "" and listed or tostring(CARRIERS.tcp_port), ev3)
+        listed = ev3.prefs.tcp_ports
         take_ports()
     end
 
     local function register()
-        ev3.prefs.tcp_ports = Pref.range("TCP ports", listened, "TCP ports on which bricks listen", MAX_PORT)
+        local text = "TCP ports on which bricks listen: all their traffic is shown. By default, port "
+            .. CARRIERS.tcp_port .. " is judged by its contents"
+        ev3.prefs.tcp_ports = Pref.range("TCP ports", listed, text, MAX_PORT)
         take_ports()
+        tcp_ports:add_for_decode_as(ev3_all)
         ev3:register_heuristic("tcp", guess_tcp)
         DissectorTable.get("udp.port"):add(CARRIERS.beacon_port, ev3)
     end
@@ -8654,10 +8855,18 @@ do
     ev3.fields = fields
     ev3.experts = experts
 
+    local function dissect_any(tvb, pinfo, tree, is_all)
+        local dissect = dissectors[pinfo.port_type]
+        return dissect and dissect(tvb, pinfo, tree, is_all) or 0
+    end
+
     -- One protocol serves all carriers, so that "Decode As" offers it everywhere by one name.
     function ev3.dissector(tvb, pinfo, tree)
-        local dissect = dissectors[pinfo.port_type]
-        return dissect and dissect(tvb, pinfo, tree) or 0
+        return dissect_any(tvb, pinfo, tree, false)
+    end
+
+    function ev3_all.dissector(tvb, pinfo, tree)
+        return dissect_any(tvb, pinfo, tree, true)
     end
 
     function ev3.init()

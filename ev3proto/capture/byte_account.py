@@ -15,7 +15,7 @@ class Account:
     last_ns    the last packet's time
     forgotten  pending commands and bytes that were evicted at the memory limit
     cut        packets of which some bytes were not captured
-    packed     packets in tunnels, which the built-in engine does not unpack, by the tunnel's name, such as "VXLAN"
+    strange    packets where those of bricks may be, such as on "TCP port 5555", that were not recognised, by that place
     frames     bytes of frames
     texts      bytes of beacons, unlock texts and their answers
     padding    bytes after the frame in USB reports, and polls between the frames of a stream
@@ -31,7 +31,7 @@ class Account:
     last_ns: int | None = None
     forgotten: int = 0
     cut: int = 0
-    packed: dict[str, int] = field(default_factory=dict)
+    strange: dict[str, int] = field(default_factory=dict)
     frames: int = 0
     texts: int = 0
     padding: int = 0
@@ -45,17 +45,17 @@ class Account:
         """The bytes of each kind by its name."""
         return {each.name: getattr(self, each.name) for each in fields(self)[7:]}
 
-    def meet_packed(self, name: str) -> None:
-        """Counts a packet in a tunnel, by the tunnel's name."""
-        self.packed[name] = self.packed.get(name, 0) + 1
+    def count_strange(self, place: str) -> None:
+        """Counts a packet that was not recognised, by its place."""
+        self.strange[place] = self.strange.get(place, 0) + 1
 
     def add(self, other: Account) -> None:
         """Adds the account of another capture."""
         for each in fields(self):
-            if each.name not in ("first_ns", "last_ns", "packed"):
+            if each.name not in ("first_ns", "last_ns", "strange"):
                 setattr(self, each.name, getattr(self, each.name) + getattr(other, each.name))
-        for name, count in other.packed.items():
-            self.packed[name] = self.packed.get(name, 0) + count
+        for place, count in other.strange.items():
+            self.strange[place] = self.strange.get(place, 0) + count
         self.first_ns = min((ns for ns in (self.first_ns, other.first_ns) if ns is not None), default=None)
         self.last_ns = max((ns for ns in (self.last_ns, other.last_ns) if ns is not None), default=None)
 

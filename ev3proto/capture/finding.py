@@ -8,11 +8,11 @@ way.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Sequence
 from enum import Enum, auto
 from itertools import islice
 
-from ev3proto.capture.claims import is_plausible, is_sensible
+from ev3proto.capture.evidence import is_plausible, is_sensible
 from ev3proto.schema.frame import FrameReader
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, frame_size, may_have_length
 from ev3proto.tables import system
@@ -27,8 +27,8 @@ MOST_TRIALS = 64
 MOST_FOLLOWING = 2
 """Number of following headers that confirm a frame."""
 
-_LEAST_CUT = COMMAND_HEADER_SIZE + 2
-"""Minimum number of captured bytes of a cut command."""
+_LEAST = COMMAND_HEADER_SIZE + 2
+"""Minimum size of a command that is cut or inside a packet; one byte of operations, such as NOP, proves nothing."""
 
 _TYPES = {int(member): member for member in MessageType}
 # Offsets at which a header may be: most others are skipped at ten times the speed.
@@ -50,6 +50,8 @@ _WITH_DATA = {
     if any(each.kind is system.Kind.DATA for each in command.request)
 }
 """The system commands with data, which may be any bytes."""
+
+_SYSTEM = {bytes((member,)) for member in MessageType if member.carries == "system"}
 
 
 _POLLS = re.compile(b"(?:%b)*" % re.escape(bytes(LENGTH_FIELD)))
@@ -137,44 +139,76 @@ class Finder:
             at += frame_size(buffer, at)
         return count
 
-    def first_command(
-        self, buffer: bytes, begins: Collection[int], accepts: Accepts, missing: int = 0
-    ) -> tuple[int, bool]:
-        """Returns the offset of the first plausible command, and whether it is whole.
+    def find_command(
+        self, buffer: bytes, begins: Sequence[int], accepts: Accepts, missing: int = 0, *, anywhere: bool = False
+    ) -> tuple[Found, int]:
+        """Searches for a command with which a claim begins.
 
         Args:
             buffer: Bytes of a stream that is not claimed.
-            begins: Offsets at which packets begin: anything may follow a command there; elsewhere only a frame.
-            accepts: Tells which types go this way.
+            begins: Offsets at which packets begin: anything may follow a command there. Elsewhere another header must
+                follow, at least its length.
+            accepts: Tells which types begin a claim.
             missing: Number of bytes after these that were not captured: a command that ends with them counts as whole.
+            anywhere: Frames may begin and end anywhere in packets, as after a gap.
 
         Returns:
-            The offset of a whole command; else of the first incomplete one, or the end of the bytes.
+            CHAIN and the offset of a plausible command; else SINGLE and the offset of frames that fill the rest of the
+            bytes, whatever they contain; else OPEN and the offset of what may become a command; else NOTHING.
 
         """
         size = len(buffer)
-        opened = next(
-            (place for place in range(max(size - HEADER_SIZE + 1, 0), size) if self.may_start(buffer, place)), size
-        )
-        for hit in islice(_STARTS.finditer(buffer), MOST_TRIALS):
-            place = hit.start()
-            if not may_have_length(buffer, place):
-                continue
-            end = place + frame_size(buffer, place)
-            member = _TYPES[buffer[place + HEADER_SIZE - 1]]
-            is_cut = missing > 0 and end == size + missing and size - place >= _LEAST_CUT
-            is_split = (end > size and not is_cut) or any(place < start < end for start in begins)
-            is_data = member.carries == "system" and buffer[place + HEADER_SIZE : place + HEADER_SIZE + 1] in _WITH_DATA
-            if not accepts(member) or member.carries == "daisy" or (is_split and is_data):
-                continue
-            if end > size and not is_cut:
-                if place < opened and self.may_become(buffer, place):
-                    opened = place
-            elif (place in begins or end >= size or self.may_start(buffer, end)) and is_plausible(
-                self._schema.read_frame(buffer[place:end], strict=False), self._schema, is_cut=is_cut
-            ):
-                return place, True
-        return opened, False
+        places = {*begins, *(hit.start() for hit in islice(_STARTS.finditer(buffer), MOST_TRIALS))}
+        if anywhere:
+            places |= {*range(max(size - HEADER_SIZE + 1, 0), size)}
+        first: dict[Found, int] = {}
+        for place in sorted(places):
+            if place in begins or Found.SINGLE not in first:
+                found = self._examine(buffer, place, begins, accepts, missing, anywhere=anywhere)
+                if found is Found.CHAIN:
+                    return found, place
+                first.setdefault(found, place)
+        found = next((each for each in (Found.SINGLE, Found.OPEN) if each in first), Found.NOTHING)
+        return found, first.get(found, size)
+
+    def _examine(
+        self, buffer: bytes, at: int, begins: Sequence[int], accepts: Accepts, missing: int, *, anywhere: bool
+    ) -> Found:
+        """Returns what is at one offset."""
+        size, is_begin, code = len(buffer), at in begins, buffer[at + HEADER_SIZE - 1 : at + HEADER_SIZE]
+        if not self.may_start(buffer, at) or (code and not accepts(_TYPES[code[0]])):
+            return Found.NOTHING
+        end = at + frame_size(buffer, at) if code else size + 1
+        is_cut = missing > 0 and end == size + missing and size - at >= _LEAST
+        is_whole = end <= size or is_cut
+        is_data = code in _SYSTEM and buffer[at + HEADER_SIZE : at + HEADER_SIZE + 1] in _WITH_DATA
+        if is_data and (not is_whole or any(at < start < end for start in begins)):
+            return Found.NOTHING
+        if not is_whole:
+            return Found.OPEN if (is_begin or anywhere) and self.may_become(buffer, at) else Found.NOTHING
+        is_enough = end - at >= _LEAST and (anywhere or size - end >= LENGTH_FIELD)
+        if is_begin or (is_enough and self.follow(buffer, end) is not None):
+            message = self._schema.read_frame(buffer[at:end], strict=False)
+            if is_plausible(message, self._schema, is_cut=is_cut):
+                return Found.CHAIN
+        return Found.SINGLE if is_begin and self._fills(buffer, at, accepts, missing) else Found.NOTHING
+
+    def _fills(self, buffer: bytes, at: int, accepts: Accepts, missing: int) -> bool:
+        """Returns whether whole frames fill the bytes from an offset on."""
+        frames = self.frames_of(buffer, at, missing)
+        size = sum(map(frame_size, frames))
+        return size == len(buffer) + missing - at and all(accepts(_TYPES[each[HEADER_SIZE - 1]]) for each in frames)
+
+    def frames_of(self, buffer: bytes, at: int = 0, missing: int = 0) -> list[bytes]:
+        """Returns the whole frames that follow each other from an offset on; the last one may be cut by the capture."""
+        size, found = len(buffer), []
+        while size - at >= HEADER_SIZE and self.may_start(buffer, at):
+            end = at + frame_size(buffer, at)
+            if end > size and end != size + missing:
+                break
+            found.append(buffer[at:end])
+            at = end
+        return found
 
     def next_step(
         self, buffer: bytes, at: int, begins: Collection[int], accepts: Accepts, least: int = 0

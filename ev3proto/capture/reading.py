@@ -17,7 +17,6 @@ from ev3proto.capture.record import CaptureError, Event, Record
 from ev3proto.schema.frame import frame_reader
 from ev3proto.tables import check_dialect
 from ev3proto.tables.carriers import Carrier
-from ev3proto.tables.discovery import TCP_PORT
 
 
 class Capture:
@@ -84,7 +83,8 @@ def read(
     source: str | os.PathLike[str] | BinaryIO | CaptureFile,
     *,
     dialect: str = "official",
-    ports: Collection[int] = (TCP_PORT,),
+    ports: Collection[int] = (),
+    everything: bool = False,
     memory: int = DEFAULT_MEMORY,
 ) -> Capture:
     """Reads a capture file: pcap, pcapng or btsnoop, compressed with gzip or not, recognised by its first bytes.
@@ -94,7 +94,10 @@ def read(
     Args:
         source: A path, a binary stream at its start (which stays open), or a CaptureFile.
         dialect: The firmware whose instruction set is used.
-        ports: TCP ports on which bricks listen.
+        ports: TCP ports on which bricks listen: all their traffic is read, recognised or not. Without any, traffic on
+            port 5555 is read if it is recognised.
+        everything: Also read unrecognised traffic on that port, on a brick's Bluetooth channel, and in USB reports of a
+            brick's size.
         memory: Memory limit in bytes for everything pending: unanswered commands, segments ahead of their turn, and so
             on. The oldest are evicted first; `account.forgotten` counts them.
 
@@ -115,7 +118,8 @@ def read(
     except BaseException:
         file.close()
         raise
-    return Capture(_events_in(packets, account, dialect=dialect, ports=ports, memory=memory), account, file)
+    context = Context(frame_reader(dialect), account, frozenset(ports), Budget(memory), is_all=everything)
+    return Capture(_events_in(packets, context), account, file)
 
 
 def _opened(source: str | os.PathLike[str] | BinaryIO) -> CaptureFile:
@@ -127,16 +131,13 @@ def _opened(source: str | os.PathLike[str] | BinaryIO) -> CaptureFile:
 _CARRIERS = {int(link): carrier for carrier in Carrier for link in carrier.facts.links}
 
 
-def _events_in(
-    packets: Iterator[Packet], account: Account, *, dialect: str, ports: Collection[int], memory: int = DEFAULT_MEMORY
-) -> Iterator[Event]:
-    """Yields the events in packets, in their order; the other arguments are those of `read`.
+def _events_in(packets: Iterator[Packet], context: Context) -> Iterator[Event]:
+    """Yields the events in packets, in their order.
 
     Raises:
         CaptureError: After everything readable, if the packets raised it, or have unknown link types.
     """
-    budget = Budget(memory)
-    context = Context(frame_reader(dialect), account, frozenset(ports), budget)
+    account = context.account
     readers: dict[Carrier, CarrierReader] = {}
     unknown: set[int] = set()
     trouble: CaptureError | None = None
@@ -167,7 +168,7 @@ def _events_in(
         trouble = error
     for each in readers.values():
         yield from each.end()
-    account.forgotten = budget.dropped
+    account.forgotten = context.budget.dropped
     if trouble is not None:
         raise trouble
     if unknown:

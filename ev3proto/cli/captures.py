@@ -151,7 +151,9 @@ class CaptureSource:
             self._capture = read_log(self._pieces(self._found), dialect=options.dialect, memory=memory)
         elif options.engine == BUILTIN:
             assert self._file is not None
-            self._capture = read(self._file, dialect=options.dialect, ports=options.ports, memory=memory)
+            self._capture = read(
+                self._file, dialect=options.dialect, ports=options.ports, everything=options.is_all, memory=memory
+            )
         else:
             from ev3proto import pyshark  # takes 50 ms, which only this engine needs
 
@@ -193,13 +195,10 @@ class CaptureSource:
         """Why packets may have frames although none was found, for messages; empty if they have none."""
         account = self.account
         said = ""
-        if account.packed:
-            packets = counted(sum(account.packed.values()), "packet")
-            names = ", ".join(f"{name} {count}" for name, count in account.packed.items())
-            said += (
-                f"; {packets} may have others packed into them ({names}), which are not read here:"
-                " --engine wireshark reads them"
-            )
+        for place, count in account.strange.items() if not account.frames else ():
+            option = f"--port {place.rpartition(' ')[2]}" if "TCP" in place else "--all"
+            was, them = ("was", "it as it is") if count == 1 else ("were", "them as they are")
+            said += f"; {counted(count, 'packet')} {place} {was} not recognised; {option} shows {them}"
         if account.cut:
             said += f"; of {counted(account.cut, 'packet')} only the first bytes were captured (snap length)"
         return said

@@ -62,7 +62,13 @@ def _watch(run: Run, reading: CaptureOptions, started: str, *, as_json: bool) ->
     """Shows what tshark captures until it ends. Raises CaptureError if it ends by itself."""
     try:
         # The output starts with the first captured packet.
-        capture = read(run.output, dialect=reading.dialect, ports=reading.ports, memory=reading.memory * MIB)
+        capture = read(
+            run.output,
+            dialect=reading.dialect,
+            ports=reading.ports,
+            everything=reading.is_all,
+            memory=reading.memory * MIB,
+        )
         complain(started)
         _Watching(reading, as_json=as_json).show(capture.events())
     except CaptureError:

@@ -32,7 +32,8 @@ class CaptureOptions:
     """How input is read.
 
     dialect  the firmware whose instruction set to use
-    ports    TCP ports on which bricks listen
+    ports    TCP ports on which bricks listen; none for 5555, if its traffic is recognised
+    is_all   unrecognised traffic is read, too
     engine   builtin or wireshark
     tshark   path of the tshark for that engine
     filter   which records to show; None for all
@@ -41,7 +42,8 @@ class CaptureOptions:
     """
 
     dialect: str = DIALECTS[0]
-    ports: tuple[int, ...] = (TCP_PORT,)
+    ports: tuple[int, ...] = ()
+    is_all: bool = False
     engine: str = BUILTIN
     tshark: str | None = None
     filter: Filter | None = None
@@ -106,10 +108,15 @@ _OPTIONS = (
         "ports",
         type=Whole(1, 65535),
         multiple=True,
-        default=(TCP_PORT,),
-        show_default=True,
         metavar="PORT",
-        help="TCP port of the brick; can be repeated.",
+        help="TCP port of the brick, to show all its traffic, recognised or not; can be repeated."
+        f" [default: {TCP_PORT}, if recognised]",
+    ),
+    click.option(
+        "--all",
+        "is_all",
+        is_flag=True,
+        help="Show all traffic on a brick's TCP port, Bluetooth channel and USB reports, recognised or not.",
     ),
     click.option(
         "--engine",
@@ -162,7 +169,10 @@ def reading_options(command: F) -> F:
     def called(*arguments: Any, no_length: bool, only_operations: bool, **others: Any) -> Any:
         if no_length and only_operations:
             raise incompatible("--no-length", "--operations")
-        given = {name: others.pop(name) for name in ("dialect", "ports", "engine", "tshark", "filter", "memory")}
+        names = ("dialect", "ports", "is_all", "engine", "tshark", "filter", "memory")
+        given = {name: others.pop(name) for name in names}
+        if given["is_all"] and given["engine"] != BUILTIN:
+            raise incompatible("--all", f"--engine {given['engine']}")
         missing: Missing | None = "length" if no_length else "header" if only_operations else None
         return command(*arguments, reading=CaptureOptions(missing=missing, **given), **others)
 

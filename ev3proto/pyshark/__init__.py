@@ -28,7 +28,6 @@ from ev3proto.pyshark.events import FIELDS, Events, Row
 from ev3proto.pyshark.packets import frame_of, row_of
 from ev3proto.pyshark.tshark import Run, Tshark
 from ev3proto.tables import check_dialect
-from ev3proto.tables.discovery import TCP_PORT
 from ev3proto.temporary import temporary_folder
 
 __all__ = ["Messages", "messages", "parameters", "read"]
@@ -40,7 +39,7 @@ _KEPT = ExitStack()
 def parameters(
     *,
     dialect: str = "official",
-    ports: Collection[int] = (TCP_PORT,),
+    ports: Collection[int] = (),
     tshark: str | None = None,
     use_ek: bool = False,
 ) -> list[str]:
@@ -48,7 +47,8 @@ def parameters(
 
     Args:
         dialect: The firmware whose instruction set is used.
-        ports: TCP ports on which bricks listen.
+        ports: TCP ports on which bricks listen: all their traffic is read, recognised or not. Without any, traffic on
+            port 5555 is read if it is recognised.
         tshark: Path of the tshark that pyshark uses (its `tshark_path`), if it is not on PATH.
         use_ek: Whether pyshark uses that option, too. By default it does not know the fields of a Lua dissector in that
             mode, and raises when one is requested. This adds them.
@@ -135,7 +135,7 @@ def read(
     source: str | os.PathLike[str] | BinaryIO | CaptureFile,
     *,
     dialect: str = "official",
-    ports: Collection[int] = (TCP_PORT,),
+    ports: Collection[int] = (),
     tshark: str | None = None,
     memory: int = DEFAULT_MEMORY,
 ) -> Capture:
@@ -146,7 +146,8 @@ def read(
     Args:
         source: A path, a stream at its start, or a CaptureFile. A stream is copied into a temporary file for tshark.
         dialect: The firmware whose instruction set is used.
-        ports: TCP ports on which bricks listen.
+        ports: TCP ports on which bricks listen: all their traffic is read, recognised or not. Without any, traffic on
+            port 5555 is read if it is recognised.
         tshark: Path of tshark, if it is not on PATH.
         memory: Memory limit for unanswered commands, in bytes.
 

@@ -90,7 +90,8 @@ class Tshark:
                 f" {'.'.join(map(str, OLDEST))} and later"
             )
         words = []
-        for preference in (*_PREFERENCES, f"ev3.firmware:{dialect}", f"ev3.tcp_ports:{_ranges(ports)}"):
+        said = [f"ev3.tcp_ports:{_ranges(ports)}"] if ports else []
+        for preference in (*_PREFERENCES, f"ev3.firmware:{dialect}", *said):
             words += ["-o", preference]
         if re.search(r"\tev3(\t|$)", self.ask("-G", "protocols"), re.MULTILINE):
             yield words

@@ -15,7 +15,7 @@ from ev3proto import bounded, dialogue
 from ev3proto.capture import conversation, files, packets, record, series, statistics
 from ev3proto.capture.carriers.bluetooth import adapters
 from ev3proto.capture.carriers.usb import reports
-from ev3proto.capture.carriers.wifi import connections, fragments, tcp
+from ev3proto.capture.carriers.wifi import connections, tcp
 from ev3proto.capture.filter import language
 from ev3proto.capture.finding import MOST_TRIALS
 from ev3proto.capture.formats import pcapng
@@ -24,7 +24,7 @@ from ev3proto.cli import inputs, live, values
 from ev3proto.cli.annotations import MOST_COMPLAINTS
 from ev3proto.link import file_moves
 from ev3proto.program.checking import MOST_OF_A_CODE
-from ev3proto.tables.claims import STRANGE_PACKETS
+from ev3proto.tables.claims import MOST_HELD, STRANGE_PACKETS
 from ev3proto.tables.frame import MAX_FRAME
 from ev3proto.tables.program import MAX_IMAGE
 from ev3proto.text.paste.pieces import MAX_COLLECTED, MAX_LINE
@@ -37,10 +37,10 @@ LIMITS = {
     "Commands with the same counter": f"{dialogue.MOST_PER_KEY}",
     "Files of one connection that wait for the reply to their first command": f"{dialogue.MOST_BEGUN}",
     "Segments of one direction of TCP": f"{tcp.MOST_AHEAD // MIB} MiB, {tcp.MOST_SEGMENTS_AHEAD} segments",
-    "Incomplete IP packets": f"{fragments.MOST_PACKETS}, each for {fragments.MOST_SECONDS} seconds",
     "TCP connections": f"{connections.MOST_CONNECTIONS}",
     "Consecutive packets without a readable frame, before the first reply to a command": f"{STRANGE_PACKETS}",
     "Bytes of each side of a conversation before it is recognised as a brick's": f"{MAX_FRAME:,}",
+    "Packets of one conversation with commands that only their replies would show to be a brick's": f"{MOST_HELD}",
     "Bricks whose beacons are remembered": f"{connections.MOST_BRICKS} addresses and ports",
     "USB devices": f"{reports.MOST_DEVICES}, about 12 MiB",
     "Bluetooth connections, of all adapters": f"{adapters.MOST_CONNECTIONS}, about 8 MiB",

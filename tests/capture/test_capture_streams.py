@@ -367,13 +367,13 @@ def test_without_acknowledgements() -> None:
 
 def test_a_capture_begun_inside_a_frame() -> None:
     packets = [
-        segment(True, 1000, voltage(1)[3:] + voltage(2)),
-        segment(True, 1017, voltage(3)),
+        segment(True, 1000, voltage(1)[3:] + voltage(2) + voltage(3)),
+        segment(True, 1027, voltage(4)),
         segment(False, 5000, volts(1)[-2:]),
         segment(False, 5002, volts(2)),
     ]
     events, capture = opened(pcap(RAW_IP, timed(packets)))
-    assert frames(events) == [(voltage(2), (1,)), (voltage(3), (2,)), (volts(2), (4,))]
+    assert frames(events) == [(voltage(2), (1,)), (voltage(3), (1,)), (voltage(4), (2,)), (volts(2), (4,))]
     assert [data for data, *_ in complaints(events)] == [volts(1)[-2:]]
     # Traffic before the first plausible command belongs to others.
     assert (capture.account.other, capture.account.balance) == (len(voltage(1)[3:]), 0)

@@ -16,7 +16,16 @@ from typing import Any
 
 import pytest
 from support.cli import run_ev3proto, run_ev3proto_text
-from support.packets import RAW_IP, Capture, Connection, cut, in_tunnels
+from support.packets import (
+    HCI_WITH_DIRECTION,
+    RAW_IP,
+    USBMON,
+    Capture,
+    Connection,
+    Device,
+    SerialPort,
+    cut,
+)
 
 ROOT = Path(__file__).parents[2]
 CAPTURES = ROOT / "captures"
@@ -274,29 +283,66 @@ def test_a_capture_without_any_frame() -> None:
     )
 
 
-PACKED = (
-    "6 packets may have others packed into them (GRE 1, AH 1, 802.1ah 1, VXLAN 1, Geneve 1, GTP 1),"
-    " which are not read here: --engine wireshark reads them"
-)
+FAULTY = bytes.fromhex("0700 0100 00 0000 94 77")
+"""A command with an unknown CMD, which does not show that it is a brick's."""
 
 
 @pytest.mark.parametrize(
     ("words", "nothing"),
     [
-        (("decode",), "no frame in 7 packets"),
-        (("check",), "no command in 7 packets"),
-        (("files",), "no frame in 7 packets"),
-        (("values",), "no frame in 7 packets"),
+        (("decode",), "no frame in 2 packets"),
+        (("decode", "--dialogues"), "no frame in 2 packets"),
+        (("check",), "no command in 2 packets"),
+        (("files",), "no frame in 2 packets"),
+        (("values",), "no frame in 2 packets"),
         (("timeline", "-o", "x.svg"), "no frame found"),
     ],
 )
-def test_packets_inside_other_packets_are_named(words: tuple[str, ...], nothing: str, tmp_path: Path) -> None:
-    path = tmp_path / "tunnels.pcap"
-    path.write_bytes(in_tunnels(TONE))
+def test_packets_that_are_not_recognised_are_counted(words: tuple[str, ...], nothing: str, tmp_path: Path) -> None:
+    capture = Capture(RAW_IP)
+    for _ in range(2):
+        Connection(capture).send(FAULTY)
+    path = tmp_path / "faulty.pcap"
+    path.write_bytes(capture.data())
     words = tuple(str(tmp_path / word) if word.endswith("svg") else word for word in words)
     done = run(*words, str(path))
     assert done.returncode == 1
-    assert done.stderr.decode() == f"{path}: {nothing}; {PACKED}\n"
+    advice = "2 packets on TCP port 5555 were not recognised; --port 5555 shows them as they are"
+    assert done.stderr.decode() == f"{path}: {nothing}; {advice}\n"
+
+
+CARRIERS = {
+    "on TCP port 5555": (RAW_IP, Connection, "--port 5555"),
+    "on RFCOMM channel 1": (HCI_WITH_DIRECTION, SerialPort, "--all"),
+    "with a USB report of 1024 bytes": (USBMON, Device, "--all"),
+}
+
+
+@pytest.mark.parametrize("place", CARRIERS)
+def test_the_option_that_shows_packets_which_are_not_recognised(place: str) -> None:
+    link, make, option = CARRIERS[place]
+    capture = Capture(link)
+    make(capture).send(FAULTY)
+    done = run("decode", stdin=capture.data())
+    assert (done.returncode, done.stdout) == (1, b"")
+    assert done.stderr.decode().endswith(f"; 1 packet {place} was not recognised; {option} shows it as it is\n")
+    for words in (option.split(), ["--all"]):
+        shown = run("decode", "--json", *words, stdin=capture.data())
+        assert [json.loads(line)["hex"] for line in shown.stdout.splitlines()] == [FAULTY.hex()]
+
+
+def test_all_is_an_option_of_the_built_in_engine() -> None:
+    done = run("decode", "--all", "--engine", "wireshark", stdin=b"")
+    assert done.returncode == 2
+    assert "--all and --engine wireshark cannot be used together" in done.stderr.decode()
+
+
+def test_packets_are_not_called_unrecognised_when_some_frames_are_shown() -> None:
+    capture = Capture(RAW_IP)
+    Connection(capture).send(TONE)
+    Connection(capture, 40_000).send(FAULTY)
+    done = run("decode", "--filter", "counter == 77", stdin=capture.data())
+    assert done.stderr.decode() == "standard input: no frame in 2 packets matches the filter\n"
 
 
 def test_packets_that_were_cut_are_counted_where_no_frame_is_found() -> None:

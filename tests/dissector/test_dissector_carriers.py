@@ -123,7 +123,7 @@ def test_port_5555(ask: Ask) -> None:
         ("5555,6000", ["1", "2"]),
         ("5999-6001", ["2", "3"]),
         ("5550-5560,6001", ["1", "3"]),
-        ("", []),
+        ("", ["1"]),
     ],
 )
 def test_a_preference_names_other_ports(ask: Ask, ports: str, packets: list[str]) -> None:
@@ -725,3 +725,42 @@ def test_the_button_of_the_profile_hides_what_is_not_a_message(tshark: Tshark) -
     for name in ("wifi.pcapng", "ev3_dc.pcap", "usb.pcapng", "usb-plugged.pcap"):
         assert tshark.run(CAPTURES / name, "-Y", shows) != ""
         assert tshark.run(CAPTURES / name, "-Y", f"({shows}) && (tcp.len == 0 || usb.setup.bRequest)") == ""
+
+
+# Names of hosts
+
+
+def _name_answer(name: str, address: bytes) -> bytes:
+    """A datagram with an answer to the question for a name, from which Wireshark learns it."""
+    question = b"".join(bytes((len(part),)) + part.encode() for part in name.split(".")) + b"\0"
+    data = struct.pack(">HHHHHH", 1, 0x8180, 1, 1, 0, 0) + question + struct.pack(">HH", 1, 1)
+    data += b"\xc0\x0c" + struct.pack(">HHIH", 1, 1, 3600, 4) + address
+    return datagram(data, bytes((192, 0, 2, 53)), 53, HOST, 40_000)
+
+
+def test_names_of_hosts_change_nothing_that_is_found(tshark: Tshark) -> None:
+    """Names from a file, and names that are learned in the middle; two bricks have connections with the same ports."""
+    capture = Capture(RAW_IP)
+    capture.add(datagram(ev3proto.Beacon(SERIAL, name="myEV3").build().replace(b"5555", b"16000")))
+    both = [Connection(capture, ends=(HOST, BRICK[:3] + bytes((10 + number,)))) for number in range(2)]
+    announced = Connection(capture, 50_000, brick_port=16_000)
+    for counter in range(12):
+        for connection in both:
+            connection.send(voltage(counter)[:6])
+            connection.send(voltage(counter)[6:] + tone(100 + counter)[:9])
+            connection.receive(volts(counter))
+            connection.send(tone(100 + counter)[9:])
+        if counter > 7:
+            both[0].segment(True, bytes(5))  # a gap
+            both[0].send(tone(counter)[5:] + tone(200 + counter))
+            announced.send(voltage(counter))
+        if counter in (3, 5, 9):
+            capture.add(_name_answer(f"brick{counter}.example", BRICK if counter != 5 else HOST))
+    path = tshark.place(capture.data(), "names.pcap")
+    hosts = tshark.place(b"192.0.2.10 robot.example\n192.0.2.1 computer.example\n", "hosts")
+    fields = ("-Y", "ev3.msg_num", "-T", "fields", "-e", "frame.number", "-e", "ev3.msg_num", "-e", "ev3.request_in")
+    for passes in ((), ("-2",)):
+        plain = tshark.run(path, *passes, *fields)
+        assert len(plain.splitlines()) == 80
+        for words in (("-N", "nd"), ("-N", "n", "-H", str(hosts))):
+            assert tshark.run(path, *words, *passes, *fields) == plain

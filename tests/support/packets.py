@@ -131,17 +131,6 @@ def datagram(
     return _ip(source, target, 17, struct.pack(">HHHH", port, target_port, 8 + len(data), 0) + data)
 
 
-def fragments(packet: bytes, size: int, identity: int = 1) -> list[bytes]:
-    """The same IP packet, without options in its header, in fragments of a number of bytes, a multiple of eight."""
-    data, found = packet[20:], []
-    for at in range(0, len(data), size):
-        part = data[at : at + size]
-        is_more = at + size < len(data)
-        numbers = struct.pack(">HHH", 20 + len(part), identity, at // 8 | 0x2000 * is_more)
-        found.append(packet[:2] + numbers + packet[8:20] + part)
-    return found
-
-
 def in_tunnels(data: bytes) -> bytes:
     """A capture of Ethernet: the same data by six programs, in GRE, AH, 802.1ah, VXLAN, Geneve and GTP; then ARP."""
     capture = Capture(1)

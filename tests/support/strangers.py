@@ -86,6 +86,35 @@ def modbus(rng: random.Random) -> Iterator[Said]:
         yield False, struct.pack(">BBB", 1, 3, 2 * count) + rng.randbytes(2 * count + 2)
 
 
+def checked_modbus(rng: random.Random) -> Iterator[Said]:
+    """The same with real checksums: bits, registers and single values of several units, read and written."""
+
+    def checked(data: bytes) -> bytes:
+        rest = 0xFFFF
+        for byte in data:
+            rest ^= byte
+            for _ in range(8):
+                rest = rest >> 1 ^ 0xA001 * (rest & 1)
+        return data + struct.pack("<H", rest)
+
+    def values(count: int) -> bytes:
+        return b"".join(
+            struct.pack(">H", rng.choice((0, 1, rng.randrange(300), rng.randrange(1 << 16)))) for _ in range(count)
+        )
+
+    for _ in range(300):
+        unit, at, count = rng.randint(1, 8), rng.randrange(1000), rng.randint(1, 20)
+        function = rng.choice((1, 2, 3, 4, 5, 6, 16))
+        head = struct.pack(">BBHH", unit, function, at, rng.randrange(1000) if function in (5, 6) else count)
+        if function <= 4:
+            size = 2 * count if function > 2 else (count + 7) // 8
+            yield True, checked(head)
+            yield False, checked(bytes((unit, function, size)) + values(count)[:size])
+        else:
+            yield True, checked(head + bytes((2 * count,)) + values(count) if function == 16 else head)
+            yield False, checked(head)
+
+
 def numbered(rng: random.Random) -> Iterator[Said]:
     """An invented protocol: two bytes of length, a kind, a number at the place of a frame's type, a text."""
     words = (b"temperature", b"hello", b"SELECT 1", b"admin")

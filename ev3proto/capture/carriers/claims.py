@@ -1,14 +1,16 @@
-"""Claims of conversations with byte streams, packet by packet; the rule is in `tables.claims`."""
+"""Claims of conversations with byte streams: what waits for more bytes, and what a claim gives to the streams."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from itertools import accumulate
+
 from ev3proto.capture.carriers.streams import Context, Piece, Stream
-from ev3proto.capture.claims import Claim, is_complete_reply
-from ev3proto.capture.finding import Accepts
+from ev3proto.capture.claims import Claim, State
+from ev3proto.capture.finding import Accepts, Found
 from ev3proto.capture.framing import MARK_SIZE
 from ev3proto.capture.record import Direction, Event, Record, Skipped
-from ev3proto.schema.header import HEADER_SIZE, frame_size
-from ev3proto.tables.claims import REPLIES
+from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.tables.discovery import UNLOCK_REQUEST
 from ev3proto.tables.frame import MessageType
 
@@ -23,24 +25,8 @@ class StreamClaim(Claim):
     goes_out     tells which message types go to the brick
     comes_back   tells which come from it
     is_sure      the conversation is claimed whatever its bytes are
-    joins        a command may begin anywhere in a packet, and is waited for; by default only at a packet's start
-    has_texts    the unlock text claims it, too, and so do replies alone
+    has_texts    as over TCP: the direction is known, the unlock text claims it, too, and so do replies alone
     """
-
-    __slots__ = (
-        "_account",
-        "_comes_back",
-        "_finder",
-        "_fresh",
-        "_goes_out",
-        "_has_texts",
-        "_joins",
-        "_replies",
-        "_schema",
-        "_streams",
-        "_waiting",
-        "to_brick",
-    )
 
     def __init__(
         self,
@@ -49,26 +35,29 @@ class StreamClaim(Claim):
         comes_back: Accepts,
         *,
         is_sure: bool = False,
-        joins: bool = False,
         has_texts: bool = False,
     ) -> None:
-        super().__init__(is_sure=is_sure)
+        super().__init__(
+            context.schema,
+            lambda member: member.is_command and member.carries != "daisy",
+            Direction.SENT if has_texts else None,
+            is_sure=is_sure,
+        )
+        if is_sure:
+            self.to_brick = Direction.SENT
         self._account = context.account
-        self._schema = context.schema
-        self._finder = context.finder
         self._goes_out = goes_out
         self._comes_back = comes_back
-        self._joins = joins
         self._has_texts = has_texts
-        self.to_brick: Direction | None = Direction.SENT if has_texts else None
-        self._replies = 0
         self._streams: dict[Direction, Stream] = {}
         self._fresh: set[Direction] = set()  # not read since the claim began
         self._waiting: dict[Direction, list[Piece]] = {}
 
     def waiting(self, direction: Direction) -> int:
         """Returns the approximate memory of the pending bytes of a direction."""
-        return sum(MARK_SIZE + len(piece.data) for piece in self._waiting.get(direction, ()))
+        held = [frame for each in self.held if each.side is direction for frame in each.frames]
+        pending = [*held, *(piece.data for piece in self._waiting.get(direction, ()))]
+        return sum(MARK_SIZE + len(data) for data in pending)
 
     def feed(self, stream: Stream, piece: Piece) -> list[Event]:
         """Takes the next bytes of a direction. Returns the events of those that are claimed."""
@@ -87,21 +76,16 @@ class StreamClaim(Claim):
 
     def _counted(self, stream: Stream, events: list[Event]) -> list[Event]:
         """Counts the events of a packet. If that ends the claim, adds those of the pending bytes."""
-        unread, is_good = stream.cutter.passed, False
-        if self.is_sure or not (events or unread):
+        if self.state is State.SURE:
             return events
-        for event in events:
-            if isinstance(event, Record):
-                is_good = self.is_ours(event) or is_good
-            elif isinstance(event, Skipped):
-                unread += len(event.data)
-            else:
-                self.begin(is_sure=True)
-                return events
-        self.count(is_good=is_good, unread=unread)
+        records = [event for event in events if isinstance(event, Record)]
+        skipped = [len(event.data) for event in events if isinstance(event, Skipped)]
+        if len(records) + len(skipped) < len(events):
+            self.begin(State.SURE)  # one of the texts
+            return events
+        self.count(records, stream.cutter.passed + sum(skipped))
         if self.is_claimed:
             return events
-        self._joins = True
         return events + [event for each in self._streams.values() for event in each.give_up(_ENDED)]
 
     def leave_hole(self, stream: Stream, missing: int) -> list[Event]:
@@ -122,6 +106,7 @@ class StreamClaim(Claim):
     def give_up(self, stream: Stream) -> list[Event]:
         """Gives up the pending bytes of a direction, at the memory limit."""
         self._forget(_side(stream))
+        self.held.clear()
         return stream.give_up() if self.is_claimed else []
 
     def end_side(self, stream: Stream) -> list[Event]:
@@ -129,7 +114,8 @@ class StreamClaim(Claim):
         pieces = self._waiting.get(_side(stream), [])
         if not self.is_claimed and b"".join(piece.data for piece in pieces).startswith(_REQUEST):
             # A cut unlock text: only bricks are unlocked in this way.
-            return self._begun(stream, _side(stream), pieces, 0, is_sure=True) + stream.end()
+            self.begin(State.SURE)
+            return self._begun(stream, pieces, 0) + stream.end()
         self._forget(_side(stream))
         return stream.end() if self.is_claimed else []
 
@@ -142,70 +128,56 @@ class StreamClaim(Claim):
         """Searches for a reason to claim the conversation."""
         pieces = [*self._waiting.pop(side, ()), piece]
         text = b"".join(each.data for each in pieces)
+        starts = [0, *accumulate(len(each.data) for each in pieces[:-1])]
         if self._has_texts:
             begins = stream.cutter.begins_with_text(text)
             if begins:
-                return self._begun(stream, side, pieces, 0, is_sure=True)
+                self.begin(State.SURE)
+                return self._begun(stream, pieces, 0)
             if begins is None and not piece.missing:
                 self._waiting[side] = pieces
                 return []
-        if self._has_texts and side is not self.to_brick:
-            return self._count_replies(stream, side, piece)
-        place, is_whole = self._finder.first_command(text, _starts(pieces), self._goes_out, piece.missing)
-        if is_whole:
-            self.to_brick = side
-            return self._begun(stream, side, pieces, place)
-        if piece.missing or not (self._joins or place in _starts(pieces)):
-            # A packet is left to others at once, unless a command may begin with it.
+
+        def adopt(place: int) -> Callable[[], list[Event]]:
+            return lambda: self._adopted(stream, _after(pieces, place))
+
+        found, place, earlier = self.judge(side, text, adopt, starts, piece.missing)
+        if found is Found.CHAIN:
+            return earlier + self._begun(stream, pieces, place, is_proved=bool(earlier))
+        if found is not Found.OPEN or piece.missing:
             place = len(text)
         self._account.other += place
         if place < len(text):
             self._waiting[side] = _after(pieces, place)
         return []
 
-    def _count_replies(self, stream: Stream, side: Direction, piece: Piece) -> list[Event]:
-        data, at = piece.data, 0
-        while len(data) - at >= HEADER_SIZE:
-            end = at + frame_size(data, at)
-            if end > len(data) or not is_complete_reply(self._schema.read_frame(data[at:end], strict=False)):
-                break
-            self._replies += 1
-            at = end
-        if at < len(data):
-            self._replies = 0
-        if self._replies >= REPLIES:
-            return self._begun(stream, side, [piece], 0)
-        self._account.other += len(data)
-        return []
+    def _adopted(self, stream: Stream, pieces: list[Piece]) -> list[Event]:
+        """Returns the events of commands that a reply has proved."""
+        self._account.other -= sum(len(piece.data) for piece in pieces)
+        return self._started(stream, pieces)
 
-    def _begun(
-        self, stream: Stream, side: Direction, pieces: list[Piece], place: int, *, is_sure: bool = False
-    ) -> list[Event]:
-        """Begins a claim at an offset in some pieces. Returns the events from there on."""
-        self.begin(is_sure=is_sure)
-        self._replies = 0
+    def _begun(self, stream: Stream, pieces: list[Piece], place: int, *, is_proved: bool = False) -> list[Event]:
+        """Returns the events of a claim that begins at an offset in some pieces; a reply may have proved commands."""
+        side, events = _side(stream), []
         self._waiting.pop(side, None)
+        self._fresh = set() if is_proved else set(Direction) - {side}
         for other in tuple(self._waiting):
+            if is_proved:
+                events += [event for piece in self._waiting.pop(other) for event in self._streams[other].feed(piece)]
             self._forget(other)
-        self._fresh = set(Direction) - {side}
         self._account.other += place
-        stream.cutter.accepts = self._goes_out if side is self.to_brick else self._comes_back
+        return events + self._counted(stream, self._started(stream, _after(pieces, place)))
+
+    def _started(self, stream: Stream, pieces: list[Piece]) -> list[Event]:
+        """Returns the events of pieces of which the first begins with a frame."""
+        stream.cutter.accepts = self._goes_out if _side(stream) is self.to_brick else self._comes_back
         stream.cutter.begin(in_step=True)
-        return self._counted(stream, [event for piece in _after(pieces, place) for event in stream.feed(piece)])
+        return [event for piece in pieces for event in stream.feed(piece)]
 
 
 def _side(stream: Stream) -> Direction:
     assert stream.route.direction is not None
     return stream.route.direction
-
-
-def _starts(pieces: list[Piece]) -> set[int]:
-    """Returns the offsets at which pieces begin."""
-    at, starts = 0, set()
-    for piece in pieces:
-        starts.add(at)
-        at += len(piece.data)
-    return starts
 
 
 def _after(pieces: list[Piece], place: int) -> list[Piece]:

@@ -41,18 +41,22 @@ class Context:
 
     schema   reads frames
     account  counts all bytes
-    ports    TCP ports on which bricks listen
+    ports    TCP ports whose traffic is a brick's, whatever it is; none for the usual one, if its traffic is recognised
+    is_all   everything on a brick's port, channel and report size is a brick's
     budget   limits the memory of all pending bytes and commands
     late     events of what was evicted at that limit; they follow those of the current packet
     finder   finds frames in streams that are out of step
     """
 
-    __slots__ = ("account", "budget", "finder", "late", "ports", "schema")
+    __slots__ = ("account", "budget", "finder", "is_all", "late", "ports", "schema")
 
-    def __init__(self, schema: FrameReader, account: Account, ports: frozenset[int], budget: Budget) -> None:
+    def __init__(
+        self, schema: FrameReader, account: Account, ports: frozenset[int], budget: Budget, *, is_all: bool = False
+    ) -> None:
         self.schema = schema
         self.account = account
         self.ports = ports
+        self.is_all = is_all
         self.budget = budget
         self.late: list[Event] = []
         self.finder = Finder(schema)

@@ -325,10 +325,10 @@ def _claims() -> Iterator[str]:
     rule = {
         "strange_packets": claims.STRANGE_PACKETS,
         "replies": claims.REPLIES,
+        "most_held": claims.MOST_HELD,
         "never_sent": numbers[claims.NEVER_SENT],
         "not_telling": Table(named={numbers[name]: True for name in claims.NOT_TELLING}),
         "only_in_programs": Table(named={numbers[name]: True for name in claims.ONLY_IN_PROGRAMS}),
-        "first_of_devices": numbers[claims.FIRST_OF_DEVICES],
         "nxt_write": claims.NXT_WRITE,
         "nxt_flag": 0xFFFF - claims.NXT_MASK,
     }

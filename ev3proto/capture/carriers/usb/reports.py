@@ -6,9 +6,10 @@ from collections.abc import Iterable
 
 from ev3proto.bounded import Bounded
 from ev3proto.capture.carriers.streams import Context
-from ev3proto.capture.carriers.usb.requests import IN, INTERRUPT, Urb, urb
-from ev3proto.capture.claims import Claim, is_plausible, is_sensible
+from ev3proto.capture.carriers.usb.requests import INTERRUPT, Urb, urb
+from ev3proto.capture.claims import Claim, State
 from ev3proto.capture.conversation import Conversation
+from ev3proto.capture.evidence import is_sensible
 from ev3proto.capture.packets import Packet
 from ev3proto.capture.record import HOST, Direction, Event, Route, Skipped
 from ev3proto.schema.header import HEADER_SIZE, frame_size, is_frame_size
@@ -16,10 +17,9 @@ from ev3proto.tables import system
 from ev3proto.tables.carriers import USB_PRODUCTS, Carrier
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME, MAX_LENGTH, MIN_LENGTH, REPORT_SIZES, MessageType
 
-MOST_DEVICES = 4096
+MOST_DEVICES = 1024
 """Maximum number of remembered devices; no computer has more."""
 
-_BIG_REPORT = MAX_FRAME
 _TYPES = {int(member): member for member in MessageType}
 _BOOTLOADER = frozenset(command.number for command in system.SYSTEM if command.bootloader)
 
@@ -32,63 +32,30 @@ class Reports:
     def __init__(self, context: Context) -> None:
         self._context = context
         self._account = context.account
-        self._products: Bounded[str, bool] = Bounded(MOST_DEVICES)
+        self._claims: Bounded[str, Claim] = Bounded(MOST_DEVICES)
         self._conversations: Bounded[str, Conversation] = Bounded(MOST_DEVICES)
         self._routes: Bounded[tuple[str, bool, str | None], Route] = Bounded(MOST_DEVICES)
-        self._claims: Bounded[str, Claim] = Bounded(MOST_DEVICES)
 
     def feed(self, packet: Packet) -> Iterable[Event]:
-        """Returns the event in a packet, if any."""
+        """Returns the events that a packet completes."""
         found = urb(packet)
-        if found is None:
-            self._account.other += len(packet.data)
-            return ()
-        if found.transfer != INTERRUPT:
-            if found.product is not None:
-                self._products.add(found.device, found.product in USB_PRODUCTS)
-            self._account.other += len(packet.data)
-            return ()
-        if len(found.data) < HEADER_SIZE:
-            self._account.other += len(packet.data)
-            return ()
-        is_from_host = not found.endpoint & IN
-        size = frame_size(found.data)
-        frame = found.data[:size]
-        is_length = is_frame_size(size)
-        is_brick = self._products.get(found.device, False)
-        claim = None if is_brick else self._claims.use(found.device, Claim)[0]
-        if claim is not None and not self._is_claimed(claim, found, frame, is_from_host, packet):
-            self._account.other += len(packet.data)
-            return ()
-        self._account.headers += len(packet.data) - len(found.data)
-        route = self._route(found.device, is_from_host, packet)
-        if not is_length:
-            self._account.skipped += len(found.data)
-            reason = (
-                f"the report has no frame: its length field is {size - LENGTH_FIELD}, but the range is {MIN_LENGTH} to"
-                f" {MAX_LENGTH}"
-            )
-            return (Skipped(found.data, 0, reason, packet.number, packet.time_ns, route),)
-        self._account.frames += len(frame)
-        self._account.padding += len(found.data) - len(frame)
-        conversation = self._conversation(found.device)
-        if _is_overwritten(frame, is_from_host):
-            record = conversation.overwritten(frame, (packet.number,), packet.time_ns, route)
-            record.note = OVERWRITTEN
-            return (record,)
-        record = conversation.record(frame, (packet.number,), packet.time_ns, route)
-        if claim is not None and claim.is_claimed:
-            claim.count(is_good=claim.is_ours(record))
-        return (record,)
+        if found is not None and found.product is not None:
+            self._claims.add(found.device, self._claim(is_sure=found.product in USB_PRODUCTS))
+        if found is not None and found.transfer == INTERRUPT and len(found.data) >= HEADER_SIZE:
+            claim = self._claims.use(found.device, self._claim)[0]
+            is_big = len(found.data) + packet.size - len(packet.data) == MAX_FRAME
+            is_sure = claim.state is State.SURE or (is_big and self._context.is_all)
+            earlier = [] if is_sure else self._earlier(claim, packet, found)
+            if earlier is not None:
+                return [*earlier, self._event(claim, packet, found)]
+            if is_big:
+                self._account.count_strange(f"with a USB report of {MAX_FRAME} bytes")
+        self._account.other += len(packet.data)
+        return ()
 
     def end(self) -> Iterable[Event]:
         """Returns nothing: reports are never pending."""
         return ()
-
-    def _conversation(self, device: str) -> Conversation:
-        if device not in self._conversations:
-            self._conversations.add(device, self._context.conversation())
-        return self._conversations[device]
 
     def _route(self, device: str, is_from_host: bool, packet: Packet) -> Route:
         key = device, is_from_host, packet.interface.name
@@ -98,33 +65,65 @@ class Reports:
             self._routes.add(key, Route(Carrier.USB, *ends, direction, packet.interface.name, device))
         return self._routes[key]
 
-    def _is_claimed(self, claim: Claim, found: Urb, frame: bytes, is_from_host: bool, packet: Packet) -> bool:
-        """Returns whether a report of a device that may not be a brick is claimed.
+    def _claim(self, *, is_sure: bool = False) -> Claim:
+        return Claim(self._context.schema, lambda member: member.is_command, is_sure=is_sure)
 
-        Reports of other devices may begin like a frame, so its size must be that of its type.
+    def _earlier(self, claim: Claim, packet: Packet, found: Urb) -> list[Event] | None:
+        """Returns the events of earlier commands if a report, which may prove them, is claimed; else None.
+
+        Reports of other devices may begin like a frame, so the report's size must be that of the frame's type.
         """
+        frame = found.frame
         reported = len(found.data) + packet.size - len(packet.data)
+        is_big = reported == MAX_FRAME
         is_whole = reported in REPORT_SIZES and is_frame_size(len(frame)) and len(frame) == frame_size(frame)
         member = _TYPES.get(frame[HEADER_SIZE - 1]) if is_whole else None
-        is_big = reported == _BIG_REPORT
-        if member is None or not (is_big or member.carries == "daisy"):
-            claim.count(is_good=False, unread=len(found.data))
-            return False
-        message = self._context.schema.read_frame(frame, strict=False)
-        # Bricks in a chain send commands both ways, in smaller reports than computers.
-        if not is_big or _is_overwritten(frame, is_from_host):
-            return is_sensible(message)
-        if member.is_command != is_from_host:
-            claim.count(is_good=False, unread=len(found.data))
-            return False
-        if not claim.is_claimed and is_plausible(message, self._context.schema):
-            claim.begin()
-        return claim.is_claimed
+        if member is not None and (member.carries == "daisy" if not is_big else _is_overwritten(found)):
+            # Bricks in a chain send commands both ways, in smaller reports than computers.
+            return [] if is_sensible(self._context.schema.read_frame(frame, strict=False)) else None
+        if member is None or not is_big or member.is_command != found.is_from_host:
+            claim.count((), len(found.data))
+            return None
+        if claim.is_claimed:
+            return []
+
+        def adopt() -> list[Event]:
+            self._account.other -= len(packet.data)
+            return [self._event(claim, packet, found)]
+
+        _, _, earlier = claim.judge(found.is_from_host, frame, lambda _: adopt)
+        return earlier if claim.is_claimed else None
+
+    def _event(self, claim: Claim, packet: Packet, found: Urb) -> Event:
+        """Returns the event of a claimed report."""
+        data, frame = found.data, found.frame
+        self._account.headers += len(packet.data) - len(data)
+        route = self._route(found.device, found.is_from_host, packet)
+        if not is_frame_size(frame_size(data)):
+            self._account.skipped += len(data)
+            reason = (
+                f"the report has no frame: its length field is {frame_size(data) - LENGTH_FIELD}, but the range is"
+                f" {MIN_LENGTH} to {MAX_LENGTH}"
+            )
+            return Skipped(data, 0, reason, packet.number, packet.time_ns, route)
+        self._account.frames += len(frame)
+        self._account.padding += len(data) - len(frame)
+        if found.device not in self._conversations:
+            self._conversations.add(found.device, self._context.conversation())
+        conversation = self._conversations[found.device]
+        if _is_overwritten(found):
+            record = conversation.overwritten(frame, (packet.number,), packet.time_ns, route)
+            record.note = OVERWRITTEN
+            return record
+        record = conversation.record(frame, (packet.number,), packet.time_ns, route)
+        claim.count((record,))
+        return record
 
 
-def _is_overwritten(frame: bytes, is_from_host: bool) -> bool:
+def _is_overwritten(found: Urb) -> bool:
     """Returns whether a reply has the request written over its start: it is from the device, with a command's type."""
+    frame = found.frame
     member = _TYPES.get(frame[HEADER_SIZE - 1]) if len(frame) > HEADER_SIZE else None
-    if member is None or is_from_host:
+    if member is None or found.is_from_host:
         return False
     return member.kind == "system-command" and frame[HEADER_SIZE] in _BOOTLOADER

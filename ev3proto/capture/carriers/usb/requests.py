@@ -6,6 +6,7 @@ import struct
 from typing import NamedTuple
 
 from ev3proto.capture.packets import Packet
+from ev3proto.schema.header import frame_size
 from ev3proto.tables.carriers import Link
 
 USBMON = {order: struct.Struct(order + "QBBBBHBBQIIII8s") for order in "<>"}
@@ -46,6 +47,16 @@ class Urb(NamedTuple):
     endpoint: int
     transfer: int
     data: bytes
+
+    @property
+    def is_from_host(self) -> bool:
+        """Whether the computer sends it."""
+        return not self.endpoint & IN
+
+    @property
+    def frame(self) -> bytes:
+        """The data as far as their length field tells."""
+        return self.data[: frame_size(self.data)]
 
     @property
     def product(self) -> tuple[int, int] | None:

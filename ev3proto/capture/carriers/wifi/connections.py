@@ -8,10 +8,8 @@ from ev3proto.bounded import Bounded
 from ev3proto.capture.carriers.claims import StreamClaim
 from ev3proto.capture.carriers.streams import Context, Piece, Stream
 from ev3proto.capture.carriers.wifi import layers
-from ev3proto.capture.carriers.wifi.fragments import Fragment, Fragments
 from ev3proto.capture.carriers.wifi.internet import (
     ACK,
-    PACKED_PORTS,
     PORT_SIZE,
     PORTS,
     RST,
@@ -40,7 +38,7 @@ from ev3proto.capture.packets import Interface, Packet
 from ev3proto.capture.record import Announcement, Direction, Event, Route, TextKind
 from ev3proto.errors import DecodeError, counted
 from ev3proto.schema.discovery import Beacon, is_beacon
-from ev3proto.tables.carriers import Carrier, Link
+from ev3proto.tables.carriers import Carrier
 from ev3proto.tables.discovery import BEACON_PORT, TCP_PORT, UNLOCK_REQUEST
 
 MOST_CONNECTIONS = 1024
@@ -116,10 +114,9 @@ class Connections:
     def __init__(self, context: Context) -> None:
         self._context = context
         self._account = context.account
-        self._ports = {port_bytes(port) for port in context.ports if 0 <= port < PORTS}
-        self._is_said = self._ports != {port_bytes(TCP_PORT)}  # the user named ports
+        self._ports = {port_bytes(port) for port in context.ports or (TCP_PORT,) if 0 <= port < PORTS}
+        self._is_said = bool(context.ports) or context.is_all
         self._budget = context.budget
-        self._fragments = Fragments(context.budget)
         self._connections: Bounded[Ends, _Connection] = Bounded(MOST_CONNECTIONS)
         self._halves: dict[Ends, _Half] = {}
         # The places to which beacons are answered, those at which bricks listen by their beacons, and the bricks' ends
@@ -132,33 +129,12 @@ class Connections:
         """Returns the events that a packet completes."""
         found = _transport(packet.interface.link, packet.data)
         if found is None:
-            return self._put_together(packet)
+            self._account.other += len(packet.data)
+            return ()
         ends, carried, *_, flags = found
         if flags is None:
             return self._datagram(packet, ends, carried)
         return self._segment(packet, found, self._halves.get(ends))
-
-    def _put_together(self, packet: Packet) -> Iterable[Event]:
-        """Takes a packet without a segment or datagram, which may be a fragment, or a tunnel."""
-        link: int = packet.interface.link
-        self._account.other += len(packet.data)
-        for _ in range(layers.MOST_LAYERS):
-            left = layers.left_in(link, packet.data)
-            if isinstance(left, str):
-                self._account.meet_packed(left)
-            whole = self._fragments.add(left, packet.time_ns) if isinstance(left, Fragment) else None
-            if whole is None:
-                break
-            packet, link = packet._replace(data=whole, size=len(whole)), Link.RAW_IP
-            found = _transport(link, whole)
-            if found is not None:
-                # The headers of the fragments remain counted as `other`.
-                self._account.other -= len(whole)
-                ends, carried, *_, flags = found
-                if flags is None:
-                    return self._datagram(packet, ends, carried)
-                return self._segment(packet, found, self._halves.get(ends))
-        return ()
 
     def end(self) -> Iterable[Event]:
         """Returns the events of the pending bytes."""
@@ -234,6 +210,9 @@ class Connections:
             else:
                 events = self._given(half, reassembly.add(sequence, piece))
                 is_waiting = True
+            if not half.claim.is_claimed:
+                port = target_port(ends) if half.is_from_host else source_port(ends)
+                self._account.count_strange(f"on TCP port {int.from_bytes(port, 'big')}")
         if is_waiting or half.size:
             self._weigh(half)
         if flags & ACK and half.back is not None:
@@ -325,8 +304,6 @@ class Connections:
         is_announced = is_for_beacons and is_beacon(data, is_cut=len(packet.data) < packet.size)
         if not data or not (is_announced or target_of(ends) in self._answered):
             self._account.other += len(packet.data)
-            if target_port(ends) in PACKED_PORTS:
-                self._account.meet_packed(PACKED_PORTS[target_port(ends)])
             return
         self._account.headers += len(packet.data) - len(data)
         self._account.texts += len(data)

@@ -7,82 +7,39 @@ from collections.abc import Callable
 from typing import Any
 
 from dpkt import UnpackError, ip, ip6, loopback, sll, sll2, tcp, udp
-from dpkt.ethernet import (
-    ETH_TYPE_8021AD,
-    ETH_TYPE_8021Q,
-    ETH_TYPE_IP,
-    ETH_TYPE_IP6,
-    ETH_TYPE_MPLS,
-    ETH_TYPE_MPLS_MCAST,
-    ETH_TYPE_QINQ1,
-    ETH_TYPE_PPPoE,
-    Ethernet,
-)
+from dpkt.ethernet import ETH_TYPE_8021AD, ETH_TYPE_8021Q, ETH_TYPE_IP, ETH_TYPE_IP6, ETH_TYPE_QINQ1, Ethernet
 
-from ev3proto.capture.carriers.wifi.fragments import Fragment
-from ev3proto.capture.carriers.wifi.internet import FLAGS, Ends, Transport, port_bytes
+from ev3proto.capture.carriers.wifi.internet import FLAGS, IS_FRAGMENT, Ends, Transport, port_bytes
 from ev3proto.tables.carriers import Link
 
 _CARRIED: dict[int, type] = {ip.IP_PROTO_TCP: tcp.TCP, ip.IP_PROTO_UDP: udp.UDP}
 
 
 class _IPv4(ip.IP):  # type: ignore[misc]
-    """IPv4, in which dpkt reads only TCP, UDP and IP: it recurses without limit in some of the others."""
+    """IPv4, in which dpkt reads only TCP and UDP: it recurses without limit in some of the others."""
 
     _protosw = _CARRIED
 
-    def unpack(self, buf: bytes) -> None:
-        self.raw = buf
-        super().unpack(buf)
-
     @property
-    def part(self) -> Fragment | None:
-        """The fragment, if it is one; its data is empty if it was cut."""
-        if not self.mf and not self.offset:
-            return None
-        identity = self.id.to_bytes(2, "big") + bytes((self.p,))
-        data = self.raw[4 * self.hl : self.len] if len(self.raw) >= self.len else b""
-        return Fragment(self.src + self.dst, identity, self.p, self.offset * 8, not self.mf, data)
+    def is_fragment(self) -> bool:
+        """Whether it has a part of a packet."""
+        return bool(self._flags_offset & IS_FRAGMENT)
 
 
 class _IPv6(ip6.IP6):  # type: ignore[misc]
     _protosw = _CARRIED
 
-    def unpack(self, buf: bytes) -> None:
-        self.raw = buf
-        super().unpack(buf)
-
     @property
-    def part(self) -> Fragment | None:
-        """The same, from one of the extension headers."""
-        at, end = self.__hdr_len__, self.__hdr_len__ + self.plen
-        for header in self.all_extension_headers:
-            at += header.length
-            if isinstance(header, ip6.IP6FragmentHeader) and (header.m_flag or header.frag_off):
-                data = self.raw[at:end] if len(self.raw) >= end else b""
-                identity = header.id.to_bytes(4, "big")
-                return Fragment(self.src + self.dst, identity, header.nxt, header.frag_off * 8, not header.m_flag, data)
-        return None
+    def is_fragment(self) -> bool:
+        """The same, by one of the extension headers."""
+        headers = (header for header in self.all_extension_headers if isinstance(header, ip6.IP6FragmentHeader))
+        return any(header.m_flag or header.frag_off for header in headers)
 
-
-_CARRIED |= {ip.IP_PROTO_IPIP: _IPv4, ip.IP_PROTO_IP6: _IPv6}
 
 _TAGS = {kind.to_bytes(2, "big") for kind in (ETH_TYPE_8021Q, ETH_TYPE_8021AD, ETH_TYPE_QINQ1)}
 _TAG_SIZE = 4
-_LABEL_SIZE, _LAST_LABEL = 4, 0x01
-_PPPOE_SIZE = 8
 _VERSIONS = {4: _IPv4, 6: _IPv6}
-_SESSIONS = {b"\0\x21": _IPv4, b"\0\x57": _IPv6}
-
-_PACKED_KINDS = {b"\x88\xe7": "802.1ah"}
-"""Ethernet types of tunnels, which are not unpacked."""
-
-_PACKED_PROTOCOLS = {ip.IP_PROTO_GRE: "GRE", ip.IP_PROTO_AH: "AH"}
-"""IP protocols of tunnels, which are not unpacked."""
-
-
-class _PackedError(KeyError):
-    """A packet is a tunnel that is not unpacked; it has the tunnel's name."""
+_NETWORKS = {ETH_TYPE_IP.to_bytes(2, "big"): _IPv4, ETH_TYPE_IP6.to_bytes(2, "big"): _IPv6}
 
 
 def _of_kind(kind: bytes, data: bytes) -> Any:
@@ -91,35 +48,11 @@ def _of_kind(kind: bytes, data: bytes) -> Any:
     while kind in _TAGS:
         kind = data[at + 2 : at + _TAG_SIZE]
         at += _TAG_SIZE
-    if kind in _PACKED_KINDS:
-        raise _PackedError(_PACKED_KINDS[kind])
     return _NETWORKS[kind](data[at:])
 
 
 def _raw(data: bytes) -> Any:
     return _VERSIONS[data[0] >> 4](data)
-
-
-def _after_labels(data: bytes) -> Any:
-    """Dissects what follows the MPLS labels. Only its first bits tell its type."""
-    end = next(end for end in range(_LABEL_SIZE, len(data), _LABEL_SIZE) if data[end - 2] & _LAST_LABEL)
-    if data[end] >> 4 not in _VERSIONS:
-        raise _PackedError("MPLS")
-    return _raw(data[end:])
-
-
-def _in_session(data: bytes) -> Any:
-    """Dissects what follows PPPoE's session number, length and PPP protocol."""
-    return _SESSIONS[data[_PPPOE_SIZE - 2 : _PPPOE_SIZE]](data[_PPPOE_SIZE:])
-
-
-_NETWORKS: dict[bytes, Callable[[bytes], Any]] = {
-    ETH_TYPE_IP.to_bytes(2, "big"): _IPv4,
-    ETH_TYPE_IP6.to_bytes(2, "big"): _IPv6,
-    ETH_TYPE_MPLS.to_bytes(2, "big"): _after_labels,
-    ETH_TYPE_MPLS_MCAST.to_bytes(2, "big"): _after_labels,
-    ETH_TYPE_PPPoE.to_bytes(2, "big"): _in_session,
-}
 
 
 def _after_type(end: int) -> Callable[[bytes], Any]:
@@ -154,43 +87,19 @@ _TROUBLE = (
     TypeError,
     RuntimeError,
 )
-MOST_LAYERS = 16
-"""Maximum nesting depth of IP packets."""
 
 
 def dissected(link: int, data: bytes) -> Transport | None:
-    """Returns the segment or datagram in a packet of one of `LINKS`, if it has one that can be read."""
+    """Returns the segment or datagram in a packet of one of `LINKS`; None if it has none, or only a fragment."""
     try:
-        layer = _innermost(LINKS[link](data))
+        layer = LINKS[link](data)
+        inner = None if layer.is_fragment else layer.data
     except _TROUBLE:
         return None
-    inner = None if layer is None or layer.part is not None else layer.data
     if isinstance(inner, tcp.TCP):
         return _ends(layer, inner), bytes(inner.data), inner.seq, inner.ack, inner._off_flags & FLAGS
     if isinstance(inner, udp.UDP):
         return _ends(layer, inner), bytes(inner.data), 0, 0, None
-    return None
-
-
-def left_in(link: int, data: bytes) -> Fragment | str | None:
-    """Returns what a packet without a segment or datagram has: a fragment, or the name of a tunnel."""
-    try:
-        layer = _innermost(LINKS[link](data))
-    except _PackedError as error:
-        return str(error.args[0])
-    except _TROUBLE:
-        return None
-    if layer is None:
-        return None
-    return layer.part or _PACKED_PROTOCOLS.get(getattr(layer, "p", 0))
-
-
-def _innermost(layer: Any) -> Any:
-    """Returns the innermost IP packet, or the first fragment; None beyond the maximum depth."""
-    for _ in range(MOST_LAYERS):
-        if not isinstance(layer.data, _IPv4 | _IPv6) or layer.part is not None:
-            return layer
-        layer = layer.data
     return None
 
 

@@ -76,24 +76,14 @@ do
         stream.left, stream.list, stream.starts = sub(text, place + 1), list, starts
     end
 
-    -- Returns the record of a packet whose channel was not ours so far, nil unless a command makes it ours. What may
-    -- still become a command is kept: text that is typed comes letter by letter.
-    local function claim(conversation, stream, piece, missing, number)
-        local left = stream.left
-        local text = left .. piece
-        local place, is_whole = finding.find_command(text, #left, is_command, #text + missing)
-        if not place then
-            clear(stream)
-            return nil
-        end
-        keep(stream, text, place, number)
-        if not is_whole then return nil end
-        claiming.begin(conversation)
-        local list, packet = stream.list, { accepts = is_command, step = "sure" }
-        clear_sides(conversation)
+    -- Makes the records of the packets that a command came in: the newest, in which it ends, and those before it. The
+    -- pieces are in the stream; `left` is what waited before the newest.
+    local function record_packets(list, left, place, number)
+        local packet = { accepts = is_command, step = "sure" }
+        packets[number] = packet
         if place >= #left then
             packet.start = place - #left
-            return packet
+            return
         end
         list[#list] = nil
         for index, before in ipairs(list) do
@@ -101,7 +91,38 @@ do
         end
         list.complete_in = number
         packet.list, packet.earlier, packet.before = list, #list, sub(left, place + 1)
-        return packet
+    end
+
+    -- Looks for a reason to claim a channel, and makes the record of the packet if there is one. What may still become a
+    -- command is kept: text that is typed comes letter by letter.
+    local function claim(conversation, stream, piece, missing, offset, pinfo)
+        local number, time, left, starts = pinfo.number, pinfo.rel_ts, stream.left, {}
+        for index, start in ipairs(stream.starts or {}) do
+            starts[index] = start
+        end
+        starts[#starts + 1] = #left
+        local function adopt(packet)
+            local first = packet.frames[1].at
+            record_packets(packet.list, left, first, number)
+            for _, frame in ipairs(packet.frames) do
+                local at = first < #left and frame.at - first or offset + frame.at - #left
+                dialogues.take_note(storage.place_of(number, at), conversation, frame.message, { rel_ts = time })
+            end
+        end
+        local packet = {
+            side = stream, text = left .. piece, starts = starts, reported = #left + #piece + missing,
+            begins = claiming.begins, adopt = adopt,
+        }
+        local found, place = claiming.judge(conversation, packet)
+        if found then keep(stream, packet.text, place, number) end
+        packet.list = stream.list
+        if found ~= OPEN then clear(stream) end
+        if found == CHAIN and stream == conversation.side_to_brick then
+            clear_sides(conversation)
+            record_packets(packet.list, left, place, number)
+        elseif found == CHAIN then
+            packets[number] = { accepts = is_from_brick, step = "sure", start = 0 }
+        end
     end
 
     -- Tells whether all of a text has to wait for more; the newest packet starts at `joint`.
@@ -152,28 +173,28 @@ do
         if list and list.complete_in then item:add(field.fragment_of, list.complete_in):set_generated() end
     end
 
-    -- Returns the record of a packet in the first pass, nil if it is not ours.
-    local function first_look(conversation, stream, piece, missing, pinfo)
-        local number = pinfo.number
-        if conversation.is_claimed then
-            local accepts = stream == conversation.to_brick and is_command or is_from_brick
-            local packet = { accepts = accepts, step = stream.step == "lost" and "lost" or nil }
-            join(stream, piece, packet, number)
-            return packet
-        end
-        local packet = claim(conversation, stream, piece, missing, number)
-        -- A command claimed it, so this packet goes to the brick.
-        if packet then conversation.name, conversation.to_brick = tostring(pinfo.dl_dst), stream end
-        return packet
+    -- Tells whether a direction goes to the brick. If the user claimed the channel, the computer sends to it.
+    local function is_to_brick(conversation, stream, pinfo)
+        if conversation.side_to_brick then return stream == conversation.side_to_brick end
+        return pinfo.p2p_dir == P2P_DIR_SENT
     end
 
-    local function dissect_rfcomm(tvb, pinfo, tree)
+    -- Makes the record of a packet in the first pass, if it is ours.
+    local function first_look(conversation, stream, piece, missing, offset, pinfo)
+        if not claiming.is_claimed(conversation) then return claim(conversation, stream, piece, missing, offset, pinfo) end
+        local accepts = is_to_brick(conversation, stream, pinfo) and is_command or is_from_brick
+        packets[pinfo.number] = { accepts = accepts, step = stream.step == "lost" and "lost" or nil }
+        join(stream, piece, packets[pinfo.number], pinfo.number)
+    end
+
+    local function dissect_rfcomm(tvb, pinfo, tree, is_all)
         local piece, number, missing = tvb:raw(), pinfo.number, tvb:reported_len() - tvb:len()
         if piece == "" then return 0 end
         local conversation, stream
         if not pinfo.visited then
             conversation, stream = channel_of(pinfo)
-            packets[number] = first_look(conversation, stream, piece, missing, pinfo)
+            if is_all and conversation.state ~= "sure" then claiming.begin(conversation, "sure") end
+            first_look(conversation, stream, piece, missing, tvb:offset(), pinfo)
         end
         local packet = packets[number]
         if not packet then return 0 end
@@ -206,7 +227,8 @@ do
                     packet.begun = stream.list
                 end
                 stream.step = step
-                if not claiming.count(conversation, lost, number) then clear_sides(conversation) end
+                claiming.count(conversation, lost, number)
+                if not claiming.is_claimed(conversation) then clear_sides(conversation) end
             end
         end
         if size > 0 then
@@ -222,6 +244,7 @@ do
         local channels = DissectorTable.get("btrfcomm.dlci")
         channels:add(2 * CARRIERS.rfcomm_channel, ev3)
         channels:add(2 * CARRIERS.rfcomm_channel + 1, ev3)
+        channels:add_for_decode_as(ev3_all)
     end
 
     carriers[#carriers + 1] = { dissectors = { [11] = dissect_rfcomm }, forget = forget_streams, register = register }

@@ -6,6 +6,10 @@
 -- What data turn out to be: OURS; PART if more is needed to decide; nil if they are not ours.
 local OURS, PART = "ours", "part"
 
+-- What is found in them: CHAIN, a plausible command; SINGLE, whole frames that a reply may prove; OPEN, what may become
+-- a command.
+local CHAIN, SINGLE, OPEN = "chain", "single", "open"
+
 do
     -- Calls a function with each firmware's instructions, the preferred one's first, until it returns true.
     local function by_any(says, ...)
@@ -72,7 +76,7 @@ do
             is_right = is_right and is_in_place(parameter, encoding, value, sizes)
         end
         local function judge(code)
-            if CLAIMS.only_in_programs[code] or is_cut and code < CLAIMS.first_of_devices then is_right = false end
+            if CLAIMS.only_in_programs[code] then is_right = false end
             if not CLAIMS.not_telling[code] then is_telling = true end
         end
         local kind = claiming.scan(text, COMMAND_HEADER_SIZE, stop, judge, visit)
@@ -94,54 +98,122 @@ do
         return counter ~= CLAIMS.nxt_write and counter - CLAIMS.nxt_flag ~= CLAIMS.nxt_write
     end
 
-    -- Counts the complete, non-empty replies in a text; 0 if it contains anything else.
-    function claiming.count_replies(text)
-        local at, count = 0, 0
-        while #text - at >= HEADER_SIZE do
-            local stop = stop_of(text, at)
-            if stop > #text or stop - at < HEADER_SIZE then return 0 end
-            local message = messages.read(sub(text, at + 1, stop))
-            local type = message.type
-            if not type or type.is_command or type.carries == "daisy" or message.fault then return 0 end
-            if type.carries == "direct" and (type.is_error or message.stop == HEADER_SIZE) then return 0 end
-            at, count = stop, count + 1
-        end
-        return at == #text and count or 0
+    -- The types with which a claim of a stream begins.
+    function claiming.begins(type)
+        return type.is_command and type.carries ~= "daisy"
     end
 
-    -- Claims a conversation from now on; with `is_sure` for good, whatever it contains.
-    function claiming.begin(conversation, is_sure)
-        conversation.is_claimed, conversation.is_sure, conversation.is_answered = true, is_sure, false
+    -- The state of a conversation: nil, not claimed; "claimed" from a plausible command, or from replies, on;
+    -- "answered", when a reply has proved it: faulty frames keep the claim, too; "sure", for good; "ended", claimed
+    -- before: a new claim may begin anywhere in a packet.
+    local IS_CLAIMED = { claimed = true, answered = true, sure = true }
+
+    function claiming.is_claimed(conversation)
+        return IS_CLAIMED[conversation.state] == true
+    end
+
+    -- Claims a conversation from now on.
+    function claiming.begin(conversation, state)
+        conversation.state, conversation.held, conversation.replies = state or "claimed", {}, 0
         conversation.strange, conversation.unread, conversation.has_frame, conversation.is_good = 0, 0, false, false
         conversation.claims = (conversation.claims or 0) + 1
     end
 
-    -- Takes note of a message of a claimed conversation, in the first pass.
-    function claiming.note(conversation, message)
-        if not conversation.is_claimed or conversation.is_sure then return end
-        conversation.has_frame = true
-        conversation.is_good = conversation.is_good or not conversation.is_answered and claiming.is_sensible(message)
+    -- Claims a conversation from a command that waits for a reply on, if a frame of another side is that. The packets
+    -- from there on are taken, with their commands.
+    local function is_proved(conversation, side, reply)
+        local held = conversation.held or {}
+        for index = #held, 1, -1 do
+            local packet = held[index]
+            for _, frame in ipairs(packet.side ~= side and packet.frames or {}) do
+                if dialogues.proves(reply, frame.message) then
+                    claiming.begin(conversation, "answered")
+                    conversation.side_to_brick = packet.side
+                    for later = index, #held do
+                        if held[later].side ~= side then held[later].adopt(held[later]) end
+                    end
+                    return true
+                end
+            end
+        end
+        return false
     end
 
-    -- Counts a packet of a claimed conversation; `size` is the number of its bytes outside of frames. Returns whether
-    -- the conversation is still claimed.
+    -- Counts complete, non-empty replies; they begin a claim if there are enough in a row.
+    local function has_replies(conversation, text)
+        local places, stop = finding.frames_of(text, 0, #text)
+        local count = (conversation.replies or 0) + #places
+        for _, at in ipairs(places) do
+            local message = messages.read(sub(text, at + 1, stop_of(text, at)))
+            local type = message.type
+            local is_empty = type.carries == "direct" and (type.is_error or message.stop == HEADER_SIZE)
+            if type.is_command or type.carries == "daisy" or message.fault or is_empty then count = 0 end
+        end
+        conversation.replies = stop == #text and count or 0
+        if conversation.replies < CLAIMS.replies then return false end
+        claiming.begin(conversation)
+        return true
+    end
+
+    -- Judges the newest packet of a conversation that is not claimed, and what waits before it. `packet` has
+    --   side       its direction
+    --   to_brick   whether that goes to the brick; nil if only commands tell
+    --   text       the bytes, in which packets begin at `starts`, the newest last
+    --   reported   their number on the wire
+    --   begins     tells which types begin a claim
+    --   adopt      is called with the packet, which then has its `frames`, when a reply has proved it
+    -- Returns CHAIN, and the offset from which on it is ours; OPEN, and the offset of what waits for more; SINGLE; or nil.
+    function claiming.judge(conversation, packet)
+        local text, starts, side = packet.text, packet.starts, packet.side
+        if not packet.to_brick then
+            local newest = starts[#starts]
+            local reply = finding.frames_of(text, newest, packet.reported)[1]
+            if reply and is_proved(conversation, side, messages.read(sub(text, newest + 1, stop_of(text, newest)))) then
+                return CHAIN, newest
+            end
+        end
+        if packet.to_brick == false then return has_replies(conversation, text) and CHAIN or nil, 0 end
+        local is_ended = conversation.state == "ended"
+        local found, place = finding.find_command(text, starts, packet.begins, packet.reported, is_ended)
+        if found == CHAIN then
+            claiming.begin(conversation)
+            conversation.side_to_brick = side
+        elseif found == SINGLE then
+            packet.frames = {}
+            for index, at in ipairs((finding.frames_of(text, place, packet.reported))) do
+                packet.frames[index] = { at = at, message = messages.read(sub(text, at + 1, stop_of(text, at))) }
+            end
+            local held = conversation.held or {}
+            if #held == CLAIMS.most_held then table.remove(held, 1) end
+            held[#held + 1], conversation.held = packet, held
+        end
+        return found, place
+    end
+
+    -- Takes note of a message of a claimed conversation, in the first pass.
+    function claiming.note(conversation, message)
+        if not claiming.is_claimed(conversation) or conversation.state == "sure" then return end
+        conversation.has_frame = true
+        local is_answered = conversation.state == "answered"
+        conversation.is_good = conversation.is_good or not is_answered and claiming.is_sensible(message)
+    end
+
+    -- Counts a packet of a claimed conversation; `size` is the number of its bytes outside of frames.
     function claiming.count(conversation, size, number)
-        local is_good, has_frame = conversation.is_good, conversation.has_frame
+        local is_good, has_frame, is_answered = conversation.is_good, conversation.has_frame, conversation.state == "answered"
         conversation.is_good, conversation.has_frame = false, false
-        if conversation.is_sure or not has_frame and size == 0 then return true end
-        if is_good or conversation.is_answered and has_frame then
+        if conversation.state == "sure" or not has_frame and size == 0 then return end
+        if is_good or is_answered and has_frame then
             conversation.strange, conversation.unread, conversation.counted = 0, 0, number
-            return true
+            return
         end
         -- A packet counts once, even if it comes in several buffers.
         if conversation.counted ~= number then conversation.strange = conversation.strange + 1 end
         conversation.unread, conversation.counted = conversation.unread + size, number
         -- In a dialogue, the rest of a frame may come in many packets.
-        local is_over = conversation.strange >= CLAIMS.strange_packets
-            and (not conversation.is_answered or conversation.unread > LENGTH_FIELD + MAX_LENGTH)
-        if is_over then
-            conversation.is_claimed, conversation.is_answered, conversation.has_ended = false, false, true
+        if conversation.strange >= CLAIMS.strange_packets
+            and (not is_answered or conversation.unread > LENGTH_FIELD + MAX_LENGTH) then
+            conversation.state, conversation.side_to_brick = "ended", nil
         end
-        return not is_over
     end
 end

@@ -88,13 +88,20 @@ do
         return message.size - HEADER_SIZE == sizes % (GLOBAL_MASK + 1)
     end
 
-    -- Tells whether a reply proves that both are ours: only a brick returns exactly the requested size.
-    local function is_proof(message, command)
-        local type, size = message.type, message.size
-        if message.fault or type.carries == "daisy" then return false end
-        if type.carries == "direct" and #command.body < COMMAND_HEADER_SIZE - HEADER_SIZE then return false end
-        if type.is_error and type.carries == "direct" then return size == HEADER_SIZE end
-        return fits(message, command)
+    -- Tells whether the reply to a command shows that both are ours: a direct reply has the requested length, or is an
+    -- error; a system reply has the command's number, known or not. `body` is what follows the type in the command.
+    local function is_proof(reply, body)
+        local carries, memory, sizes = reply.type.carries, reply.size - HEADER_SIZE, reading.unsigned16(body, 0)
+        if carries == "system" then return body ~= "" and byte(reply.text, HEADER_SIZE + 1) == byte(body, 1) end
+        if carries ~= "direct" then return false end
+        return sizes ~= nil and memory == sizes % (GLOBAL_MASK + 1) or reply.type.is_error and memory == 0
+    end
+
+    -- Tells whether a message is the reply to a command, and shows that both are ours.
+    function dialogues.proves(reply, command)
+        local type, asked = reply.type, command.type
+        if not type or type.is_command or not asked or not asked.wants_reply then return false end
+        return pending_key(reply) == pending_key(command) and is_proof(reply, sub(command.text, HEADER_SIZE + 1))
     end
 
     -- Returns the command that a reply answers: the newest with its counter and the right size, else the newest with
@@ -181,7 +188,9 @@ do
         else
             local request = answered(conversation, message)
             if request then
-                conversation.is_answered = conversation.is_answered or is_proof(message, request)
+                if conversation.state == "claimed" and is_proof(message, request.body) then
+                    conversation.state = "answered"
+                end
                 replies[request.place] = storage.number_of(place)
                 requests[place], delays[place], bodies[place] = request.place, pinfo.rel_ts - request.time, request.body
             end

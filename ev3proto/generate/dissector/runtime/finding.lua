@@ -3,7 +3,6 @@
 -- Frames in streams that are not claimed yet, or out of step after a gap: a header alone is often a coincidence, so a
 -- frame is also judged by its contents and by what follows it.
 
-local finding = {}
 do
     -- Maximum number of places in one piece of a stream where a frame is tried.
     local MOST_TRIALS = 64
@@ -11,8 +10,8 @@ do
     -- Maximum number of following headers that are checked.
     local MOST_FOLLOWING = 2
 
-    -- Bytes of a truncated command that must be captured, so that it can be recognised.
-    local LEAST_CUT = COMMAND_HEADER_SIZE + 2
+    -- The minimum size of a command that is cut or inside a packet: one byte of operations, such as NOP, proves nothing.
+    local LEAST = COMMAND_HEADER_SIZE + 2
 
     -- Tells whether an incomplete frame at an offset may turn out to have no fault.
     function finding.may_become(text, at, accepts)
@@ -69,25 +68,32 @@ do
         end
     end
 
-    -- Returns the first place with a plausible command, and true; else the first with what may become one (or nil), and
-    -- false. Packets begin at 0 and at `joint`: anything may follow a command there, elsewhere only another frame. A
-    -- truncated command counts as whole if it ends at `reported`, where the packet did.
-    function finding.find_command(text, joint, accepts, reported)
-        local open = finding.header_at_end(text, 0)
-        for place, stop, type in each_start(text, 0, accepts) do
-            local is_cut = reported > #text and stop == reported and #text - place >= LEAST_CUT
-            local is_whole = stop <= #text or is_cut
-            local is_split = not is_whole or place < joint and joint < stop
-            local is_chance = is_split and type.carries == "system" and has_data[byte(text, place + HEADER_SIZE + 1)]
-            if type.carries == "daisy" or is_chance then
-                -- This proves nothing.
-            elseif not is_whole then
-                if not (open and open < place) and finding.may_become(text, place, accepts) then open = place end
-            elseif place == 0 or place == joint or stop >= #text or may_start(text, stop) then
-                if claiming.is_plausible(messages.read(sub(text, place + 1, stop)), is_cut) then return place, true end
-            end
+    -- Returns the offsets of the whole frames that follow each other from an offset on, and the offset after them. The
+    -- last one may be cut by the capture: it then ends at `reported`.
+    function finding.frames_of(text, at, reported)
+        local places = {}
+        while #text - at >= HEADER_SIZE and may_start(text, at) do
+            local stop = stop_of(text, at)
+            if stop > #text and stop ~= reported then break end
+            places[#places + 1], at = at, stop
         end
-        return open, false
+        return places, at
+    end
+
+    -- Tells whether whole frames of accepted types fill a text from an offset on.
+    local function is_filled(text, at, accepts, reported)
+        local places, stop = finding.frames_of(text, at, reported)
+        for _, place in ipairs(places) do
+            if not accepts(MESSAGE_TYPES[byte(text, place + HEADER_SIZE)]) then return false end
+        end
+        return stop == reported
+    end
+
+    local function is_split(starts, place, stop)
+        for _, start in ipairs(starts) do
+            if place < start and start < stop then return true end
+        end
+        return false
     end
 
     -- Counts the headers that follow each other from an offset on; nil if none can start there. A few are enough: the
@@ -101,6 +107,47 @@ do
             at, count = stop_of(text, at), count + 1
         end
         return count
+    end
+
+    -- Searches for a command with which a claim begins. Packets begin at `starts`: anything may follow a command there,
+    -- elsewhere another header must, at least its length. With `anywhere`, as after a gap, frames may begin and end anywhere. Returns what is
+    -- found first, of a CHAIN, a SINGLE, what is OPEN, and its offset; or nil.
+    function finding.find_command(text, starts, accepts, reported, anywhere)
+        local size, is_begin = #text, {}
+        local function examine(place)
+            local code, number = byte(text, place + HEADER_SIZE, place + HEADER_SIZE + 1)
+            local type, stop = MESSAGE_TYPES[code], stop_of(text, place)
+            if not may_start(text, place) or type and not accepts(type) then return nil end
+            local is_cut = type and reported > size and stop == reported and size - place >= LEAST
+            local is_whole = type and stop <= size or is_cut
+            local is_data = type and type.carries == "system" and has_data[number]
+            if is_data and (not is_whole or is_split(starts, place, stop)) then return nil end
+            if not is_whole then
+                return (is_begin[place] or anywhere) and finding.may_become(text, place, accepts) and OPEN or nil
+            end
+            local is_enough = stop - place >= LEAST and (anywhere or size - stop >= LENGTH_FIELD)
+            local is_likely = is_begin[place] or is_enough and finding.follow(text, stop)
+            if is_likely and claiming.is_plausible(messages.read(sub(text, place + 1, stop)), is_cut) then return CHAIN end
+            return is_begin[place] and is_filled(text, place, accepts, reported) and SINGLE or nil
+        end
+        local places, first = {}, {}
+        for index, start in ipairs(starts) do
+            places[index], is_begin[start] = start, true
+        end
+        for place in each_start(text, 0, accepts) do
+            if not is_begin[place] then places[#places + 1] = place end
+        end
+        for place = math.max(size - HEADER_SIZE + 1, 0), anywhere and size - 1 or -1 do
+            if not is_begin[place] then places[#places + 1] = place end
+        end
+        table.sort(places)
+        for _, place in ipairs(places) do
+            local found = (is_begin[place] or not first[SINGLE]) and examine(place)
+            if found == CHAIN then return CHAIN, place end
+            if found then first[found] = first[found] or place end
+        end
+        if first[SINGLE] then return SINGLE, first[SINGLE] end
+        return first[OPEN] and OPEN, first[OPEN]
     end
 
     -- Finds where a stream that is out of step continues, from an offset on. Returns the place of a complete frame

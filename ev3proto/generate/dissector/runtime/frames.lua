@@ -45,8 +45,8 @@ do
     end
 end
 
--- Which conversations are ours: see Claims below.
-local claiming = {}
+-- Which conversations are ours, and where frames are: see Claims and Finding below.
+local claiming, finding = {}, {}
 
 -- Each carrier below adds a table: `dissectors`, by Wireshark's type of ports; `register`, which registers them;
 -- optionally `forget`, which drops the state of the last capture, and `prefs_changed`.

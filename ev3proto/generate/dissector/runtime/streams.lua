@@ -162,7 +162,7 @@ do
                 said, after = dissect_text(tvb, text, at, tree, is_shown)
                 if not said and not stream.is_last and is_part_of_text(text, at) then return at, nil, lost, step end
                 if said then step = "sure" end
-                if said and conversation and not conversation.is_sure then claiming.begin(conversation, true) end
+                if said and conversation and conversation.state ~= "sure" then claiming.begin(conversation, "sure") end
             end
             local polled = step ~= "lost" and after_polls(text, at) or at
             if polled > at and (polled == captured or may_start(text, polled)) then

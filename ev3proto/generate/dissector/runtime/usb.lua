@@ -13,6 +13,10 @@ do
         return pinfo.src_port == HOST
     end
 
+    local function is_command(type)
+        return type.is_command
+    end
+
     local function is_control(pinfo)
         return pinfo.src_port == 0 or pinfo.dst_port == 0
     end
@@ -32,7 +36,7 @@ do
     -- The numbers of our packets, of devices whose product is not known.
     local taken
 
-    -- The number of the last packet from or to a known brick.
+    -- The number of the last packet from or to a known brick, or a device that the user chose.
     local marked
 
     local function forget_devices()
@@ -91,7 +95,7 @@ do
         return dissect_report(tvb, read_report(tvb), device_key(pinfo), pinfo, tree)
     end
 
-    -- Wireshark calls this for all transfers of a known product, of any type. Bulk transfers are not ours: other
+    -- Wireshark calls this for all transfers of a known or chosen device, of any type. Bulk transfers are not ours: other
     -- software on the brick uses them with the same product number. So the packet is only marked here; for interrupt
     -- transfers Wireshark then calls the heuristic below.
     local function mark_known(_, pinfo)
@@ -113,14 +117,25 @@ do
                 return claiming.is_sensible(message) and message or nil
             end
         end
-        if not message or (type.is_command == true) ~= is_from_host(pinfo) then
-            local conversation = dialogues.conversation_of(key)
-            if conversation.is_claimed then claiming.count(conversation, captured, pinfo.number) end
+        local conversation, number, from_host = dialogues.conversation_of(key), pinfo.number, is_from_host(pinfo)
+        if not message or (type.is_command == true) ~= from_host then
+            if claiming.is_claimed(conversation) then claiming.count(conversation, captured, number) end
             return nil
         end
-        local conversation = dialogues.conversation_of(key)
-        if not conversation.is_claimed and claiming.is_plausible(message) then claiming.begin(conversation) end
-        return conversation.is_claimed and message or nil
+        if claiming.is_claimed(conversation) then return message end
+        local place, time, text = storage.place_of(number, offset_of(tvb)), pinfo.rel_ts, message.text
+        local found = claiming.judge(conversation, {
+            side = from_host,
+            text = text,
+            starts = { 0 },
+            reported = #text,
+            begins = is_command,
+            adopt = function()
+                taken[number] = true
+                dialogues.take_note(place, conversation, message, { rel_ts = time })
+            end,
+        })
+        return found == CHAIN and message or nil
     end
 
     -- Dissects reports of a known brick, or of a device whose product was not captured, as in most captures that were
@@ -137,7 +152,7 @@ do
         if not message then return false end
         dissect_report(tvb, message, device, pinfo, tree)
         local conversation = not pinfo.visited and dialogues.conversation_of(device)
-        if conversation and conversation.is_claimed then claiming.count(conversation, 0, number) end
+        if conversation and claiming.is_claimed(conversation) then claiming.count(conversation, 0, number) end
         return true
     end
 
@@ -146,6 +161,8 @@ do
         for _, product in ipairs(CARRIERS.usb_products) do
             products:add(product, ev3)
         end
+        products:add_for_decode_as(ev3_all)
+        DissectorTable.get("usb.device"):add_for_decode_as(ev3_all)
         ev3:register_heuristic("usb.interrupt", guess_usb)
     end
 

@@ -10,13 +10,13 @@ do
     -- Looking up these methods for each packet would take longer than they do.
     local bytes_of, offset_of = Tvb.raw, Tvb.offset
 
-    -- `bricks`: the bricks by the addresses that their beacons came from; `answers`: the bricks of packets to these;
-    -- `announced`: the places where bricks listen by their beacons; `has_found`: whether connections on other ports
-    -- were claimed.
+    -- Lists of addresses by port, each with the `name` of its brick: `announced`, where bricks listen by their beacons;
+    -- `bricks`, from where beacons came, at port 0. `answers`: the bricks of the packets to these. `has_found`: whether
+    -- connections on other ports were claimed.
     local bricks, answers, announced, has_found
 
-    -- The ports in the preference.
-    local listened = tostring(CARRIERS.tcp_port)
+    -- The ports in the preference; without any, the usual one, whose connections are judged.
+    local listed = ""
 
     -- Buffers by place, if unusual: DECLINED if it is not ours; else `asked`, the offset from which on more was
     -- requested before the connection was claimed; or the `step` of the stream, and the number of bytes that were
@@ -27,30 +27,51 @@ do
     -- The same ports as keys.
     local ports = {}
 
-    -- By ports: the last used direction of a connection. `pending` has the bytes that wait for the next segment, `step`
-    -- the step of the stream there, `done` the number of bytes before them in their buffer; `number` is the last
-    -- packet, whose data began at `offset`.
+    -- By both ports: the directions of connections, the newest first, `older` the next one. Their addresses are compared
+    -- as objects: the text of an address may become a name. `conversation` is that of both directions. `pending` has the
+    -- bytes that wait for the next segment, `step` the step of the stream there, `done` the number of bytes before them
+    -- in their buffer; `number` is the last packet, whose data began at `offset`. Until the claim, `waits` is the number
+    -- of waiting bytes, in which packets begin at `starts`.
     local connections
 
-    -- Both directions of a connection have one key.
-    local function conversation_key(pinfo)
-        local from = tostring(pinfo.src) .. " " .. pinfo.src_port
-        local to = tostring(pinfo.dst) .. " " .. pinfo.dst_port
-        return from < to and from .. " " .. to or to .. " " .. from
+    local function find_direction(ends, from, to)
+        local known = connections[ends]
+        while known and (known.from ~= from or known.to ~= to) do
+            known = known.older
+        end
+        return known
     end
 
-    -- Returns a packet's conversation, and its direction in that. Addresses are compared because that is faster than
-    -- converting them to text.
+    -- Returns a packet's conversation, and its direction in that.
     local function connection_of(pinfo)
-        local from, to, ends = pinfo.src, pinfo.dst, pinfo.src_port * 0x10000 + pinfo.dst_port
-        local known = connections[ends]
-        if not known or known.from ~= from or known.to ~= to then
-            local conversation = dialogues.conversation_of(conversation_key(pinfo))
-            conversation.sides = conversation.sides or {}
-            known = conversation.sides[ends] or { from = from, to = to, conversation = conversation }
-            conversation.sides[ends], connections[ends] = known, known
+        local from, to, port, other = pinfo.src, pinfo.dst, pinfo.src_port, pinfo.dst_port
+        local ends = port * 0x10000 + other
+        local known = find_direction(ends, from, to)
+        if not known then
+            local back = find_direction(other * 0x10000 + port, to, from)
+            known = { from = from, to = to, older = connections[ends], waits = 0, starts = {} }
+            known.conversation = back and back.conversation or dialogues.conversation_of(known)
+            connections[ends] = known
         end
         return known.conversation, known
+    end
+
+    -- Returns the entry of an address and port in a list of places.
+    local function entry_at(places, address, port)
+        for _, entry in ipairs(places[port] or {}) do
+            if entry.address == address then return entry end
+        end
+        return nil
+    end
+
+    local function add_entry(places, address, port, name)
+        local entry = entry_at(places, address, port)
+        if not entry then
+            entry = { address = address }
+            places[port] = places[port] or {}
+            table.insert(places[port], entry)
+        end
+        entry.name = name
     end
 
     local function forget_wifi()
@@ -67,7 +88,7 @@ do
 
     -- Tells whether a packet goes to the brick that its connection is named after.
     local function is_to_named(conversation, pinfo)
-        return conversation.name == tostring(pinfo.dst) .. ":" .. pinfo.dst_port
+        return conversation.port == pinfo.dst_port and conversation.address == pinfo.dst
     end
 
     -- Returns how many bytes a frame needs that was requested segment by segment, if Wireshark passed on only one byte
@@ -183,7 +204,7 @@ do
 
     -- Tells whether a beacon announced this port.
     local function is_announced(address, port)
-        return next(announced) ~= nil and announced[tostring(address) .. " " .. port] == true
+        return entry_at(announced, address, port) ~= nil
     end
 
     -- Names a connection after its brick, to which a packet goes or from which it comes.
@@ -192,7 +213,7 @@ do
         if to_brick then
             address, port = pinfo.dst, pinfo.dst_port
         end
-        conversation.name = tostring(address) .. ":" .. port
+        conversation.name, conversation.address, conversation.port = tostring(address) .. ":" .. port, address, port
     end
 
     local dissect_first
@@ -212,73 +233,77 @@ do
 
         -- Tells whether a port is ours by the user's preference or by a beacon.
         local function is_sure(pinfo, to_brick)
-            if listened ~= tostring(CARRIERS.tcp_port) then return true end
+            if listed ~= "" then return true end
             if to_brick then return is_announced(pinfo.dst, pinfo.dst_port) end
             return is_announced(pinfo.src, pinfo.src_port)
         end
 
-        -- Judges a buffer of a connection that is not claimed, in the first pass: OURS, with the offset where that
-        -- begins; PART, with the offset from which on more is needed; or nil.
-        local function claim(conversation, known, text, reported, pinfo)
+        -- Judges a buffer of a connection that is not claimed, in the first pass: CHAIN, with the offset where our bytes
+        -- begin; OPEN, with the offset from which on more is needed; or anything else.
+        local function claim(conversation, known, text, reported, offset, pinfo)
             local to_brick = may_be_brick(pinfo.dst, pinfo.dst_port)
             if not to_brick and not may_be_brick(pinfo.src, pinfo.src_port) then return nil end
-            local verdict, place = streaming.judge_text(text), 0
-            if verdict == PART then return PART, 0 end
+            local verdict, found, place = streaming.judge_text(text), CHAIN, 0
+            if verdict == PART then return OPEN, 0 end
             if verdict == OURS or has_two_named(pinfo) then to_brick = tells_brick(text, verdict ~= nil, pinfo) end
-            local joint = known.waits or 0
             if verdict == OURS or is_sure(pinfo, to_brick) then
-                claiming.begin(conversation, true)
-            elseif to_brick then
-                local is_whole
-                place, is_whole = finding.find_command(text, joint, is_command, reported)
-                -- Other dissectors get their packets at once, unless one may begin with a command.
-                local is_waited = place and not is_whole and (conversation.has_ended or place == 0 or place == joint)
-                if not is_whole then return is_waited and PART or nil, place end
-                claiming.begin(conversation)
+                claiming.begin(conversation, "sure")
             else
-                local count = claiming.count_replies(text)
-                conversation.replies = count > 0 and (conversation.replies or 0) + count or 0
-                if conversation.replies < CLAIMS.replies then return nil end
-                claiming.begin(conversation)
-                conversation.replies = 0
+                local number, time = pinfo.number, pinfo.rel_ts
+                local function adopt(packet)
+                    buffers[storage.place_of(number, offset)] = { step = "sure", done = packet.frames[1].at }
+                    for _, frame in ipairs(packet.frames) do
+                        local position = storage.place_of(number, offset + frame.at)
+                        dialogues.take_note(position, conversation, frame.message, { rel_ts = time })
+                    end
+                end
+                found, place = claiming.judge(conversation, {
+                    side = known, to_brick = to_brick, text = text, starts = known.starts, reported = reported,
+                    begins = claiming.begins, adopt = adopt,
+                })
+                if found ~= CHAIN then return found, place end
             end
             conversation.claimed_in = pinfo.number
             name_brick(conversation, pinfo, to_brick)
-            return OURS, place
+            return CHAIN, place
         end
 
         -- Requests more of what may become a frame or a text, from an offset on.
         local function ask_for_more(known, text, place, offset, pinfo)
-            local joint = offset == 0 and known.waits or 0
-            local rest = place == 0 and rest_of(text, joint, known.begins, pinfo)
+            local rest, starts = place == 0 and rest_of(text, known.waits, known.begins, pinfo), {}
+            for _, start in ipairs(known.starts) do
+                if start >= place then starts[#starts + 1] = start - place end
+            end
             pinfo.desegment_offset, pinfo.desegment_len = place, rest or DESEGMENT_ONE_MORE_SEGMENT
-            known.waits = #text - place
+            known.waits, known.starts = #text - place, starts
             if offset > 0 then known.begins = offset end
         end
 
-        function dissect_first(tvb, text, pinfo, tree, number)
+        function dissect_first(tvb, text, pinfo, tree, number, is_all)
             local conversation, known = connection_of(pinfo)
             -- Wireshark may offer a declined buffer again, for the port of the other end.
-            local place = storage.place_of(number, offset_of(tvb))
+            local offset, reported = offset_of(tvb), tvb:reported_len()
+            local place = storage.place_of(number, offset)
             if buffers[place] == DECLINED then return 0 end
             local port = pinfo.match_uint
-            if not conversation.name and not ports[port] then
+            if not conversation.name and (is_all or not ports[port]) then
                 name_brick(conversation, pinfo, pinfo.dst_port == port)
-                claiming.begin(conversation, true)
+                claiming.begin(conversation, "sure")
             end
-            if conversation.is_claimed then
+            if claiming.is_claimed(conversation) then
                 return dissect_claimed(tvb, text, pinfo, tree, number, conversation, known)
             end
-            if offset_of(tvb) > 0 then known.waits = 0 end
-            local verdict, at = claim(conversation, known, text, tvb:reported_len(), pinfo)
-            if verdict == PART and #text == tvb:reported_len() and pinfo.can_desegment > 0 then
-                ask_for_more(known, text, at, offset_of(tvb), pinfo)
+            if offset > 0 then known.waits, known.starts = 0, {} end
+            table.insert(known.starts, known.waits)
+            local found, at = claim(conversation, known, text, reported, offset, pinfo)
+            if found == OPEN and #text == reported and pinfo.can_desegment > 0 then
+                ask_for_more(known, text, at, offset, pinfo)
                 buffers[place] = { asked = at }
                 return #text
             end
             -- More may have been requested for the same packet before.
-            known.waits, buffers[place] = 0, nil
-            if verdict ~= OURS then
+            known.waits, known.starts, buffers[place] = 0, {}, nil
+            if found ~= CHAIN then
                 buffers[place] = DECLINED
                 return 0
             end
@@ -286,9 +311,9 @@ do
         end
     end
 
-    local function dissect_tcp(tvb, pinfo, tree)
+    local function dissect_tcp(tvb, pinfo, tree, is_all)
         local text, number = bytes_of(tvb), pinfo.number
-        if not pinfo.visited then return dissect_first(tvb, text, pinfo, tree, number) end
+        if not pinfo.visited then return dissect_first(tvb, text, pinfo, tree, number, is_all) end
         local buffer = buffers[storage.place_of(number, offset_of(tvb))]
         if buffer == DECLINED then return 0 end
         if buffer and buffer.asked then
@@ -319,7 +344,7 @@ do
         end
         local conversation, known = connection_of(pinfo)
         pinfo.conversation = ev3
-        claiming.begin(conversation, true)
+        claiming.begin(conversation, "sure")
         conversation.is_found, conversation.claimed_in, has_found = true, pinfo.number, true
         name_brick(conversation, pinfo, to_brick)
         dissect_claimed(tvb, bytes_of(tvb), pinfo, tree, pinfo.number, conversation, known)
@@ -329,9 +354,10 @@ do
     local dissect_udp
     do
         local function remember_brick(pinfo, named)
-            local address = tostring(pinfo.src)
-            bricks[address] = address .. ":" .. (named or pinfo.src_port)
-            if named then announced[address .. " " .. named] = true end
+            local address = pinfo.src
+            local name = tostring(address) .. ":" .. (named or pinfo.src_port)
+            add_entry(bricks, address, 0, name)
+            if named then add_entry(announced, address, named, name) end
         end
 
         -- Returns the port that a beacon names, nil if it is out of range.
@@ -390,7 +416,7 @@ do
                 said, port = dissect_beacon(tvb, text, tree, pinfo)
                 if not pinfo.visited then remember_brick(pinfo, port) end
             else
-                if not pinfo.visited then answers[number] = bricks[tostring(pinfo.dst)] end
+                if not pinfo.visited then answers[number] = (entry_at(bricks, pinfo.dst, 0) or {}).name end
                 brick, said = answers[number], "answer to a beacon"
                 if not brick and not is_forced then return 0 end
                 if has_tree(tree) then add_item(tree, tvb(), said):add(field.beacon_answer, tvb()) end
@@ -404,9 +430,10 @@ do
 
     -- Registers the ports of the preference, such as 5555,6000-6003.
     local function take_ports()
-        tcp_ports:add(listened, ev3)
+        local taken = listed ~= "" and listed or tostring(CARRIERS.tcp_port)
+        tcp_ports:add(taken, ev3)
         ports = {}
-        for first, last in listened:gmatch("(%d+)%-?(%d*)") do
+        for first, last in taken:gmatch("(%d+)%-?(%d*)") do
             for port = tonumber(first), tonumber(last ~= "" and last or first) do
                 ports[port] = true
             end
@@ -414,15 +441,18 @@ do
     end
 
     local function follow_ports()
-        if listened == ev3.prefs.tcp_ports then return end
-        tcp_ports:remove(listened, ev3)
-        listened = ev3.prefs.tcp_ports
+        if listed == ev3.prefs.tcp_ports then return end
+        tcp_ports:remove(listed ~= "" and listed or tostring(CARRIERS.tcp_port), ev3)
+        listed = ev3.prefs.tcp_ports
         take_ports()
     end
 
     local function register()
-        ev3.prefs.tcp_ports = Pref.range("TCP ports", listened, "TCP ports on which bricks listen", MAX_PORT)
+        local text = "TCP ports on which bricks listen: all their traffic is shown. By default, port "
+            .. CARRIERS.tcp_port .. " is judged by its contents"
+        ev3.prefs.tcp_ports = Pref.range("TCP ports", listed, text, MAX_PORT)
         take_ports()
+        tcp_ports:add_for_decode_as(ev3_all)
         ev3:register_heuristic("tcp", guess_tcp)
         DissectorTable.get("udp.port"):add(CARRIERS.beacon_port, ev3)
     end

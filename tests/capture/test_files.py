@@ -379,6 +379,23 @@ def test_files_that_were_there_are_kept_unless_they_are_not_to_be(tmp_path: Path
 
 
 @pytest.mark.parametrize("force", [False, True])
+def test_a_file_never_takes_the_place_of_a_folder(tmp_path: Path, force: bool) -> None:
+    (tmp_path / "empty").mkdir()
+    (tmp_path / "full").mkdir()
+    (tmp_path / "full" / "kept").write_bytes(b"old")
+    brick = Brick()
+    for path in ("empty", "full"):
+        brick.upload(path, b"new")
+    found = list(recover(brick.events, tmp_path, force=force))
+    assert [(each.file, each.trouble) for each in found] == [
+        (tmp_path / "empty (2)", None),
+        (tmp_path / "full (2)", None),
+    ]
+    assert written(tmp_path) == {"empty (2)": b"new", "full (2)": b"new", "full/kept": b"old"}
+    assert (tmp_path / "empty").is_dir()
+
+
+@pytest.mark.parametrize("force", [False, True])
 def test_symbolic_links_in_the_folder_are_not_followed(tmp_path: Path, force: bool) -> None:
     outside, folder = tmp_path / "outside", tmp_path / "folder"
     outside.mkdir()

@@ -350,7 +350,7 @@ def test_decode_as_takes_everything_on_a_port_that_a_beacon_names(shown: Callabl
     assert shown(capture, "-d", "tcp.port==6000,ev3") == [str(beacon), str(sent)]
 
 
-def test_who_had_the_port_that_a_beacon_names_keeps_it(tshark: Tshark) -> None:
+def test_a_port_that_a_beacon_names_stays_with_its_dissector(tshark: Tshark) -> None:
     """Names are looked up over TCP on port 53, at other addresses than the brick's, in one packet and in two."""
     question = bytes.fromhex("0018 0007 0100 0001 0000 0000 0000 03 616263 02 6465 00 0001 0001".replace(" ", ""))
     capture = Capture(RAW_IP)

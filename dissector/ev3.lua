@@ -7435,8 +7435,16 @@ do
         conversation.claims = (conversation.claims or 0) + 1
     end
 
-    -- Claims a conversation from a command that waits for a reply on, if a frame of another side is that. The packets
-    -- from there on are taken, with their commands.
+    -- Takes a packet with commands that a reply has proved.
+    local function adopt(conversation, packet)
+        local offset = packet.adopt(packet.number, packet.frames[1].at)
+        for _, frame in ipairs(packet.frames) do
+            local place = storage.place_of(packet.number, offset + frame.at)
+            dialogues.take_note(place, conversation, frame.message, { rel_ts = packet.time })
+        end
+    end
+
+    -- Claims a conversation from a command that waits for a reply on, if a frame of another side is that reply.
     local function is_proved(conversation, side, reply)
         local held = conversation.held or {}
         for index = #held, 1, -1 do
@@ -7446,7 +7454,7 @@ do
                     claiming.begin(conversation, "answered")
                     conversation.side_to_brick = packet.side
                     for later = index, #held do
-                        if held[later].side ~= side then held[later].adopt(held[later]) end
+                        if held[later].side ~= side then adopt(conversation, held[later]) end
                     end
                     return true
                 end
@@ -7477,9 +7485,10 @@ do
     --   text       the bytes, in which packets begin at `starts`, the newest last
     --   reported   their number on the wire
     --   begins     tells which types begin a claim
-    --   adopt      is called with the packet, which then has its `frames`, when a reply has proved it
-    -- Returns CHAIN, and the offset from which on it is ours; OPEN, and the offset of what waits for more; SINGLE; or nil.
-    function claiming.judge(conversation, packet)
+    --   adopt      is called when a reply has proved its commands, with the packet's number and the offset of the first
+    --              of them; returns the offset of the text in the packet
+    -- Returns CHAIN and the offset from which on it is ours; OPEN and the offset of what waits; SINGLE; or nil.
+    function claiming.judge(conversation, pinfo, packet)
         local text, starts, side = packet.text, packet.starts, packet.side
         if not packet.to_brick then
             local newest = starts[#starts]
@@ -7495,7 +7504,7 @@ do
             claiming.begin(conversation)
             conversation.side_to_brick = side
         elseif found == SINGLE then
-            packet.frames = {}
+            packet.frames, packet.number, packet.time = {}, pinfo.number, pinfo.rel_ts
             for index, at in ipairs((finding.frames_of(text, place, packet.reported))) do
                 packet.frames[index] = { at = at, message = messages.read(sub(text, at + 1, stop_of(text, at))) }
             end
@@ -7516,7 +7525,8 @@ do
 
     -- Counts a packet of a claimed conversation; `size` is the number of its bytes outside of frames.
     function claiming.count(conversation, size, number)
-        local is_good, has_frame, is_answered = conversation.is_good, conversation.has_frame, conversation.state == "answered"
+        local is_good, has_frame = conversation.is_good, conversation.has_frame
+        local is_answered = conversation.state == "answered"
         conversation.is_good, conversation.has_frame = false, false
         if conversation.state == "sure" or not has_frame and size == 0 then return end
         if is_good or is_answered and has_frame then
@@ -7546,7 +7556,7 @@ do
     -- Maximum number of following headers that are checked.
     local MOST_FOLLOWING = 2
 
-    -- The minimum size of a command that is cut or inside a packet: one byte of operations, such as NOP, proves nothing.
+    -- The minimum size of a command that is cut or inside a packet: one byte of operations, as NOP, proves nothing.
     local LEAST = COMMAND_HEADER_SIZE + 2
 
     -- Tells whether an incomplete frame at an offset may turn out to have no fault.
@@ -7646,8 +7656,8 @@ do
     end
 
     -- Searches for a command with which a claim begins. Packets begin at `starts`: anything may follow a command there,
-    -- elsewhere another header must, at least its length. With `anywhere`, as after a gap, frames may begin and end anywhere. Returns what is
-    -- found first, of a CHAIN, a SINGLE, what is OPEN, and its offset; or nil.
+    -- elsewhere another header must, at least its length. With `anywhere`, as after a gap, frames may begin and end
+    -- anywhere. Returns what is found first, of a CHAIN, a SINGLE, what is OPEN, and its offset; or nil.
     function finding.find_command(text, starts, accepts, reported, anywhere)
         local size, is_begin = #text, {}
         local function examine(place)
@@ -7663,7 +7673,8 @@ do
             end
             local is_enough = stop - place >= LEAST and (anywhere or size - stop >= LENGTH_FIELD)
             local is_likely = is_begin[place] or is_enough and finding.follow(text, stop)
-            if is_likely and claiming.is_plausible(messages.read(sub(text, place + 1, stop)), is_cut) then return CHAIN end
+            local message = is_likely and messages.read(sub(text, place + 1, stop))
+            if message and claiming.is_plausible(message, is_cut) then return CHAIN end
             return is_begin[place] and is_filled(text, place, accepts, reported) and SINGLE or nil
         end
         local places, first = {}, {}
@@ -8049,7 +8060,7 @@ do
         return dissect_report(tvb, read_report(tvb), device_key(pinfo), pinfo, tree)
     end
 
-    -- Wireshark calls this for all transfers of a known or chosen device, of any type. Bulk transfers are not ours: other
+    -- Wireshark calls this for all transfers of a known or chosen device. Bulk transfers are not ours: other
     -- software on the brick uses them with the same product number. So the packet is only marked here; for interrupt
     -- transfers Wireshark then calls the heuristic below.
     local function mark_known(_, pinfo)
@@ -8077,16 +8088,12 @@ do
             return nil
         end
         if claiming.is_claimed(conversation) then return message end
-        local place, time, text = storage.place_of(number, offset_of(tvb)), pinfo.rel_ts, message.text
-        local found = claiming.judge(conversation, {
-            side = from_host,
-            text = text,
-            starts = { 0 },
-            reported = #text,
-            begins = is_command,
+        local offset, text = offset_of(tvb), message.text
+        local found = claiming.judge(conversation, pinfo, {
+            side = from_host, text = text, starts = { 0 }, reported = #text, begins = is_command,
             adopt = function()
                 taken[number] = true
-                dialogues.take_note(place, conversation, message, { rel_ts = time })
+                return offset
             end,
         })
         return found == CHAIN and message or nil
@@ -8218,33 +8225,28 @@ do
         packet.list, packet.earlier, packet.before = list, #list, sub(left, place + 1)
     end
 
-    -- Looks for a reason to claim a channel, and makes the record of the packet if there is one. What may still become a
+    -- Looks for a reason to claim a channel, and makes the record of the packet if there is one. What may become a
     -- command is kept: text that is typed comes letter by letter.
     local function claim(conversation, stream, piece, missing, offset, pinfo)
-        local number, time, left, starts = pinfo.number, pinfo.rel_ts, stream.left, {}
+        local number, left, starts = pinfo.number, stream.left, {}
         for index, start in ipairs(stream.starts or {}) do
             starts[index] = start
         end
         starts[#starts + 1] = #left
-        local function adopt(packet)
-            local first = packet.frames[1].at
-            record_packets(packet.list, left, first, number)
-            for _, frame in ipairs(packet.frames) do
-                local at = first < #left and frame.at - first or offset + frame.at - #left
-                dialogues.take_note(storage.place_of(number, at), conversation, frame.message, { rel_ts = time })
-            end
-        end
-        local packet = {
-            side = stream, text = left .. piece, starts = starts, reported = #left + #piece + missing,
-            begins = claiming.begins, adopt = adopt,
-        }
-        local found, place = claiming.judge(conversation, packet)
-        if found then keep(stream, packet.text, place, number) end
-        packet.list = stream.list
+        local text, list = left .. piece, nil
+        local found, place = claiming.judge(conversation, pinfo, {
+            side = stream, text = text, starts = starts, reported = #text + missing, begins = claiming.begins,
+            adopt = function(_, first)
+                record_packets(list, left, first, number)
+                return first < #left and -first or offset - #left
+            end,
+        })
+        if found then keep(stream, text, place, number) end
+        list = stream.list
         if found ~= OPEN then clear(stream) end
         if found == CHAIN and stream == conversation.side_to_brick then
             clear_sides(conversation)
-            record_packets(packet.list, left, place, number)
+            record_packets(list, left, place, number)
         elseif found == CHAIN then
             packets[number] = { accepts = is_from_brick, step = "sure", start = 0 }
         end
@@ -8306,7 +8308,9 @@ do
 
     -- Makes the record of a packet in the first pass, if it is ours.
     local function first_look(conversation, stream, piece, missing, offset, pinfo)
-        if not claiming.is_claimed(conversation) then return claim(conversation, stream, piece, missing, offset, pinfo) end
+        if not claiming.is_claimed(conversation) then
+            return claim(conversation, stream, piece, missing, offset, pinfo)
+        end
         local accepts = is_to_brick(conversation, stream, pinfo) and is_command or is_from_brick
         packets[pinfo.number] = { accepts = accepts, step = stream.step == "lost" and "lost" or nil }
         join(stream, piece, packets[pinfo.number], pinfo.number)
@@ -8404,11 +8408,11 @@ do
     -- The same ports as keys.
     local ports = {}
 
-    -- By both ports: the directions of connections, the newest first, `older` the next one. Their addresses are compared
-    -- as objects: the text of an address may become a name. `conversation` is that of both directions. `pending` has the
-    -- bytes that wait for the next segment, `step` the step of the stream there, `done` the number of bytes before them
-    -- in their buffer; `number` is the last packet, whose data began at `offset`. Until the claim, `waits` is the number
-    -- of waiting bytes, in which packets begin at `starts`.
+    -- By both ports: the directions of connections, the newest first, `older` the next one. Their addresses are
+    -- compared as objects: the text of an address may become a name. `conversation` is that of both directions.
+    -- `pending` has the bytes that wait for the next segment, `step` the step of the stream there, `done` the number of
+    -- bytes before them in their buffer; `number` is the last packet. Until the claim, `waits` is the number of waiting
+    -- bytes, in which packets begin at `starts`.
     local connections
 
     local function find_direction(ends, from, to)
@@ -8468,16 +8472,6 @@ do
         return conversation.port == pinfo.dst_port and conversation.address == pinfo.dst
     end
 
-    -- Returns how many bytes a frame needs that was requested segment by segment, if Wireshark passed on only one byte
-    -- of the newest one. Since 4.4 it does so after a retransmission, and passes the rest on if asked for that number
-    -- of bytes. The newest segment starts at `joint`, and data in a packet at `offset`.
-    local function rest_of(text, joint, offset, pinfo)
-        if joint == 0 or #text ~= joint + 1 or #text < HEADER_SIZE then return nil end
-        if not offset or pinfo.len <= offset + 1 then return nil end
-        local rest = LENGTH_FIELD + reading.unsigned16(text, 0) - #text
-        return rest > 0 and rest or nil
-    end
-
     -- Which types go to the brick and which come from it. Bricks in a chain send commands both ways.
     local function is_command(type)
         return type.is_command or type.carries == "daisy"
@@ -8501,7 +8495,6 @@ do
             local pending, before, is_further = known.pending, known.step, number == known.number
             known.pending, known.number = nil, number
             if offset > 0 then
-                known.offset = offset
                 -- Pending bytes are not joined with this packet if there is a gap before it.
                 if before == "lost" or pending and not is_further then return "lost", 0, 0 end
                 return is_further and "sure" or "likely", 0, 0
@@ -8523,7 +8516,7 @@ do
             end
             local step, joint, done = "sure", 0, start
             if start then
-                known.number, known.offset = number, offset > 0 and offset or nil
+                known.number = number
             else
                 step, joint, done = first_step(known, text, offset, number)
             end
@@ -8535,8 +8528,7 @@ do
         function dissect_claimed(tvb, text, pinfo, tree, number, conversation, known, start)
             local captured, offset, is_shown = #text, offset_of(tvb), has_tree(tree)
             if known and known.claims ~= conversation.claims then
-                known.claims, known.pending, known.step = conversation.claims, nil, nil
-                known.number, known.offset = nil, nil
+                known.claims, known.pending, known.step, known.number = conversation.claims, nil, nil, nil
             end
             local step, joint, done = step_of(known, text, offset, number, start)
             brick = is_shown and (conversation or connection_of(pinfo)).name
@@ -8562,9 +8554,6 @@ do
                 after, wanted, lost, step =
                     streaming.dissect(tvb, text, stream, conversation, number, pinfo, tree, is_shown)
                 if after < captured then
-                    if not wanted and known and after == 0 and step == "likely" then
-                        wanted = rest_of(text, joint, known.offset, pinfo)
-                    end
                     pinfo.desegment_offset = after
                     pinfo.desegment_len = wanted or DESEGMENT_ONE_MORE_SEGMENT
                 end
@@ -8615,8 +8604,8 @@ do
             return is_announced(pinfo.src, pinfo.src_port)
         end
 
-        -- Judges a buffer of a connection that is not claimed, in the first pass: CHAIN, with the offset where our bytes
-        -- begin; OPEN, with the offset from which on more is needed; or anything else.
+        -- Judges a buffer of a connection that is not claimed, in the first pass: CHAIN, with the offset where ours
+        -- begins; OPEN, with the offset from which on more is needed; or anything else.
         local function claim(conversation, known, text, reported, offset, pinfo)
             local to_brick = may_be_brick(pinfo.dst, pinfo.dst_port)
             if not to_brick and not may_be_brick(pinfo.src, pinfo.src_port) then return nil end
@@ -8626,15 +8615,11 @@ do
             if verdict == OURS or is_sure(pinfo, to_brick) then
                 claiming.begin(conversation, "sure")
             else
-                local number, time = pinfo.number, pinfo.rel_ts
-                local function adopt(packet)
-                    buffers[storage.place_of(number, offset)] = { step = "sure", done = packet.frames[1].at }
-                    for _, frame in ipairs(packet.frames) do
-                        local position = storage.place_of(number, offset + frame.at)
-                        dialogues.take_note(position, conversation, frame.message, { rel_ts = time })
-                    end
+                local function adopt(number, first)
+                    buffers[storage.place_of(number, offset)] = { step = "sure", done = first }
+                    return offset
                 end
-                found, place = claiming.judge(conversation, {
+                found, place = claiming.judge(conversation, pinfo, {
                     side = known, to_brick = to_brick, text = text, starts = known.starts, reported = reported,
                     begins = claiming.begins, adopt = adopt,
                 })
@@ -8646,14 +8631,13 @@ do
         end
 
         -- Requests more of what may become a frame or a text, from an offset on.
-        local function ask_for_more(known, text, place, offset, pinfo)
-            local rest, starts = place == 0 and rest_of(text, known.waits, known.begins, pinfo), {}
+        local function ask_for_more(known, text, place, pinfo)
+            local starts = {}
             for _, start in ipairs(known.starts) do
                 if start >= place then starts[#starts + 1] = start - place end
             end
-            pinfo.desegment_offset, pinfo.desegment_len = place, rest or DESEGMENT_ONE_MORE_SEGMENT
+            pinfo.desegment_offset, pinfo.desegment_len = place, DESEGMENT_ONE_MORE_SEGMENT
             known.waits, known.starts = #text - place, starts
-            if offset > 0 then known.begins = offset end
         end
 
         function dissect_first(tvb, text, pinfo, tree, number, is_all)
@@ -8674,7 +8658,7 @@ do
             table.insert(known.starts, known.waits)
             local found, at = claim(conversation, known, text, reported, offset, pinfo)
             if found == OPEN and #text == reported and pinfo.can_desegment > 0 then
-                ask_for_more(known, text, at, offset, pinfo)
+                ask_for_more(known, text, at, pinfo)
                 buffers[place] = { asked = at }
                 return #text
             end

@@ -32,6 +32,10 @@ class State(Enum):
     ENDED = auto()
 
 
+# Faster than attributes of the class, which each packet would look up several times.
+_OPEN, _CLAIMED, _ANSWERED, _SURE, _ENDED = State
+
+
 class Held(NamedTuple):
     """A packet of commands that a reply may prove.
 
@@ -45,31 +49,36 @@ class Held(NamedTuple):
     adopt: Callable[[], list[Event]]
 
 
+def _is_proof(record: Record) -> bool:
+    return record.request is not None and proves(record.frame, record.request.frame)
+
+
 class Claim:
     """The claim of one conversation.
 
-    schema    reads frames
-    begins    tells which message types begin a claim
-    to_brick  the direction to the brick, as on TCP, where replies alone begin a claim, too; None if only commands tell
+    schema      reads frames
+    begins      tells which message types begin a claim
+    to_brick    the direction to the brick, as on TCP, where replies alone begin a claim, too; else None
+    is_claimed  the packets are ours; `is_sure`: for good
     """
 
     def __init__(
         self, schema: FrameReader, begins: Accepts, to_brick: Hashable | None = None, *, is_sure: bool = False
     ) -> None:
-        self.state = State.SURE if is_sure else State.OPEN
+        self._enter(_SURE if is_sure else _OPEN)
         self.to_brick = self._known = to_brick
         self.held: deque[Held] = deque(maxlen=MOST_HELD)
         self._schema, self._finder, self._begins = schema, Finder(schema), begins
         self._replies = self._strange = self._unread = 0
 
-    @property
-    def is_claimed(self) -> bool:
-        """Whether the packets are ours."""
-        return self.state not in (State.OPEN, State.ENDED)
-
-    def begin(self, state: State = State.CLAIMED) -> None:
-        """Claims the conversation from now on."""
+    def _enter(self, state: State) -> None:
         self.state = state
+        # Not properties, as they are asked several times for each packet.
+        self.is_claimed, self.is_sure = state not in (_OPEN, _ENDED), state is _SURE
+
+    def begin(self, state: State = _CLAIMED) -> None:
+        """Claims the conversation from now on."""
+        self._enter(state)
         self._replies = self._strange = self._unread = 0
         self.held.clear()
 
@@ -102,11 +111,11 @@ class Claim:
             for index in reversed(range(len(held))):
                 if any(proves(reply, command) for reply in replies for command in held[index].frames):
                     self.to_brick = held[index].side
-                    self.begin(State.ANSWERED)
+                    self.begin(_ANSWERED)
                     return Found.CHAIN, newest, [event for each in held[index:] for event in each.adopt()]
         if side != self._known is not None:
             return (Found.CHAIN, 0, []) if self._has_replies(text) else (Found.NOTHING, len(text), [])
-        anywhere = self.state is State.ENDED
+        anywhere = self.state is _ENDED
         found, place = self._finder.find_command(text, starts, self._begins, missing, anywhere=anywhere)
         if found is Found.CHAIN:
             self.to_brick = side
@@ -133,15 +142,16 @@ class Claim:
             unread: Bytes in it that are in no frame.
 
         """
-        if not self.is_claimed or self.state is State.SURE or not (records or unread):
+        if not self.is_claimed or self.is_sure or not (records or unread):
             return
-        if any(each.request is not None and proves(each.frame, each.request.frame) for each in records):
-            self.state = State.ANSWERED
-        if records and (self.state is State.ANSWERED or any(is_sensible(each.message) for each in records)):
+        if self.state is _CLAIMED and any(map(_is_proof, records)):
+            self._enter(_ANSWERED)
+        if records and (self.state is _ANSWERED or any(is_sensible(each.message) for each in records)):
             self._strange = self._unread = 0
             return
         self._strange += 1
         self._unread += unread
         # In a dialogue, the rest of a frame may come in many packets.
-        if self._strange >= STRANGE_PACKETS and (self.state is not State.ANSWERED or self._unread > MAX_FRAME):
-            self.state, self.to_brick = State.ENDED, self._known
+        if self._strange >= STRANGE_PACKETS and (self.state is not _ANSWERED or self._unread > MAX_FRAME):
+            self._enter(_ENDED)
+            self.to_brick = self._known

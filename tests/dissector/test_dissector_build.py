@@ -283,7 +283,7 @@ def test_every_name_in_the_readme(tshark: Tshark, fields: dict[str, Field]) -> N
 
 def test_the_preferences_in_the_readme(tshark: Tshark) -> None:
     words = [word for option in re.findall(r"`-o (ev3\S+?)`", README) for word in ("-o", option)]
-    assert len(words) == 8
+    assert len(words) == 10
     said = tshark.run(CAPTURES / "wifi.pcapng", *tshark.statistics, *words, "-Y", "ev3.sound.tone.volume")
     assert said.count("volume=5") == 1
     assert "Operation " in said

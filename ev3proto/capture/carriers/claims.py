@@ -76,14 +76,18 @@ class StreamClaim(Claim):
 
     def _counted(self, stream: Stream, events: list[Event]) -> list[Event]:
         """Counts the events of a packet. If that ends the claim, adds those of the pending bytes."""
-        if self.state is State.SURE:
+        if self.is_sure:
             return events
-        records = [event for event in events if isinstance(event, Record)]
-        skipped = [len(event.data) for event in events if isinstance(event, Skipped)]
-        if len(records) + len(skipped) < len(events):
-            self.begin(State.SURE)  # one of the texts
-            return events
-        self.count(records, stream.cutter.passed + sum(skipped))
+        records, unread = [], stream.cutter.passed
+        for event in events:
+            if isinstance(event, Record):
+                records.append(event)
+            elif isinstance(event, Skipped):
+                unread += len(event.data)
+            else:
+                self.begin(State.SURE)  # one of the texts
+                return events
+        self.count(records, unread)
         if self.is_claimed:
             return events
         return events + [event for each in self._streams.values() for event in each.give_up(_ENDED)]

@@ -8,7 +8,6 @@ from typing import NamedTuple
 from ev3proto.bounded import Budget
 from ev3proto.capture.byte_account import Account
 from ev3proto.capture.conversation import Conversation
-from ev3proto.capture.finding import Finder
 from ev3proto.capture.framing import Cutter, PartKind, StreamPart
 from ev3proto.capture.packets import Packet
 from ev3proto.capture.record import Announcement, Event, Route, Skipped, TextKind
@@ -45,10 +44,9 @@ class Context:
     is_all   everything on a brick's port, channel and report size is a brick's
     budget   limits the memory of all pending bytes and commands
     late     events of what was evicted at that limit; they follow those of the current packet
-    finder   finds frames in streams that are out of step
     """
 
-    __slots__ = ("account", "budget", "finder", "is_all", "late", "ports", "schema")
+    __slots__ = ("account", "budget", "is_all", "late", "ports", "schema")
 
     def __init__(
         self, schema: FrameReader, account: Account, ports: frozenset[int], budget: Budget, *, is_all: bool = False
@@ -59,7 +57,6 @@ class Context:
         self.is_all = is_all
         self.budget = budget
         self.late: list[Event] = []
-        self.finder = Finder(schema)
 
     def conversation(self) -> Conversation:
         """Returns a new conversation."""

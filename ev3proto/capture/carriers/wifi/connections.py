@@ -63,10 +63,11 @@ def _transport(link: int, data: bytes) -> Transport | None:
 class _Connection:
     """A TCP connection: its conversation, its claim, and the directions seen so far."""
 
-    __slots__ = ("claim", "conversation", "ends", "halves")
+    __slots__ = ("claim", "conversation", "ends", "halves", "place")
 
-    def __init__(self, ends: Ends, context: Context, *, is_sure: bool) -> None:
+    def __init__(self, ends: Ends, port: bytes, context: Context, *, is_sure: bool) -> None:
         self.ends = ends
+        self.place = f"on TCP port {int.from_bytes(port, 'big')}"
         self.conversation = context.conversation()
         self.claim = StreamClaim(context, may_go_to_brick, may_come_from_brick, is_sure=is_sure, has_texts=True)
         self.halves: dict[Ends, _Half] = {}
@@ -211,8 +212,7 @@ class Connections:
                 events = self._given(half, reassembly.add(sequence, piece))
                 is_waiting = True
             if not half.claim.is_claimed:
-                port = target_port(ends) if half.is_from_host else source_port(ends)
-                self._account.count_strange(f"on TCP port {int.from_bytes(port, 'big')}")
+                self._account.count_strange(half.connection.place)
         if is_waiting or half.size:
             self._weigh(half)
         if flags & ACK and half.back is not None:
@@ -278,7 +278,9 @@ class Connections:
         """Returns the connection between two ends. Ends the least recently used one if there are too many."""
         both, brick = _both_ways(ends), target_of(ends) if is_from_host else source_of(ends)
         is_sure = brick in self._named or (self._is_said and brick[-PORT_SIZE:] in self._ports)
-        connection, oldest = self._connections.use(both, lambda: _Connection(both, self._context, is_sure=is_sure))
+        connection, oldest = self._connections.use(
+            both, lambda: _Connection(both, brick[-PORT_SIZE:], self._context, is_sure=is_sure)
+        )
         if oldest is not None:
             for way, half in oldest.halves.items():
                 del self._halves[way]

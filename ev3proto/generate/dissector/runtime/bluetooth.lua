@@ -93,33 +93,28 @@ do
         packet.list, packet.earlier, packet.before = list, #list, sub(left, place + 1)
     end
 
-    -- Looks for a reason to claim a channel, and makes the record of the packet if there is one. What may still become a
+    -- Looks for a reason to claim a channel, and makes the record of the packet if there is one. What may become a
     -- command is kept: text that is typed comes letter by letter.
     local function claim(conversation, stream, piece, missing, offset, pinfo)
-        local number, time, left, starts = pinfo.number, pinfo.rel_ts, stream.left, {}
+        local number, left, starts = pinfo.number, stream.left, {}
         for index, start in ipairs(stream.starts or {}) do
             starts[index] = start
         end
         starts[#starts + 1] = #left
-        local function adopt(packet)
-            local first = packet.frames[1].at
-            record_packets(packet.list, left, first, number)
-            for _, frame in ipairs(packet.frames) do
-                local at = first < #left and frame.at - first or offset + frame.at - #left
-                dialogues.take_note(storage.place_of(number, at), conversation, frame.message, { rel_ts = time })
-            end
-        end
-        local packet = {
-            side = stream, text = left .. piece, starts = starts, reported = #left + #piece + missing,
-            begins = claiming.begins, adopt = adopt,
-        }
-        local found, place = claiming.judge(conversation, packet)
-        if found then keep(stream, packet.text, place, number) end
-        packet.list = stream.list
+        local text, list = left .. piece, nil
+        local found, place = claiming.judge(conversation, pinfo, {
+            side = stream, text = text, starts = starts, reported = #text + missing, begins = claiming.begins,
+            adopt = function(_, first)
+                record_packets(list, left, first, number)
+                return first < #left and -first or offset - #left
+            end,
+        })
+        if found then keep(stream, text, place, number) end
+        list = stream.list
         if found ~= OPEN then clear(stream) end
         if found == CHAIN and stream == conversation.side_to_brick then
             clear_sides(conversation)
-            record_packets(packet.list, left, place, number)
+            record_packets(list, left, place, number)
         elseif found == CHAIN then
             packets[number] = { accepts = is_from_brick, step = "sure", start = 0 }
         end
@@ -181,7 +176,9 @@ do
 
     -- Makes the record of a packet in the first pass, if it is ours.
     local function first_look(conversation, stream, piece, missing, offset, pinfo)
-        if not claiming.is_claimed(conversation) then return claim(conversation, stream, piece, missing, offset, pinfo) end
+        if not claiming.is_claimed(conversation) then
+            return claim(conversation, stream, piece, missing, offset, pinfo)
+        end
         local accepts = is_to_brick(conversation, stream, pinfo) and is_command or is_from_brick
         packets[pinfo.number] = { accepts = accepts, step = stream.step == "lost" and "lost" or nil }
         join(stream, piece, packets[pinfo.number], pinfo.number)

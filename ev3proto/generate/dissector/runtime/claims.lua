@@ -119,8 +119,16 @@ do
         conversation.claims = (conversation.claims or 0) + 1
     end
 
-    -- Claims a conversation from a command that waits for a reply on, if a frame of another side is that. The packets
-    -- from there on are taken, with their commands.
+    -- Takes a packet with commands that a reply has proved.
+    local function adopt(conversation, packet)
+        local offset = packet.adopt(packet.number, packet.frames[1].at)
+        for _, frame in ipairs(packet.frames) do
+            local place = storage.place_of(packet.number, offset + frame.at)
+            dialogues.take_note(place, conversation, frame.message, { rel_ts = packet.time })
+        end
+    end
+
+    -- Claims a conversation from a command that waits for a reply on, if a frame of another side is that reply.
     local function is_proved(conversation, side, reply)
         local held = conversation.held or {}
         for index = #held, 1, -1 do
@@ -130,7 +138,7 @@ do
                     claiming.begin(conversation, "answered")
                     conversation.side_to_brick = packet.side
                     for later = index, #held do
-                        if held[later].side ~= side then held[later].adopt(held[later]) end
+                        if held[later].side ~= side then adopt(conversation, held[later]) end
                     end
                     return true
                 end
@@ -161,9 +169,10 @@ do
     --   text       the bytes, in which packets begin at `starts`, the newest last
     --   reported   their number on the wire
     --   begins     tells which types begin a claim
-    --   adopt      is called with the packet, which then has its `frames`, when a reply has proved it
-    -- Returns CHAIN, and the offset from which on it is ours; OPEN, and the offset of what waits for more; SINGLE; or nil.
-    function claiming.judge(conversation, packet)
+    --   adopt      is called when a reply has proved its commands, with the packet's number and the offset of the first
+    --              of them; returns the offset of the text in the packet
+    -- Returns CHAIN and the offset from which on it is ours; OPEN and the offset of what waits; SINGLE; or nil.
+    function claiming.judge(conversation, pinfo, packet)
         local text, starts, side = packet.text, packet.starts, packet.side
         if not packet.to_brick then
             local newest = starts[#starts]
@@ -179,7 +188,7 @@ do
             claiming.begin(conversation)
             conversation.side_to_brick = side
         elseif found == SINGLE then
-            packet.frames = {}
+            packet.frames, packet.number, packet.time = {}, pinfo.number, pinfo.rel_ts
             for index, at in ipairs((finding.frames_of(text, place, packet.reported))) do
                 packet.frames[index] = { at = at, message = messages.read(sub(text, at + 1, stop_of(text, at))) }
             end
@@ -200,7 +209,8 @@ do
 
     -- Counts a packet of a claimed conversation; `size` is the number of its bytes outside of frames.
     function claiming.count(conversation, size, number)
-        local is_good, has_frame, is_answered = conversation.is_good, conversation.has_frame, conversation.state == "answered"
+        local is_good, has_frame = conversation.is_good, conversation.has_frame
+        local is_answered = conversation.state == "answered"
         conversation.is_good, conversation.has_frame = false, false
         if conversation.state == "sure" or not has_frame and size == 0 then return end
         if is_good or is_answered and has_frame then

@@ -10,7 +10,7 @@ do
     -- Maximum number of following headers that are checked.
     local MOST_FOLLOWING = 2
 
-    -- The minimum size of a command that is cut or inside a packet: one byte of operations, such as NOP, proves nothing.
+    -- The minimum size of a command that is cut or inside a packet: one byte of operations, as NOP, proves nothing.
     local LEAST = COMMAND_HEADER_SIZE + 2
 
     -- Tells whether an incomplete frame at an offset may turn out to have no fault.
@@ -110,8 +110,8 @@ do
     end
 
     -- Searches for a command with which a claim begins. Packets begin at `starts`: anything may follow a command there,
-    -- elsewhere another header must, at least its length. With `anywhere`, as after a gap, frames may begin and end anywhere. Returns what is
-    -- found first, of a CHAIN, a SINGLE, what is OPEN, and its offset; or nil.
+    -- elsewhere another header must, at least its length. With `anywhere`, as after a gap, frames may begin and end
+    -- anywhere. Returns what is found first, of a CHAIN, a SINGLE, what is OPEN, and its offset; or nil.
     function finding.find_command(text, starts, accepts, reported, anywhere)
         local size, is_begin = #text, {}
         local function examine(place)
@@ -127,7 +127,8 @@ do
             end
             local is_enough = stop - place >= LEAST and (anywhere or size - stop >= LENGTH_FIELD)
             local is_likely = is_begin[place] or is_enough and finding.follow(text, stop)
-            if is_likely and claiming.is_plausible(messages.read(sub(text, place + 1, stop)), is_cut) then return CHAIN end
+            local message = is_likely and messages.read(sub(text, place + 1, stop))
+            if message and claiming.is_plausible(message, is_cut) then return CHAIN end
             return is_begin[place] and is_filled(text, place, accepts, reported) and SINGLE or nil
         end
         local places, first = {}, {}

@@ -95,7 +95,7 @@ do
         return dissect_report(tvb, read_report(tvb), device_key(pinfo), pinfo, tree)
     end
 
-    -- Wireshark calls this for all transfers of a known or chosen device, of any type. Bulk transfers are not ours: other
+    -- Wireshark calls this for all transfers of a known or chosen device. Bulk transfers are not ours: other
     -- software on the brick uses them with the same product number. So the packet is only marked here; for interrupt
     -- transfers Wireshark then calls the heuristic below.
     local function mark_known(_, pinfo)
@@ -123,16 +123,12 @@ do
             return nil
         end
         if claiming.is_claimed(conversation) then return message end
-        local place, time, text = storage.place_of(number, offset_of(tvb)), pinfo.rel_ts, message.text
-        local found = claiming.judge(conversation, {
-            side = from_host,
-            text = text,
-            starts = { 0 },
-            reported = #text,
-            begins = is_command,
+        local offset, text = offset_of(tvb), message.text
+        local found = claiming.judge(conversation, pinfo, {
+            side = from_host, text = text, starts = { 0 }, reported = #text, begins = is_command,
             adopt = function()
                 taken[number] = true
-                dialogues.take_note(place, conversation, message, { rel_ts = time })
+                return offset
             end,
         })
         return found == CHAIN and message or nil

@@ -27,11 +27,11 @@ do
     -- The same ports as keys.
     local ports = {}
 
-    -- By both ports: the directions of connections, the newest first, `older` the next one. Their addresses are compared
-    -- as objects: the text of an address may become a name. `conversation` is that of both directions. `pending` has the
-    -- bytes that wait for the next segment, `step` the step of the stream there, `done` the number of bytes before them
-    -- in their buffer; `number` is the last packet, whose data began at `offset`. Until the claim, `waits` is the number
-    -- of waiting bytes, in which packets begin at `starts`.
+    -- By both ports: the directions of connections, the newest first, `older` the next one. Their addresses are
+    -- compared as objects: the text of an address may become a name. `conversation` is that of both directions.
+    -- `pending` has the bytes that wait for the next segment, `step` the step of the stream there, `done` the number of
+    -- bytes before them in their buffer; `number` is the last packet. Until the claim, `waits` is the number of waiting
+    -- bytes, in which packets begin at `starts`.
     local connections
 
     local function find_direction(ends, from, to)
@@ -91,16 +91,6 @@ do
         return conversation.port == pinfo.dst_port and conversation.address == pinfo.dst
     end
 
-    -- Returns how many bytes a frame needs that was requested segment by segment, if Wireshark passed on only one byte
-    -- of the newest one. Since 4.4 it does so after a retransmission, and passes the rest on if asked for that number
-    -- of bytes. The newest segment starts at `joint`, and data in a packet at `offset`.
-    local function rest_of(text, joint, offset, pinfo)
-        if joint == 0 or #text ~= joint + 1 or #text < HEADER_SIZE then return nil end
-        if not offset or pinfo.len <= offset + 1 then return nil end
-        local rest = LENGTH_FIELD + reading.unsigned16(text, 0) - #text
-        return rest > 0 and rest or nil
-    end
-
     -- Which types go to the brick and which come from it. Bricks in a chain send commands both ways.
     local function is_command(type)
         return type.is_command or type.carries == "daisy"
@@ -124,7 +114,6 @@ do
             local pending, before, is_further = known.pending, known.step, number == known.number
             known.pending, known.number = nil, number
             if offset > 0 then
-                known.offset = offset
                 -- Pending bytes are not joined with this packet if there is a gap before it.
                 if before == "lost" or pending and not is_further then return "lost", 0, 0 end
                 return is_further and "sure" or "likely", 0, 0
@@ -146,7 +135,7 @@ do
             end
             local step, joint, done = "sure", 0, start
             if start then
-                known.number, known.offset = number, offset > 0 and offset or nil
+                known.number = number
             else
                 step, joint, done = first_step(known, text, offset, number)
             end
@@ -158,8 +147,7 @@ do
         function dissect_claimed(tvb, text, pinfo, tree, number, conversation, known, start)
             local captured, offset, is_shown = #text, offset_of(tvb), has_tree(tree)
             if known and known.claims ~= conversation.claims then
-                known.claims, known.pending, known.step = conversation.claims, nil, nil
-                known.number, known.offset = nil, nil
+                known.claims, known.pending, known.step, known.number = conversation.claims, nil, nil, nil
             end
             local step, joint, done = step_of(known, text, offset, number, start)
             brick = is_shown and (conversation or connection_of(pinfo)).name
@@ -185,9 +173,6 @@ do
                 after, wanted, lost, step =
                     streaming.dissect(tvb, text, stream, conversation, number, pinfo, tree, is_shown)
                 if after < captured then
-                    if not wanted and known and after == 0 and step == "likely" then
-                        wanted = rest_of(text, joint, known.offset, pinfo)
-                    end
                     pinfo.desegment_offset = after
                     pinfo.desegment_len = wanted or DESEGMENT_ONE_MORE_SEGMENT
                 end
@@ -238,8 +223,8 @@ do
             return is_announced(pinfo.src, pinfo.src_port)
         end
 
-        -- Judges a buffer of a connection that is not claimed, in the first pass: CHAIN, with the offset where our bytes
-        -- begin; OPEN, with the offset from which on more is needed; or anything else.
+        -- Judges a buffer of a connection that is not claimed, in the first pass: CHAIN, with the offset where ours
+        -- begins; OPEN, with the offset from which on more is needed; or anything else.
         local function claim(conversation, known, text, reported, offset, pinfo)
             local to_brick = may_be_brick(pinfo.dst, pinfo.dst_port)
             if not to_brick and not may_be_brick(pinfo.src, pinfo.src_port) then return nil end
@@ -249,15 +234,11 @@ do
             if verdict == OURS or is_sure(pinfo, to_brick) then
                 claiming.begin(conversation, "sure")
             else
-                local number, time = pinfo.number, pinfo.rel_ts
-                local function adopt(packet)
-                    buffers[storage.place_of(number, offset)] = { step = "sure", done = packet.frames[1].at }
-                    for _, frame in ipairs(packet.frames) do
-                        local position = storage.place_of(number, offset + frame.at)
-                        dialogues.take_note(position, conversation, frame.message, { rel_ts = time })
-                    end
+                local function adopt(number, first)
+                    buffers[storage.place_of(number, offset)] = { step = "sure", done = first }
+                    return offset
                 end
-                found, place = claiming.judge(conversation, {
+                found, place = claiming.judge(conversation, pinfo, {
                     side = known, to_brick = to_brick, text = text, starts = known.starts, reported = reported,
                     begins = claiming.begins, adopt = adopt,
                 })
@@ -269,14 +250,13 @@ do
         end
 
         -- Requests more of what may become a frame or a text, from an offset on.
-        local function ask_for_more(known, text, place, offset, pinfo)
-            local rest, starts = place == 0 and rest_of(text, known.waits, known.begins, pinfo), {}
+        local function ask_for_more(known, text, place, pinfo)
+            local starts = {}
             for _, start in ipairs(known.starts) do
                 if start >= place then starts[#starts + 1] = start - place end
             end
-            pinfo.desegment_offset, pinfo.desegment_len = place, rest or DESEGMENT_ONE_MORE_SEGMENT
+            pinfo.desegment_offset, pinfo.desegment_len = place, DESEGMENT_ONE_MORE_SEGMENT
             known.waits, known.starts = #text - place, starts
-            if offset > 0 then known.begins = offset end
         end
 
         function dissect_first(tvb, text, pinfo, tree, number, is_all)
@@ -297,7 +277,7 @@ do
             table.insert(known.starts, known.waits)
             local found, at = claim(conversation, known, text, reported, offset, pinfo)
             if found == OPEN and #text == reported and pinfo.can_desegment > 0 then
-                ask_for_more(known, text, at, offset, pinfo)
+                ask_for_more(known, text, at, pinfo)
                 buffers[place] = { asked = at }
                 return #text
             end

@@ -161,6 +161,7 @@ onLine((line) => {
   const lines = input.value.split("\n");
   const begin = lines.slice(0, line - 1).reduce((sum, each) => sum + each.length + 1, 0);
   const top = (input.scrollHeight / lines.length) * (line - 1);
+  if (!matchMedia("(pointer: coarse)").matches) input.focus({ preventScroll: true });
   input.setSelectionRange(begin, begin + lines[line - 1].length);
   if (top < input.scrollTop || top > input.scrollTop + input.clientHeight - 20) input.scrollTop = top - input.clientHeight / 2;
 });

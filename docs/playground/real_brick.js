@@ -40,7 +40,7 @@ export const realBrick = (python) => {
     },
   };
 
-  const connect = async (open, button) => {
+  const connect = async (open) => {
     if (!navigator.hid && !navigator.serial) {
       status(ELSEWHERE);
       return;
@@ -63,11 +63,10 @@ export const realBrick = (python) => {
       status(error instanceof Refused ? `${error.message}.${open === openUsb ? SNAP : ""}`.replace("?.", "?") : `Not connected: ${error.message}`);
     } finally {
       for (const each of [find("connect-usb"), find("connect-bluetooth")]) each.disabled = false;
-      button.focus({ preventScroll: true });
     }
   };
-  find("connect-usb").onclick = ({ target }) => connect(openUsb, target);
-  find("connect-bluetooth").onclick = ({ target }) => connect(openBluetooth, target);
+  find("connect-usb").onclick = () => connect(openUsb);
+  find("connect-bluetooth").onclick = () => connect(openBluetooth);
   find("disconnect").onclick = async () => {
     const closing = wire;
     wire = null;
@@ -75,7 +74,7 @@ export const realBrick = (python) => {
     isNew = true;
     showState();
     status(NONE);
-    await python().ask("gone", "you disconnected");
+    python().ask("gone", "you disconnected");
     await closing?.close();
   };
 
@@ -175,8 +174,9 @@ export const realBrick = (python) => {
   const isAllowed = (reasons) => new Promise((resolve) => {
     dialog.querySelector("ul").replaceChildren(...reasons.map((reason) => make("li", reason)));
     dialog.returnValue = "";
-    // The one button that cancels is where it can be reached.
+    // The one button that cancels is where it can be reached, and what Enter chooses.
     find("allow").after(cancel);
+    cancel.autofocus = true;
     dialog.addEventListener("close", () => resolve(dialog.returnValue === "allow"), { once: true });
     dialog.showModal();
   });

@@ -145,6 +145,8 @@ class RealBrick:
             data: A report of USB, or any bytes of a serial port.
             at: When, in milliseconds of the page's clock.
         """
+        if not self.is_open:
+            return
         if self._carrier is Carrier.USB and len(data) >= LENGTH_FIELD:
             data = data[: frame_size(data)]
         for event in self._session.feed(data):
@@ -244,8 +246,9 @@ class RealBrick:
         if asks:
             return {"ask": asks}
         self._answers = []
-        for frame in frames:
-            self._jobs.append(Job(_adopting(frame), self._answered, self._silent))
+        # They do not wait for what is asked for every second.
+        jobs = [Job(_adopting(frame), self._answered, self._silent) for frame in frames]
+        self._jobs.extendleft(reversed(jobs))
         self._show([])
         self._advance()
         return {}

@@ -77,6 +77,8 @@ _ONE = re.compile(
 )
 """A row with one value, its name or index in front of it."""
 
+_JOINED = re.compile(r"\.join\(.{0,20}\bop[A-Z].{0,500}\)\s*$")
+"""Operations that are joined, as programs for ev3_dc do it."""
 _EXCERPT = re.compile(r"\s*\+\d+ \| ")
 """What `check` prints under a finding: the frame itself is above it."""
 _STRACE_DUMP = re.compile(r" \| 0[0-9a-f]{4}  ")
@@ -121,11 +123,7 @@ class Reader:
             else:
                 self._pass(line)
             if not self._has_any and self._strange is None and number <= _MOST_STRANGE:
-                said = (
-                    bare_reason(bytes_in(line))
-                    if ".join(" in line and len(line) <= _MOST_ONE * 10
-                    else strange_text(line)
-                )
+                said = bare_reason(bytes_in(line)) if _JOINED.search(line) else strange_text(line)
                 self._strange = Pasted(b"", number, short(line, MAX_TEXT), problem=said) if said else None
             if self._found:
                 yield from self._found

@@ -27,7 +27,7 @@ def announced_number(target: Target, wire: Wire) -> str:
     return target.serial_number or serial_number_of(wire) or _UNKNOWN
 
 
-def serial_number_of(wire: Wire, timeout: float = 5.0) -> str | None:
+def serial_number_of(wire: Wire, timeout: float = 2.0) -> str | None:
     """Returns a brick's serial number, which is its Bluetooth address in lower-case hex digits.
 
     Args:

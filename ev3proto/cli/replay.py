@@ -90,7 +90,7 @@ def replay(
       ev3proto replay robot.pcapng --to virtual
       ev3proto replay robot.pcapng --to usb --dry-run
       ev3proto replay robot.pcapng --to wifi --fast --allow motors,settings
-      ev3proto replay captures/conformance.pcapng --to usb --differences --allow computing
+      ev3proto replay talk.pcapng --to usb --differences --allow computing
     """  # noqa: D301 - the mark by which click leaves lines as they are
     capture = CaptureSource(name, reading)
     found = steps(dialogues(capture.events()), allowed)

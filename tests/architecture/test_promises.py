@@ -12,6 +12,8 @@ from pathlib import Path
 import pytest
 
 from ev3proto import bounded, dialogue
+from ev3proto.brick import clock
+from ev3proto.brick.servers import limits
 from ev3proto.capture import conversation, files, packets, record, series, statistics
 from ev3proto.capture.carriers.bluetooth import adapters
 from ev3proto.capture.carriers.usb import reports
@@ -26,6 +28,7 @@ from ev3proto.link import file_moves
 from ev3proto.program.checking import MOST_OF_A_CODE
 from ev3proto.tables.claims import MOST_HELD, STRANGE_PACKETS
 from ev3proto.tables.frame import MAX_FRAME
+from ev3proto.tables.memory import ARRAY_ROOM
 from ev3proto.tables.program import MAX_IMAGE
 from ev3proto.text.paste.pieces import MAX_COLLECTED, MAX_LINE
 
@@ -76,6 +79,19 @@ LIMITS = {
         f"{MOST_TRIALS}, as in the dissector; then the chunk is skipped, and reported"
     ),
     "A filter": f"{language.MAX_LENGTH:,} characters, {language.MAX_DEPTH} levels deep",
+    "A text for `check --fix`": "64 MiB",
+    "Operations of a direct command": f"{clock.MOST_OPERATIONS:,}, and {clock.MOST_PROCESSOR_SECONDS:g} s of CPU time",
+    "A direct command that waits": f"{clock.MOST_SECONDS} s; {limits.PATIENCE:g} s if another client waits",
+    "Programs and direct commands, before other clients are served": (
+        f"{limits.STRETCH * 1000:g} ms of CPU time, and one operation"
+    ),
+    "An operation that draws": "20 ms of CPU time: shapes are clipped before they are drawn",
+    "Clients that have not sent the unlock text; that wait for others; connections to the page": (
+        f"{limits.MOST_QUEUED} each"
+    ),
+    "Open files of the process": "as many as `ulimit -n` says",
+    "Frames of all clients that wait for a direct command": f"{clock.MOST_WAITING // MIB} MiB",
+    "Arrays of all programs": f"{ARRAY_ROOM:,} bytes",
 }
 
 

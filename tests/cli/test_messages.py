@@ -63,7 +63,7 @@ OF_THE_CALL = {
     " 192.0.2.1",
     "replay x --to virtual --allow engines": "Invalid value for '--allow': unknown operation or group 'engines';"
     " expected an operation, all, or one of motors, files, deletes, settings, programs, messages, buttons, devices,"
-    " restarts, firmware, shell, unknown",
+    " sounds, display, lights, restarts, firmware, shell, computing, unknown",
     "copy virtual a b": "neither SOURCE nor DESTINATION is on the brick; write its path there as brick:PATH",
     "copy virtual brick:a brick:b": "SOURCE and DESTINATION are both on the brick; one must be a file of this computer",
     "export c-header --check": "--check needs -o",

@@ -13,6 +13,7 @@ from ev3proto.checking.codes import CODES
 from ev3proto.checking.fixing import fix
 from ev3proto.checking.report import Fix
 from ev3proto.schema.argument import encode_as
+from ev3proto.schema.header import with_length
 from ev3proto.testing import frames, mutated_frames
 
 many = settings(max_examples=effort(75, 1000))
@@ -291,3 +292,15 @@ def test_swapped_bytes_of_the_memory_word_are_put_right() -> None:
     assert fixed.frame.hex() == "08002a00000400810160"
     assert [(change.what, change.before, change.after) for change in fixed.changes] == [("memory", "00:04", "04:00")]
     assert fixed.report.findings == ()
+
+
+def test_a_fix_with_fewer_findings_and_more_errors_is_not_made() -> None:
+    """The right length makes four hints and warnings disappear, and shows two errors in the bytes after the old end."""
+    frame = bytes.fromhex("1b00010080fc139401810582b80182e803c10181046041608103c0078101")
+    before = check(frame)
+    shorter = fix(with_length(frame[2:])).report
+    assert len(shorter.findings) < len(before.findings)
+    assert len(shorter.errors) > len(before.errors)
+    fixed = fix(frame)
+    assert fixed.frame == frame
+    assert fixed.unfixed[-1].endswith("would not give a frame that the brick accepts with fewer findings")

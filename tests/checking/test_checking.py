@@ -69,7 +69,7 @@ def test_a_counterexample_has_no_findings(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", CODES)
-def test_names_and_stories(name: str) -> None:
+def test_names_and_explanations(name: str) -> None:
     code = CODES[name]
     assert code.code == name
     assert {"E": Severity.ERROR, "W": Severity.WARNING, "H": Severity.HINT}[name[0]] is code.severity
@@ -93,7 +93,7 @@ def test_a_frame_that_is_right() -> None:
     assert check(frame).as_dict() == {"accepted": True, "rejected_at": None, "findings": [], "hex": frame.hex()}
 
 
-def test_a_finding_says_all_there_is_to_say() -> None:
+def test_the_fields_of_a_finding() -> None:
     report = check(raw("94 01 01 82C800 82E803"))
     assert report.findings == (
         Finding(

@@ -344,7 +344,7 @@ NEWER = _code(
     VOLTAGE,
 )
 FAILS = _code(
-    "E213",
+    "W202",
     "an operation that fails on every brick",
     """
     The validator knows the operation and accepts it, but it cannot work in a direct command: the firmware has no code
@@ -620,7 +620,7 @@ NAME_TOO_LONG = _code(
     _sized("2A:00|80|00:00|94:02:01:84:" + "61:" * 119 + "00"),
 )
 NO_HANDLE = _code(
-    "E503",
+    "W502",
     "a handle of nothing",
     """
     A handle is the number of an open file or an array, valid only in the command that made it: all are closed and
@@ -632,7 +632,7 @@ NO_HANDLE = _code(
     _sized("2A:00|00|08:00|C0:01:84:61:00:64:60:C0:07:64"),
 )
 REFUSED_LETTER = _code(
-    "E504",
+    "W503",
     "a character that the firmware refuses",
     """
     The text may contain only certain characters: letters from A to Z, digits, _ and - in the name of a brick. The

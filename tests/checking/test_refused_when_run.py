@@ -33,15 +33,15 @@ CREATE_4_TO_LV0 = "C1 01 04 40"
 @pytest.mark.parametrize(
     ("operations", "memory", "expected"),
     [
-        ("D1 01 00 00 00", "00 00", "E213"),
-        ("C0 12 84 61 00 01 01 60", "04 00", "E213"),
-        ("C0 07 01", "00 00", "E503"),
-        ("C0 05 01 00 04 60", "04 00", "E503"),
-        ("C3 01 00 60", "04 00", "E503"),
-        (f"{OPEN_A_TO_LV0} C0 07 02", "00 20", "E503"),
-        (f"{OPEN_A_TO_LV0} C3 01 00 60", "04 20", "E503"),
+        ("D1 01 00 00 00", "00 00", "W202"),
+        ("C0 12 84 61 00 01 01 60", "04 00", "W202"),
+        ("C0 07 01", "00 00", "W502"),
+        ("C0 05 01 00 04 60", "04 00", "W502"),
+        ("C3 01 00 60", "04 00", "W502"),
+        (f"{OPEN_A_TO_LV0} C0 07 02", "00 20", "W502"),
+        (f"{OPEN_A_TO_LV0} C3 01 00 60", "04 20", "W502"),
         ("C1 02 83 C1 C6 2D 00 40", "00 08", "W303"),  # 3,000,001 elements of two bytes
-        ("D4 08 84 6D 79 20 45 00", "00 00", "E504"),
+        ("D4 08 84 6D 79 20 45 00", "00 00", "W503"),
         ("D3 0C 01 0D 60", "10 00", "W303"),  # the address of USB
         ("D4 01 01 01", "00 00", "W303"),  # USB is always on
         ("D3 01 40 60", "04 04", "W406"),
@@ -73,15 +73,16 @@ def test_no_finding(operations: str, memory: str) -> None:
 
 def test_what_the_findings_say() -> None:
     assert found("C0 07 01") == [
-        ("E503", "no operation before FILE.CLOSE opens a file: handles end with their command")
+        ("W502", "no operation before FILE.CLOSE opens a file: handles end with their command")
     ]
-    assert found("D4 08 84 6D 79 20 45 00") == [("E504", "NAME contains ' ', which the firmware refuses")]
+    assert found("D4 08 84 6D 79 20 45 00") == [("W503", "NAME contains ' ', which the firmware refuses")]
     assert found("D3 01 40 60", "01 04") == [("W406", "no operation writes LV(0), so HARDWARE is always 0")]
 
 
 EXPLAINED = {
     "TST.": "the tests of the factory are closed",
     "FILE.GET_CACHE_FILE": "no program has been run",
+    "FILE.OPEN_LOG": "its folder does not exist",
     "FILE.OPEN_WRITE": "its folder does not exist",
     "FILE.OPEN_APPEND": "its folder does not exist",
     "ARRAY.READ_CONTENT": "no such array in the program of that slot",

@@ -277,7 +277,10 @@ def check_constant(parameter: Parameter, value: Any, *, unchecked: bool = False)
     if parameter.direction is Direction.INOUT:
         raise no_variable(parameter, value)
     if parameter.direction is Direction.IN:
-        if isinstance(value, str):
+        number = parameter.number_of(value) if isinstance(value, str) else None
+        if number is not None:
+            check_number(parameter, number)
+        elif isinstance(value, str):
             check_text(parameter, value)
         elif parameter.type is not Type.ARRAY_TYPED or isinstance(value, int):
             check_number(parameter, value)

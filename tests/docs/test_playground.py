@@ -153,6 +153,9 @@ def test_what_is_typed_is_read_and_is_in_the_link(page: Page) -> None:
     page.wait(lambda: "error[E102]" in page.text("findings"))
     page.browser.find_element(By.CSS_SELECTOR, "#findings summary").click()
     page.wait(lambda: "the length field" in page.text("findings").partition("What E102 means")[2])
+    page.click("fix")
+    page.wait(lambda: page.input == "08:00|2A:00|00|04:00|81|01|60|")
+    page.wait(lambda: page.text("findings") == "accepted: no findings\n")
     page.type("")
     page.wait(lambda: page.text("tree") == "")
     assert "#" not in page.browser.current_url

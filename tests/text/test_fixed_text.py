@@ -118,6 +118,14 @@ def test_bytes_are_removed_in_place(before: str, after: str) -> None:
     assert frames(after) == [SHORTER]
 
 
+def test_bytes_that_look_moved_are_edited_in_place() -> None:
+    # The type and both bytes of memory change: 80 00 00 becomes 00 04 00.
+    assert (
+        ev3proto.fix_text("# mine\n09 00 2A 00 80 00 00 81 01 60\n").text == "# mine\n08 00 2A 00 00 04 00 81 01 60\n"
+    )
+    assert ev3proto.fix_text("09:00|2A:00|80|00:00|81|01|60|").text == "08:00|2A:00|00|04:00|81|01|60|"
+
+
 def test_rows_of_a_dump_keep_their_size() -> None:
     """Encodings are not shortened there, and the type is fixed all the same."""
     dump = (

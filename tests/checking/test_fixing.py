@@ -295,8 +295,8 @@ def test_swapped_bytes_of_the_memory_word_are_put_right() -> None:
 
 
 def test_a_fix_with_fewer_findings_and_more_errors_is_not_made() -> None:
-    """The right length makes four hints and warnings disappear, and shows two errors in the bytes after the old end."""
-    frame = bytes.fromhex("1b00010080fc139401810582b80182e803c10181046041608103c0078101")
+    """The right length makes hints and warnings disappear, and shows more errors in the bytes after the old end."""
+    frame = bytes.fromhex("1300010000fc07821b81014081034160810341608103")
     before = check(frame)
     shorter = fix(with_length(frame[2:])).report
     assert len(shorter.findings) < len(before.findings)

@@ -478,6 +478,8 @@ class Follower:
         if frame.padding:
             place = len(frame.data), len(frame.padding)
             body.setdefault("fields", []).append(Item("ev3.padding", frame.padding, *place))
+            # The padding is within the message.
+            body["size"] = sum(place)
         body = {name: tuple(value) if isinstance(value, list) else value for name, value in body.items()}
         self.records.append(replace(record, **body))
 

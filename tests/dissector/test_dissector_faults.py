@@ -448,15 +448,15 @@ def test_what_the_capture_cut_is_a_note(tshark: Tshark, name: str, most: int) ->
 def test_faults_in_what_the_capture_has_of_a_frame_are_errors(tshark: Tshark) -> None:
     """An unknown opcode and an undefined identification byte, but not a list and a text that are cut."""
     frames = ["0C00 0100 80 0000 FE 01020304", "0E00 0200 80 0000 94 01 85 82B801 82E803"]
-    frames += ["1000 0300 80 0000 7C 0A 01020304050607", "0E00 0400 01 9C 2E2E2F70726A732F00"]
+    frames += ["1200 0300 80 0000 2F 40 0A 0102030405060708090A", "0E00 0400 01 9C 2E2E2F70726A732F00"]
     capture = Capture(RAW_IP)
     for number, frame in enumerate(frames):
         segment = Connection(capture, 10_000 + number).segment(True, bytes.fromhex(frame))
         capture.add(segment[:-3], len(segment))
     path = tshark.place(capture.data(), "cut.pcap")
-    shown = tshark.run(path, "-d", "tcp.port==5555,ev3", "-o", 'gui.column.format:"Info","%i"').splitlines()
+    shown = tshark.run(path, "-d", "tcp.port==5555,ev3_all", "-o", 'gui.column.format:"Info","%i"').splitlines()
     assert "fault at offset 7: unknown opcode 0xFE" in shown[0]
-    assert "fault at offset 10: undefined identification byte 0x85" in shown[1]
+    assert "fault at offset 9: undefined identification byte 0x85" in shown[1]
     assert [line.endswith(" [cut by the capture]") for line in shown] == [False, False, True, True]
 
 

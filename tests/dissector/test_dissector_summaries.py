@@ -15,9 +15,9 @@ from ev3proto.testing import direct_commands
 
 WIFI = Path(__file__).parents[2] / "captures" / "wifi.pcapng"
 LOOKUP = "        if summary then return summary end\n"
-LINES = ("-o", 'gui.column.format:"Info","%i"', "-z", "expert", "-d", "tcp.port==5555,ev3")
+LINES = ("-o", 'gui.column.format:"Info","%i"', "-z", "expert", "-d", "tcp.port==5555,ev3_all")
 """Without a tree: the info column, and all expert information."""
-TREES = ("-2", "-V", "-O", "ev3", "-Y", "ev3", "-d", "tcp.port==5555,ev3")
+TREES = ("-2", "-V", "-O", "ev3", "-Y", "ev3", "-d", "tcp.port==5555,ev3_all")
 
 
 def with_a_wrong_byte(frame: bytes, rng: random.Random) -> bytes:
@@ -79,7 +79,7 @@ def test_a_changed_preference_forgets_them(tmp_path: Path) -> None:
     frames = [bytes.fromhex(f"0600 {number:02X}00 80 0000 F1") for number in range(2)]
     with Tshark.from_setting(script) as tshark:
         capture = tshark.place(tcp_capture(Segment(True, frame) for frame in frames), "frames.pcap")
-        words = ("-o", 'gui.column.format:"Info","%i"', "-d", "tcp.port==5555,ev3")
+        words = ("-o", 'gui.column.format:"Info","%i"', "-d", "tcp.port==5555,ev3_all")
         first, second = tshark.run(capture, *words).splitlines()
     assert "unknown opcode 0xF1 for the official firmware" in first
     assert second == "DYNLOAD_VMEXIT"

@@ -78,7 +78,10 @@ def test_a_capture_without_commands() -> None:
     Connection(capture).receive(bytes.fromhex(VOLTS))
     done = run(stdin=capture.data())
     assert (done.returncode, done.stdout) == (1, "")
-    assert done.stderr == "standard input: no command in 1 packet\n"
+    assert done.stderr == (
+        "standard input: no command in 1 packet; 1 packet on TCP port 5555 was not recognised; --port 5555 shows it as"
+        " it is\n"
+    )
 
 
 def test_warnings_count_when_that_is_asked_for() -> None:

@@ -143,3 +143,8 @@ def test_the_frame_at_the_start_of_a_report_wins(name: str) -> None:
 def test_a_second_frame_behind_the_first_is_another_one() -> None:
     reply = bytes.fromhex("03 00 2a 00 02")
     assert [piece.data for piece in read_text([(TONE + reply).hex(" ")])] == [TONE, reply]
+
+
+def test_a_wrong_length_does_not_swallow_the_lines_below() -> None:
+    lines = ["0e002a0080000094010182b80182e803\n", "2e002a0080000094010182b80182e8\n", "06002a0080000001\n"]
+    assert [piece.data.hex() for piece in read_text(lines)] == [line.strip() for line in lines]

@@ -424,7 +424,9 @@ class Reader:
     def _joined(self, group: Group, run: Run) -> list[Pasted]:
         """Returns the frames in the rows."""
         lines, reading = {row.number: row.line for row in group.rows}, run.readings[0]
-        if any(row.is_labelled for row in group.rows) and not (reading.is_whole and reading.is_flawless):
+        is_sure = reading.is_whole and reading.is_flawless
+        is_one = len(group.rows) == 1 or group.is_array or _are_of_one(group.rows)
+        if not is_sure and (not is_one or any(row.is_labelled for row in group.rows)):
             return []
         if len(group.rows) > 1 and reading.ends_within and not reading.is_flawless:
             # The length is that of fewer rows, and is wrong.
@@ -466,7 +468,8 @@ class Reader:
                 self._emit([Pasted(data, first.number, short(first.line, MAX_TEXT), problem=problem)])
                 return
             is_row = not any(row.is_labelled for row in rows)
-            if len(rows) > 1 and (one := wrong_frame(run, first.line, is_row=is_row)):
+            is_one = len(rows) > 1 and (group.is_array or _are_of_one(rows))
+            if is_one and (one := wrong_frame(run, first.line, is_row=is_row)):
                 self._miss([one], rows, group.said)
                 return
         self._apart(rows, near, group.said)
@@ -478,6 +481,10 @@ class Reader:
             run = row.runs[0]
             if left and run is not None and row.is_head and row.is_tail and not run.readings[0].has_frames:
                 # There is nothing else in the row.
+                begun = None if row.has_offset else wrong_frame(run, row.line, is_row=True)
+                if begun is not None:
+                    self._miss(near, left[:1], said)
+                    left, near = [], [begun]
                 left.append(row)
                 continue
             own: list[Near] = []
@@ -494,6 +501,24 @@ class Reader:
                 left.append(row)
         if left or len(rows) == 1:
             self._miss(near, left or rows, said)
+
+
+def _around(run: Run) -> str:
+    """Returns what else is in the line of a run."""
+    return run.line[: run.start] + run.line[run.end :]
+
+
+def _are_of_one(rows: list[Row]) -> bool:
+    """Returns whether rows may be one frame. Lines of nothing but bytes are only if all but the last are equally long.
+
+    Otherwise each of them is a frame of its own, right or wrong.
+    """
+    runs = [row.runs[0] for row in rows if row.runs[0] is not None]
+    is_plain = all(run.notation is NUMBERS and not _around(run).strip(AROUND) for run in runs)
+    if not is_plain or any(row.has_offset for row in rows):
+        return True
+    sizes = [len(run.likely_data() or b"") for run in runs]
+    return len({*sizes[:-1]}) == 1 and sizes[-1] <= sizes[0] and not any(run.readings[0].is_whole for run in runs[1:])
 
 
 def _unknown(run: Run, part: Part, start: int, stop: int, lines: dict[int, str]) -> tuple[Unknown, ...]:

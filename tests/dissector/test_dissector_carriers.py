@@ -297,23 +297,6 @@ def test_texts_are_cut_anywhere(ask: Ask) -> None:
     assert ask(capture, "ev3.expert.no_boundary") == []
 
 
-def test_a_frame_of_three_segments_of_which_the_second_comes_twice(ask: Ask) -> None:
-    """Each command is shown with its last segment, before its reply, which refers to it."""
-    capture = Capture(RAW_IP)
-    connection = Connection(capture)
-    connection.send(tone(0))
-    for counter in range(1, 10):
-        frame = struct.pack("<HHB", 17, counter, 0x00) + bytes.fromhex("0400 81 01 60 94 01 01 82B801 82E803")
-        connection.send(frame[:7])
-        second = connection.segment(True, frame[7:14])
-        capture.add(second)
-        capture.add(second)
-        connection.send(frame[14:])
-        connection.receive(struct.pack("<HHBf", 7, counter, 0x02, 7.5))
-    assert counters(ask(capture, "ev3.request_in", "ev3.msg_num")) == list(range(1, 10))
-    assert ask(capture, "ev3.cmd_type == 0") == [str(5 * number) for number in range(1, 10)]
-
-
 def test_a_command_captured_after_its_reply_is_a_message_of_its_own(ask: Ask) -> None:
     """As on two interfaces. TCP needs the order for this: Wireshark takes acknowledged data for repeated."""
     device, port = Device(Capture(USBMON)), SerialPort(Capture(HCI_WITH_DIRECTION))
@@ -334,24 +317,6 @@ def test_a_command_captured_after_its_reply_is_a_message_of_its_own(ask: Ask) ->
         said = ask(stream.capture, "ev3.msg_num == 2", "frame.number", "ev3.cmd_type", "ev3.request_in", words=words)
         assert said == [f"{late - 1}\t0x02\t", f"{late}\t0x00\t"]
         assert counters(ask(stream.capture, "ev3.request_in", "ev3.msg_num", words=words)) == [1, 3]
-
-
-@pytest.mark.parametrize("words", [(), ("-2",)], ids=" ".join)
-def test_the_first_frame_of_which_the_segment_before_the_last_comes_twice(ask: Ask, words: tuple[str, ...]) -> None:
-    """Before anything else shows that a connection is ours; a split frame is shown with its last part."""
-    capture = Capture(RAW_IP)
-    frame = struct.pack("<HHB", 17, 1, 0x00) + bytes.fromhex("0400 81 01 60 94 01 01 82B801 82E803")
-    last = []
-    for port, cuts in enumerate([(7, 14), (3, 14), (2, 4), (5, 6), (4, 8, 14)], 10_000):
-        connection = Connection(capture, port)
-        pieces = [frame[at:stop] for at, stop in zip((0, *cuts), (*cuts, len(frame)), strict=True)]
-        segments = [connection.segment(True, piece) for piece in pieces]
-        for packet in (*segments[:-1], segments[-2]):
-            capture.add(packet)
-        last.append(str(capture.add(segments[-1])))
-        connection.receive(volts(1))
-    assert ask(capture, "ev3.cmd_type == 0", words=words) == last
-    assert ask(capture, "ev3.request_in", "ev3.request_in", words=words) == last
 
 
 # UDP

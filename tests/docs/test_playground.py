@@ -512,7 +512,8 @@ def test_long_texts_are_read_beside_the_brick_and_can_be_cancelled(page: Page) -
         struct.pack("<HHBHBBBBHBH", 14, number, 0x80, 0, 0x94, 1, 1, 0x82, hertz, 0x82, time).hex()
         for number, hertz, time in starts
     ]
-    page.type("\n".join(lines))
+    # Ten times as much as is read to its end below, so that it is still being read when it is cancelled.
+    page.type("\n".join(10 * lines))
     page.wait(lambda: page.is_shown("progress"))
     # The brick plays on meanwhile, and what was read is shown as it comes.
     button = "document.querySelector('[data-button=right]')"

@@ -501,7 +501,8 @@ def test_a_progress_bar_on_long_files_only(tmp_path: Path) -> None:
 @pytest.mark.parametrize("words", [("check", "--json"), ("stats",)])
 def test_a_progress_bar_on_long_texts_too(tmp_path: Path, words: tuple[str, ...]) -> None:
     path = tmp_path / "long.log"
-    path.write_text("".join(f"12 of the {number} words here are not a frame\n" for number in range(5_000)) + TONE.hex())
+    lines = (f"12 of the {number} words here are not a frame\n" for number in range(15_000))
+    path.write_text("".join(lines) + TONE.hex())
     assert "%" in on_a_terminal(path, *words)
 
 

@@ -115,8 +115,9 @@ FOREIGN = (
 """What looks like numbers of a run, and never is."""
 
 _NUMBER, _GAP, _FOREIGN = map(_any_of, (NUMBER_FORMS, GAPS, FOREIGN))
+# Groups are repeated as (?>(?:x)*), not as (?:x)*+: before 3.11.5, Python matches that wrongly, as in Debian 12.
 _MAY_BEGIN = rf"(?=[0-9a-fA-Zxmo:$&\#'\\+<{EXPRESSION}-]|[a-z]\w{{0,20}}\.(?:op|[A-Z]))"
-_PLAIN = rf"(?:[\s,:|]{{1,4}}(?:0x)?{_H}{{1,8}}(?![\w'\#&.]))++"
+_PLAIN = rf"(?>(?:[\s,:|]{{1,4}}(?:0x)?{_H}{{1,8}}(?![\w'\#&.]))+)"
 """Most of most runs, which the regex engine takes in one loop."""
 
 # Strings
@@ -126,7 +127,7 @@ def _quoted(*, has_escape: bool) -> str:
     # A string inside another is skipped.
     ahead = r"(?=[^{0}\\]*\\)(?!b?{1}[^{0}]*{1}{0})" if has_escape else ""
     body = "|".join(
-        f"{{0}}{ahead}(?:[^{{0}}\\\\]|\\\\.)*+{{0}}".replace("{0}", mark).replace("{1}", other)
+        f"{{0}}{ahead}(?>(?:[^{{0}}\\\\]|\\\\.)*){{0}}".replace("{0}", mark).replace("{1}", other)
         for mark, other in ("\"'", "'\"", "`'")
     )
     return rf"(?: (?: (?<![\w\\]) (?:b|B|rb|br|u8|u|U|L|@|\$|c) )? (?:{body}) )"
@@ -135,7 +136,7 @@ def _quoted(*, has_escape: bool) -> str:
 _ESCAPE = (
     rf"\\(?: [xX]\{{?{_H}{{1,2}}\}}? | u00{_H}{{2}} | u\{{{_H}{{1,2}}\}} | [0-3]?[0-7]{{1,2}} | [abtnvfre\\\"'\ \#] )"
 )
-_BARE = rf"(?: (?:{_ESCAPE}){{2}} (?: {_ESCAPE} | [!\#-&(-\[\]-~](?=[^\s]) )*+ )"
+_BARE = rf"(?: (?:{_ESCAPE}){{2}} (?>(?: {_ESCAPE} | [!\#-&(-\[\]-~](?=[^\s]) )*) )"
 STRING_FORMS = (
     Form("string", r"b'\x0f\x00'", _quoted(has_escape=True)),
     Form("escapes without quotes", r"\x0f\x00", rf"(?<!\w){_BARE}"),
@@ -143,7 +144,7 @@ STRING_FORMS = (
 """How a string with bytes is written."""
 
 _ANY_STRING = _quoted(has_escape=False)
-_BETWEEN = r"(?: [\s+&()\[\],;] | \\(?=\s|$) | \.(?=\s?[bB\"'$]) | bytes\( | bytearray\( )*+"
+_BETWEEN = r"(?>(?: [\s+&()\[\],;] | \\(?=\s|$) | \.(?=\s?[bB\"'$]) | bytes\( | bytearray\( )*)"
 """What joins two strings."""
 
 # Base64
@@ -203,23 +204,24 @@ def _of_strings(tokens: list[str], _: frozenset[int]) -> tuple[str, ...]:
 
 _NUMBER_RUN = _compiled(
     rf"{_MAY_BEGIN}(?: (?a:{_FOREIGN})"
-    rf" | (?P<run> (?:{_NUMBER}) (?: {_PLAIN} | (?:{_GAP}){{0,160}}+ (?:{_NUMBER}) )*+ ) )"
+    rf" | (?P<run> (?:{_NUMBER}) (?>(?: {_PLAIN} | (?>(?:{_GAP}){{0,160}}) (?:{_NUMBER}) )*) ) )"
 )
 NUMBERS = Notation(
     "0e 00 2a 00 80 00 00 94 01 01 82 b8 01 82 e8 03",
     _NUMBER_RUN,
-    _compiled(rf"(?:{_GAP})*+({_NUMBER})"),
+    _compiled(rf"(?>(?:{_GAP})*)({_NUMBER})"),
     _of_numbers,
     _NUMBER_RUN,
 )
 STRINGS = Notation(
     r"b'\x0e\x00*\x00\x80\x00\x00\x94\x01\x01\x82\xb8\x01\x82\xe8\x03'",
     _compiled(
-        rf"(?P<run> {STRING_FORMS[0].pattern}(?:{_BETWEEN}{_ANY_STRING})*+ | (?<!\w){_BARE}(?:[\s,]{{0,4}}{_BARE})*+ )"
+        rf"(?P<run> {STRING_FORMS[0].pattern}(?>(?:{_BETWEEN}{_ANY_STRING})*)"
+        rf" | (?<!\w){_BARE}(?>(?:[\s,]{{0,4}}{_BARE})*) )"
     ),
     _compiled(rf"{_BETWEEN}( {_ANY_STRING} | {_BARE} | {_ESCAPE} )"),
     _of_strings,
-    _compiled(rf"(?P<run> {_ANY_STRING}(?:{_BETWEEN}{_ANY_STRING})*+ | (?: {_ESCAPE} | {_BARE} )++ )"),
+    _compiled(rf"(?P<run> {_ANY_STRING}(?>(?:{_BETWEEN}{_ANY_STRING})*) | (?>(?: {_ESCAPE} | {_BARE} )+) )"),
 )
 BASE64 = Notation(
     "DgAqAIAAAJQBAYK4AYLoAw==",
@@ -250,7 +252,7 @@ _ELEMENT = re.compile(rf"(?P<before> ^\s* | [\[{{(,] \s*+ )(?P<element>{_EXPRESS
 _IDENTIFIER = re.compile(r"(?<!\w)(?!0[xX])[A-Za-z_]\w*")
 _OPENING = re.compile(r"[\[{(]")
 _WORDS_OF_PROSE = re.compile(r"\w\s+\w")
-_KNOWN = _compiled(rf"(?:{_GAP})*+(?:{_NUMBER})(?:{_GAP})*")
+_KNOWN = _compiled(rf"(?>(?:{_GAP})*)(?:{_NUMBER})(?:{_GAP})*")
 
 
 def without_expressions(line: str, *, is_inside: bool = False) -> str:

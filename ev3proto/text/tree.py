@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from ev3proto.dialogue import Exchange, Transfer
 from ev3proto.messages import (
+    Argument,
     DaisyCommand,
     DaisyReply,
     DirectCommand,
@@ -19,7 +20,7 @@ from ev3proto.schema.argument import ENCODINGS
 from ev3proto.schema.frame import parse
 from ev3proto.tables.daisy import TEXTS as DAISY_TEXTS
 from ev3proto.tables.daisy import DaisyCommand as DaisySubCommand
-from ev3proto.tables.encoding import STRING_CODING, TEXT
+from ev3proto.tables.encoding import CONSTANT, STRING_CODING, TEXT
 from ev3proto.tables.system import SYSTEM_BY_NUMBER, status_meaning
 from ev3proto.text.phrases import (
     Seen,
@@ -71,7 +72,7 @@ def operation_lines(operation: Operation, unknown: frozenset[int] = frozenset())
     arguments = operation.arguments
     width = max([len(argument.name) for argument in arguments], default=0)
     for argument in arguments:
-        parameter, form, offset = argument.parameter, argument.form, argument.offset
+        parameter, offset = argument.parameter, argument.offset
         meaning = argument_meaning(argument)
         if unknown and not unknown.isdisjoint(range(offset, offset + argument.length)):
             value, meaning = "?", ""
@@ -84,10 +85,17 @@ def operation_lines(operation: Operation, unknown: frozenset[int] = frozenset())
                 (" = ", Role.PLAIN),
                 (value, Role.VALUE),
                 (f" {meaning}" if meaning else "", Role.MEANING),
-                (f"  {form.name}: {parameter.text}", Role.ASIDE),
+                (f"  {_encoding(argument)}: {parameter.text}", Role.ASIDE),
             ]
         )
     return lines
+
+
+def _encoding(argument: Argument) -> str:
+    form = argument.form
+    # -14 is the byte 32, which may be meant as 50.
+    is_small = argument.length == 1 and form.kind == CONSTANT and int(argument.value) < 0
+    return f"{form.name} 0x{argument.raw[0]:02X}" if is_small else form.name
 
 
 def _values(exchange: Exchange) -> Iterator[Line]:

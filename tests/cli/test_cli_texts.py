@@ -128,6 +128,7 @@ STRANGERS = {
     "GET /target?sn=001612345678 VMTP1.0\nProtocol: EV3": "unlocks a brick on WiFi",
     "47 45 54 20 2f 74 61 72 67 65 74 3f 73 6e 3d": "unlocks a brick on WiFi",
     "00000000: 4745 5420 2f74 6172 6765 743f 736e 3d30  GET /target?sn=0": "unlocks a brick on WiFi",
+    "Serial-Number: 0016533f0c1e\r\nPort: 5555\r\nName: EV3\r\nProtocol: EV3": "the beacon with which a brick",
     "00000000: 4865 6c6c 6f20 776f 726c 6420 6865 6c6c  Hello world hell": "no frame found",
     r'sendto(3, "\17\0\0\0\200\0\0\224\1\201"..., 17, 0, NULL, 0) = 17': "strace cut the string; -s 1024",
     "{length = 17, bytes = 0x0f000000 80000094 01810282 ... 82e803 }": "NSData",

@@ -56,6 +56,11 @@ def test_the_tree_of_a_command() -> None:
     ]
 
 
+def test_the_byte_of_a_small_negative_number_is_shown() -> None:
+    power = bytes.fromhex("09 00 2A 00 80 00 00 A4 00 01 32")
+    assert shown(power)[-1] == "    10    POWER = -14 %  LC0 0x32: unregulated power; negative: backward"
+
+
 def test_the_tree_of_a_reply_reads_its_memory() -> None:
     assert shown(ANSWER, before=ASK) == [
         "DIRECT_REPLY, counter 1, 9 bytes: ok",

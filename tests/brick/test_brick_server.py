@@ -11,7 +11,6 @@ import socket
 import subprocess
 import sys
 import time
-from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from random import Random
@@ -20,7 +19,7 @@ import pytest
 import serial
 from support.cli import run_ev3proto_text
 from support.effort import effort
-from support.server import ACCEPT, UNLOCK, Client, beacon_port, command, download, frame, served, system, upload
+from support.server import ACCEPT, UNLOCK, Client, beacon_port, command, download, frame, served, system, until, upload
 
 import ev3proto
 from ev3proto.brick.servers import limits
@@ -137,14 +136,6 @@ def test_a_client_that_goes_in_the_middle_of_a_frame(tmp_path: Path) -> None:
             client.send(VOLUME[:5])
         with Client(brick.port) as client:
             assert client.ask(VOLUME) == HUNDRED
-
-
-def until(is_so: Callable[[], bool]) -> None:
-    """Waits until a condition is true, for at most half a minute."""
-    end = time.monotonic() + 30
-    while not is_so():
-        assert time.monotonic() < end
-        time.sleep(0.01)
 
 
 def test_commands_of_a_disconnected_client_are_executed(tmp_path: Path) -> None:
@@ -546,9 +537,7 @@ def test_serial_port(tmp_path: Path) -> None:
             assert port.read(12) == HUNDRED * 2
             port.write(VOLUME[:4])
         # A program that opens it later does not continue the frame of the one before.
-        deadline = time.monotonic() + 30
-        while brick.now.host.connections and time.monotonic() < deadline:
-            time.sleep(0.01)
+        until(lambda: not brick.now.host.connections)
         with serial.Serial(str(link), timeout=30) as port:
             port.write(VOLUME)
             assert port.read(6) == HUNDRED

@@ -8,7 +8,7 @@ import fcntl
 import socket
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from random import SystemRandom
@@ -73,6 +73,14 @@ def served(root: Path, options: Options | None = None) -> Iterator[Served]:
     for late in found[1:]:
         if isinstance(late, BaseException):
             raise late
+
+
+def until(is_so: Callable[[], bool]) -> None:
+    """Waits until a condition is true, for at most half a minute."""
+    end = time.monotonic() + 30
+    while not is_so():
+        assert time.monotonic() < end
+        time.sleep(0.01)
 
 
 class Client:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from itertools import product
+
 import pytest
 from support.cases import each
-from support.notations import EVERY
+from support.notations import EXAMPLES, NOTATIONS
 
 import ev3proto
 from ev3proto.text.paste import read_text
@@ -16,6 +18,8 @@ NO_MEMORY = bytes.fromhex("08002a00000000810160")
 LONGER = bytes.fromhex("0f002a0080000094018105 82b801 82e803")
 """A volume of 5 in two bytes."""
 SHORTER = bytes.fromhex("0e002a00800000940105 82b801 82e803")
+LONG_TONE = bytes.fromhex("0f00000080000094018102 82e803 82e803")
+SHORTER_TONE = bytes.fromhex("0e000000800000940102 82e803 82e803")
 
 LOG = """\
 # my robot, 2024-01-31: the frame 08 00 2A 00 is the start
@@ -61,32 +65,30 @@ def test_several_frames_in_one_line() -> None:
     assert fixed.text == f"first {FIXED.hex(' ')}, then {SHORTER.hex()}; done\n"
 
 
-UNEDITABLE = {
-    "type": {"Verilog", "0x glued", "od", "od -c", "hexdump -d", "btmon, with the check sum"},
-    "memory": {
-        *("Verilog", "0x glued", "od", "od -c", "hexdump -d", "btmon, with the check sum"),
-        # They show each byte twice.
-        *("gdb print", "the same in decimal", "printed by index"),
-    },
-}
-"""Notations in which a frame stays as it is, because the reader would not see the fixed one."""
+@each("name, broken", product(NOTATIONS, (NO_REPLY, NO_MEMORY)))
+def test_a_type_and_memory_are_fixed_in_every_notation(name: str, broken: bytes) -> None:
+    text = f"# 2024-01-31\n{NOTATIONS[name](broken)}\n/* the end */\n"
+    fixed = ev3proto.fix_text(text)
+    assert frames(fixed.text) == [FIXED], text
+    before, after = text.splitlines(), fixed.text.splitlines()
+    changed = [number for number, pair in enumerate(zip(before, after, strict=True), 1) if pair[0] != pair[1]]
+    assert tuple(changed) == fixed.lines
+    assert not {1, len(before)} & {*changed}
 
 
-@each("name", EVERY)
-def test_every_notation_is_edited_or_left_alone(name: str) -> None:
-    for what, broken in (("type", NO_REPLY), ("memory", NO_MEMORY)):
-        text = f"# 2024-01-31\n{EVERY[name](broken)}\n/* the end */\n"
-        if frames(text) != [broken] or name == "btmon":
-            continue  # padded, or received
-        fixed = ev3proto.fix_text(text)
-        if name in UNEDITABLE[what]:
-            assert not fixed.is_fixed or frames(fixed.text) == [FIXED], text
-        else:
-            assert frames(fixed.text) == [FIXED], text
-        before, after = text.splitlines(), fixed.text.splitlines()
-        changed = [number for number, pair in enumerate(zip(before, after, strict=True), 1) if pair[0] != pair[1]]
-        assert tuple(changed) == fixed.lines
-        assert not {1, len(before)} & {*changed}
+NUMBERED = ("Uint8Array {", '{"0"', "Array (", "buf[0]")
+"""Notations with the index of each byte, from which none is removed."""
+
+
+@each("example", EXAMPLES)
+def test_a_byte_is_removed_from_the_examples_or_nothing_is_changed(example: str) -> None:
+    """Their volume of 2 is in two bytes. Dumps, calls and numbered bytes stay, and what has unknown bytes."""
+    text = f"{example}\n"
+    (before,) = frames(text)
+    fixed = ev3proto.fix_text(text)
+    if frames(fixed.text) != [SHORTER_TONE + before[len(LONG_TONE) :]]:
+        assert fixed.text == text
+        assert "\n" in example or example.startswith((*NUMBERED, "0x0f0x", "0f 00 xx")), text
 
 
 @pytest.mark.parametrize(

@@ -5,25 +5,14 @@ from __future__ import annotations
 import random
 import re
 from itertools import product
-from pathlib import Path
 
 import pytest
 from support.cases import each
-from support.notations import EVERY, LINE
+from support.notations import EXAMPLES, NOTATIONS
 
 from ev3proto.text.paste import Pasted, read_argument, read_text
-from ev3proto.text.paste.notations import (
-    BASE64,
-    FOREIGN,
-    GAPS,
-    NUMBER_FORMS,
-    NUMBERS,
-    STRING_FORMS,
-    STRINGS,
-    Notation,
-)
+from ev3proto.text.paste.notations import BASE64, FOREIGN, GAPS, NUMBER_FORMS, NUMBERS, STRING_FORMS, STRINGS, Notation
 
-PAGE = Path(__file__).parents[2] / "docs" / "notations.md"
 TONE = bytes.fromhex("0f 00 00 00 80 00 00 94 01 81 02 82 e8 03 82 e8 03")
 NOTHING = bytes.fromhex("06 00 2a 00 00 00 00 01")
 NAME = bytes.fromhex("0e 00 2a 00 00 00 00 d4 08 84 6d 79 45 56 33 00")
@@ -44,20 +33,47 @@ def frame_of(piece: Pasted) -> bytes:
     return piece.data if any(piece.data[size:]) else piece.data[:size]
 
 
-@each("name, frame", product(EVERY, FRAMES.values()))
-def test_every_notation(name: str, frame: bytes) -> None:
-    text = EVERY[name](frame)
-    found = pieces(text)
-    assert [(frame_of(piece), piece.problem) for piece in found] == [(frame, None)], text
+def the_only(text: str) -> bytes:
+    """Reads a text in which there is one frame, without a problem."""
+    (piece,) = pieces(text)
+    assert piece.problem is None
+    return frame_of(piece)
 
 
-@each("name", EVERY)
-def test_every_notation_among_prose(name: str) -> None:
-    text = EVERY[name](TONE)
-    found = pieces(
-        f"I tried it like this on 2024-01-31 at 12:30:\n\n{text}\n\nand my EV3 (00:16:53:42:2B:99) was silent.\n"
+@each("example", EXAMPLES)
+def test_the_examples_on_the_page_of_notations(example: str) -> None:
+    assert len(EXAMPLES) > 150
+    assert the_only(example) == TONE
+    assert frame_of(read_argument(example)) == TONE
+    assert (
+        the_only(f"I tried it on 2024-01-31 at 12:30:\n\n{example}\n\nand my EV3 (00:16:53:42:2B:99) was silent.\n")
+        == TONE
     )
-    assert [(frame_of(piece), piece.problem) for piece in found] == [(TONE, None)], text
+
+
+@each("name, frame", product(NOTATIONS, FRAMES.values()))
+def test_a_notation_of_other_frames(name: str, frame: bytes) -> None:
+    assert the_only(NOTATIONS[name](frame)) == frame
+
+
+BYTE_ON_A_LINE = (
+    "  {at}: {byte}",
+    "    [{at}] => {byte}",
+    "    {byte},",
+    "  0x{byte:02x}, # byte {at}",
+    "  cmd[{at}] = 0x{byte:02X};",
+    "{at},{byte}",
+    "\t[{at}]\t0x{byte:02x}\tbyte",
+    ">\t0x{byte:02x} (M-)",
+    "  <b>{byte:02X}</b>",
+    "view.setUint8({at}, 0x{byte:02x});",
+    "{byte:X}",
+)
+
+
+@each("form, frame", product(BYTE_ON_A_LINE, FRAMES.values()))
+def test_a_byte_on_each_line(form: str, frame: bytes) -> None:
+    assert the_only("\n".join(form.format(at=at, byte=byte) for at, byte in enumerate(frame))) == frame
 
 
 PREFIXES = {
@@ -83,20 +99,13 @@ PREFIXES = {
     '{{"t": 12, "data": "{}"}}': None,
 }
 
-PLAIN = (
-    "blanks",
-    "0x and commas",
-    "dashes (BitConverter)",
-    "lesson",
-    "Go",
-    "repr",
-)
+PLAIN = ("blanks", "0x and commas", "dashes", "lesson", "Go", "repr")
 
 
 @each("prefix, name", product(PREFIXES, PLAIN))
 def test_text_around_a_frame(prefix: str, name: str) -> None:
     for frame in (TONE, REPLY, NAME):
-        text = prefix.format(LINE[name](frame))
+        text = prefix.format(NOTATIONS[name](frame))
         found = pieces(f"once\n{text}\nagain\n")
         assert [(piece.data, piece.problem, piece.line) for piece in found] == [(frame, None, 2)], text
         said = PREFIXES[prefix]
@@ -105,9 +114,9 @@ def test_text_around_a_frame(prefix: str, name: str) -> None:
         assert found[0].direction == said, text
 
 
-@each("name", LINE)
+@each("name", [name for name, notation in NOTATIONS.items() if "\n" not in notation(TONE)])
 def test_lines_that_hold_a_whole_frame_each_stay_apart(name: str) -> None:
-    text = "\n".join(f"x: {LINE[name](frame)}" for frame in (TONE, NAME, TONE))
+    text = "\n".join(f"x: {NOTATIONS[name](frame)}" for frame in (TONE, NAME, TONE))
     assert [(frame_of(piece), piece.line) for piece in pieces(text)] == [(TONE, 1), (NAME, 2), (TONE, 3)], text
 
 
@@ -231,18 +240,6 @@ def test_decimal_escapes_where_octal_ones_give_no_frame() -> None:
     assert [piece.data for piece in pieces(r"'\017\000\000\000\200\0\0\224\1\201\2\202\350\3\202\350\3'")] == [TONE]
 
 
-def test_every_example_on_the_page_of_notations_is_read() -> None:
-    text = PAGE.read_text(encoding="utf-8")
-    lines, blocks = (
-        re.findall(r"```text\n(.*?)\n```", part, re.DOTALL) for part in text.split("## Over several lines")
-    )
-    examples = [line for block in lines for line in block.split("\n")] + blocks
-    assert len(examples) > 80
-    for example in examples:
-        assert [(frame_of(piece), piece.problem) for piece in pieces(example)] == [(TONE, None)], example
-        assert frame_of(read_argument(example)) == TONE
-
-
 def test_the_example_of_every_form_has_its_pattern() -> None:
     for form in (*NUMBER_FORMS, *GAPS, *FOREIGN, *STRING_FORMS):
         pattern = re.compile(form.pattern, re.VERBOSE | re.DOTALL)
@@ -265,8 +262,12 @@ def test_rows_of_bytes_of_which_some_are_db() -> None:
     for width in (8, 16, 20):
         rows = [frame[at : at + width].hex(" ") for at in range(0, len(frame), width)]
         for text in ("\n".join(rows), "\n".join(rows).upper()):
-            (piece,) = pieces(text)
-            assert piece.data == frame
+            assert the_only(text) == frame
+    for last in ("db", "db 41", "db 41 42 43"):
+        row = b"\x11\x00*\0\x80" + bytes(11)
+        data = (len(row) + len(bytes.fromhex(last)) - 2).to_bytes(2, "little") + row[2:] + bytes.fromhex(last)
+        for name in ("xxd", "Wireshark", "hexdump -C"):
+            assert the_only(NOTATIONS[name](data)) == data
 
 
 @pytest.mark.parametrize("size", [1_100, 5_000])

@@ -8,7 +8,7 @@ from itertools import product
 import pytest
 from support.cases import each
 from support.cli import run_ev3proto
-from support.notations import EVERY
+from support.notations import NOTATIONS
 
 from ev3proto.text.paste import read_argument, read_text
 
@@ -27,10 +27,10 @@ HEADS: dict[str, tuple[Callable[[bytes], bytes], str]] = {
     "length bytes swapped": (lambda frame: headed(frame, len(frame) - 2 << 8), "E102"),
     "unknown type": (lambda frame: frame[:4] + b"\x40" + frame[5:], "E105"),
 }
-NOTATIONS = (
-    *("hex", "blanks", "colons", "lesson", "0x and commas", "pairs of bytes", "decimals, commas", "signed decimals"),
-    *("C", "Java array", "Kotlin, some", "Go", "Visual Basic", "Pascal", "Chr()", "repr", "octal escapes", "fromhex"),
-    *("hexdump -C", "xxd", "C rows, remarks", "calls"),
+WITH_HEADS = (
+    *("hex", "blanks", "colons", "lesson", "0x and commas", "pairs of bytes", "decimals", "signed decimals"),
+    *("C", "Java", "Kotlin", "Go", "Visual Basic", "Pascal", "Chr()", "repr", "octal escapes", "fromhex"),
+    *("hexdump -C", "xxd", "C with remarks", "calls"),
 )
 
 
@@ -38,11 +38,11 @@ WORDS = (("pairs of bytes", "length bytes swapped"), ("xxd", "length bytes swapp
 """As words of two bytes, these have the right length."""
 
 
-@each("name, head", [one for one in product(NOTATIONS, HEADS) if one not in WORDS])
+@each("name, head", [one for one in product(WITH_HEADS, HEADS) if one not in WORDS])
 def test_a_wrong_head_is_named_in_every_notation(name: str, head: str) -> None:
     make, code = HEADS[head]
     frame = make(TONE)
-    text = EVERY[name](frame)
+    text = NOTATIONS[name](frame)
     done = run_ev3proto("check", "-", stdin=text.encode())
     said = done.stdout.decode()
     assert code in said, text
@@ -53,7 +53,7 @@ def test_a_wrong_head_is_named_in_every_notation(name: str, head: str) -> None:
 @each("name, head", product(("blanks", "C", "repr", "hexdump -C", "lesson"), HEADS))
 def test_a_wrong_head_of_a_command_with_a_reply(name: str, head: str) -> None:
     frame = HEADS[head][0](SENSOR)
-    assert [piece.data for piece in read_text(EVERY[name](frame).splitlines(keepends=True))] == [frame]
+    assert [piece.data for piece in read_text(NOTATIONS[name](frame).splitlines(keepends=True))] == [frame]
 
 
 SLIPS = {
@@ -125,8 +125,8 @@ REPORTS = {
     "a report number": f"RX 00 {LEFT_OVER.hex(' ')}",
     "a mark of an empty buffer": f"RX ff ff ff ff {LEFT_OVER.hex(' ')}",
     "Python": f"print({LEFT_OVER!r})",
-    "xxd": EVERY["xxd"](LEFT_OVER[:32]),
-    "hexdump -C": EVERY["hexdump -C"](bytes.fromhex("07 00 01 00 02 00 00 48 42") + b"hello world" + bytes(12)),
+    "xxd": NOTATIONS["xxd"](LEFT_OVER[:32]),
+    "hexdump -C": NOTATIONS["hexdump -C"](bytes.fromhex("07 00 01 00 02 00 00 48 42") + b"hello world" + bytes(12)),
 }
 
 

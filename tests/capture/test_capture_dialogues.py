@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 
+from support.messages import voltage, volts
 from support.packets import RAW_IP, Capture, Connection
 
 from ev3proto.capture import Event, Record, read
@@ -11,14 +12,6 @@ from ev3proto.capture.dialogues import dialogues
 
 TONE = bytes.fromhex("0e002a0080000094010182b80182e803")
 MILLISECOND = 1_000_000
-
-
-def voltage(counter: int) -> bytes:
-    return bytes.fromhex(f"0800{counter:02x}00000400810160")
-
-
-def volts(counter: int) -> bytes:
-    return bytes.fromhex(f"0700{counter:02x}0002a470fd40")
 
 
 def captured(*frames: tuple[bool, bytes]) -> list[Event]:
@@ -61,5 +54,5 @@ def test_values_are_read_through_the_command() -> None:
     *_, reply = captured((True, voltage(1)), (False, volts(1)))
     assert isinstance(reply, Record)
     assert [(value.op, value.name, round(float(value.value), 2)) for value in reply.values] == [  # type: ignore[arg-type]
-        ("UI_READ", "VALUE", 7.92)
+        ("UI_READ", "VALUE", 7.5)
     ]

@@ -5,7 +5,6 @@ from __future__ import annotations
 import io
 import struct
 from collections.abc import Callable
-from functools import cache
 from itertools import product
 from typing import Any
 
@@ -390,74 +389,3 @@ def test_packets_too_short_for_their_link(link: int) -> None:
     events, capture = opened(pcap(link, timed(packets)))
     assert events == []
     assert capture.account.other == sum(map(len, packets))
-
-
-# The same packets made by scapy, which knows the headers independently
-
-
-@cache
-def scapy() -> Any:
-    import logging
-
-    logging.getLogger("scapy").setLevel(logging.ERROR)
-    import scapy.layers.bluetooth
-    import scapy.layers.inet
-    import scapy.layers.inet6
-    import scapy.layers.l2
-    import scapy.layers.usb
-
-    class Everything:
-        pass
-
-    everything = Everything()
-    for module in ("bluetooth", "inet", "inet6", "l2", "usb"):
-        everything.__dict__.update(vars(getattr(scapy.layers, module)))
-    return everything
-
-
-def test_links_as_scapy_builds_them() -> None:
-    s = scapy()
-    ip = s.IP(src="192.0.2.1", dst="192.0.2.10", options=[s.IPOption(b"\x94\x04\0\0")])
-    ip6 = s.IPv6(src="2001:db8::1", dst="2001:db8::10")
-    tcp = s.TCP(sport=49152, dport=5555, flags="PA", options=[("Timestamp", (1, 2)), ("NOP", None)]) / COMMAND
-    ip_source, ip6_source = "192.0.2.1:49152", "[2001:db8::1]:49152"
-    made: list[tuple[int, Any, str]] = [
-        (1, s.Ether() / ip / tcp, ip_source),
-        (1, s.Ether() / s.Dot1Q(vlan=5) / ip6 / tcp, ip6_source),
-        (1, s.Ether() / s.Dot1AD(vlan=5) / s.Dot1Q(vlan=6) / ip / tcp, ip_source),
-        (113, s.CookedLinux() / ip / tcp, ip_source),
-        (113, s.CookedLinux() / ip6 / tcp, ip6_source),
-        (276, s.CookedLinuxV2() / ip6 / tcp, ip6_source),
-        (0, s.Loopback() / ip / tcp, ip_source),
-        (0, s.Loopback(type=0x1E) / ip6 / tcp, ip6_source),
-        (101, ip / tcp, ip_source),
-        (229, ip6 / s.IPv6ExtHdrHopByHop(options=[s.PadN(optdata=b"1234")]) / tcp, ip6_source),
-    ]
-    for link, packet, source in made:
-        (record,) = records(pcap(link, timed([bytes(packet)])))
-        assert (record.frame, record.source) == (COMMAND, source), packet
-
-
-def test_usbpcap_as_scapy_builds_it() -> None:
-    s = scapy()
-    report = COMMAND.ljust(1024, b"\0")
-    head = s.USBpcap(headerLen=27, function=9, bus=1, device=7, endpoint=1, transfer=1, dataLength=1024)
-    (record,) = records(pcap(249, timed([bytes(head) + report])))
-    assert (record.frame, record.target) == (COMMAND, "1.7")
-
-
-def test_bluetooth_as_scapy_builds_it() -> None:
-    s = scapy()
-    event = s.HCI_Event_Hdr() / s.HCI_Event_Connection_Complete(connection_handle=0x2A, bd_addr="00:16:53:0f:0f:0f")
-    asked = s.L2CAP_Hdr(cid=1) / s.L2CAP_CmdHdr(id=9) / s.L2CAP_ConnReq(psm="RFCOMM", scid=0x40)
-    answered = s.L2CAP_Hdr(cid=1) / s.L2CAP_CmdHdr(id=9) / s.L2CAP_ConnResp(dcid=0x77, scid=0x40)
-    rfcomm = bytes.fromhex("0b ef 15") + COMMAND + b"\x9a"
-    made = [
-        (1, s.HCI_Hdr() / event),
-        (0, s.HCI_Hdr() / s.HCI_ACL_Hdr(connection_handle=0x2A) / asked),
-        (1, s.HCI_Hdr() / s.HCI_ACL_Hdr(connection_handle=0x2A, PB=2) / answered),
-        (0, s.HCI_Hdr() / s.HCI_ACL_Hdr(connection_handle=0x2A) / (s.L2CAP_Hdr(cid=0x77) / rfcomm)),
-    ]
-    packets = [struct.pack(">I", received) + bytes(packet) for received, packet in made]
-    (record,) = records(pcap(201, timed(packets)))
-    assert (record.frame, record.target) == (COMMAND, "00:16:53:0f:0f:0f")

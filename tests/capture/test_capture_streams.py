@@ -10,7 +10,8 @@ from collections.abc import Iterable, Iterator
 
 import pytest
 from support.files import BEGIN_NS, RAW_IP, Blocks, Timed, btsnoop, pcap, timed
-from support.packets import FIN, HCI_WITH_DIRECTION, HOST_PORT, RST, SYN, SerialPort, segment
+from support.messages import voltage, volts
+from support.packets import FIN, HCI_WITH_DIRECTION, HOST_PORT, RST, SYN, SerialPort, frame_check, segment
 from support.packets import Capture as Packets
 
 import ev3proto
@@ -19,16 +20,6 @@ from ev3proto.capture import Announcement, Capture, Event, Record, Skipped, read
 UNLOCK = ev3proto.Unlock("0016530f0f0f").build()
 ACCEPT = b"Accept:EV340\r\n\r\n"
 HCI = 201
-
-
-def voltage(counter: int) -> bytes:
-    """UI_READ.GET_VBATT: 10 bytes."""
-    return struct.pack("<HHB", 8, counter, 0x00) + bytes.fromhex("0400 81 01 60")
-
-
-def volts(counter: int, value: float = 7.5) -> bytes:
-    """The reply to it: 9 bytes."""
-    return struct.pack("<HHBf", 7, counter, 0x02, value)
 
 
 def tone(counter: int) -> bytes:
@@ -594,16 +585,6 @@ def test_a_frame_at_fault_is_a_frame_all_the_same() -> None:
 # RFCOMM
 
 
-def check(data: bytes) -> int:
-    """RFCOMM's check sum, bit by bit."""
-    rest = 0xFF
-    for byte in data:
-        rest ^= byte
-        for _ in range(8):
-            rest = rest >> 1 ^ 0xE0 * (rest & 1)
-    return 0xFF - rest
-
-
 class Link:
     """The packets between host and controller, with their H4 type."""
 
@@ -655,7 +636,7 @@ class Link:
         size = len(data)
         length = (size << 1).to_bytes(2, "little") if wide or size > 127 else bytes((size << 1 | 1,))
         extra = b"" if credits is None else bytes((credits,))
-        end = bytes((check(head if kind == 0xEF else head + length),))
+        end = bytes((frame_check(head if kind == 0xEF else head + length),))
         if channel is None:
             channel = self.THEIRS if from_host else self.OURS
         self.l2cap(from_host, channel, head + length + extra + data + end, pieces)

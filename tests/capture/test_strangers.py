@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import io
 import random
-import struct
 from collections.abc import Callable, Iterator
 from functools import cache
-from pathlib import Path
 
 import pytest
+from support.messages import tone, voltage, volts
 from support.packets import (
     HCI_WITH_DIRECTION,
     HOST,
@@ -51,20 +50,6 @@ from ev3proto.capture import Record, read
 UNLOCK = ev3proto.Unlock("06165300000a").build()
 BEACON = ev3proto.Beacon("06165300000a", name="myEV3").build()
 REPORTS = 3000
-
-
-def tone(counter: int) -> bytes:
-    """A command without a reply: 16 bytes."""
-    return struct.pack("<HHB", 14, counter, 0x80) + bytes.fromhex("0000 94 01 01 82B801 82E803")
-
-
-def voltage(counter: int) -> bytes:
-    return struct.pack("<HHB", 8, counter, 0x00) + bytes.fromhex("0400 81 01 60")
-
-
-def volts(counter: int) -> bytes:
-    """Its reply."""
-    return struct.pack("<HHBf", 7, counter, 0x02, 7.5)
 
 
 def over_tcp(stranger: Callable[[random.Random], Iterator[Said]]) -> bytes:
@@ -261,19 +246,6 @@ def test_strange_packets_count_once_where_the_connection_begins(shown: Callable[
     assert shown(capture) == [str(ours)]
 
 
-def test_two_replies_in_a_row_are_believed_on_tcp(shown: Callable[..., list[str]]) -> None:
-    """The first one has ended when the second one comes."""
-    capture = Capture(RAW_IP)
-    connection = Connection(capture)
-    connection.receive(volts(1))
-    connection.receive(b"something else")
-    connection.receive(volts(2))
-    ours = [connection.receive(volts(3)), connection.receive(volts(4))]
-    assert shown(capture) == [str(number) for number in ours]
-    taken = [event.numbers[0] for event in read(io.BytesIO(capture.data())).events() if isinstance(event, Record)]
-    assert taken == ours
-
-
 def test_what_is_left_of_a_frame_and_looks_like_another_hides_nothing() -> None:
     capture = Capture(RAW_IP)
     connection = Connection(capture)
@@ -387,149 +359,12 @@ def test_a_reply_on_usb_answers_a_command(shown: Callable[..., list[str]]) -> No
     assert shown(capture) == [str(number) for number in (*ours, faulty + 1)]
 
 
-FAULTY = bytes.fromhex("0700 0100 80 0000 94 77")
-"""A command that cannot be read."""
-
-
-def claims_that_end() -> tuple[bytes, list[int]]:
-    """Connections to port 5555 that begin like ours, and the packets whose frames are read."""
-    capture = Capture(RAW_IP)
-    strange = b"\xff" * 20
-    # Each packet with a plausible command starts again.
-    telling = Connection(capture, 10_000)
-    ours = [telling.send(data) for data in (tone(1), FAULTY, FAULTY, tone(2), FAULTY)]
-    telling.send(strange)
-    ours.append(telling.send(tone(3)))
-    # It ends after three in a row, from either side.
-    ours.append(telling.send(FAULTY))
-    telling.receive(strange)
-    ours.append(telling.send(FAULTY))
-    telling.send(FAULTY)
-    telling.receive(volts(4))
-    ours.append(telling.send(tone(4)))
-    # After a reply of the requested size, all frames are ours, until a packet without one.
-    answered = Connection(capture, 10_001)
-    ours += [answered.send(voltage(1)), answered.receive(volts(1))]
-    ours += [answered.send(FAULTY) for _ in range(10)]
-    for _ in range(3):
-        answered.send(b"\xff" * 300)
-    ours.append(answered.send(tone(5)))
-    for _ in range(4):
-        answered.send(b"\xff" * 300)
-    answered.send(FAULTY)
-    answered.receive(volts(5))
-    # The text settles it.
-    unlocked = Connection(capture, 10_002)
-    unlocked.send(UNLOCK)
-    for _ in range(9):
-        unlocked.send(strange)
-    ours += [unlocked.send(tone(6)), unlocked.send(FAULTY)]
-    return capture.data(), ours
-
-
-def test_claims_end(tshark: Tshark) -> None:
-    data, ours = claims_that_end()
-    path = tshark.place(data, "ends.pcap")
-    words = ("-Y", "ev3.msg_num", "-T", "fields", "-e", "frame.number")
-    assert tshark.run(path, *words).split() == list(map(str, ours))
-    assert tshark.run(path, "-2", *words).split() == list(map(str, ours))
-    assert [event.numbers[-1] for event in read(io.BytesIO(data)).events() if isinstance(event, Record)] == ours
-
-
-def claims_of_serial_ports() -> tuple[bytes, list[int]]:
-    """Serial ports on which data begins like ours, and the packets whose frames are read."""
-    capture = Capture(HCI_WITH_DIRECTION)
-    strange = b"\xff" * 20
-
-    def port(number: int) -> SerialPort:
-        return SerialPort(capture, connection=number, address=bytes((number, 0, 0, 0x53, 0x16, 0)))
-
-    telling = port(1)
-    ours = [telling.send(tone(1)), telling.send(FAULTY)]
-    telling.send(strange)
-    ours.append(telling.send(tone(2)))
-    for _ in range(3):
-        telling.send(strange)
-    telling.send(FAULTY)
-    ours.append(telling.send(tone(3)))
-    answered = port(2)
-    ours += [answered.send(voltage(1)), answered.receive(volts(1))]
-    ours += [answered.send(FAULTY) for _ in range(10)]
-    # No reply claims a port, and no faulty command.
-    late = port(3)
-    for _ in range(8):
-        late.send(strange)
-    late.receive(volts(6))
-    late.receive(volts(7))
-    late.send(FAULTY)
-    ours.append(late.send(tone(6)))
-    # A command may come in pieces.
-    late = port(4)
-    late.send(tone(7)[:4])
-    late.send(tone(7)[4:9])
-    ours.append(late.send(tone(7)[9:]))
-    return capture.data(), ours
-
-
-def test_claims_of_serial_ports_end(tshark: Tshark) -> None:
-    data, ours = claims_of_serial_ports()
-    path = tshark.place(data, "ports.pcap")
-    words = ("-Y", "ev3.msg_num", "-T", "fields", "-e", "frame.number")
-    assert tshark.run(path, *words).split() == list(map(str, ours))
-    assert tshark.run(path, "-2", *words).split() == list(map(str, ours))
-    assert [event.numbers[-1] for event in read(io.BytesIO(data)).events() if isinstance(event, Record)] == ours
-
-
-def test_claims_of_devices_end(tshark: Tshark) -> None:
-    capture = Capture(USBMON)
-    device = Device(capture)
-    device.send(FAULTY)
-    device.receive(volts(0))
-    ours = [device.send(tone(1)), device.send(FAULTY)]
-    device.receive(bytes.fromhex("0500 0100 77 01 02"))
-    ours += [device.send(tone(2)), device.send(FAULTY), device.send(FAULTY), device.send(FAULTY)]
-    device.send(FAULTY)
-    ours += [device.send(voltage(3)), device.receive(volts(3))]
-    ours += [device.send(FAULTY) for _ in range(5)]
-    data = capture.data()
-    path = tshark.place(data, "ends.pcap")
-    assert tshark.run(path, "-Y", "ev3", "-T", "fields", "-e", "frame.number").split() == list(map(str, ours))
-    assert [event.numbers[0] for event in read(io.BytesIO(data)).events() if isinstance(event, Record)] == ours
-
-
-# Incomplete streams
-
-
-def test_losses_cost_few_frames(tshark: Tshark) -> None:
-    """3 of 100 segments are missing, and frames are split anywhere: most of the complete ones are found."""
-    rng = random.Random(3)
-    frames = [
-        ev3proto.direct_command(
-            *[ev3proto.operation("OUTPUT_SPEED", 0, 1, rng.randrange(100))] * rng.randint(1, 30),
-            counter=number,
-        ).build()
-        for number in range(2000)
-    ]
-    data = UNLOCK + b"".join(frames)
+def test_after_the_unlock_text_nothing_ends_a_claim(shown: Callable[..., list[str]]) -> None:
     capture = Capture(RAW_IP)
     connection = Connection(capture)
-    lost: list[tuple[int, int]] = []
-    at = 0
-    while at < len(data):
-        size = rng.randint(50, 400)
-        segment = connection.segment(True, data[at : at + size])
-        if at and rng.random() < 0.03:
-            lost.append((at, at + size))
-        else:
-            capture.add(segment)
-        at += size
-    whole, at = 0, len(UNLOCK)
-    for frame in frames:
-        whole += not any(start < at + len(frame) and at < stop for start, stop in lost)
-        at += len(frame)
-    path = tshark.place(capture.data(), "losses.pcap")
-    lines = tshark.run(path, "-T", "fields", "-e", "ev3.msg_num").splitlines()
-    found = {int(number) for line in lines for number in line.split(",") if number}
-    assert len(found & set(range(2000))) > 0.9 * whole
-    assert len(found - set(range(2000))) <= 3
-    assert sum(1 for _ in read(Path(path))) > 0.9 * whole
+    unlocked = connection.send(UNLOCK)
+    strange = [connection.send(b"\xff" * 20) for _ in range(9)]
+    ours = [connection.send(tone(6)), connection.send(bytes.fromhex("0700 0100 80 0000 94 77"))]
+    assert shown(capture) == [str(number) for number in (unlocked, *strange, *ours)]
+    taken = [event.numbers[0] for event in read(io.BytesIO(capture.data())).events() if isinstance(event, Record)]
+    assert taken == ours

@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 from support.effort import effort
+from support.messages import tone, voltage, volts
 from support.packets import (
     BRICK,
     HCI_WITH_DIRECTION,
@@ -38,20 +39,6 @@ UNLOCK = ev3proto.Unlock(SERIAL).build()
 ACCEPT = b"Accept:EV340\r\n\r\n\0"
 
 Ask = Callable[..., list[str]]
-
-
-def tone(counter: int) -> bytes:
-    """A command without a reply: 16 bytes."""
-    return struct.pack("<HHB", 14, counter, 0x80) + bytes.fromhex("0000 94 01 01 82B801 82E803")
-
-
-def voltage(counter: int) -> bytes:
-    return struct.pack("<HHB", 8, counter, 0x00) + bytes.fromhex("0400 81 01 60")
-
-
-def volts(counter: int, value: float = 7.5) -> bytes:
-    """Its reply."""
-    return struct.pack("<HHBf", 7, counter, 0x02, value)
 
 
 def begin_upload(counter: int) -> bytes:

@@ -6,7 +6,6 @@ The frames are drawn once, the mutations depend on a seed: every run reads the s
 
 from __future__ import annotations
 
-import itertools
 import random
 import struct
 import subprocess
@@ -526,31 +525,6 @@ def test_a_gap_after_a_connection_whose_first_frame_came_in_pieces(tshark: Tshar
     connection.send(good(3))
     assert counters(tshark, capture) == [[], [1], [3]]
     check_no_errors(tshark, capture.data())
-
-
-@pytest.mark.parametrize("carrier", ["tcp", "rfcomm"])
-def test_where_packets_are_missing_only_the_frames_in_them_are(tshark: Tshark, carrier: str) -> None:
-    """Three packets in a hundred are not in the capture, and frames are split anywhere."""
-    capture, missing = Capture(RAW_IP if carrier == "tcp" else HCI_WITH_DIRECTION), Capture(RAW_IP)
-    stream = Connection(capture) if carrier == "tcp" else SerialPort(capture)
-    rng = random.Random(5)
-    commands = [frame for frame in good_frames() if frame[4] in (0x00, 0x80, 0x01, 0x81)]
-    drawn = (rng.choice(commands) for _ in range(2000))
-    frames = [frame[:2] + struct.pack("<H", number) + frame[4:] for number, frame in enumerate(drawn)]
-    stream.send(good(0xFFFF))
-    data, lost, at = b"".join(frames), [], 0
-    while at < len(data):
-        size = rng.randint(1, rng.choice((60, 400, 900)))
-        is_lost = rng.random() < 0.03
-        stream.capture = missing if is_lost else capture
-        stream.send(data[at : at + size])
-        lost += [is_lost] * len(data[at : at + size])
-        at += size
-    ends = list(itertools.accumulate(map(len, frames)))
-    whole = [number for number, end in enumerate(ends) if not any(lost[end - len(frames[number]) : end])]
-    found = [number for numbers in counters(tshark, capture) for number in numbers][1:]
-    assert len(set(whole) & set(found)) >= 0.986 * len(whole)
-    assert (Counter(found) - Counter(whole)).total() <= 0.002 * len(whole)
 
 
 def inner_faults(count: int) -> Iterator[bytes]:

@@ -8,16 +8,13 @@ import subprocess
 from collections.abc import Iterable
 from pathlib import Path
 
+from support.messages import tone, voltage
 from support.packets import HCI_WITH_DIRECTION, RAW_IP, Capture, Connection, SerialPort
 from support.wireshark import DISSECTOR, Tshark
 
 import ev3proto
 
 CAPTURES = Path(__file__).parents[2] / "captures"
-
-
-def tone(counter: int) -> bytes:
-    return struct.pack("<HHB", 14, counter, 0x80) + bytes.fromhex("0000 94 01 01 82B801 82E803")
 
 
 def test_statistics_at_the_end_of_a_run(tshark: Tshark) -> None:
@@ -210,7 +207,7 @@ def answered_commands(tshark: Tshark, commands: Iterable[int], replies: Iterable
     capture = Capture(RAW_IP)
     connection = Connection(capture)
     for counter in commands:
-        connection.send(struct.pack("<HHB", 8, counter, 0x00) + bytes.fromhex("0400 81 01 60"))
+        connection.send(voltage(counter))
     for counter in replies:
         connection.receive(struct.pack("<HHBf", 7, counter, 0x02, 7.5))
     path = tshark.place(capture.data(), "waiting.pcap")

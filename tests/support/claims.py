@@ -107,6 +107,7 @@ def asking(counter: int) -> bytes:
 
 FAULTY = direct(1, "94 77", kind=0x80)
 STRANGE = b"\xff" * 20
+MUCH_STRANGE = b"\xff" * 300
 
 STEPS: dict[str, list[Step]] = {
     "a plausible command": [
@@ -125,6 +126,16 @@ STEPS: dict[str, list[Step]] = {
         Step(TO_BRICK, direct(1, "81 01 60", 4), CLAIMED, OURS),
         Step(FROM_BRICK, reply(1, 4), ANSWERED, OURS),
         *[Step(TO_BRICK, FAULTY, ANSWERED, OURS)] * 5,
+    ],
+    "other data after a reply": [
+        Step(TO_BRICK, direct(1, "81 01 60", 4), CLAIMED, OURS),
+        Step(FROM_BRICK, reply(1, 4), ANSWERED, OURS),
+        *[Step(TO_BRICK, MUCH_STRANGE, ANSWERED, OTHER)] * 3,
+        Step(TO_BRICK, tone(5), ANSWERED, OURS),
+        *[Step(TO_BRICK, MUCH_STRANGE, ANSWERED, OTHER)] * 3,
+        Step(TO_BRICK, MUCH_STRANGE, ENDED, OTHER),
+        Step(TO_BRICK, FAULTY, ENDED, OTHER),
+        Step(FROM_BRICK, reply(5, 4), ENDED, OTHER),
     ],
     "a reply to a faulty command": [
         Step(TO_BRICK, asking(1), OPEN, LATER),
@@ -201,8 +212,17 @@ TCP_STEPS: dict[str, list[Step]] = {
 }
 """On TCP, whose ports tell the direction."""
 
+OTHER_STEPS: dict[str, list[Step]] = {
+    "replies without a command": [
+        *[Step(FROM_BRICK, reply(counter, 4), OPEN, OTHER) for counter in (6, 7)],
+        Step(TO_BRICK, FAULTY, OPEN, OTHER),
+        Step(TO_BRICK, tone(6), CLAIMED, OURS),
+    ],
+}
+"""On the others."""
+
 ALL_STEPS = {
     "tcp": STEPS | STREAM_STEPS | TCP_STEPS,
-    "rfcomm": STEPS | STREAM_STEPS,
-    "usb": STEPS,
+    "rfcomm": STEPS | STREAM_STEPS | OTHER_STEPS,
+    "usb": STEPS | OTHER_STEPS,
 }

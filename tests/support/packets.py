@@ -226,7 +226,8 @@ class Device:
 # Bluetooth
 
 
-def _frame_check(data: bytes) -> int:
+def frame_check(data: bytes) -> int:
+    """Returns RFCOMM's check sum, bit by bit."""
     rest = 0xFF
     for byte in data:
         rest ^= byte
@@ -252,7 +253,7 @@ class SerialPort:
         self.dlci = channel << 1
         self.connection = connection
         heads = {way: bytes((self.dlci << 2 | way << 1 | 1, self.UIH)) for way in (True, False)}
-        self.heads = {way: (head, _frame_check(head)) for way, head in heads.items()}
+        self.heads = {way: (head, frame_check(head)) for way, head in heads.items()}
         if address:
             event = struct.pack("<BBBH", self.CONNECTED, 11, 0, connection) + address + bytes((1, 0))
             capture.add(struct.pack(">IB", 1, 4) + event)

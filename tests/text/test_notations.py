@@ -172,7 +172,6 @@ NO_FRAMES = (
     "x = 3.14, y = 2.71, 100%",
     "00 01 02 03 04 05 06 07 08 09 0A 0B 0C 0D 0E 0F",
     "the face of a bad cab faded",
-    "Serial-Number: 0016532a2b2c",
     "font-size: 12px; color: #0f0000; #ffffff",
     "9c2e79b57d0c4d70045d080062aa0918524ac0f7  file7444.bin",
     '         rx="0.56326956"',

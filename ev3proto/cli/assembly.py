@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 
-from ev3proto.cli.inputs import Source
 from ev3proto.cli.output import complain
+from ev3proto.cli.words import Source
 from ev3proto.messages import Message
 from ev3proto.text.assembly import AssemblyError
 from ev3proto.text.assembly.assembling import MAX_TEXT, assembled

@@ -1,26 +1,17 @@
-"""Reading a capture for any subcommand: what it is, messages about it, a progress bar."""
+"""A capture of any subcommand: its events, chosen by a filter, and messages about it."""
 
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterator
-from contextlib import AbstractContextManager
+from collections.abc import Iterator
 
 from ev3proto.capture import Account, Capture, CaptureError, Event, Record, Skipped, read
 from ev3proto.capture.dialogues import RequestReply, dialogues
-from ev3proto.capture.formats import CaptureFile
 from ev3proto.capture.text_log import read_log
-from ev3proto.cli.inputs import (
-    HOW_FRAMES_ARE_WRITTEN,
-    NOT_A_CAPTURE,
-    Input,
-    Kind,
-    Source,
-    pieces,
-    recognized,
-)
-from ev3proto.cli.output import EVERY, advancing, complain, progress_bar
-from ev3proto.cli.reading import BUILTIN, MIB, CaptureOptions, given_up
+from ev3proto.cli.kinds import Contents, Kind
+from ev3proto.cli.output import complain
+from ev3proto.cli.reading import HOW_FRAMES_ARE_WRITTEN, MIB, CaptureOptions, given_up, pieces
+from ev3proto.cli.words import Source
 from ev3proto.errors import counted
 from ev3proto.text.paste import Pasted
 
@@ -29,39 +20,25 @@ MOST_COMPLAINTS = 10
 
 
 class CaptureSource:
-    """A capture, or a text read as one, that was named on the command line. Reading it reports what is unreadable.
+    """A capture, or a text that is read as one. Reading it reports what is unreadable.
 
     label   its name in messages
+    unit    what the numbers of its records count: packets, or lines of a text
     status  exit status so far: 1 after any error
+    taken   how much of what a subcommand looks for was in it
     """
 
-    def __init__(
-        self,
-        name: str,
-        options: CaptureOptions,
-        file: CaptureFile | None = None,
-        found: Input | None = None,
-        *,
-        is_quiet: bool = True,
-    ) -> None:
-        """Does not read anything yet.
-
-        Args:
-            name: Path, or - for standard input.
-            options: How to read it.
-            file: The file, if it is open already.
-            found: The kind of the file, if that is known already.
-            is_quiet: Nothing is printed while it is read, so that a progress bar may be drawn.
-        """
-        self._source = Source(name)
-        self.label = self._source.label
+    def __init__(self, source: Source, options: CaptureOptions, contents: Contents) -> None:
+        """Does not read anything yet. Without a file in `contents`, Wireshark reads the source."""
+        self.label = source.label
+        self.is_text = contents.kind is not Kind.CAPTURE
+        self.unit = "line" if self.is_text else "packet"
         self.status = 0
+        self.taken = 0
+        self._source = source
         self._options = options
-        self._file = file
-        self._found = found
-        self._is_quiet = is_quiet
+        self._contents = contents
         self._capture: Capture | None = None
-        self._advance: Callable[[], None] = lambda: None
 
     @property
     def account(self) -> Account:
@@ -111,84 +88,50 @@ class CaptureSource:
         if self._capture is not None and not (self.status or account.frames or account.texts):
             self._complain(
                 f"no frame found{HOW_FRAMES_ARE_WRITTEN}"
-                if self._is_text
+                if self.is_text
                 else f"no frame in {self.extent}{self.passed_over}"
             )
 
     def _all_events(self) -> Iterator[Event]:
         try:
-            with self._opened() as capture, self._bar(capture) as self._advance:
-                for count, event in enumerate(self._read(capture)):
-                    if count % EVERY == 0:
-                        self._advance()
-                    yield event
+            with self._opened() as self._capture:
+                yield from self._read(self._capture)
         except CaptureError as error:
             self._complain(str(error))
         except OSError as error:
             self._complain(f"cannot be read: {error.strerror or error}")
-
-    def _bar(self, capture: Capture) -> AbstractContextManager[Callable[[], None]]:
-        """Returns the progress bar; for a text, it counts bytes of the file."""
-        file = self._file if self._is_text else None
-        return progress_bar(
-            lambda: capture.progress if file is None else file.progress, self.label, is_quiet=self._is_quiet
-        )
 
     def _complain(self, sentence: str) -> None:
         complain(f"{self.label}: {sentence}")
         self.status = 1
 
     def _opened(self) -> Capture:
-        options, memory = self._options, self._options.memory * MIB
-        if options.engine != BUILTIN and self._found is None:
-            self._found = Input(Kind.CAPTURE)
-        if self._found is None:
-            self._file = self._source.open_capture()
-            self._found = recognized(self._file, self._source.name, options.dialect)
-        if self._found.kind in (Kind.PROGRAM, Kind.OTHER):
-            raise CaptureError(self._found.reason or NOT_A_CAPTURE)
-        if self._found.kind is not Kind.CAPTURE:
-            self._capture = read_log(self._pieces(self._found), dialect=options.dialect, memory=memory)
-        elif options.engine == BUILTIN:
-            assert self._file is not None
-            self._capture = read(
-                self._file, dialect=options.dialect, ports=options.ports, everything=options.is_all, memory=memory
-            )
-        else:
-            from ev3proto import pyshark  # takes 50 ms, which only this engine needs
+        options, file, memory = self._options, self._contents.file, self._options.memory * MIB
+        if self.is_text:
+            return read_log(self._pieces(), dialect=options.dialect, memory=memory)
+        if file is not None:
+            return read(file, dialect=options.dialect, ports=options.ports, everything=options.is_all, memory=memory)
+        from ev3proto import pyshark  # takes 50 ms, which only this engine needs
 
-            stream = sys.stdin.buffer if self._source.name == "-" else self._source.name
-            self._capture = pyshark.read(
-                stream, dialect=options.dialect, ports=options.ports, tshark=options.tshark, memory=memory
-            )
-        return self._capture
+        stream = sys.stdin.buffer if self._source.name == "-" else self._source.name
+        return pyshark.read(stream, dialect=options.dialect, ports=options.ports, tshark=options.tshark, memory=memory)
 
-    def _pieces(self, found: Input) -> Iterator[Pasted]:
+    def _pieces(self) -> Iterator[Pasted]:
         """Yields the pieces of a text, and reports those that are unreadable."""
-        yield from found.frames
-        lines = advancing(found.lines, lambda: self._advance())
-        for pasted in pieces(lines, self._options.missing):
+        yield from self._contents.frames
+        for pasted in pieces(self._contents.lines, self._options.missing):
             if pasted.problem is not None:
                 self._complain(f"line {pasted.line}: {pasted.problem}")
             yield pasted
 
-    @property
-    def _is_text(self) -> bool:
-        return self._found is not None and self._found.kind is not Kind.CAPTURE
-
-    @property
-    def unit(self) -> str:
-        """What the numbers of its records count: packets, or lines of a text."""
-        return "line" if self._is_text else "packet"
-
     def carrier(self, record: Record) -> str | None:
         """Returns what carried a frame; None for a text."""
-        return str(record.carrier) if not self._is_text else None
+        return str(record.carrier) if not self.is_text else None
 
     @property
     def extent(self) -> str:
         """The part of it that was read, for messages."""
-        return counted(self.account.packets, "frame" if self._is_text else "packet")
+        return counted(self.account.packets, "frame" if self.is_text else "packet")
 
     @property
     def passed_over(self) -> str:

@@ -6,7 +6,6 @@ import json
 import sys
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from itertools import chain
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -18,21 +17,21 @@ from ev3proto.checking.program_codes import PROGRAM_CODES
 from ev3proto.checking.report import Finding, Report
 from ev3proto.cli.check_output import SEVERITIES, JsonOutput, Output, Place, Tally, TextOutput
 from ev3proto.cli.edited import EditedFile
-from ev3proto.cli.inputs import SOURCE_SUFFIX, Source, introduction, pieces, sources
+from ev3proto.cli.inputs import Frame, Image, Inputs, SourceCode, Takes, Text, looks_like_assembly
+from ev3proto.cli.kinds import introduction
 from ev3proto.cli.options import given_options, incompatible, json_option
 from ev3proto.cli.output import Printer, complain
 from ev3proto.cli.reading import CaptureOptions, reading_options
-from ev3proto.cli.sources import SourceReader, looks_like_assembly
+from ev3proto.cli.words import Source, sources
 from ev3proto.errors import counted, near_misses
+from ev3proto.messages import Message
 from ev3proto.tables.carriers import CARRIERS
 from ev3proto.text.diagnostics import explanation
-from ev3proto.text.fixed_text import FixedFrame, fix_pieces, is_command, is_whole, unix_lines
-from ev3proto.text.paste import Pasted
+from ev3proto.text.fixed_text import FixedFrame, fix_pieces, is_command, unix_lines
+from ev3proto.text.paste import read_text
 from ev3proto.text.spans import Role
-from ev3proto.text.splitting import Piece
 
 if TYPE_CHECKING:
-    from ev3proto.capture.formats import CaptureFile
     from ev3proto.capture.record import Record
     from ev3proto.cli.captures import CaptureSource
     from ev3proto.text.assembly.errors import SourceWarning
@@ -88,131 +87,112 @@ class CheckOptions:
         return tuple(finding for finding in report.findings if finding.severity not in self.hidden)
 
 
-class Checking(SourceReader):
-    """Checks the frames of the sources one by one, and counts the findings."""
+class Checking:
+    """Checks what the inputs have, and counts the findings."""
 
-    wanted = "command"
-
-    def __init__(self, reading: CaptureOptions, options: CheckOptions, output: Output, *, is_single: bool) -> None:
-        super().__init__(reading)
+    def __init__(self, inputs: Inputs, options: CheckOptions, output: Output) -> None:
+        self._inputs = inputs
         self._options = options
         self._output = output
-        self._is_single = is_single
-        self._edited: Iterator[FixedFrame] | None = None
+        self._dialect = inputs.reading.dialect
+        self._is_single = len(inputs.sources) == 1
         self._first: tuple[bytes, Place] | None = None
         self.tally = Tally()
 
-    def piece(self, piece: Piece, pasted: Pasted, source: Source) -> None:
-        """A frame of a text."""
-        frame = piece.message.build()
-        if pasted.direction == "received" or not (source.is_frame or is_command(piece.message, pasted)):
-            self.tally.replies += 1
-            return
-        if not is_whole(piece.message, pasted):
-            self.complain(f"{source.where(pasted)}: cannot check a frame that is cut off after {len(frame)} bytes")
-            return
-        if source.is_frame:
-            self._typed(frame)
-            return
-        facts = {"source": source.label, "line": pasted.line, "column": pasted.column}
-        is_logged = pasted.direction is not None or pasted.time is not None
-        self._written(frame, Place(source.where(pasted), facts, is_among=True), is_logged=is_logged)
-
-    def text(self, source: Source, lines: Iterator[str]) -> None:
-        """Checks a text. Its first line that is neither empty nor a comment decides whether it is assembly."""
-        first = list(introduction(lines))
-        whole = chain(first, lines)
-        if first and self.reading.missing is None and looks_like_assembly(first[-1]):
-            self.assembly(source, whole)
-        else:
-            super().text(source, whole)
-
-    def text_file(self, source: Source, file: CaptureFile, lines: Iterable[str]) -> None:
-        """Checks a text; with --fix, prints it with its frames fixed, and all else on standard error."""
-        if not self._options.fixes or self.reading.missing is not None or not isinstance(self._output, TextOutput):
-            super().text_file(source, file, lines)
-            return
-        data = file.contents.read(MOST_EDITED + 1)
-        if len(data) > MOST_EDITED:
-            self.complain(f"{source.label}: --fix takes a text of at most {MOST_EDITED >> 20} MiB; split it")
-            return
-        contents = EditedFile.read(data)
-        text = contents.text
-        if looks_like_assembly("".join([*introduction(unix_lines(text))][-1:])):
-            self.text(source, unix_lines(text))
-            return
-        found = list(pieces(unix_lines(text), None))
-        made = fix_pieces(text, found, dialect=self.reading.dialect, carrier=self._options.carrier)
-        contents.print(made.text)
-        self._output.is_edited = True
-        self._edited = iter(made.frames)
-        for pasted in found:
-            self.pasted(pasted, source)
-        self._edited = None
-
-    def assembly(self, source: Source, lines: Iterator[str]) -> None:
-        """Checks assembly as `encode` and `send` take it; its values are left to the check."""
-        from ev3proto.cli.assembly import assembled_messages  # takes 5 ms, which frames do not need
-
-        self._is_empty = False
-        dialect = self.reading.dialect
-        messages = assembled_messages(source, lines, self.complain, dialect=dialect, unchecked=True)
-        for number, message in enumerate(messages, 1):
-            if message.type is not None and not message.type.is_command:
-                self.tally.replies += 1
-            elif source.is_frame:
-                self._typed(message.build())
+    def run(self) -> None:
+        """Checks everything, and shows the numbers of frames and findings."""
+        for content in self._inputs:
+            if isinstance(content, Frame):
+                self._take(content)
+            elif isinstance(content, Image):
+                self._image(content.source, content.image)
+            elif isinstance(content, SourceCode):
+                self._code(content)
+            elif isinstance(content, Text):
+                self._edit(content)
             else:
-                place = Place(f"{source.label}, frame {number}", {"source": source.label}, is_among=True)
-                self._written(message.build(), place)
+                self._capture(content)
+        self._take_first(is_alone=True)
+        self._output.end(self.tally, is_quiet=self._options.quiet)
 
-    def _typed(self, frame: bytes) -> None:
-        """Checks a frame of an argument."""
-        label = "" if self._is_single else f"frame {self.tally.frames + (self._first is not None) + 1}"
-        self._written(frame, Place(label, {}))
-
-    def _written(self, frame: bytes, place: Place, *, is_logged: bool = False) -> None:
+    def _take(self, frame: Frame) -> None:
         """Checks a frame of a text. The first one waits for the second: some hints are for a frame alone."""
-        if self._first is None and not self.tally.frames and not is_logged and self._edited is None:
-            self._first = frame, place
+        if not self._is_checked(frame):
+            return
+        data, pasted, place = frame.message.build(), frame.pasted, self._place(frame)
+        is_logged = pasted is not None and (pasted.direction is not None or pasted.time is not None)
+        if self._first is None and not self.tally.frames and (frame.source.is_frame or not is_logged):
+            self._first = data, place
             return
         self._take_first(is_alone=False)
-        self._frame(frame, place, self._options.carrier)
+        self._frame(data, place, self._options.carrier)
+
+    def _is_checked(self, frame: Frame) -> bool:
+        """Whether a frame of a text is a whole command; counts others."""
+        if _is_from_brick(frame):
+            self.tally.replies += 1
+            return False
+        if frame.is_cut:
+            size = len(frame.message.build())
+            self._inputs.complain(f"{frame.place}: cannot check a frame that is cut off after {size} bytes")
+        return not frame.is_cut
+
+    def _place(self, frame: Frame) -> Place:
+        if frame.source.is_frame:
+            number = self.tally.frames + (self._first is not None) + 1
+            return Place("" if self._is_single else f"frame {number}", {})
+        facts: dict[str, Any] = {"source": frame.source.label}
+        if frame.pasted is not None:
+            facts |= {"line": frame.pasted.line, "column": frame.pasted.column}
+        return Place(frame.place, facts, is_among=True)
 
     def _take_first(self, *, is_alone: bool) -> None:
         if self._first is not None:
             (frame, place), self._first = self._first, None
             self._frame(frame, place, self._options.carrier, is_alone=is_alone and not self.tally.replies)
 
-    def capture(self, capture: CaptureSource) -> int:
+    def _edit(self, source: Text) -> None:
+        """Prints a text with its frames fixed, and all else on standard error."""
+        output = self._output
+        assert isinstance(output, TextOutput), "only text is edited"
+        data = source.stream.read(MOST_EDITED + 1)
+        if len(data) > MOST_EDITED:
+            mib = MOST_EDITED >> 20
+            self._inputs.complain(f"{source.source.label}: --fix takes a text of at most {mib} MiB; split it")
+            return
+        contents = EditedFile.read(data)
+        text = contents.text
+        if looks_like_assembly("".join([*introduction(unix_lines(text))][-1:])):
+            for content in self._inputs.text(source.source, unix_lines(text)):
+                if isinstance(content, Frame):
+                    self._take(content)
+            return
+        found = list(read_text(unix_lines(text)))
+        made = fix_pieces(text, found, dialect=self._dialect, carrier=self._options.carrier)
+        contents.print(made.text)
+        self._take_first(is_alone=False)
+        output.is_edited = True
+        edited = iter(made.frames)
+        for frame in (frame for pasted in found for frame in self._inputs.pasted(source.source, pasted)):
+            if self._is_checked(frame):
+                self._fixed(next(edited), self._place(frame), output)
+
+    def _capture(self, capture: CaptureSource) -> None:
         """Checks the commands in a capture, each for its carrier."""
         self._take_first(is_alone=False)
-        before = self.tally.frames
         for record in capture.records():
             if is_reply(record):
                 self.tally.replies += 1
                 continue
+            capture.taken += 1
             place = Place(
                 f"{capture.label}, {capture.unit} {record.number}",
                 {"source": capture.label, capture.unit: record.number},
                 is_among=True,
             )
             self._frame(record.frame, place, self._options.carrier or capture.carrier(record))
-        return self.tally.frames - before
 
-    def read(self, source: Source) -> None:
-        """Reads everything in a source; one that ends in .lms is the source of a program."""
-        if not source.is_frame and source.name.lower().endswith(SOURCE_SUFFIX):
-            self._is_empty = False
-            self._source(source)
-        else:
-            super().read(source)
-
-    def program(self, source: Source, image: bytes) -> None:
-        """Checks a program image."""
-        self._image(source, image, ())
-
-    def _image(self, source: Source, image: bytes, warnings: Sequence[SourceWarning]) -> None:
+    def _image(self, source: Source, image: bytes, warnings: Sequence[SourceWarning] = ()) -> None:
         """Checks a program image, and shows the warnings of its source."""
         from ev3proto.program import check_program  # takes 30 ms, which frames do not need
 
@@ -220,74 +200,70 @@ class Checking(SourceReader):
             raise click.UsageError(f"--fix is for frames, but {source.label[:60]} is a program")
         self._take_first(is_alone=False)
         self.tally.programs += 1
-        report = check_program(image, dialect=self.reading.dialect)
+        report = check_program(image, dialect=self._dialect)
         place = Place("" if self._is_single else source.label, {"source": source.label})
-        if not self._is_left_out(report, place):
+        if self._counts(report, place):
             self._output.program(report, self._options.shown(report), place, warnings)
-        self._count(report)
 
-    def _source(self, source: Source) -> None:
+    def _code(self, code: SourceCode) -> None:
         """Shows the errors of a program's source, or checks the image that it assembles to."""
         # These take 30 ms, which frames do not need.
-        from ev3proto.cli.programs import read_source
         from ev3proto.program import assemble
         from ev3proto.text.assembly.errors import AssemblyError
 
-        text = read_source(source)
-        if text is None:
-            self.at_fault = True
-            return
         try:
-            made = assemble(text)
+            made = assemble(code.text)
         except AssemblyError as error:
             self.tally.programs += 1
-            self.at_fault = True
+            self._inputs.at_fault = True
             self.tally.findings["error"] += 1 + len(error.others)
             if not self._options.quiet:
-                self._output.source_errors(source.label, error)
+                self._output.source_errors(code.source.label, error)
             return
         self.tally.findings["warning"] += len(made.warnings)
-        self.at_fault |= self._options.strict and bool(made.warnings)
-        self._image(source, made.image, () if "warning" in self._options.hidden else made.warnings)
+        self._inputs.at_fault |= self._options.strict and bool(made.warnings)
+        self._image(code.source, made.image, () if "warning" in self._options.hidden else made.warnings)
 
-    def complain(self, sentence: str) -> None:
-        """Prints a message about wrong input, also for a workflow."""
-        super().complain(sentence)
-        self._output.complaint(sentence)
-
-    def end(self) -> None:
-        """Checks the frame that waits, and shows the numbers of frames and findings."""
-        self._take_first(is_alone=True)
-        self._output.end(self.tally, is_quiet=self._options.quiet)
+    def _fixed(self, edited: FixedFrame, place: Place, output: TextOutput) -> None:
+        """Shows how a frame was fixed in its text."""
+        self.tally.frames += 1
+        if self._counts(edited.report, place):
+            output.edited(edited, self._options.shown(edited.fix.report), place)
 
     def _frame(self, frame: bytes, place: Place, carrier: str | None, *, is_alone: bool = False) -> None:
         self.tally.frames += 1
-        dialect = self.reading.dialect
-        if self._edited is not None:
-            edited = next(self._edited)
-            report = edited.report
-            if not self._is_left_out(report, place) and isinstance(self._output, TextOutput):
-                shown = self._options.shown(edited.fix.report)
-                self._output.edited(edited.fix, shown, place, is_written=edited.is_written)
-        elif self._options.fixes:
-            fixed = fix(frame, dialect=dialect, carrier=carrier)
-            report = fixed.report
-            if not self._is_left_out(report, place):
-                self._output.fixed(fixed, self._options.shown(report), place)
-        else:
-            report = check_frame(frame, dialect=dialect, carrier=carrier, alone=is_alone)
-            if not self._is_left_out(report, place):
-                self._output.frame(report, self._options.shown(report), place)
-        self._count(report)
+        if self._options.fixes:
+            fixed = fix(frame, dialect=self._dialect, carrier=carrier)
+            if self._counts(fixed.report, place):
+                self._output.fixed(fixed, self._options.shown(fixed.report), place)
+            return
+        report = check_frame(frame, dialect=self._dialect, carrier=carrier, alone=is_alone)
+        if self._counts(report, place):
+            self._output.frame(report, self._options.shown(report), place)
 
-    def _is_left_out(self, report: Report, place: Place) -> bool:
-        return self._options.leaves_out(report, is_alone=self._is_single and not place.is_among)
-
-    def _count(self, report: Report) -> None:
+    def _counts(self, report: Report, place: Place) -> bool:
+        """Counts the findings of a report, and returns whether it is shown."""
         self.tally.add(report.findings)
         severities = {finding.severity for finding in report.findings}
         if not report.accepted or "error" in severities or (self._options.strict and "warning" in severities):
-            self.at_fault = True
+            self._inputs.at_fault = True
+        return not self._options.leaves_out(report, is_alone=self._is_single and not place.is_among)
+
+
+def _is_from_brick(frame: Frame) -> bool:
+    """Whether a frame of a text is not for the check: by its text, or else by its type."""
+    if frame.pasted is None:
+        return frame.message.type is not None and not frame.message.type.is_command
+    if frame.source.is_frame:
+        return frame.pasted.direction == "received"
+    return not is_command(frame.message, frame.pasted)
+
+
+def _assembly(inputs: Inputs, source: Source, lines: Iterable[str]) -> Iterator[Message]:
+    """Makes messages of assembly as `encode` and `send` do, but leaves its values to the check."""
+    from ev3proto.cli.assembly import assembled_messages  # takes 5 ms, which frames do not need
+
+    return assembled_messages(source, lines, inputs.complain, dialect=inputs.reading.dialect, unchecked=True)
 
 
 def _output(options: CheckOptions, dialect: str) -> Output:
@@ -376,16 +352,23 @@ def check(
     hidden = {"hint", "warning"} if errors_only else {"hint"} if no_hints else set()
     style = style or ("json" if as_json else FORMATS[0])
     options = CheckOptions(style, fixes, strict, carrier, frozenset(hidden), quiet)
-    found = sources(names)
-    checking = Checking(reading, options, _output(options, reading.dialect), is_single=len(found) == 1)
-    checking.read_all(found)
-    checking.end()
+    output = _output(options, reading.dialect)
+    takes = Takes(
+        wanted="command",
+        making=lambda line: _assembly if looks_like_assembly(line) else None,
+        programs=True,
+        sources=True,
+        edits=fixes and style == "text",
+    )
+    inputs = Inputs(sources(names), reading, takes, output.complaint)
+    checking = Checking(inputs, options, output)
+    checking.run()
     tally = checking.tally
-    if tally.replies and not tally.frames and not tally.programs and not checking.at_fault:
+    if tally.replies and not tally.frames and not tally.programs and not inputs.at_fault:
         replies = counted(tally.replies, "frame")
         complain(f"no command found, only {replies} from the brick; `ev3proto check` checks commands")
-        checking.at_fault = True
-    sys.exit(1 if checking.at_fault else 0)
+        inputs.at_fault = True
+    sys.exit(1 if inputs.at_fault else 0)
 
 
 def _explain(name: str, *, as_json: bool, dialect: str) -> None:

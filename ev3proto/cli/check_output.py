@@ -18,6 +18,7 @@ from ev3proto.text.spans import Line, Role, plain_text
 if TYPE_CHECKING:
     from ev3proto.program.report import ProgramReport
     from ev3proto.text.assembly.errors import AssemblyError, SourceWarning
+    from ev3proto.text.fixed_text import FixedFrame
 
 # Programs are imported when they are needed, which saves 30 ms for a frame.
 
@@ -114,10 +115,11 @@ class TextOutput(Output):
         """Prints the fixed frame, its changes, and what remains."""
         self._paragraph(fixed(fix, shown, place=place.label, dialect=self._dialect), is_long=True)
 
-    def edited(self, fix: Fix, shown: Sequence[Finding], place: Place, *, is_written: bool) -> None:
+    def edited(self, edited: FixedFrame, shown: Sequence[Finding], place: Place) -> None:
         """Prints the same about a frame in a text on standard error: the text itself is the output."""
+        fix = edited.fix
         if fix.is_fixed or fix.report.findings:
-            lines = fixed(fix, shown, place=place.label, dialect=self._dialect, is_written=is_written)
+            lines = fixed(fix, shown, place=place.label, dialect=self._dialect, is_written=edited.is_written)
             complain("\n".join(map(plain_text, lines)) + "\n")
 
     def program(

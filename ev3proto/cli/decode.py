@@ -7,19 +7,17 @@ from typing import TYPE_CHECKING
 
 import click
 
-from ev3proto.cli.inputs import Source, sources
+from ev3proto.cli.inputs import Content, Frame, Image, Inputs, SourceCode, Takes, Text
 from ev3proto.cli.options import incompatible
 from ev3proto.cli.output import complain
 from ev3proto.cli.reading import MIB, CaptureOptions, given_up, reading_options
 from ev3proto.cli.show import FORMATS, Show
-from ev3proto.cli.sources import SourceReader
+from ev3proto.cli.words import sources
 from ev3proto.dialogue import Dialogue
 from ev3proto.messages import DirectCommand, Message, Operation
 from ev3proto.semantics.mangled import mangled
 from ev3proto.tables.declaration import Effect
-from ev3proto.text.paste import Pasted
 from ev3proto.text.phrases import Seen
-from ev3proto.text.splitting import Piece
 
 if TYPE_CHECKING:
     from ev3proto.cli.captures import CaptureSource
@@ -29,75 +27,80 @@ PROGRAM_FORMATS = ("listing",)
 """Formats for programs only."""
 
 
-class Decoding(SourceReader):
-    """Shows the contents of the sources one by one."""
+class Decoding:
+    """Shows what the inputs have."""
 
-    def __init__(self, show: Show, reading: CaptureOptions, *, as_dialogues: bool, as_programs: bool) -> None:
-        super().__init__(reading)
+    def __init__(self, show: Show, inputs: Inputs, *, as_dialogues: bool = False, as_programs: bool = False) -> None:
+        self.inputs = inputs
         self._show = show
         self._as_dialogues = as_dialogues
         self._as_programs = as_programs
-        if as_programs:
-            self.wanted = "program"
-        self._dialogue = Dialogue(reading.memory * MIB)
+        self._dialogue = Dialogue(inputs.reading.memory * MIB)
 
-    @property
-    def wants_records(self) -> bool:
-        """Whether the frames of a text are read as a capture, also for --dialogues and --programs."""
-        return self._as_dialogues or self._as_programs or super().wants_records
+    def run(self) -> None:
+        """Shows everything."""
+        for content in self.inputs:
+            self.take(content)
+        if self._dialogue.forgotten:
+            complain(given_up("the input", self._dialogue.forgotten, self.inputs.reading.memory))
 
-    def capture(self, capture: CaptureSource) -> int:
+    def take(self, content: Content) -> None:
+        """Shows one thing."""
+        if isinstance(content, Frame):
+            self.frame(content)
+        elif isinstance(content, Image):
+            self.program(content)
+        elif not isinstance(content, SourceCode | Text):
+            self.capture(content)
+
+    def capture(self, capture: CaptureSource) -> None:
         """Shows the frames and texts of a capture, its dialogues, or the programs that it transfers."""
         from ev3proto.cli.recorded import moved_programs, show_capture  # takes 30 ms, which frames do not need
 
         before = self._show.count
         if self._as_programs:
-            for origin, image in moved_programs(capture, self.complain):
+            for origin, image in moved_programs(capture, self.inputs.complain):
                 self._shown(origin, origin, image)
         else:
             for record in show_capture(self._show, capture, as_dialogues=self._as_dialogues):
                 fault = record.message.fault
                 if fault is not None:
-                    self.complain(f"{capture.label}, {capture.unit} {record.number}: fault at {fault}")
-        return self._show.count - before
+                    self.inputs.complain(f"{capture.label}, {capture.unit} {record.number}: fault at {fault}")
+        capture.taken = self._show.count - before
 
-    def program(self, source: Source, image: bytes) -> None:
+    def program(self, program: Image) -> None:
         """Shows a program image."""
+        label = program.source.label
         if self._as_programs:
-            raise click.UsageError(f"--programs is for captures, but {source.label[:60]} is a program itself")
-        self._shown(source.label, None, image)
+            raise click.UsageError(f"--programs is for captures, but {label[:60]} is a program itself")
+        self._shown(label, None, program.image)
 
     def _shown(self, label: str, origin: str | None, image: bytes) -> None:
         """Shows a program: its name in messages, its origin if that is to be shown, its image."""
         from ev3proto.cli.programs import read_program  # takes 60 ms, which frames do not need
 
-        program = read_program(label, image, self.reading.dialect)
+        program = read_program(label, image, self.inputs.reading.dialect)
         if program is None:
-            self.at_fault = True
+            self.inputs.at_fault = True
             return
         self._show.program(program, image, origin)
         for fault in program.faults:
-            self.complain(f"{label}: fault at {fault}")
+            self.inputs.complain(f"{label}: fault at {fault}")
 
-    def piece(self, piece: Piece, pasted: Pasted, source: Source) -> None:
+    def frame(self, frame: Frame) -> None:
         """Shows a frame of a text."""
-        fault = piece.message.fault
-        cut = pasted.cut and fault is not None and fault.truncated
-        unknown = frozenset(one.offset - piece.start for one in pasted.unknown)
-        seen = Seen(pasted.direction, pasted.time, cut, unknown=unknown)
-        self._show.exchange(self._dialogue.follow(piece.message), seen, piece.rest)
-        never = _never_run(piece.message)
-        if fault is not None and not cut:
-            text = mangled(piece.message.build())
-            self.complain(f"{source.where(pasted)}: fault at {fault}{f'; {text.message}' if text else ''}")
+        fault, seen = frame.message.fault, Seen()
+        if frame.pasted is not None:
+            unknown = frozenset(one.offset - frame.start for one in frame.pasted.unknown)
+            seen = Seen(frame.pasted.direction, frame.pasted.time, frame.is_cut, unknown=unknown)
+        self._show.exchange(self._dialogue.follow(frame.message), seen, frame.rest)
+        never = _never_run(frame.message)
+        if fault is not None and not frame.is_cut:
+            text = mangled(frame.message.build())
+            self.inputs.complain(f"{frame.place}: fault at {fault}{f'; {text.message}' if text else ''}")
         elif never is not None:
             said = f"offset {never.offset}: opcode 0x{never.opcode:02X} is {never.name}, which the brick refuses"
-            self.complain(f"{source.where(pasted)}: {said}; `ev3proto check` says more")
-
-    def say_what_was_given_up(self) -> None:
-        """Reports commands of a text that were dropped before their replies came."""
-        if self._dialogue.forgotten:
-            complain(given_up("the input", self._dialogue.forgotten, self.reading.memory))
+            self.inputs.complain(f"{frame.place}: {said}; `ev3proto check` says more")
 
 
 def _never_run(message: Message) -> Operation | None:
@@ -153,7 +156,7 @@ def decode(
         if as_dialogues:
             raise incompatible("--dialogues", f"--format {style}")
     show = Show("json" if as_json else style)
-    decoding = Decoding(show, reading, as_dialogues=as_dialogues, as_programs=as_programs)
-    decoding.read_all(sources(names))
-    decoding.say_what_was_given_up()
-    sys.exit(1 if decoding.at_fault else 0)
+    takes = Takes(wanted="program" if as_programs else "frame", programs=True, as_capture=as_dialogues or as_programs)
+    inputs = Inputs(sources(names), reading, takes)
+    Decoding(show, inputs, as_dialogues=as_dialogues, as_programs=as_programs).run()
+    sys.exit(1 if inputs.at_fault else 0)

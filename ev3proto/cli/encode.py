@@ -2,25 +2,24 @@
 
 from __future__ import annotations
 
-import itertools
 import json
 import sys
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import ExitStack
-from dataclasses import dataclass
+from dataclasses import replace
 from pathlib import Path
 from types import TracebackType
-from typing import Any, BinaryIO, Protocol, Self
+from typing import Any, BinaryIO, Self
 
 import click
 
 from ev3proto.cli.assembly import assembled_messages
 from ev3proto.cli.captures import CaptureSource
-from ev3proto.cli.inputs import Input, Kind, Source, introduction, sources
+from ev3proto.cli.inputs import Frame, Inputs, Making, Takes
 from ev3proto.cli.options import Whole, given_options, incompatible, reply_option
 from ev3proto.cli.output import binary_output, failing_to, is_terminal, say
 from ev3proto.cli.reading import CaptureOptions, reading_options
-from ev3proto.cli.sources import SourceReader
+from ev3proto.cli.words import Source, sources
 from ev3proto.dialogue import Dialogue
 from ev3proto.messages import Message
 from ev3proto.schema.frame import parse
@@ -30,13 +29,18 @@ from ev3proto.text.assembly.recognising import OBJECT, is_assembly
 from ev3proto.text.forms import as_c, as_hex, as_python
 from ev3proto.text.json_format.from_messages import record
 from ev3proto.text.json_format.to_messages import RecordError, frames_in, read_records
-from ev3proto.text.paste import Pasted, read_argument
 from ev3proto.text.phrases import Seen, heading
 from ev3proto.text.spans import plain_text
-from ev3proto.text.splitting import Piece
 from ev3proto.whole_files import whole_file
 
-_START = 8
+_TAKES = Takes(
+    nothing="nothing to encode; expected assembly such as SOUND(TONE, 1, 440, 1000), objects as `decode --json` prints"
+    " them, or frames in hex such as 06:00|2A:00|80|00:00|01",
+    argument="nor assembly nor a frame",
+    accepted="what can be encoded is assembly, JSON, frames in hex, or a capture",
+    makes_first=True,
+)
+
 RBF, SUFFIX = "rbf", ".rbf"
 """The format of programs: their images."""
 
@@ -97,121 +101,64 @@ FORMS: dict[str, Callable[[Message, int, Dialogue], str | bytes]] = {
 """The formats of frames: functions of the message, its number from 1 on, and the dialogue so far."""
 
 
-@dataclass(frozen=True, slots=True)
-class Wants:
-    """Options for assembly.
+def inputs_for(
+    names: Sequence[str],
+    reading: CaptureOptions,
+    *,
+    counter: int = 0,
+    reply: bool | None = None,
+    unchecked: bool = False,
+) -> Inputs:
+    """Returns the inputs that the words name, also assembly, with its options, and JSON."""
 
-    counter    message counter of the first message that states none
-    reply      whether messages want a reply; None: if their operations return values
-    unchecked  accept values that mean nothing to the brick
-    """
-
-    counter: int = 0
-    reply: bool | None = None
-    unchecked: bool = False
-
-
-class Sink(Protocol):
-    """The receiver of the messages, which counts them."""
-
-    count: int
-
-    def write(self, message: Message) -> None:
-        """Takes a message."""
-
-
-class Encoding(SourceReader):
-    """Writes the frames of the sources one by one."""
-
-    accepted = "what can be encoded is assembly, JSON, frames in hex, or a capture"
-    arguments = "nor assembly nor a frame"
-
-    def __init__(self, output: Sink, reading: CaptureOptions, wants: Wants) -> None:
-        super().__init__(reading)
-        self._output = output
-        self._counter = wants.counter
-        self._reply = wants.reply
-        self._unchecked = wants.unchecked
-
-    @property
-    def wants_records(self) -> bool:
-        """False: `text` finds out which texts have frames."""
-        return False
-
-    def _nothing_in(self, source: Source) -> str:
-        return f"{source.label}: {_NOTHING}"
-
-    def argument(self, source: Source) -> None:
-        """Takes a text that was typed on the command line."""
-        self.text(source, iter(source.name.split("\n")))
-
-    def capture(self, capture: CaptureSource) -> int:
-        """Writes the frames of a capture."""
-        before = self._output.count
-        for frame in capture.records():
-            self._output.write(frame.message)
-        return self._output.count - before
-
-    def piece(self, piece: Piece, pasted: Pasted, source: Source) -> None:
-        """Writes a frame of a text. A faulty one is written as it is, unless it is cut off."""
-        fault = piece.message.fault
-        if pasted.cut and fault is not None and fault.truncated:
-            size = len(piece.message.build())
-            self.complain(f"{source.where(pasted)}: cannot encode a frame that is cut off after {size} bytes")
-            return
-        self._output.write(piece.message)
-        if fault is not None:
-            self.complain(f"{source.where(pasted)}: fault at {fault}")
-
-    def text(self, source: Source, lines: Iterator[str]) -> None:
-        """Writes the frames of a text. Its first line that is neither empty nor a comment decides what it is."""
-        first = list(introduction(lines))
-        line = first[-1].strip() if first else ""
-        whole = itertools.chain(first, lines)
-        is_made = self.reading.missing is None and (_is_record(line) or is_assembly(line) or OBJECT.match(line))
-        if is_made and self.reading.filter is not None:
-            raise click.UsageError(f"--filter is for frames, but {source.label[:60]} has none yet")
-        if is_made:
-            (self._records if _is_record(line) else self._assembly)(source, whole)
-        elif self.reading.filter is not None:
-            self._recorded(source, Input(Kind.TEXT, lines=whole))
-        elif source.is_frame and self.reading.missing is None:
-            self.pasted(read_argument(source.name), source)
-        else:
-            super().text(source, whole)
-
-    def _records(self, source: Source, lines: Iterable[str]) -> None:
-        dialect = self.reading.dialect
-        try:
-            for number, entry in read_records(lines):
-                try:
-                    for frame in frames_in(entry, dialect=dialect):
-                        self._is_empty = False
-                        self._output.write(parse(frame, strict=False, dialect=dialect))
-                except RecordError as error:
-                    self.complain(f"{source.label[:60]}, line {number}: {error}")
-        except RecordError as error:
-            self.complain(f"{source.label[:60]}, {error}")
-
-    def _assembly(self, source: Source, lines: Iterable[str]) -> None:
+    def assembly(inputs: Inputs, source: Source, lines: Iterable[str]) -> Iterator[Message]:
+        nonlocal counter
         for message in assembled_messages(
             source,
             lines,
-            self.complain,
-            dialect=self.reading.dialect,
-            counter=self._counter,
-            reply=self._reply,
-            unchecked=self._unchecked,
+            inputs.complain,
+            dialect=reading.dialect,
+            counter=counter,
+            reply=reply,
+            unchecked=unchecked,
         ):
-            self._is_empty = False
-            self._output.write(message)
-            self._counter = (message.counter + 1) % COUNTERS
+            yield message
+            counter = (message.counter + 1) % COUNTERS
+
+    def making(line: str) -> Making | None:
+        return _records if _is_record(line) else assembly if is_assembly(line) or OBJECT.match(line) else None
+
+    return Inputs(sources(names), reading, replace(_TAKES, making=making))
 
 
-_NOTHING = (
-    "nothing to encode; expected assembly such as SOUND(TONE, 1, 440, 1000), objects as `decode --json` prints them, or"
-    " frames in hex such as 06:00|2A:00|80|00:00|01"
-)
+def encoded(inputs: Inputs, *, faults: bool = True) -> Iterator[Message]:
+    """Yields the messages of the inputs, also faulty ones, unless they are cut off; reports faults if wanted."""
+    for content in inputs:
+        if isinstance(content, CaptureSource):
+            for record in content.records():
+                content.taken += 1
+                yield record.message
+        elif isinstance(content, Frame) and content.is_cut:
+            size = len(content.message.build())
+            inputs.complain(f"{content.place}: cannot encode a frame that is cut off after {size} bytes")
+        elif isinstance(content, Frame):
+            yield content.message
+            if faults and content.pasted is not None and content.message.fault is not None:
+                inputs.complain(f"{content.place}: fault at {content.message.fault}")
+
+
+def _records(inputs: Inputs, source: Source, lines: Iterable[str]) -> Iterator[Message]:
+    """Yields the messages of JSON objects, and reports those that are wrong."""
+    dialect = inputs.reading.dialect
+    try:
+        for number, entry in read_records(lines):
+            try:
+                for frame in frames_in(entry, dialect=dialect):
+                    yield parse(frame, strict=False, dialect=dialect)
+            except RecordError as error:
+                inputs.complain(f"{source.label[:60]}, line {number}: {error}")
+    except RecordError as error:
+        inputs.complain(f"{source.label[:60]}, {error}")
 
 
 def _is_record(line: str) -> bool:
@@ -306,6 +253,7 @@ def encode(
     if form == RAW and path is None and is_terminal():
         raise click.UsageError("refusing to write raw bytes to a terminal; give -o FILE, or pipe them into a program")
     with failing_to("written", path), Output(form, path) as output:
-        encoding = Encoding(output, reading, Wants(counter, reply, unchecked))
-        encoding.read_all(sources(names))
-    sys.exit(1 if encoding.at_fault else 0)
+        inputs = inputs_for(names, reading, counter=counter, reply=reply, unchecked=unchecked)
+        for message in encoded(inputs):
+            output.write(message)
+    sys.exit(1 if inputs.at_fault else 0)

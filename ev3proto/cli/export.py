@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 
 import click
@@ -10,7 +11,7 @@ import click
 from ev3proto.capture.text_log import Clock
 from ev3proto.cli.captures import CaptureSource
 from ev3proto.cli.commands import Group
-from ev3proto.cli.inputs import Source, sources
+from ev3proto.cli.inputs import Frame, Inputs, Takes
 from ev3proto.cli.options import FOLDER, FiniteRange, dialect_option
 from ev3proto.cli.output import (
     binary_output,
@@ -23,7 +24,7 @@ from ev3proto.cli.output import (
     write_text,
 )
 from ev3proto.cli.reading import CaptureOptions, reading_options
-from ev3proto.cli.sources import SourceReader
+from ev3proto.cli.words import sources
 from ev3proto.errors import BuildError
 from ev3proto.generate import output_schemas
 from ev3proto.generate.captures import CaptureWriter, TimedFrame
@@ -31,8 +32,6 @@ from ev3proto.generate.cheader import build as header
 from ev3proto.generate.kaitai import build as description
 from ev3proto.generate.tables_json import build as tables
 from ev3proto.tables.carriers import CARRIERS, DEFAULT_CARRIER
-from ev3proto.text.paste import Pasted
-from ev3proto.text.splitting import Piece
 from ev3proto.whole_files import whole_file
 
 _MOST_INTERVAL = 3_600_000.0
@@ -136,37 +135,19 @@ def everything(folder: Path, check: bool) -> None:
 # Frames
 
 
-class _Carrying(SourceReader):
-    """Writes the frames of all sources to a capture, and reports those that cannot be carried."""
-
-    is_quiet = True
-
-    def __init__(self, writer: CaptureWriter, reading: CaptureOptions) -> None:
-        super().__init__(reading)
-        self._writer = writer
-        self._clock = Clock()
-        self._has_times: bool | None = None
-
-    def piece(self, piece: Piece, pasted: Pasted, source: Source) -> None:
-        """Writes a frame of a text, at its time or after the frame before."""
-        frame = piece.message.build()
-        if self._has_times is None:
-            self._has_times = pasted.time is not None
-        timed = TimedFrame(frame, self._clock.at(pasted.time)) if self._has_times else frame
-        self._add(timed, source.where(pasted))
-
-    def capture(self, capture: CaptureSource) -> int:
-        """Writes the frames of a capture, at their times."""
-        before = self._writer.count
-        for record in capture.records():
-            self._add(TimedFrame(record.frame, record.time_ns), f"{capture.label}, {capture.unit} {record.number}")
-        return self._writer.count - before
-
-    def _add(self, frame: bytes | TimedFrame, place: str) -> None:
-        try:
-            self._writer.add(frame)
-        except BuildError as error:
-            self.complain(f"{place}: {error}")
+def _timed_frames(inputs: Inputs) -> Iterator[tuple[bytes | TimedFrame, str]]:
+    """Yields the frames, at the times of captures or texts or after the frame before, and their places."""
+    clock, has_times = Clock(), None
+    for content in inputs:
+        if isinstance(content, Frame):
+            time = None if content.pasted is None else content.pasted.time
+            has_times = time is not None if has_times is None else has_times
+            frame = content.message.build()
+            yield TimedFrame(frame, clock.at(time)) if has_times else frame, content.place
+        elif isinstance(content, CaptureSource):
+            for record in content.records():
+                content.taken += 1
+                yield TimedFrame(record.frame, record.time_ns), f"{content.label}, {content.unit} {record.number}"
 
 
 @export.command()
@@ -202,10 +183,14 @@ def pcapng(names: tuple[str, ...], output: Path | None, carrier: str, interval: 
         raise click.UsageError("refusing to write a capture to a terminal; give -o FILE, or pipe it into a program")
     with failing_to("written", output), binary_output() if output is None else whole_file(output) as stream:
         writer = CaptureWriter(stream, carrier=carrier, step_ns=round(interval * _NANOSECONDS_EACH))
-        carrying = _Carrying(writer, reading)
-        carrying.read_all(sources(names))
+        inputs = Inputs(sources(names), reading, Takes(is_quiet=True))
+        for frame, place in _timed_frames(inputs):
+            try:
+                writer.add(frame)
+            except BuildError as error:
+                inputs.complain(f"{place}: {error}")
         if not writer.count:
             # Nothing was written yet, and an existing file stays.
             sys.exit(1)
         writer.close()
-    sys.exit(1 if carrying.at_fault else 0)
+    sys.exit(1 if inputs.at_fault else 0)

@@ -14,10 +14,12 @@ import click
 from ev3proto.capture import CaptureError
 from ev3proto.capture.files import FileState, RecoveredFile, recover, survey
 from ev3proto.cli.captures import CaptureSource
+from ev3proto.cli.inputs import ONLY_CAPTURES, Inputs
 from ev3proto.cli.options import FOLDER, json_option
 from ev3proto.cli.output import complain, say
 from ev3proto.cli.reading import CaptureOptions, reading_options
 from ev3proto.cli.tables import Tables
+from ev3proto.cli.words import files as named_files
 from ev3proto.text.spans import visible
 
 
@@ -51,9 +53,8 @@ def files(
 
     rows: list[tuple[str, ...]] = []
     units = set()
-    status = 0
-    for name in names:
-        source = CaptureSource(name, reading)
+    inputs = Inputs(named_files(names), reading, ONLY_CAPTURES)
+    for source in inputs.captures():
         if folder is None:
             found = survey(source.events(), listings=listings)
         else:
@@ -75,10 +76,9 @@ def files(
         source.expect_frames()
         if is_empty and not source.status:
             complain(f"{source.label}: no file is moved{source.passed_over}")
-        status |= source.status
     if rows:
         _list(rows, "lines" if units == {"line"} else "packets")
-    sys.exit(status)
+    sys.exit(1 if inputs.at_fault else 0)
 
 
 def _complaining(found: Iterator[RecoveredFile], source: CaptureSource) -> Iterator[RecoveredFile]:

@@ -1,346 +1,348 @@
-"""What a subcommand reads: an argument, a file or standard input, what it is by its first bytes, and its frames.
+"""The one way in: what the words of a command line name, as one stream of frames, captures and programs.
 
-Nothing here loads a part that reads captures: a frame needs this, too.
+A frame on the command line needs no part that reads captures, so those are imported for the first file.
 """
 
 from __future__ import annotations
 
-import codecs
-import io
+import errno
+import os
 import re
-import struct
-import sys
 import zlib
-from collections.abc import Iterable, Iterator
-from contextlib import suppress
-from enum import Enum
-from itertools import islice
-from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from io import BufferedReader
+from itertools import chain
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias, cast
 
-from ev3proto.cli.output import Awaited
-from ev3proto.schema.header import HEADER_SIZE, may_have_length
-from ev3proto.tables.encoding import STRING_CODING
-from ev3proto.tables.frame import MessageType
-from ev3proto.tables.program import SIGN
-from ev3proto.text.paste import MAX_LINE, Missing, Pasted, read_bare, read_text
-from ev3proto.text.spans import visible
-from ev3proto.text.splitting import frame_ends, split
+import click
+
+from ev3proto.cli.kinds import Contents, Kind, introduction, recognized
+from ev3proto.cli.output import complain, progress_bar
+from ev3proto.cli.reading import BUILTIN, HOW_FRAMES_ARE_WRITTEN, CaptureOptions, pieces
+from ev3proto.cli.words import Source
+from ev3proto.messages import Message
+from ev3proto.tables.program import MAX_IMAGE
+from ev3proto.text.paste import Pasted, read_argument
+from ev3proto.text.splitting import split
 
 if TYPE_CHECKING:
-    from ev3proto.capture.formats import CaptureFile
-
-HOW_FRAMES_ARE_WRITTEN = "; frames are written in hex, such as 06:00|2A:00|80|00:00|01"
+    from ev3proto.cli.captures import CaptureSource
 
 SOURCE_SUFFIX = ".lms"
 """The suffix of the sources of programs."""
 
-_PATH = re.compile(r"[^()'\"|{}]*(/[^()'\"|{}]*|\w\.[a-z]\w{0,9})", re.IGNORECASE)
+_HOW_FRAMES_ARE_MADE = "`ev3proto encode` makes frames of it"
+_AN_IMAGE = "this is a program image (.rbf); `ev3proto decode` shows it"
+_AT_START = "column 1: "
+_HAS_BYTES = re.compile(r"(?:(?<!\w)(?:0x|\\x)?[0-9a-fA-F]{2,8}[\s:,-]{1,3}){4}")
+"""Bytes in hex, which need no advice on how to write frames."""
 
-_GROUP = re.compile(r"(0x)?([0-9a-f]{2}:?){1,4},?", re.IGNORECASE)
-"""Whole bytes in hex, which are taken for bytes even if a file has that name."""
-
-_NUMBER = re.compile(r"[\[{]?((0x)?[0-9a-f]{1,2}|[0-9]{3})[\]}]?[,;]?", re.IGNORECASE)
-"""One byte as numbers are written, also at an end of an array."""
-
-# Sources
+# What is read
 
 
-class Source(NamedTuple):
-    """A word of the command line: a file, standard input, or a frame itself."""
+class Frame(NamedTuple):
+    """A message of a text.
 
-    name: str
-    is_frame: bool = False
+    source  the word or file that it is in
+    pasted  the piece of text that it is in; None for assembly and JSON
+    number  its number in its text, if that is assembly or JSON
+    start   the offset of its frame in the bytes of the piece
+    rest    the bytes behind it that have no meaning
+    """
+
+    message: Message
+    source: Source
+    pasted: Pasted | None = None
+    number: int = 0
+    start: int = 0
+    rest: bytes = b""
 
     @property
-    def label(self) -> str:
-        """Its name in messages, on one line."""
-        return "standard input" if self.name == "-" else visible(self.name)
+    def place(self) -> str:
+        """The start of a message about it."""
+        return f"{self.source.label}, frame {self.number}" if self.pasted is None else self.source.where(self.pasted)
 
     @property
-    def looks_like_a_path(self) -> bool:
-        """Whether its name has a folder or a suffix, like that of a file."""
-        return _PATH.fullmatch(self.name) is not None
+    def is_cut(self) -> bool:
+        """Whether the text says that the frame had more bytes."""
+        fault = self.message.fault
+        return self.pasted is not None and self.pasted.cut and fault is not None and fault.truncated
 
-    def open(self) -> io.BufferedReader:
-        """Opens a file or standard input. Raises OSError."""
-        if self.name != "-":
-            path = Path(self.name)
-            if path.is_file():
-                return path.open("rb")
-            return io.BufferedReader(Awaited(path.open("rb", buffering=0), is_ours=True))
-        if sys.stdin is None:
-            raise OSError("standard input is closed")
-        raw = getattr(sys.stdin.buffer, "raw", None)
-        assert isinstance(raw, io.RawIOBase | io.BytesIO), "standard input is a file of Python's own"
-        return io.BufferedReader(Awaited(raw))
 
-    def open_capture(self) -> CaptureFile:
-        """Opens it as a file that may be a capture. Raises OSError."""
+class Image(NamedTuple):
+    """The image of a program (.rbf)."""
+
+    source: Source
+    image: bytes
+
+
+class SourceCode(NamedTuple):
+    """The source of a program (.lms)."""
+
+    source: Source
+    text: bytes
+
+
+class Text(NamedTuple):
+    """A text that is read whole, to be printed with changes."""
+
+    source: Source
+    stream: BufferedReader[Any]
+
+
+Content: TypeAlias = "Frame | CaptureSource | Image | SourceCode | Text"
+Making = Callable[["Inputs", Source, Iterable[str]], Iterator[Message]]
+"""Makes messages of a text that has no bytes yet: of assembly, of JSON."""
+
+
+@dataclass(frozen=True, slots=True)
+class Takes:
+    """What a subcommand takes besides frames and captures, and how it speaks of that.
+
+    wanted       the name of what it looks for in captures; empty if it takes only captures, and says what is missing
+    nothing      the message about a source in which it finds nothing; None for one with advice
+    argument     what a word can be besides a file
+    accepted     what can be read, for messages about anything else
+    making       finds out from the first line of a text what makes messages of it; None: nothing does
+    makes_first  a word is what `making` says before it is bytes
+    programs     takes images of programs
+    sources      takes sources of programs
+    edits        takes texts whole
+    as_capture   reads the frames of a text as a capture, with their replies and times
+    is_quiet     prints nothing while it reads, so that a progress bar may be drawn
+    """
+
+    wanted: str = "frame"
+    nothing: str | None = None
+    argument: str = "nor a frame"
+    accepted: str = "captures are pcap, pcapng or btsnoop files, packed with gzip or not"
+    making: Callable[[str], Making | None] | None = None
+    makes_first: bool = False
+    programs: bool = False
+    sources: bool = False
+    edits: bool = False
+    as_capture: bool = False
+    is_quiet: bool = False
+
+
+ONLY_CAPTURES = Takes(wanted="", as_capture=True, is_quiet=True)
+"""For subcommands that look at captures as a whole."""
+
+
+def looks_like_assembly(line: str) -> bool:
+    """Whether a line without a frame is assembly; one with only a label may be a heading."""
+    from ev3proto.text.assembly.recognising import is_assembly  # takes 11 ms, which frames do not need
+
+    return not line.rstrip().endswith(":") and is_assembly(line)
+
+
+class Inputs:
+    """Reads the words of a command line one by one, and reports what is unreadable.
+
+    sources   what is read
+    at_fault  whether anything was reported
+    progress  returns the part of the current file that was read, 0 to 1; None if its size is unknown
+    """
+
+    def __init__(
+        self,
+        sources: Sequence[Source],
+        reading: CaptureOptions,
+        takes: Takes,
+        heard: Callable[[str], object] = lambda _: None,
+    ) -> None:
+        """`heard` is called with each message about wrong input."""
+        self._takes = takes
+        self.sources = sources
+        self.reading = reading
+        self.at_fault = False
+        self.progress: Callable[[], float | None] = lambda: None
+        self._as_capture = self._takes.as_capture or reading.filter is not None
+        self._heard = heard
+        self._is_empty = True
+        self._first_line = ""
+
+    def __iter__(self) -> Iterator[Content]:
+        for source in self.sources:
+            self._is_empty, self._first_line = True, ""
+            for content in self._contents(source):
+                self._is_empty &= isinstance(content, Text)
+                yield content
+            if self._is_empty:
+                self.complain(self._nothing_in(source))
+
+    def captures(self) -> Iterator[CaptureSource]:
+        """Yields the captures, for a subcommand that takes nothing else."""
+        return cast("Iterator[CaptureSource]", iter(self))
+
+    def complain(self, sentence: str) -> None:
+        """Prints a message about wrong input on standard error."""
+        complain(sentence)
+        self._heard(sentence)
+        self.at_fault = True
+        self._is_empty = False
+
+    # Words and files
+
+    def _contents(self, source: Source) -> Iterator[Content]:
+        """Yields what is in a source, and reports an unreadable one."""
+        try:
+            if source.is_frame:
+                yield from self._word(source)
+            elif source.lines is not None:
+                yield from self.text(source, source.lines)
+            elif self._takes.sources and source.name.lower().endswith(SOURCE_SUFFIX):
+                from ev3proto.program.sources import MAX_SOURCE  # takes 30 ms, which frames do not need
+
+                yield SourceCode(source, source.read(MAX_SOURCE + 1))
+            elif self.reading.engine != BUILTIN:
+                yield from self._capture(source, Contents(Kind.CAPTURE))
+            else:
+                yield from self._file(source)
+        except (OSError, EOFError, zlib.error) as error:
+            self._unreadable(source, error)
+
+    def _word(self, source: Source) -> Iterator[Content]:
+        """Yields the frames in a word of the command line."""
+        lines = source.name.split("\n")
+        if self.reading.missing is not None:
+            yield from self.text(source, lines)
+            return
+        pasted, takes = read_argument(source.name), self._takes
+        if not pasted.data or takes.makes_first:
+            line = "".join([*introduction(iter(lines))][-1:])
+            making = None if takes.making is None else takes.making(line.strip())
+            if making is not None:
+                yield from self._made(making, source, lines)
+                return
+            if takes.making is None and looks_like_assembly(line):
+                self.complain(f"{source.name[:60]!r} is assembly, not a frame; {_HOW_FRAMES_ARE_MADE}")
+                return
+        if self._as_capture and pasted.data:
+            yield from self._capture(source, Contents(Kind.TEXT, lines=lines))
+        else:
+            yield from self.pasted(source, pasted)
+
+    def _file(self, source: Source) -> Iterator[Content]:
+        """Yields what is in a file. Raises OSError, EOFError or zlib.error."""
         from ev3proto.capture.formats import CaptureFile  # takes 13 ms, which frames do not need
 
-        return CaptureFile(self.open(), is_ours=self.name != "-")
-
-    def where(self, pasted: Pasted) -> str:
-        """Returns the start of a message about a piece of it."""
-        return f"{self.name[:60]!r}" if self.is_frame else f"{self.label}, line {pasted.line}"
-
-
-def sources(names: tuple[str, ...]) -> list[Source]:
-    """Returns what the words name; bytes that were typed without quotes around them are one frame."""
-    if len(names) > 1 and _are_bytes(names):
-        return [Source(" ".join(names), is_frame=True)]
-    return [Source(name, is_frame=name != "-" and (not name or not _exists(name))) for name in names or ("-",)]
-
-
-def _are_bytes(names: tuple[str, ...]) -> bool:
-    """Whether each word is one byte or a few."""
-    if all(_GROUP.fullmatch(name) for name in names):
-        return True
-    return all(_NUMBER.fullmatch(name) for name in names) and not any(_exists(name) for name in names)
-
-
-def _exists(name: str) -> bool:
-    try:
-        return Path(name).exists()
-    except (OSError, ValueError):
-        return False
-
-
-# What a file is
-
-
-CAPTURES = "captures are pcap, pcapng or btsnoop files, packed with gzip or not"
-"""What can be read as a capture."""
-
-NOT_A_CAPTURE = "this is a program image (.rbf); `ev3proto decode` shows it"
-
-
-class Kind(Enum):
-    """What a file is."""
-
-    CAPTURE = "a capture"
-    PROGRAM = "the image of a program (.rbf)"
-    TEXT = "lines of text"
-    FRAMES = "the bytes of frames, one after the other"
-    OTHER = "anything else"
-
-
-class Input(NamedTuple):
-    """A file and what it is.
-
-    kind    its kind
-    lines   of a text
-    frames  of a file of frames; their lines are their numbers
-    reason  why it cannot be read, for any other file
-    """
-
-    kind: Kind
-    lines: Iterable[str] = ()
-    frames: Iterable[Pasted] = ()
-    reason: str = ""
-
-
-_START = 8
-_ZIP = b"PK\x03\x04"
-_UF2 = b"UF2\n"
-_NXT_PROGRAM = b"MindstormsNXT"
-_SOUND = struct.Struct(">HHHH")
-_SOUND_FORMATS = (0x0100, 0x0101)
-_DISPLAY = (178, 128)
-_LEAST_FIRMWARE = 1 << 20
-_BY_SUFFIX = {
-    ".ev3": "a project of LEGO's EV3 software, a zip of diagrams without byte code; download it to a brick and copy"
-    " the program's .rbf from there",
-    ".uf2": "a UF2 image for a brick in bootloader mode, which holds ARM code; copy it to the brick's drive",
-    ".rgf": "an image for the brick's display; `ev3proto copy` copies it to a brick, UI_DRAW.BMPFILE shows it",
-    ".rsf": "a sound file; `ev3proto copy` copies it to a brick, SOUND.PLAY plays it",
-    ".bin": "probably a firmware image, which holds ARM code; the firmware updater of LEGO's software writes it",
-}
-
-
-def recognized(file: CaptureFile, name: str, dialect: str, readable: str = CAPTURES) -> Input:
-    """Finds out what a file is by its first bytes.
-
-    Args:
-        file: The file.
-        name: Its path; `-` for standard input.
-        dialect: The firmware whose instruction set to read by.
-        readable: What could be read, for the reason why something else cannot.
-
-    Raises:
-        OSError: It cannot be read.
-    """
-    try:
-        if file.is_capture:
-            return Input(Kind.CAPTURE)
-    except ValueError:  # a CaptureError: the gzip stream is damaged, which is reported when it is read
-        return Input(Kind.CAPTURE)
-    start = file.contents.peek(_START)[:_START]
-    if is_image(start):
-        return Input(Kind.PROGRAM)
-    reason = _unreadable(name, start)
-    if reason is None and not _is_binary(start):
-        return Input(Kind.TEXT, lines=_text_lines(file.contents))
-    with suppress(OSError, EOFError, zlib.error):
-        frames = _raw_frames(file.contents, dialect)
-        if frames is not None:
-            return Input(Kind.FRAMES, frames=frames)
-    shown = start.hex(" ").upper()
-    return Input(Kind.OTHER, reason=reason or f"neither text nor a capture: it starts with {shown}; {readable}")
-
-
-def _unreadable(name: str, start: bytes) -> str | None:
-    """Returns what a file is that cannot be read, and what to do with it; None for an unknown kind."""
-    suffix = Path(name).suffix.lower()
-    if start.startswith(_UF2):
-        return _BY_SUFFIX[".uf2"]
-    if start.startswith(_ZIP):
-        return _BY_SUFFIX[suffix] if suffix == ".ev3" else "a zip archive; unpack it, and give the files in it"
-    if _NXT_PROGRAM.startswith(start) and name != "-" and _beginning(name, len(_NXT_PROGRAM)) == _NXT_PROGRAM:
-        return "a program for an NXT (.rxe), LEGO's earlier brick; an EV3 does not run it"
-    if suffix not in (".rgf", ".rsf", ".bin"):
-        return None
-    size = Path(name).stat().st_size
-    if suffix == ".bin":
-        return _BY_SUFFIX[suffix] if size >= _LEAST_FIRMWARE else None
-    wrong = _wrong_picture(start, size) if suffix == ".rgf" else _wrong_sound(start, size)
-    return wrong or _BY_SUFFIX[suffix]
-
-
-def _beginning(name: str, size: int) -> bytes:
-    with Path(name).open("rb") as stream:
-        return stream.read(size)
-
-
-def _wrong_picture(start: bytes, size: int) -> str | None:
-    """Returns what is wrong with a picture: its first two bytes are width and height in pixels."""
-    if len(start) < 2:
-        return "an image for the brick's display that is too short: width and height are its first two bytes"
-    width, height = start[:2]
-    needed = (width + 7) // 8 * height
-    if size - 2 == needed and width <= _DISPLAY[0] and height <= _DISPLAY[1]:
-        return None
-    if size - 2 == needed:
-        return f"an image of {width} x {height} pixels, but the brick's display has {_DISPLAY[0]} x {_DISPLAY[1]}"
-    return (
-        f"an image of {width} x {height} pixels by its first two bytes, which needs {needed} bytes after them"
-        f" ({(width + 7) // 8} a row), but {max(size - 2, 0)} follow; UI_DRAW.BMPFILE shows it wrong"
-    )
-
-
-def _wrong_sound(start: bytes, size: int) -> str | None:
-    """Returns what is wrong with a sound: it starts with format, number of bytes, rate and mode, high byte first."""
-    if start.startswith(b"RIFF"):
-        return "a WAV file with the suffix .rsf; SOUND.PLAY needs the brick's own format, which begins with 01 00"
-    if len(start) < _SOUND.size:
-        return f"a sound file that is too short: its header has {_SOUND.size} bytes, the file has {size}"
-    kind, stated, rate, _ = _SOUND.unpack_from(start)
-    if kind not in _SOUND_FORMATS:
-        return f"not a sound file of the brick: it starts with {_hex(start[:2])}, which must be 01 00 or 01 01"
-    if stated != size - _SOUND.size:
-        return (
-            f"a sound file whose header says {stated} bytes of sound, but {size - _SOUND.size} follow;"
-            " SOUND.PLAY plays it to the end of the file"
-        )
-    return None if rate else "a sound file whose header says 0 Hz; 8000 is usual"
-
-
-def _hex(data: bytes) -> str:
-    return data.hex(" ").upper()
-
-
-def is_image(start: bytes) -> bool:
-    """Whether a file that starts with these bytes is a program image."""
-    return start.startswith(SIGN)
-
-
-def _is_binary(start: bytes) -> bool:
-    """Whether bytes are not text: text has no control characters but those that break lines, or is UTF-16."""
-    if start.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
-        return False
-    return any(byte < ord(" ") and byte not in b"\t\n\r\f\x1b" for byte in start)
-
-
-# Texts
-
-
-def _as_latin_1(error: UnicodeError) -> tuple[str, int]:
-    """Returns the characters that bytes mean in ISO-8859-1, and where reading continues."""
-    assert isinstance(error, UnicodeDecodeError)
-    return error.object[error.start : error.end].decode(STRING_CODING), error.end
-
-
-_LATIN_1 = "ev3proto-latin-1"
-codecs.register_error(_LATIN_1, _as_latin_1)
-
-
-def _text_lines(stream: io.BufferedReader[Any]) -> Iterator[str]:
-    """Yields the lines of a file, those that are too long only as far as it takes to see that.
-
-    Text is UTF-8, or UTF-16 if the file starts with that mark, as PowerShell writes it. Bytes that are not UTF-8 are
-    read as ISO-8859-1, which many sources of programs use.
-    """
-    start = stream.peek(2)[:2]
-    encoding = "utf-16" if start in (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE) else "utf-8-sig"
-    text = io.TextIOWrapper(stream, encoding, _LATIN_1 if encoding == "utf-8-sig" else "replace")
-    while line := text.readline(MAX_LINE + 1):
-        yield line
-        while len(line) > MAX_LINE and not line.endswith("\n"):
-            line = text.readline(MAX_LINE + 1)
-
-
-_MOST_LOOKED_AT = 500
-"""Lines of comments before the first line that says what a text is."""
-
-
-def introduction(lines: Iterator[str]) -> Iterator[str]:
-    """Yields the lines up to the first that is neither empty nor a comment, that one too."""
-    is_comment = False
-    for line in islice(lines, _MOST_LOOKED_AT):
-        yield line
-        text = line.strip()
-        if is_comment or text.startswith("/*"):
-            is_comment = "*/" not in text
-        elif text and not text.startswith("//") and not (text.startswith("#") and "define" not in text):
-            return
-
-
-def pieces(lines: Iterable[str], missing: Missing | None) -> Iterator[Pasted]:
-    """Returns the pieces of a text, whose frames may lack a part."""
-    return read_text(lines) if missing is None else read_bare(lines, missing)
-
-
-# Bytes
-
-
-MOST_RAW = 1 << 26
-"""Bytes of frames that are read from a file which has nothing else; a longer one is refused."""
-
-
-def _raw_frames(stream: io.BufferedReader[Any], dialect: str) -> Iterator[Pasted] | None:
-    """Reads the bytes of frames that follow one another.
-
-    Args:
-        stream: A file that is neither a text nor a capture. It is not read unless it starts with a frame.
-        dialect: The firmware whose instruction set to read by.
-
-    Returns:
-        The frames, with their numbers for lines; None if it does not start with one.
-    """
-    start = stream.peek(HEADER_SIZE)[:HEADER_SIZE]
-    if len(start) < HEADER_SIZE or not may_have_length(start) or start[-1] not in frozenset(MessageType):
-        return None
-    data = stream.read(MOST_RAW + 1)
-    ends = frame_ends(data)
-    if ends is not None:
-        return _cut(data, ends)
-    is_frame = all(piece.message.fault is None for piece in split(data, dialect=dialect))
-    return iter([Pasted(data, 1, "")]) if is_frame else None
-
-
-def _cut(data: bytes, ends: Iterator[int]) -> Iterator[Pasted]:
-    start = 0
-    for number, end in enumerate(ends, 1):
-        yield Pasted(data[start:end], number, "")
-        start = end
+        takes, is_quiet, is_ours = self._takes, self._takes.is_quiet, source.name != "-"
+        with (
+            progress_bar(source.label, is_quiet=is_quiet) as advance,
+            CaptureFile(source.open(advance), is_ours=is_ours) as file,
+        ):
+            self.progress = lambda: file.progress
+            found = recognized(file, source.name, self.reading.dialect, takes.accepted)
+            if found.kind is Kind.OTHER:
+                self.complain(f"{source.label}: {found.reason}")
+            elif found.kind is Kind.PROGRAM and takes.programs:
+                yield Image(source, file.contents.read(MAX_IMAGE + 1))
+            elif found.kind is Kind.PROGRAM:
+                self.complain(f"{source.label}: {_AN_IMAGE}")
+            elif found.kind is Kind.CAPTURE or (found.kind is Kind.FRAMES and self._as_capture):
+                yield from self._capture(source, found)
+            elif found.kind is Kind.FRAMES:
+                for pasted in found.frames:
+                    yield from self.pasted(source, pasted)
+            elif takes.edits and self.reading.missing is None and not self._as_capture:
+                yield Text(source, file.contents)
+            else:
+                yield from self.text(source, found.lines)
+
+    def _capture(self, source: Source, contents: Contents) -> Iterator[Content]:
+        """Yields a capture, or a text that is read as one; then reports one in which nothing was found."""
+        from ev3proto.cli.captures import CaptureSource  # takes 15 ms, which frames do not need
+
+        capture = CaptureSource(source, self.reading, contents)
+        yield capture
+        if self._takes.wanted and not capture.taken and not capture.status:
+            if capture.is_text and self.reading.filter is None:
+                self.complain(self._nothing_in(source))
+            else:
+                matches = " matches the filter" if self.reading.filter else ""
+                where = f"{capture.extent}{matches}{capture.passed_over}"
+                self.complain(f"{source.label}: no {self._takes.wanted} in {where}")
+        self.at_fault |= bool(capture.status)
+
+    # Texts
+
+    def text(self, source: Source, lines: Iterable[str]) -> Iterator[Content]:
+        """Yields the frames of a text. Its first line that is neither empty nor a comment decides what it is."""
+        noted = self._noted(iter(lines))
+        if self.reading.missing is None and self._takes.making is not None:
+            first = list(introduction(noted))
+            noted = chain(first, noted)
+            making = self._takes.making(self._first_line.strip())
+            if making is not None:
+                yield from self._made(making, source, noted)
+                return
+        if self._as_capture:
+            yield from self._capture(source, Contents(Kind.TEXT, lines=noted))
+        else:
+            for pasted in pieces(noted, self.reading.missing):
+                yield from self.pasted(source, pasted)
+
+    def _made(self, making: Making, source: Source, lines: Iterable[str]) -> Iterator[Frame]:
+        """Yields the messages that are made of a text."""
+        if self.reading.filter is not None:
+            raise click.UsageError(f"--filter is for frames, but {source.label[:60]} has none yet")
+        for number, message in enumerate(making(self, source, lines), 1):
+            self._is_empty = False
+            yield Frame(message, source, number=number)
+
+    def pasted(self, source: Source, pasted: Pasted) -> Iterator[Frame]:
+        """Yields the frames in one piece of a text, and reports what is wrong with it."""
+        if pasted.problem is not None:
+            self._wrong(pasted, pasted.problem, source)
+        for note in pasted.notes:
+            complain(f"{source.where(pasted)}: {note}")
+        for unknown in pasted.unknown:
+            if unknown.text:
+                where = "" if source.is_frame else f"{source.label}, "
+                complain(f"{where}line {unknown.line}, column {unknown.column}: {unknown.text!r} is unknown, read as 0")
+        if pasted.data:
+            self._is_empty = False
+            for message, start, rest in split(pasted.data, dialect=self.reading.dialect):
+                yield Frame(message, source, pasted, 0, start, rest)
+
+    def _noted(self, lines: Iterator[str]) -> Iterator[str]:
+        """Yields the lines, and keeps the first that is neither empty nor a comment."""
+        for line in introduction(lines):
+            self._first_line = line
+            yield line
+        yield from lines
+
+    # Complaints
+
+    def _nothing_in(self, source: Source) -> str:
+        """Returns the message about a source without a frame."""
+        if self._takes.nothing is not None:
+            return f"{source.label}: {self._takes.nothing}"
+        if source.name.lower().endswith(SOURCE_SUFFIX):
+            more = ", but the source of a program; `ev3proto encode -o FILE.rbf` makes its image"
+        elif looks_like_assembly(self._first_line):
+            more = f", but assembly; {_HOW_FRAMES_ARE_MADE}"
+        elif _HAS_BYTES.search(self._first_line):
+            more = ""
+        else:
+            more = HOW_FRAMES_ARE_WRITTEN
+        return f"{source.label}: no frame found{more}"
+
+    def _wrong(self, pasted: Pasted, problem: str, source: Source) -> None:
+        """Reports a piece of text that is not a complete frame."""
+        if not source.is_frame:
+            self.complain(f"{source.where(pasted)}: {problem}")
+        elif not pasted.data and source.looks_like_a_path:
+            self._unreadable(source, FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT)))
+        elif not pasted.data:
+            rest = problem.removeprefix(_AT_START)
+            self.complain(f"{source.where(pasted)} is neither a file {self._takes.argument}: {rest}")
+        elif problem.startswith(_AT_START):
+            self.complain(problem.removeprefix(_AT_START))
+        else:
+            self.complain(f"{source.where(pasted)}: {problem}")
+
+    def _unreadable(self, source: Source, error: Exception) -> None:
+        self.complain(f"{source.label}: cannot be read: {getattr(error, 'strerror', None) or error}")

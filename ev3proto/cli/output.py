@@ -6,7 +6,6 @@ characters are escaped, whatever their origin. Both streams may be closed, full,
 
 from __future__ import annotations
 
-import io
 import os
 import sys
 import time
@@ -14,16 +13,12 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
 from itertools import chain, islice
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, BinaryIO, TextIO, TypeVar, cast
+from typing import Any, BinaryIO, TextIO, TypeVar, cast
 
 import click
 
 from ev3proto.cli.options import FILE
 from ev3proto.text.spans import Line, Role, plain_text, visible, visible_lines
-
-if TYPE_CHECKING:
-    from _typeshed import WriteableBuffer
-
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -249,68 +244,27 @@ def write_text(text: str, output: Path | None, *, check: bool) -> None:
         sys.exit(1)
 
 
-class Awaited(io.RawIOBase):
-    """Input that may come slowly: standard output is flushed before waiting for more.
-
-    stream   the input
-    is_ours  whether closing this closes the stream, too
-    """
-
-    def __init__(self, stream: io.RawIOBase | io.BytesIO, *, is_ours: bool = False) -> None:
-        super().__init__()
-        self._stream = stream
-        self._is_ours = is_ours
-
-    def close(self) -> None:
-        """Ends reading."""
-        if self._is_ours and not self.closed:
-            self._stream.close()
-        super().close()
-
-    def readable(self) -> bool:
-        """Returns True."""
-        return True
-
-    def fileno(self) -> int:
-        """Returns the number of the open file."""
-        return self._stream.fileno()
-
-    def readinto(self, buffer: WriteableBuffer, /) -> int | None:
-        """Reads the available bytes, at least one, or none at the end."""
-        flush()
-        return self._stream.readinto(buffer)
-
-
-EVERY = 2048
-"""Number of lines or frames after which the bar is redrawn."""
-
 PATIENCE = 1.0
 """Seconds of reading after which the bar appears."""
 
 _STEPS = 1000
 """Number of steps of the bar."""
 
+Advance = Callable[[Callable[[], float | None]], None]
+"""Redraws the bar; its argument returns the part that was read, 0 to 1, or None if its size is unknown."""
+
 
 @contextmanager
-def progress_bar(done: Callable[[], float | None], name: str, *, is_quiet: bool) -> Iterator[Callable[[], None]]:
-    """Draws a bar on a terminal once reading takes long, unless output is printed on the same terminal.
-
-    Args:
-        done: Returns the part of the input that was read, 0 to 1; None if its size is unknown.
-        name: The name of the input.
-        is_quiet: Nothing is printed on standard output while it is read.
-
-    Yields:
-        A function that redraws the bar.
-    """
+def progress_bar(name: str, *, is_quiet: bool) -> Iterator[Advance]:
+    """Draws a bar on a terminal once reading takes long, if nothing is printed or another place has what is printed."""
     if sys.stderr is None or not sys.stderr.isatty() or not (is_quiet or not is_terminal()):
-        yield lambda: None
+        yield lambda _: None
         return
     bar = click.progressbar(range(_STEPS), label=name, file=sys.stderr)
     begin = time.monotonic()
     at = 0
 
-    def advance() -> None:
+    def advance(done: Callable[[], float | None]) -> None:
         nonlocal at
         part = done() if time.monotonic() - begin >= PATIENCE else None
         if part is not None:
@@ -321,11 +275,3 @@ def progress_bar(done: Callable[[], float | None], name: str, *, is_quiet: bool)
     yield advance
     if at:
         bar.render_finish()
-
-
-def advancing(lines: Iterable[str], advance: Callable[[], None]) -> Iterator[str]:
-    """Yields the lines, and redraws the bar now and then."""
-    for count, line in enumerate(lines):
-        if count % EVERY == 0:
-            advance()
-        yield line

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import errno
-import os
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from textwrap import wrap
@@ -13,8 +11,9 @@ import click
 
 from ev3proto.checking.codes import Code
 from ev3proto.cli.assembly import show_errors
-from ev3proto.cli.inputs import Source, is_image
+from ev3proto.cli.kinds import is_image
 from ev3proto.cli.output import Printer, complain, is_terminal, put
+from ev3proto.cli.words import Source
 from ev3proto.errors import DecodeError, counted
 from ev3proto.program import Assembled, Program, assemble, check_program, parse
 from ev3proto.program.listing import listing, program_json, program_tree
@@ -102,16 +101,6 @@ def source_findings(error: AssemblyError | None = None, warnings: Iterable[Sourc
     ]
 
 
-def read_source(source: Source) -> bytes | None:
-    """Reads a source; reports an unreadable one, and returns None."""
-    try:
-        with source.open() as stream:
-            return stream.read(MAX_SOURCE + 1)
-    except OSError as error:
-        complain(f"{source.label}: cannot be read: {error.strerror or error}")
-        return None
-
-
 def program_explanation(code: Code, dialect: str) -> Iterator[Line]:
     """Yields the explanation of a code of programs, with the findings in its example."""
     yield [(f"{code.severity}[{code.code}]", ROLES[code.severity]), (f": {code.title}", Role.HEADING)]
@@ -163,13 +152,14 @@ def encode_program(
 
 def _text_of(source: Source) -> str | bytes | None:
     """Returns the text to assemble; reports anything else, and returns None."""
-    if not source.is_frame:
-        read = read_source(source)
-        if read is not None and is_image(read):
-            complain(f"{source.label}: this is an image already; `ev3proto decode --format lego` shows its source")
-            return None
-        return read
-    if "{" not in source.name and not any(character.isspace() for character in source.name.strip()):
-        complain(f"{source.name[:_MOST_OF_A_NAME]}: cannot be read: {os.strerror(errno.ENOENT)}")
+    if source.is_frame and ("{" in source.name or any(character.isspace() for character in source.name.strip())):
+        return source.name
+    try:
+        text = source.read(MAX_SOURCE + 1)
+    except OSError as error:
+        complain(f"{source.label[:_MOST_OF_A_NAME]}: cannot be read: {error.strerror or error}")
         return None
-    return source.name
+    if is_image(text):
+        complain(f"{source.label}: this is an image already; `ev3proto decode --format lego` shows its source")
+        return None
+    return text

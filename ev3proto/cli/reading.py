@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -14,7 +14,7 @@ from ev3proto.cli.options import Whole, dialect_option, incompatible, tshark_opt
 from ev3proto.cli.output import say
 from ev3proto.tables.declaration import DIALECTS
 from ev3proto.tables.discovery import TCP_PORT
-from ev3proto.text.paste import Missing
+from ev3proto.text.paste import Missing, Pasted, read_bare, read_text
 
 if TYPE_CHECKING:
     from ev3proto.capture.filter import Filter, FilterError
@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 
 BUILTIN = "builtin"
 """The engine that is part of ev3proto."""
+
+HOW_FRAMES_ARE_WRITTEN = "; frames are written in hex, such as 06:00|2A:00|80|00:00|01"
 
 MIB = 1 << 20
 """The unit of --memory, in bytes."""
@@ -51,14 +53,13 @@ class CaptureOptions:
     memory: int = DEFAULT_MEMORY // MIB
 
 
-def given_up(label: str, count: int, memory: int) -> str:
-    """Returns the message about things that were dropped because of the memory limit.
+def pieces(lines: Iterable[str], missing: Missing | None) -> Iterator[Pasted]:
+    """Returns the pieces of a text, whose frames may lack a part."""
+    return read_text(lines) if missing is None else read_bare(lines, missing)
 
-    Args:
-        label: The name of the input.
-        count: The number of dropped things.
-        memory: The limit in MiB.
-    """
+
+def given_up(label: str, count: int, memory: int) -> str:
+    """Returns the message about the number of things that were dropped at the memory limit, in MiB."""
     return (
         f"{label}: {count} unfinished frames, transfers and unanswered commands were dropped: the memory limit is"
         f" {memory} MiB (--memory)"

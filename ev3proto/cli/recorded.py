@@ -9,7 +9,7 @@ from ev3proto.capture.dialogues import RequestReply
 from ev3proto.capture.files import RecoveredFile, recover
 from ev3proto.capture.record import Announcement, CaptureError, Record, elapsed, utc
 from ev3proto.cli.captures import CaptureSource
-from ev3proto.cli.inputs import is_image
+from ev3proto.cli.kinds import is_image
 from ev3proto.cli.show import Show
 from ev3proto.temporary import temporary_folder
 from ev3proto.text.json_format.from_messages import record as message_record

@@ -9,12 +9,13 @@ from collections import Counter
 import click
 
 from ev3proto.capture.dialogues import RequestReply, dialogues
-from ev3proto.cli.captures import CaptureSource
+from ev3proto.cli.inputs import ONLY_CAPTURES, Inputs
 from ev3proto.cli.output import Failure, Printer, complain
 from ev3proto.cli.reading import CaptureOptions, reading_options
 from ev3proto.cli.recorded import Dialogues
 from ev3proto.cli.show import Show
 from ev3proto.cli.targets import channel_to, target_option, timeout_option
+from ev3proto.cli.words import Source
 from ev3proto.errors import counted, near_misses
 from ev3proto.link.channel import Channel
 from ev3proto.link.errors import ConnectionLostError, NoAnswerError
@@ -92,19 +93,19 @@ def replay(
       ev3proto replay robot.pcapng --to wifi --fast --allow motors,settings
       ev3proto replay talk.pcapng --to usb --differences --allow computing
     """  # noqa: D301 - the mark by which click leaves lines as they are
-    capture = CaptureSource(name, reading)
-    found = steps(dialogues(capture.events()), allowed)
-    if not found and not capture.status:
-        raise Failure(f"{capture.label}: no command found")
+    inputs = Inputs([Source(name)], reading, ONLY_CAPTURES)
+    found = [step for capture in inputs.captures() for step in steps(dialogues(capture.events()), allowed)]
+    if not found and not inputs.at_fault:
+        raise Failure(f"{inputs.sources[0].label}: no command found")
     if not found:
         sys.exit(1)
     if dry_run:
         _show_plan(found)
-        sys.exit(capture.status)
+        sys.exit(1 if inputs.at_fault else 0)
     with channel_to(target) as channel:
         replaying = _Replaying(channel, str(target), timeout, reading.dialect, fast=fast, only_different=differences)
         is_fine = replaying.run(found)
-    sys.exit(0 if is_fine and not capture.status else 1)
+    sys.exit(0 if is_fine and not inputs.at_fault else 1)
 
 
 def _show_plan(found: list[Step]) -> None:

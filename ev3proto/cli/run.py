@@ -26,7 +26,7 @@ from ev3proto.cli.brick import (
     screenshot_option,
     script_option,
 )
-from ev3proto.cli.inputs import is_image
+from ev3proto.cli.kinds import is_image
 from ev3proto.cli.options import PATH, FiniteRange, incompatible
 from ev3proto.cli.output import complain, failing_on, failing_to, flush, is_terminal, say
 from ev3proto.cli.programs import assembled

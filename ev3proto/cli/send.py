@@ -7,8 +7,7 @@ import sys
 import click
 
 from ev3proto.capture.dialogues import RequestReply, is_error
-from ev3proto.cli.encode import Encoding, Wants
-from ev3proto.cli.inputs import Source, sources
+from ev3proto.cli.encode import encoded, inputs_for
 from ev3proto.cli.options import dialect_option, json_option, reply_option
 from ev3proto.cli.output import Failure, complain
 from ev3proto.cli.reading import CaptureOptions
@@ -22,40 +21,6 @@ from ev3proto.link.records import Records
 from ev3proto.link.targets import Target
 from ev3proto.messages import Message
 from ev3proto.schema.header import HEADER_SIZE
-from ev3proto.text.paste import Pasted
-from ev3proto.text.splitting import Piece
-
-
-class Collected:
-    """The commands of the input, in order, and the number of replies among them."""
-
-    def __init__(self) -> None:
-        self.commands: list[Message] = []
-        self.count = 0
-        self.replies = 0
-
-    def write(self, message: Message) -> None:
-        """Takes one message."""
-        self.count += 1
-        if message.type is not None and not message.type.is_command:
-            self.replies += 1
-        else:
-            self.commands.append(message)
-
-
-class _Commands(Encoding):
-    """Reads the input as `encode` does, but leaves faulty frames to the check."""
-
-    def __init__(self, found: Collected, dialect: str, reply: bool | None) -> None:
-        super().__init__(found, CaptureOptions(dialect=dialect), Wants(0, reply))
-        self._found = found
-
-    def piece(self, piece: Piece, pasted: Pasted, source: Source) -> None:
-        """Takes a frame of a text, unless it is cut off."""
-        if pasted.cut:
-            super().piece(piece, pasted, source)
-        else:
-            self._found.write(piece.message)
 
 
 @click.command()
@@ -89,27 +54,27 @@ def send(
       ev3proto send usb 'UI_READ(GET_VBATT, GV0(0))'
       ev3proto send wifi:127.0.0.1 "0x|06:00|2A:00|00|00:00|01|"
     """  # noqa: D301 - the mark by which click leaves lines as they are
-    found = Collected()
-    encoding = _Commands(found, dialect, reply)
-    encoding.read_all(sources(names))
-    if not found.commands:
-        if not encoding.at_fault:
+    inputs = inputs_for(names, CaptureOptions(dialect=dialect), reply=reply)
+    found = list(encoded(inputs, faults=False))
+    commands = [message for message in found if message.type is None or message.type.is_command]
+    if not commands:
+        if not inputs.at_fault:
             complain("nothing to send; expected frames in hex, or assembly")
         sys.exit(1)
-    if encoding.at_fault and not force:
+    if inputs.at_fault and not force:
         raise Failure("nothing was sent, because part of the input cannot be read; --force sends the rest")
-    if found.replies:
-        complain(f"skipped {counted(found.replies, 'frame')} from a brick")
+    if len(commands) < len(found):
+        complain(f"skipped {counted(len(found) - len(commands), 'frame')} from a brick")
     allowed = [
         message
-        for number, message in enumerate(found.commands, 1)
+        for number, message in enumerate(commands, 1)
         if force or not is_refused(message.build(), f"frame {number}", dialect=dialect, carrier=target.carrier)
     ]
-    if len(allowed) < len(found.commands):
+    if len(allowed) < len(commands):
         raise Failure("nothing was sent; --force sends it anyway")
     with channel_to(target) as channel:
         is_fine = _talk(channel, allowed, Show("json" if as_json else None), timeout, dialect, str(target))
-    sys.exit(0 if is_fine and not encoding.at_fault else 1)
+    sys.exit(0 if is_fine and not inputs.at_fault else 1)
 
 
 def _talk(channel: Channel, messages: list[Message], show: Show, timeout: float, dialect: str, peer: str) -> bool:

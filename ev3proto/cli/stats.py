@@ -11,10 +11,11 @@ import click
 from ev3proto.capture import Account
 from ev3proto.capture.latencies import ACCURACY, EXACT, Percentiles
 from ev3proto.capture.statistics import Amount, Noted, PeerSummary, Statistics, Summary, TransferSummary
-from ev3proto.cli.captures import CaptureSource
+from ev3proto.cli.inputs import ONLY_CAPTURES, Inputs
 from ev3proto.cli.output import say
 from ev3proto.cli.reading import CaptureOptions, reading_options
 from ev3proto.cli.tables import Tables
+from ev3proto.cli.words import files as named_files
 from ev3proto.errors import counted
 
 _MILLISECONDS = 1000
@@ -36,23 +37,21 @@ def stats(files: tuple[str, ...], reading: CaptureOptions, as_json: bool) -> Non
     """  # noqa: D301 - the mark by which click leaves lines as they are
     statistics = Statistics()
     account = Account()
-    status = 0
+    inputs = Inputs(named_files(files), reading, ONLY_CAPTURES)
     units = set()
-    for file in files:
-        source = CaptureSource(file, reading)
+    for source in inputs.captures():
         for event in source.events():
             statistics.add(event)
         source.expect_frames()
         units.add(source.unit)
         account.add(source.account)
-        status |= source.status
     summary = statistics.summary(account)
     if account.packets:
         if as_json:
             say(json.dumps(summary.as_dict(), ensure_ascii=False))
         else:
             _Page(summary, "line" if units == {"line"} else "packet").show()
-    sys.exit(status)
+    sys.exit(1 if inputs.at_fault else 0)
 
 
 class _Page:

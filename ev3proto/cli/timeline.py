@@ -12,9 +12,11 @@ import click
 from ev3proto.capture import Event
 from ev3proto.capture.timeline import Form, MissingLibraryError, Window, collect, render, require_library
 from ev3proto.cli.captures import CaptureSource
+from ev3proto.cli.inputs import ONLY_CAPTURES, Inputs
 from ev3proto.cli.options import FILE, FiniteRange
 from ev3proto.cli.output import Failure, complain, put, say
 from ev3proto.cli.reading import CaptureOptions, reading_options
+from ev3proto.cli.words import files as named_files
 
 MOST_SECONDS = 1e9
 """Longest time that can be asked for: thirty years."""
@@ -58,17 +60,18 @@ def timeline(
         raise click.UsageError(f"--from {first:g} must be less than --to {last:g}")
     if not output.parent.is_dir():
         raise Failure(f"{output}: cannot be written: there is no folder {output.parent}")
-    found = [CaptureSource(file, reading) for file in files]
-    labels = ", ".join(source.label for source in found)
-    names = ", ".join(Path(source.label).name for source in found)
+    inputs = Inputs(named_files(files), reading, ONLY_CAPTURES)
+    labels = ", ".join(source.label for source in inputs.sources)
+    names = ", ".join(Path(source.label).name for source in inputs.sources)
     # The timeline filters by itself: a reply that is kept back must not look as if it never came.
     chosen, reading.filter = reading.filter, None
-    events, is_timed = _begun(chain.from_iterable(source.events() for source in found))
+    found: list[CaptureSource] = []
+    events, is_timed = _begun(_events(inputs, found))
     if not is_timed and (first is not None or last is not None):
         complain(f"{labels}: has no times: --from and --to count its lines")
     drawn = collect(events, chosen, Window(first, last))
     if drawn is None:
-        if not any(source.status for source in found):
+        if not inputs.at_fault:
             reasons = "".join(source.passed_over for source in found)
             complain(_nothing(labels, first, last, is_timed=is_timed) + reasons)
         sys.exit(1)
@@ -77,7 +80,14 @@ def timeline(
     if not put(render(drawn, form, names), output):
         sys.exit(1)
     say(f"{output}: written")
-    sys.exit(max(source.status for source in found))
+    sys.exit(1 if inputs.at_fault or any(source.status for source in found) else 0)
+
+
+def _events(inputs: Inputs, found: list[CaptureSource]) -> Iterator[Event]:
+    """Yields the events of all captures, and keeps the captures."""
+    for source in inputs.captures():
+        found.append(source)
+        yield from source.events()
 
 
 def _begun(events: Iterator[Event]) -> tuple[Iterator[Event], bool]:

@@ -15,11 +15,12 @@ import click
 from ev3proto.capture.plot import draw
 from ev3proto.capture.series import MOST_CELLS, Cell, Row, Series, series_of
 from ev3proto.capture.timeline import MissingLibraryError
-from ev3proto.cli.captures import CaptureSource
+from ev3proto.cli.inputs import ONLY_CAPTURES, Inputs
 from ev3proto.cli.options import FILE, incompatible
 from ev3proto.cli.output import complain, put, say
 from ev3proto.cli.reading import CaptureOptions, reading_options
 from ev3proto.cli.tables import Tables
+from ev3proto.cli.words import files as named_files
 from ev3proto.errors import counted
 from ev3proto.text.spans import visible
 
@@ -64,18 +65,19 @@ def values(files: tuple[str, ...], reading: CaptureOptions, as_csv: bool, as_jso
     form = "csv" if as_csv else "json" if as_json else None
     if plot is not None and form is not None:
         raise incompatible("--plot", f"--{form}")
-    sources = [CaptureSource(file, reading) for file in files]
+    inputs = Inputs(named_files(files), reading, ONLY_CAPTURES)
+    sources = []
     found = Series()
-    for source in sources:
+    for source in inputs.captures():
+        sources.append(source)
         found.extend(series_of(source.events(), source.label, MOST_CELLS - found.size))
         source.expect_frames()
-    status = max(source.status for source in sources)
     if found.omitted:
         complain(f"{counted(found.omitted, 'row')} omitted: {MOST_CELLS:,} cells are kept; --filter chooses others")
-        status = 1
+        inputs.at_fault = True
     if not found.rows:
-        if not status:
-            names = ", ".join(source.label for source in sources)
+        if not inputs.at_fault:
+            names = ", ".join(source.label for source in inputs.sources)
             reasons = "".join(source.passed_over for source in sources)
             complain(f"{names}: no reply with its command found{reasons}")
         sys.exit(1)
@@ -88,12 +90,12 @@ def values(files: tuple[str, ...], reading: CaptureOptions, as_csv: bool, as_jso
         )
         found = found.narrowed(most)
     if plot is not None:
-        _draw(found, plot, ", ".join(Path(source.label).name for source in sources), start)
+        _draw(found, plot, ", ".join(Path(source.label).name for source in inputs.sources), start)
     elif form is None:
         _print_table(found, "line" if {source.unit for source in sources} == {"line"} else "packet", start)
     else:
         _PRINTERS[form](found)
-    sys.exit(status)
+    sys.exit(1 if inputs.at_fault else 0)
 
 
 def _titles(found: Series) -> list[str]:

@@ -22,7 +22,7 @@ from ev3proto.capture.filter import language
 from ev3proto.capture.finding import MOST_TRIALS
 from ev3proto.capture.formats import pcapng
 from ev3proto.capture.timeline import collecting
-from ev3proto.cli import inputs, live, values
+from ev3proto.cli import kinds, live, values
 from ev3proto.cli.annotations import MOST_COMPLAINTS
 from ev3proto.link import file_moves
 from ev3proto.program.checking import MOST_OF_A_CODE
@@ -54,7 +54,7 @@ LIMITS = [
     f"{record.MOST_READ}, up to 6 MiB",
     f"{MAX_LINE // MIB} MiB",
     f"{MAX_COLLECTED // KIB} KiB",
-    f"{inputs.MOST_RAW // MIB} MiB",
+    f"{kinds.MOST_RAW // MIB} MiB",
     f"{MAX_IMAGE // MIB} MiB, 60 bytes of memory a byte to show or check it",
     f"{MOST_OF_A_CODE:,}",
     f"{file_moves.MOST_FILE // MIB} MiB",

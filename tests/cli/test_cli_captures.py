@@ -26,6 +26,7 @@ from support.packets import (
     SerialPort,
     cut,
 )
+from support.wireshark import Tshark
 
 ROOT = Path(__file__).parents[2]
 CAPTURES = ROOT / "captures"
@@ -454,6 +455,13 @@ def test_a_filter_that_is_wrong() -> None:
     assert done.returncode == 2
     assert "SOUND.TONE" in done.stderr.decode()
     assert "\n  op==SOUND.TOEN\n      ^" in done.stderr.decode()
+
+
+def test_wireshark_reads_standard_input_from_its_first_byte(tshark: Tshark) -> None:
+    path = CAPTURES / "usb.pcapng"
+    done = run("decode", "--engine", "wireshark", "--tshark", str(tshark.program), stdin=path.read_bytes())
+    assert (done.returncode, done.stderr) == (0, b"")
+    assert done.stdout == run("decode", str(path)).stdout
 
 
 # The progress bar

@@ -12,10 +12,10 @@ from support.effort import effort
 
 import ev3proto
 from ev3proto import GV, LV, DirectCommand, Operation, operation
-from ev3proto.capture import Record
 from ev3proto.capture.record import Direction
-from ev3proto.cli.captures import CaptureSource
+from ev3proto.cli.inputs import ONLY_CAPTURES, Inputs
 from ev3proto.cli.reading import CaptureOptions
+from ev3proto.cli.words import Source
 from ev3proto.link.harm import Harm, harms_of
 from ev3proto.messages import Message, SystemCommand
 from ev3proto.schema.argument import encode_as
@@ -85,9 +85,10 @@ def test_a_file_is_read_by_the_handle_of_its_command() -> None:
 
 
 def sent_in(name: str) -> Iterator[Message]:
-    for event in CaptureSource(str(ROOT / "captures" / name), CaptureOptions()).events():
-        if isinstance(event, Record) and event.direction is not Direction.RECEIVED:
-            yield event.message
+    inputs = Inputs([Source(str(ROOT / "captures" / name))], CaptureOptions(), ONLY_CAPTURES)
+    for record in (record for capture in inputs.captures() for record in capture.records()):
+        if record.direction is not Direction.RECEIVED:
+            yield record.message
 
 
 READERS = {

@@ -5,35 +5,42 @@ from __future__ import annotations
 import io
 import json
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import redirect_stderr
 from pathlib import Path
 from typing import Any
 
 from ev3proto.capture.dialogues import RequestReply, dialogues
-from ev3proto.capture.formats import CaptureFile
 from ev3proto.capture.record import Event, elapsed
 from ev3proto.capture.text_log import read_log
 from ev3proto.cli.assembly import assembled_messages, show_errors
 from ev3proto.cli.captures import CaptureSource
 from ev3proto.cli.check import is_reply
 from ev3proto.cli.decode import Decoding
-from ev3proto.cli.inputs import SOURCE_SUFFIX, Source, introduction
-from ev3proto.cli.programs import complain_of_warnings, read_source
+from ev3proto.cli.inputs import (
+    Content,
+    Frame,
+    Image,
+    Inputs,
+    Making,
+    SourceCode,
+    Takes,
+    looks_like_assembly,
+)
+from ev3proto.cli.programs import complain_of_warnings
 from ev3proto.cli.reading import CaptureOptions
 from ev3proto.cli.recorded import show_capture
-from ev3proto.cli.sources import looks_like_assembly
+from ev3proto.cli.words import Source
 from ev3proto.messages import Message
 from ev3proto.program import assemble, check_program
 from ev3proto.schema.frame import parse
 from ev3proto.text.assembly.errors import AssemblyError
 from ev3proto.text.assembly.recognising import OBJECT
-from ev3proto.text.fixed_text import fix_text, is_command, is_whole
+from ev3proto.text.fixed_text import fix_text, is_command
 from ev3proto.text.forms import as_c, as_hex, as_python
 from ev3proto.text.paste import Pasted, read_argument
-from ev3proto.text.phrases import Seen, command_spans, reply_spans
+from ev3proto.text.phrases import command_spans, reply_spans
 from ev3proto.text.spans import plain_text
-from ev3proto.text.splitting import Piece
 
 from .findings import Findings
 from .rows import Rows, Showing, shown
@@ -75,14 +82,14 @@ class Reading(Decoding):
     def __init__(self, publish: Publish = lambda _: None) -> None:
         self._rows = Rows(MOST_SHOWN)
         self._showing = Showing(self._rows)
-        super().__init__(self._showing, CaptureOptions(), as_dialogues=False, as_programs=False)
+        super().__init__(self._showing, Inputs([], CaptureOptions(), Takes()))
         self.image: bytes | None = None
         self._publish = publish
         self._findings = Findings()
         self._errors = io.StringIO()
         self._typed: str | None = None
         self._folder = ""
-        self._is_assembly = False
+        self._assembled = 0
         self._frames: list[bytes] = []
         self._lesson: list[str] = []
         self._lesson_size = 0
@@ -105,55 +112,51 @@ class Reading(Decoding):
         if OBJECT.search(text):
             self._run(lambda: self._program_of(text, "input"))
             return
-        is_line = "\n" not in text.strip()
         self._typed = text
-        source = Source(text.strip(), is_frame=True) if is_line else Source("input")
-        self._run(lambda: self.read_all([source]))
+        if "\n" in text.strip():
+            self._read(Source("input", lines=self._counted(text)))
+        else:
+            self._read(Source(text.strip(), is_frame=True))
 
     def open(self, path: Path) -> None:
         """Reads a file."""
         self._folder = f"{path.parent}/"
-        self._run(lambda: self.read_all([Source(str(path))]))
+        self._read(Source(str(path)))
+
+    def _read(self, source: Source) -> None:
+        takes = Takes(making=self._making, programs=True, sources=True)
+        self.inputs = Inputs([source], CaptureOptions(), takes)
+        if source.lines is None:
+            self._done = lambda: self.inputs.progress() or 0.0
+        self._run(self.run)
 
     def _run(self, read: Callable[[], object]) -> None:
         with redirect_stderr(self._errors):
             read()
 
-    def read(self, source: Source) -> None:
-        """Reads everything in a source."""
-        if source.is_frame:
-            super().read(source)
-        elif self._typed is not None:
-            self._lines(source, self._typed)
-        elif source.name.lower().endswith(SOURCE_SUFFIX):
-            self._is_empty = False
-            text = read_source(source)
-            if text is not None:
-                self._program_of(text, source.label)
+    def _counted(self, text: str) -> Iterator[str]:
+        """Yields the lines of a text, and counts what was read of it."""
+        done = 0
+        self._done = lambda: done / len(text)
+        for line in text.splitlines(keepends=True):
+            done += len(line)
+            yield line
+
+    def _making(self, line: str) -> Making | None:
+        """Returns what makes messages of a text by its first line: assembly, unless the line has bytes."""
+        return self._assembly if looks_like_assembly(line) and not read_argument(line).data else None
+
+    def _assembly(self, inputs: Inputs, source: Source, lines: Iterable[str]) -> Iterator[Message]:
+        messages = list(assembled_messages(source, lines, inputs.complain, dialect=inputs.reading.dialect))
+        self._assembled = len(messages)
+        return iter(messages)
+
+    def take(self, content: Content) -> None:
+        """Takes one thing."""
+        if isinstance(content, SourceCode):
+            self._program_of(content.text, content.source.label)
         else:
-            super().read(source)
-
-    def _lines(self, source: Source, text: str) -> None:
-        """Reads a text of several lines. Its first one that is neither empty nor a comment may be assembly."""
-        lines = text.splitlines(keepends=True)
-        first = list(introduction(iter(lines)))[-1:]
-        if first and looks_like_assembly(first[0]) and not read_argument(first[0]).data:
-            self.assembly(source, iter(lines))
-        else:
-            done = 0
-
-            def counted() -> Iterator[str]:
-                nonlocal done
-                for line in lines:
-                    done += len(line)
-                    yield line
-
-            self._done = lambda: done / len(text)
-            self.text(source, counted())
-
-    def _file(self, source: Source, file: CaptureFile) -> None:
-        self._done = lambda: file.progress or 0.0
-        super()._file(source, file)
+            super().take(content)
 
     def _program_of(self, text: str | bytes, label: str) -> None:
         """Reads the source of a program."""
@@ -165,42 +168,37 @@ class Reading(Decoding):
         with redirect_stderr(io.StringIO()) as warnings:
             complain_of_warnings(label, made.warnings)
         self._findings.warn(warnings.getvalue())
-        self.program(Source(label), made.image)
+        self.program(Image(Source(label), made.image))
 
-    def program(self, source: Source, image: bytes) -> None:
+    def program(self, program: Image) -> None:
         """Takes the image of a program."""
-        super().program(source, image)
-        self.image = image
-        self._findings.program(check_program(image))
+        super().program(program)
+        self.image = program.image
+        self._findings.program(check_program(program.image))
 
-    def assembly(self, source: Source, lines: Iterator[str]) -> None:
-        """Takes assembly."""
-        self._is_empty = False
-        self._is_assembly = True
-        messages = list(assembled_messages(source, lines, self.complain, dialect=self.reading.dialect))
-        for number, message in enumerate(messages, 1):
-            self._showing.exchange(self._dialogue.follow(message), Seen())
-            self._take(message, message.build(), f"frame {number}" if len(messages) > 1 else "", 0)
-
-    def piece(self, piece: Piece, pasted: Pasted, source: Source) -> None:
-        """Takes a frame of a text."""
-        super().piece(piece, pasted, source)
+    def frame(self, frame: Frame) -> None:
+        """Takes a frame of a text, or of assembly."""
+        super().frame(frame)
+        pasted, message = frame.pasted, frame.message
+        if pasted is None:
+            self._take(message, message.build(), f"frame {frame.number}" if self._assembled > 1 else "", 0)
+            return
         if len(self._log) < MOST_DIALOGUES * 2 and (not self._log or self._log[-1] is not pasted):
             self._log.append(pasted)
-        if not is_whole(piece.message, pasted):
+        if frame.is_cut:
             return
-        is_from_brick = pasted.direction == "received" or not (source.is_frame or is_command(piece.message, pasted))
-        place = "" if source.is_frame else source.where(pasted)
-        self._take(piece.message, piece.message.build(), place, pasted.line, is_reply=is_from_brick)
+        is_alone = frame.source.is_frame
+        is_from_brick = pasted.direction == "received" or not (is_alone or is_command(message, pasted))
+        self._take(message, message.build(), "" if is_alone else frame.place, pasted.line, is_reply=is_from_brick)
 
-    def capture(self, capture: CaptureSource) -> int:
+    def capture(self, capture: CaptureSource) -> None:
         """Takes the frames of a capture."""
         before = self._showing.count
         for pair in dialogues(self._records(capture)):
             self._pair_count += 1
             if len(self._pairs) < MOST_DIALOGUES:
                 self._pairs.append(pair)
-        return self._showing.count - before
+        capture.taken = self._showing.count - before
 
     def _records(self, capture: CaptureSource) -> Iterator[Event]:
         for record in show_capture(self._showing, capture, as_dialogues=False):
@@ -208,7 +206,7 @@ class Reading(Decoding):
             place = f"{capture.label}, {capture.unit} {record.number}"
             message = record.message
             if message.fault is not None:
-                self.complain(f"{place}: fault at {message.fault}")
+                self.inputs.complain(f"{place}: fault at {message.fault}")
             self._take(message, record.frame, place, 0, is_reply=is_reply(record), carrier=capture.carrier(record))
             yield record
 
@@ -303,7 +301,7 @@ class Reading(Decoding):
     # Fixes
 
     def _is_fixable(self) -> bool:
-        if self._typed is None or self._is_assembly or not self._findings.frames:
+        if self._typed is None or self._assembled or not self._findings.frames:
             return False
         if len(self._typed) <= FEW_CHARACTERS:
             return fix_text(self._typed).is_fixed

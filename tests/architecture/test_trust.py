@@ -21,10 +21,8 @@ from support.peak import PEAK
 from support.wireshark import Tshark
 
 import ev3proto
-from ev3proto.bounded import Budget
 from ev3proto.capture import Record, read
 from ev3proto.checking.checking import check
-from ev3proto.dialogue import Pairing
 from ev3proto.pyshark import read as read_by_tshark
 from ev3proto.text.spans import visible
 
@@ -110,19 +108,6 @@ def test_strings_in_commands_of_a_capture_are_harmless(options: tuple[str, ...],
     done = run_ev3proto_text("decode", *options, str(path))
     assert done.stdout.replace("\n", "").isprintable()
     assert done.stdout.count("\\u00") == len(texts)
-
-
-def test_a_budget_lets_the_oldest_go() -> None:
-    budget = Budget(100)
-    one: Pairing[bytes] = Pairing(budget=budget, size_of=len)
-    two: Pairing[bytes] = Pairing(budget=budget, size_of=len)
-    one.remember("a", 0, b"a" * 40)
-    two.remember("b", 0, b"b" * 40)
-    two.remember("c", 0, b"c" * 40)
-    assert (one.unanswered, two.unanswered, budget.dropped) == ([], [b"b" * 40, b"c" * 40], 1)
-    assert two.answered("b", None) == b"b" * 40
-    one.remember("d", 0, b"d" * 40)
-    assert budget.dropped == 1
 
 
 def commands(count: int) -> bytes:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import tracemalloc
 from pathlib import Path
 
 import pytest
@@ -13,7 +12,7 @@ from support.effort import effort
 
 from ev3proto import testing
 from ev3proto.brick import Brick
-from ev3proto.messages import GV, LV
+from ev3proto.messages import LV
 
 NOP = command(op("NOP"))
 NOP_REPLY = bytes.fromhex("03 00 01 00 02")
@@ -94,24 +93,3 @@ def test_frames_that_wait_have_one_room(monkeypatch: pytest.MonkeyPatch) -> None
     [ended, *served] = brick.advance(0.1)
     assert taken_apart(ended)[0] == FAIL
     assert len(served) == 100 // len(NOP)
-
-
-def test_memory_stays_flat_over_many_commands(root: Path) -> None:
-    brick = Brick(root)
-    frames = [
-        command(op("ADD32", GV(0), 1, GV(0)), globals=4),
-        command(op("ARRAY.CREATE8", 100, LV(0)), op("ARRAY_APPEND", LV(0), 1), locals=2),
-        command(op("FILE.OPEN_WRITE", "../prjs/flat.rtf", LV(0)), locals=2),
-        command(op("UI_DRAW.FILLRECT", 1, 0, 0, 60, 40), op("UI_DRAW.UPDATE")),
-    ]
-
-    def send(count: int) -> None:
-        for number in range(count):
-            brick.receive(frames[number % len(frames) if number % 50 == 0 else 0])
-
-    send(1000)
-    tracemalloc.start()
-    before = tracemalloc.get_traced_memory()[0]
-    send(effort(3_000, 1_000_000))
-    assert tracemalloc.get_traced_memory()[0] - before < 100_000
-    tracemalloc.stop()

@@ -18,7 +18,6 @@ from typing import Any
 import pytest
 from support.cli import run_ev3proto_text
 
-from ev3proto.brick.devices.display.braille import braille
 from ev3proto.program import assemble
 
 PATIENCE = 30
@@ -51,10 +50,6 @@ again:
   JR_FALSE(pressed, again)
 }
 """
-
-
-def test_braille() -> None:
-    assert braille([b"\xc0\x00", b"\x80\x00", b"\x00\x00", b"\x00\x40"], 10) == ["⠋⠀⠀⠀⢀"]
 
 
 def test_source_and_image(tmp_path: Path) -> None:

@@ -15,7 +15,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from support.effort import effort
 from support.files import Blocks, Timed, btsnoop, pcap, timed
-from support.packets import ACK, FIN, PUSH, RST, SYN, Connection, Device, SerialPort, datagram, packets_of, segment
+from support.packets import ACK, FIN, PUSH, RST, SYN, Device, SerialPort, datagram, packets_of, segment
 from support.packets import Capture as Packets
 
 import ev3proto
@@ -183,20 +183,6 @@ def changed(data: bytes, made: Sequence[Change]) -> bytes:
     return bytes(found)
 
 
-@fuzzed
-@given(st.integers(0, 100), st.lists(changes, max_size=6))
-def test_damaged_files(which: int, made: list[Change]) -> None:
-    read_to_its_end(changed(seeds()[which % len(seeds())], made))
-
-
-@fuzzed
-@given(st.integers(0, 100), st.binary(max_size=400))
-def test_files_of_which_only_the_start_is_right(which: int, rest: bytes) -> None:
-    seed = seeds()[which % len(seeds())]
-    for kept in (8, 24, 100):
-        read_to_its_end(seed[:kept] + rest)
-
-
 # Packets in which everything may be changed
 
 
@@ -309,18 +295,4 @@ def test_anything_in_a_serial_port(pieces: list[bytes]) -> None:
     port = SerialPort(packets)
     for number, piece in enumerate(pieces):
         (port.receive if number % 3 == 2 else port.send)(piece)
-    read_to_its_end(packets.data())
-
-
-@fuzzed
-@given(st.lists(st.sampled_from((1, 2, 3, 4, 7, 10, 30))), st.lists(st.binary(max_size=12), max_size=4))
-def test_connections_that_begin_anywhere(sizes: list[int], garbage: list[bytes]) -> None:
-    packets = Packets(101)
-    connection = Connection(packets)
-    stream, at = STREAM[5:], 0
-    for number, size in enumerate(sizes):
-        connection.send(stream[at : at + size])
-        at += size
-        if number % 5 == 4 and garbage:
-            connection.send(garbage[number % len(garbage)])
     read_to_its_end(packets.data())

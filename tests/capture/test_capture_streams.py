@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator
 import pytest
 from support.files import BEGIN_NS, RAW_IP, Blocks, Timed, btsnoop, pcap, timed
 from support.messages import voltage, volts
-from support.packets import FIN, HCI_WITH_DIRECTION, HOST_PORT, RST, SYN, SerialPort, frame_check, segment
+from support.packets import FIN, HCI_WITH_DIRECTION, RST, SYN, SerialPort, frame_check, segment
 from support.packets import Capture as Packets
 
 import ev3proto
@@ -243,16 +243,6 @@ def test_segments_in_another_order() -> None:
     times = [event.time_ns - BEGIN_NS for event in events]
     assert times == [3_000_000, 3_000_000, 2_000_000, 1_000_000]
     assert [event.number for event in events if isinstance(event, Record)] == [4, 4, 3, 2]
-
-
-def test_every_order_of_five_segments() -> None:
-    stream = b"".join(map(voltage, range(5)))
-    pieces = [(1000 + at, stream[at : at + 11]) for at in range(0, len(stream), 11)]
-    for seed in range(60):
-        shuffled = random.Random(seed).sample(pieces, len(pieces))
-        events, _ = of([segment(True, 999, flags=SYN), *(segment(True, *piece) for piece in shuffled)])
-        assert [frame for frame, _ in frames(events)] == [voltage(number) for number in range(5)]
-        assert not complaints(events)
 
 
 def test_of_segments_that_differ_the_first_is_believed() -> None:
@@ -521,21 +511,6 @@ def test_segments_on_two_interfaces() -> None:
     assert [record.interface for record in records] == ["wlan0", "wlan0", "br0"]
     assert records[2].request is records[1]
     assert capture.account.repeated == 20
-
-
-def test_connections_side_by_side() -> None:
-    packets = []
-    for at in range(0, 30, 5):
-        for port in range(HOST_PORT, HOST_PORT + 3):
-            stream = b"".join(voltage(number + port) for number in range(3))
-            packets.append(segment(True, 1000 + at, stream[at : at + 5], port=port))
-    events, _ = of(packets)
-    assert len(frames(events)) == 9
-    assert [record.source for record in events if isinstance(record, Record)][:3] == [
-        "192.0.2.1:49152",
-        "192.0.2.1:49153",
-        "192.0.2.1:49154",
-    ]
 
 
 # Garbage

@@ -180,9 +180,7 @@ def test_dialogues_while_they_happen(capturing: str | None, ending: signal.Signa
         assert live.wait_for("Ctrl-C") == f"Capturing on {LOOPBACK}. Ctrl-C ends it."
         with talk(port) as say:
             say(voltage(1), answer(1))
-            answered = time.monotonic()
             line = live.wait_for("GET_VBATT")
-            assert time.monotonic() - answered < 10
             assert re.fullmatch(
                 r" +\d\.\d{6} +#\d+ UI_READ\.GET_VBATT\(VALUE=GV\(0\)\) -> VALUE=7\.92 V  \d+\.\d{3} ms",
                 line,
@@ -292,7 +290,7 @@ def test_it_ends_soon_whatever_was_captured(is_read: bool, tmp_path: Path) -> No
             begin = time.monotonic()
             process.send_signal(signal.SIGTERM)
             assert process.wait(WITHIN) == 128 + signal.SIGTERM
-            assert time.monotonic() - begin < 5
+            assert time.monotonic() - begin < WITHIN / 2
             assert group(process.pid) == []
             assert process.stderr.read() == b""
             if is_read:

@@ -263,22 +263,6 @@ def test_what_follows_a_telling_frame_does_not_hide_it(shown: Callable[..., list
     assert taken == [ours]
 
 
-def test_decode_as_takes_everything(shown: Callable[..., list[str]]) -> None:
-    capture = Capture(RAW_IP)
-    sent = Connection(capture, brick_port=6000).send(b"something else")
-    assert shown(capture) == []
-    assert shown(capture, "-d", "tcp.port==6000,ev3") == [str(sent)]
-
-
-def test_the_unlock_text_is_known_on_any_port(shown: Callable[..., list[str]]) -> None:
-    capture = Capture(RAW_IP)
-    connection = Connection(capture, brick_port=7001)
-    packets = [connection.send(UNLOCK), connection.receive(b"Accept:EV340\r\n\r\n\0"), connection.send(voltage(1))]
-    packets.append(connection.receive(volts(1)))
-    assert shown(capture) == [str(number) for number in packets]
-    assert shown(capture, "-2") == [str(number) for number in packets]
-
-
 def test_the_unlock_text_on_any_port_may_come_in_two_segments(shown: Callable[..., list[str]]) -> None:
     """Split at each place after which it can be recognised; the same beginning of another text is ignored."""
     capture = Capture(RAW_IP)
@@ -335,16 +319,6 @@ def test_a_port_that_a_beacon_names_stays_with_its_dissector(tshark: Tshark) -> 
     for words in ([], ["-2"]):
         asked = tshark.run(path, *words, "-Y", "dns", "-T", "fields", "-e", "dns.qry.name").split()
         assert asked == ["abc.de"] * 4
-
-
-def test_an_answer_needs_a_beacon(shown: Callable[..., list[str]]) -> None:
-    capture = Capture(RAW_IP)
-    brick = bytes((192, 0, 2, 10))
-    capture.add(datagram(b"\0", HOST, 3015, brick, 3015))
-    beacon = capture.add(datagram(BEACON, port=41_234))
-    answer = capture.add(datagram(b"\0", HOST, 40_000, brick, 3015))
-    capture.add(datagram(b"\0", HOST, 40_000, bytes((192, 0, 2, 11)), 3015))
-    assert shown(capture) == [str(beacon), str(answer)]
 
 
 def test_a_reply_on_usb_answers_a_command(shown: Callable[..., list[str]]) -> None:

@@ -9,9 +9,8 @@ from support.cpu_time import milliseconds
 
 import ev3proto
 from ev3proto.checking.verdict import Reason, Verdict, verdict
-from ev3proto.tables import OPCODES, operations
+from ev3proto.tables import operations
 from ev3proto.tables.declaration import Type
-from ev3proto.tables.validation import CMD_TABLES
 
 START = 7
 
@@ -248,11 +247,3 @@ def test_every_code_of_two_bytes_has_an_answer() -> None:
     for first, second in product(range(256), range(256)):
         found = verdict(command(f"{first:02X}{second:02X}"))
         assert found.rejected_at in (None, START, START + 1)
-
-
-def test_every_family_has_a_table_of_cmds() -> None:
-    """The tables are named after families, and every family has one; two pairs of families share one."""
-    families = {opcode.name: opcode.validator_table for opcode in OPCODES if opcode.is_family}
-    assert set(families.values()) == set(CMD_TABLES)
-    assert {name for name, table in families.items() if name != table} == {"TST", "FILENAME"}
-    assert (families["TST"], families["FILENAME"]) == ("INFO", "ARRAY")

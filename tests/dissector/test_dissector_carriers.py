@@ -94,15 +94,6 @@ def test_connections_with_the_same_ports_are_told_apart(ask: Ask, port: int, wor
     assert ask(capture, "ev3.request_in", "frame.number", "ev3.request_in", "ev3.brick", words=words) == expected
 
 
-def test_port_5555(ask: Ask) -> None:
-    capture = Capture(RAW_IP)
-    for port in (5555, 6000):
-        connection = Connection(capture, brick_port=port)
-        connection.send(voltage(7))
-        connection.receive(volts(7))
-    assert ask(capture, "ev3") == ["1", "2"]
-
-
 @pytest.mark.parametrize(
     ("ports", "packets"),
     [
@@ -193,18 +184,6 @@ def test_frames_are_cut_anywhere(ask: Ask) -> None:
     assert found == [1, 2, 3, 4, 5] * (len(STREAM) - 1)
     assert counters(ask(capture, "tcp.srcport == 5555", "ev3.msg_num")) == found
     assert ask(capture, "ev3.expert.cut_off || ev3.expert.no_boundary || ev3.expert.fault") == []
-
-
-def test_segments_of_any_size(ask: Ask) -> None:
-    capture = Capture(RAW_IP)
-    many = b"".join(tone(number) + begin_upload(number) for number in range(30))
-    sizes = (1, 2, 3, 7, 16, 1000)
-    for size in sizes:
-        connection = Connection(capture, 10_000 + size)
-        for at in range(0, len(many), size):
-            connection.send(many[at : at + size])
-    found = counters(ask(capture, "ev3", "ev3.msg_num"))
-    assert found == [number for number in range(30) for _ in range(2)] * len(sizes)
 
 
 def test_both_directions_at_once(ask: Ask) -> None:
@@ -498,13 +477,6 @@ def rfcomm(channel: int = 1) -> tuple[Capture, SerialPort]:
     return capture, SerialPort(capture, channel)
 
 
-def test_channel_1(ask: Ask) -> None:
-    capture, port = rfcomm()
-    sent = [port.send(voltage(1)), port.receive(volts(1))]
-    fields = ("frame.number", "ev3.request_in", "ev3.ui_read.get_vbatt.value")
-    assert ask(capture, "ev3", *fields) == [f"{sent[0]}\t\t", f"{sent[1]}\t{sent[0]}\t7.5"]
-
-
 def test_decode_as_on_another_channel(ask: Ask) -> None:
     capture, port = rfcomm(5)
     port.send(voltage(1) + voltage(2)[:4])
@@ -528,23 +500,6 @@ def test_frames_cut_over_rfcomm_frames_and_sharing_them(ask: Ask) -> None:
 
 HEADER = 5
 """Bytes that show whether a stream may be of this protocol."""
-
-
-def test_rfcomm_frames_of_any_size(ask: Ask) -> None:
-    capture = Capture(HCI_WITH_DIRECTION)
-    sizes = (1, 2, 3, 7, 16, 250)
-    for size in sizes:
-        port = SerialPort(capture, connection=size)
-        port.send(tone(99))
-        for number in range(30):
-            both = tone(number) + begin_upload(number)
-            for at in range(0, len(both), size):
-                port.send(both[at : at + size])
-                port.receive(volts(number)[at : at + size]) if at < 9 else None
-    found = counters(ask(capture, "btrfcomm && hci_h4.direction == 0", "ev3.msg_num"))
-    assert found == [99, *(number for number in range(30) for _ in range(2))] * len(sizes)
-    assert counters(ask(capture, "btrfcomm && hci_h4.direction == 1", "ev3.msg_num")) == list(range(30)) * len(sizes)
-    assert ask(capture, "ev3.expert.fault || ev3.expert.no_boundary || ev3.expert.cut_off") == []
 
 
 def test_the_parts_of_a_frame_point_at_each_other(ask: Ask) -> None:

@@ -312,26 +312,22 @@ ODD: dict[str, list[bytes]] = {
 }
 
 
-def test_nothing_odd_makes_an_error_over_tcp(tshark: Tshark) -> None:
-    capture = Capture(RAW_IP)
-    for number, odd in enumerate(ODD.values()):
-        converse(Connection(capture, 10_000 + number), odd)
-    check_no_errors(tshark, capture.data())
+def carrier_of(name: str, capture: Capture, number: int) -> Connection | Device | SerialPort:
+    """A new conversation on a carrier; a device is known to be a brick."""
+    if name == "tcp":
+        return Connection(capture, 10_000 + number)
+    if name == "rfcomm":
+        return SerialPort(capture, connection=number)
+    brick = Device(capture, number)
+    brick.enumerate(0x0694, 0x0005)
+    return brick
 
 
-def test_nothing_odd_makes_an_error_over_usb(tshark: Tshark) -> None:
-    capture = Capture(USBMON)
+@pytest.mark.parametrize(("name", "link"), [("tcp", RAW_IP), ("usb", USBMON), ("rfcomm", HCI_WITH_DIRECTION)])
+def test_nothing_odd_makes_an_error(tshark: Tshark, name: str, link: int) -> None:
+    capture = Capture(link)
     for number, odd in enumerate(ODD.values(), 1):
-        brick = Device(capture, number)
-        brick.enumerate(0x0694, 0x0005)
-        converse(brick, odd)
-    check_no_errors(tshark, capture.data())
-
-
-def test_nothing_odd_makes_an_error_over_bluetooth(tshark: Tshark) -> None:
-    capture = Capture(HCI_WITH_DIRECTION)
-    for number, odd in enumerate(ODD.values(), 1):
-        converse(SerialPort(capture, connection=number), odd)
+        converse(carrier_of(name, capture, number), odd)
     check_no_errors(tshark, capture.data())
 
 

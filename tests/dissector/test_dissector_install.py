@@ -421,10 +421,6 @@ def test_the_session_in_the_readme(home: Home) -> None:
     assert said.replace("/.config/wireshark/extcap/", "/.local/lib/wireshark/extcap/") == found[2]
 
 
-def test_the_help_shows_calls_line_by_line() -> None:
-    assert "\n    ev3proto dissector install --profile\n" in run("--help").stdout
-
-
 def test_uninstall_removes_what_install_wrote_and_no_more(tmp_path: Path) -> None:
     plugins = tmp_path / "plugins"
     assert run_ev3proto_text("dissector", "install", "--dir", str(plugins), "--profile").returncode == 0
@@ -487,26 +483,6 @@ def test_without_a_tshark_the_usual_folders_are_taken(
     done = CliRunner().invoke(dissector, ["uninstall"])
     assert (done.exit_code, done.output.count(": removed\n")) == (0, 6)
     assert tree(tmp_path) == []
-
-
-@pytest.mark.parametrize(
-    ("variables", "profiles"),
-    [
-        ({}, ".wireshark/profiles"),
-        ({"XDG_CONFIG_HOME": "settings"}, ".wireshark/profiles"),
-        ({"WIRESHARK_CONFIG_DIR": "own"}, "own/profiles"),
-    ],
-)
-def test_a_configuration_where_it_was_before(
-    variables: dict[str, str], profiles: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(install, "PLATFORM", "linux")
-    (tmp_path / ".wireshark").mkdir()
-    for name in ("XDG_CONFIG_HOME", "WIRESHARK_CONFIG_DIR"):
-        monkeypatch.delenv(name, raising=False)
-    for name, value in {"HOME": "", **variables}.items():
-        monkeypatch.setenv(name, str(tmp_path / value))
-    assert install.Folders.documented().profiles == tmp_path / profiles
 
 
 # The launcher of `ev3proto extcap`

@@ -59,15 +59,6 @@ def tcp(tmp_path: Path) -> Path:
     return packets(tmp_path / "tcp.pcap", "-T", "40000,5555")
 
 
-def test_the_script_is_loaded(toy: Tshark, udp: Path) -> None:
-    assert toy.run(udp, "-T", "fields", "-e", "ev3toy.first").split() == ["42", "43"]
-    assert toy.run(udp).count(" TOY ") == 2
-    assert toy.run(udp, dissector=False).count(" UDP ") == 2
-    assert toy.lua_errors(udp) == []
-    assert toy.version >= (4, 0)
-    assert toy.lua == ("Lua 5.4" if toy.version >= (4, 4) else "Lua 5.2")
-
-
 @pytest.mark.parametrize("fault", BROKEN)
 def test_an_error_in_a_packet_is_noticed(toy: Tshark, tcp: Path, fault: str) -> None:
     toy.load(SCRIPT.replace("item:add(first, tvb(0, 1))", BROKEN[fault]).encode())
@@ -87,22 +78,6 @@ def test_an_error_outside_of_packets_is_noticed(toy: Tshark, udp: Path, fault: s
     assert len(toy.lua_errors(udp)) == 1
     with pytest.raises(AssertionError, match="Lua: "):
         toy.run(udp)
-
-
-def stand_in(folder: Path, said: str) -> Path:
-    """A program that pretends to be tshark."""
-    program = folder / "tshark"
-    program.write_text(f'#!/bin/sh\n[ "$1" = -v ] && echo "TShark (Wireshark) 4.4.18." || echo "{said}"\n')
-    program.chmod(0o755)
-    return program
-
-
-def test_a_tshark_that_loads_no_lua_fails(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv(SETTING, str(stand_in(tmp_path, "")))
-    tshark = Tshark.from_setting(None)
-    with pytest.raises(AssertionError, match=r"loads no Lua script.* run the tests as an ordinary user"):
-        tshark.__enter__()
-    assert not tshark.folder.exists()
 
 
 def test_no_tshark_fails(monkeypatch: pytest.MonkeyPatch) -> None:

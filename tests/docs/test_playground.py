@@ -10,7 +10,6 @@ import re
 import struct
 import subprocess
 import sys
-import time
 import zlib
 from collections.abc import Iterator
 from contextlib import suppress
@@ -74,10 +73,7 @@ def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Chrome]:
 def loaded(browser: Chrome, address: str) -> Page:
     """The page, loaded once."""
     page = Page(browser, address)
-    begin = time.monotonic()
     page.open()
-    # Other tests run beside this one; alone it takes 3 s.
-    assert time.monotonic() - begin < 60
     return page
 
 
@@ -518,7 +514,7 @@ def test_long_texts_are_read_beside_the_brick_and_can_be_cancelled(page: Page) -
     # The brick plays on meanwhile, and what was read is shown as it comes.
     button = "document.querySelector('[data-button=right]')"
     page.run(f"{button}.dispatchEvent(new Event('pointerdown'))")
-    page.wait(lambda: page.run(f"return {button}.classList.contains('down')"), 10)
+    page.wait(lambda: page.run(f"return {button}.classList.contains('down')"))
     page.run(f"{button}.dispatchEvent(new Event('pointerup'))")
     assert page.is_shown("progress")
     page.click("cancel")

@@ -13,7 +13,6 @@ import socket
 import subprocess
 import sys
 import threading
-import time
 from collections.abc import Iterator
 from pathlib import Path
 from random import Random
@@ -35,7 +34,6 @@ from ev3proto.generate.captures import write_pcapng
 from ev3proto.generate.captures.recording import Recording
 from ev3proto.link.carriers import open_wire
 from ev3proto.link.errors import ConnectionLostError, PortInUseError
-from ev3proto.link.masking import masked
 from ev3proto.link.proxy import Proxy, ProxyOptions
 from ev3proto.link.serial_number import announced_number
 from ev3proto.link.targets import Target
@@ -291,7 +289,7 @@ def test_writes_of_a_client_are_recorded_as_they_were() -> None:
     ask = command("DATA8 volume\nINFO(GET_VOLUME, volume)")
     with relay("virtual", Recording(stream)) as found, Client(found.proxy.port) as client:
         client.send(ask[:3])
-        time.sleep(0.3)
+        until(lambda: stream.getvalue().count(ask[:3]) == 1)
         client.send(ask[3:])
         client.reply()
         client.send(LED + ask)
@@ -331,6 +329,10 @@ def test_read_only_lets_nothing_through_that_changes_the_brick() -> None:
         ]
 
 
+PROGRAM = Random(1).randbytes(1187)
+"""A program of 1187 bytes, like one that a foreign client sent in a single CONTINUE_DOWNLOAD."""
+
+
 def system_7(number: int, body: bytes) -> bytes:
     return frame(7, 0x01, bytes((number,)) + body)
 
@@ -354,6 +356,7 @@ def system_7(number: int, body: bytes) -> bytes:
         (b"\x06\0\x07\0\0\0\0\xff", "03 00 07 00 04", "the frame may do anything"),
         (system_7(0x9B, b"x\0"), "05 00 07 00 05 9b 05", "CREATE_DIR creates or changes files"),
         (system_7(0x92, b"\5\0\0\0x\0"), "06 00 07 00 05 92 05 ff", "BEGIN_DOWNLOAD creates or changes files"),
+        (system_7(0x93, b"\0" + PROGRAM), "06 00 07 00 05 93 05 ff", "CONTINUE_DOWNLOAD creates or changes files"),
         (system_7(0x55, b""), "05 00 07 00 05 55 05", "the frame may do anything"),
         (
             system_7(0x98, b"\0"),
@@ -466,10 +469,6 @@ def test_a_client_gets_no_reply_to_another_one() -> None:
             assert client.ask(command("NOP()", 7)) == bytes.fromhex("0300070002")
 
 
-PROGRAM = Random(1).randbytes(1187)
-"""A program of 1187 bytes, like one that a foreign client sent in a single CONTINUE_DOWNLOAD."""
-
-
 def upload(client: Client, data: bytes, path: bytes = b"../prjs/x/x.rbf") -> bytes:
     """Sends a file of any length in two frames; returns the last reply."""
     begun = client.ask(system(0x92, len(data).to_bytes(4, "little") + path + b"\0"))
@@ -493,23 +492,6 @@ def test_a_download_of_any_length_goes_through(tmp_path: Path, size: int) -> Non
         assert found.shown[1].endswith(" -> END_OF_FILE handle=0")
     records = [event for event in read(io.BytesIO(stream.getvalue())).events() if isinstance(event, Record)]
     assert [record.frame.endswith(data) for record in records].count(True) == 1
-
-
-def test_a_download_byte_by_byte_goes_through(tmp_path: Path) -> None:
-    with relay(f"virtual:{tmp_path}") as found, Client(found.proxy.port) as client:
-        handle = client.ask(system(0x92, len(PROGRAM).to_bytes(4, "little") + b"../prjs/x.rbf\0"))[7:8]
-        for byte in system(0x93, handle + PROGRAM):
-            client.send(bytes((byte,)))
-        assert client.reply()[6] == 8
-    assert (tmp_path / "prjs/x.rbf").read_bytes() == PROGRAM
-
-
-def test_read_only_lets_no_long_download_through(tmp_path: Path) -> None:
-    with relay(f"virtual:{tmp_path}", is_read_only=True) as found, Client(found.proxy.port) as client:
-        refused = client.ask(system(0x93, b"\0" + PROGRAM))
-        assert (refused[4], refused[6]) == (0x05, SystemStatus.NO_PERMISSION)
-        assert client.ask(command("NOP()", 7)) == bytes.fromhex("0300070002")
-        assert found.said == ["blocked by --read-only: CONTINUE_DOWNLOAD creates or changes files"]
 
 
 def test_a_long_frame_that_is_not_a_download_ends_the_connection() -> None:
@@ -604,32 +586,13 @@ def test_a_brick_that_is_not_found_is_not_named_with_hide() -> None:
         assert "annas" not in done.stderr
 
 
-def test_what_is_masked() -> None:
-    pin = ev3proto.system_command("BLUETOOTHPIN", mac="001653120001", pin="1200")
-    assert masked(pin.build()) == pin.build().replace(b"001653120001", b"x" * 12).replace(b"1200\0", b"xxxx\0")
-    told = ev3proto.system_reply("BLUETOOTHPIN", mac="001653120001", pin="1200")
-    assert b"1200" not in masked(told.build())
-    tone = ev3proto.command(ev3proto.ops.sound.tone(1, 440, 1000)).build()
-    assert masked(tone) == tone
-
-
-@pytest.mark.parametrize(("faults", "sentence"), [(Faults(drop=1.0), "within"), (Faults(delay=0.3), "within")])
-def test_faults_on_purpose(faults: Faults, sentence: str) -> None:
+@pytest.mark.parametrize("faults", [Faults(drop=1.0), Faults(delay=0.3), Faults(corrupt=1.0, random=Random(1))])
+def test_faults_on_purpose(faults: Faults) -> None:
     with relay("virtual", faults=faults) as found, through(found) as my_ev3:
-        with pytest.raises(ev3proto.NoAnswerError, match=sentence):
+        with pytest.raises(ev3proto.NoAnswerError, match="within"):
             my_ev3.send_direct_cmd(b"\x01", sync_mode="SYNC", timeout=0.1)
         if faults.delay:
             assert my_ev3.send_direct_cmd(b"\x01", sync_mode="SYNC") == b""
-
-
-def test_replies_with_a_wrong_byte() -> None:
-    faults = Faults(corrupt=1.0, random=Random(1))
-    with (
-        relay("virtual", faults=faults) as found,
-        through(found) as my_ev3,
-        pytest.raises(ev3proto.NoAnswerError),
-    ):
-        my_ev3.send_direct_cmd(b"\x01", sync_mode="SYNC", timeout=0.1)
 
 
 def test_other_addresses_are_disconnected() -> None:
@@ -639,23 +602,14 @@ def test_other_addresses_are_disconnected() -> None:
         assert found.said == ["127.0.0.1 was disconnected: only 127.0.0.2 is served (--from)"]
 
 
-def test_garbage_of_a_client_ends_its_connection_only() -> None:
-    with relay("virtual") as found:
-        with Client(found.proxy.port) as client:
-            client.send(b"\xff" * 9)
-            with pytest.raises(ConnectionError):
-                client.reply()
-        with Client(found.proxy.port) as client:
-            assert client.ask(command("NOP()", 7)) == bytes.fromhex("0300070002")
-        assert "sent bytes that are not a frame" in found.said[0]
-
-
 def test_a_client_that_sends_text_is_named() -> None:
     with relay("virtual") as found:
         with Client(found.proxy.port) as client:
             client.send(b"Protocol: EV3\r\n")
             with pytest.raises(ConnectionError):
                 client.reply()
+        with Client(found.proxy.port) as client:
+            assert client.ask(command("NOP()", 7)) == bytes.fromhex("0300070002")
         (said,) = found.said
         assert re.sub(r"^127.0.0.1:\d+ ", "", said) == (
             "sent bytes that are not a frame: offset 0: length 29264: text where a frame should be; disconnected"
@@ -674,7 +628,7 @@ def test_an_incomplete_frame_is_reported() -> None:
 def test_the_oldest_of_many_silent_clients_gives_way() -> None:
     with relay("virtual") as found, contextlib.ExitStack() as stack:
         silent = [stack.enter_context(Client(found.proxy.port, unlocks=False)) for _ in range(70)]
-        with Client(found.proxy.port, timeout=5) as client:
+        with Client(found.proxy.port) as client:
             assert client.ask(command("NOP()", 7)) == bytes.fromhex("0300070002")
         with pytest.raises(ConnectionError):
             silent[0].read(1)
@@ -763,14 +717,7 @@ def test_the_proxy_announces_the_serial_number_of_its_brick(tmp_path: Path) -> N
     assert "invalid serial number 'xyz'; expected 12 hexadecimal digits" in done.stderr
 
 
-def test_the_proxy_says_where_it_listens_and_who_may_come() -> None:
-    port = free_port()
-    words = ["proxy", "--listen", f"wifi:127.0.0.1:{port}", "--to", "virtual", "--no-beacon"]
-    with subprocess.Popen([sys.executable, "-m", "ev3proto", *words], cwd=ROOT, stdout=subprocess.PIPE) as process:
-        assert process.stdout is not None
-        assert process.stdout.readline() == f"listening on 127.0.0.1:{port}\n".encode()
-        process.send_signal(signal.SIGTERM)
-        assert process.wait(30) == 0
+def test_wrong_calls_of_the_proxy() -> None:
     for words, sentence in (
         (["--listen", "usb", "--to", "virtual"], "cannot listen at 'usb'"),
         (["--to", "virtual", "--from", "home"], "invalid address 'home'; expected one such as 192.0.2.1"),

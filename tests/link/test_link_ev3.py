@@ -374,7 +374,7 @@ def test_the_error_shows_the_last_bytes_received() -> None:
         my_ev3.send_direct_cmd(NOP)
         assert there.wait(30)
         with pytest.raises(ev3proto.NoAnswerError, match="a frame that answers no waiting command, 03:00:99:99"):
-            my_ev3.send_direct_cmd(NOP, global_mem=1, timeout=0.2)
+            my_ev3.send_direct_cmd(NOP, global_mem=1, timeout=1)
 
 
 def test_messages_of_the_bricks_programs_are_kept() -> None:

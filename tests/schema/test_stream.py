@@ -14,13 +14,6 @@ NOP = bytes.fromhex("06 00 01 00 80 00 00 01")
 TONE = bytes.fromhex("0E 00 2A 00 80 00 00 94 01 01 82 B8 01 82 E8 03")
 
 
-def test_a_frame_byte_by_byte() -> None:
-    decoder = ev3proto.Decoder()
-    found = [message for byte in TONE for message in decoder.feed(bytes((byte,)))]
-    assert found == [ev3proto.parse(TONE)]
-    assert decoder.close() is None
-
-
 def test_several_frames_in_one_chunk() -> None:
     decoder = ev3proto.Decoder()
     counters = [message.counter for message in decoder.feed(NOP + TONE + NOP[:3])]

@@ -6,7 +6,6 @@ import pytest
 
 import ev3proto
 from ev3proto import GV, LV, Draft, check, command, ops
-from ev3proto.semantics.footprint import footprints
 
 # The requested memory is what a check wants
 
@@ -42,70 +41,9 @@ def test_an_element_that_is_stored_in_global_memory_asks_for_a_reply() -> None:
     assert not command(ops.write8(1, 2, LV(0))).wants_reply
 
 
-# Footprints
-
-
-def test_the_footprint_of_an_array_of_which_one_element_is_read() -> None:
-    source, destination = footprints(ev3proto.operation("READ16", LV(4), 3, GV(0)))
-    assert (source.start, source.end, source.most) == (4, 12, 8)
-    assert (source.facts.is_read, source.facts.is_written, source.is_array, source.facts.is_result) == (
-        True,
-        False,
-        True,
-        False,
-    )
-    assert (destination.start, destination.end, destination.is_exact) == (0, 2, True)
-    assert (destination.facts.is_read, destination.facts.is_written, destination.facts.is_result) == (False, True, True)
-    assert source.full_name == "SOURCE of READ16"
-
-
-def test_an_array_whose_element_a_variable_tells_is_open_ended() -> None:
-    (_, destination) = footprints(ev3proto.operation("WRITE32", 7, LV(0), LV(4)))
-    assert (destination.size, destination.most, destination.is_open) == (4, None, True)
-    assert destination.facts.is_written
-
-
-def test_an_element_of_an_array_of_unknown_type_takes_one_to_four_bytes() -> None:
-    _, value = footprints(ev3proto.operation("ARRAY_READ", LV(0), 0, GV(0)))
-    assert (value.size, value.most, value.room, value.facts.alignment) == (1, 4, 4, 4)
-    assert (value.facts.validator_alignment, value.facts.cpu_alignment) == (1, 1)
-
-
-def test_a_value_of_a_mailbox_may_be_a_text() -> None:
-    (value,) = footprints(ev3proto.operation("MAILBOX_READ", 0, 0, [GV(0)]))
-    assert (value.size, value.most, value.room) == (1, None, 4)
-
-
-@pytest.mark.parametrize(
-    ("operation", "size", "most"),
-    [
-        (ev3proto.operation("UI_READ.GET_OS_VERS", 16, GV(0)), 16, 16),
-        (ev3proto.operation("UI_READ.GET_OS_VERS", -1, GV(0)), 1, None),
-        (ev3proto.operation("INPUT_DEVICE.SETUP", 0, 0, 1, 0, 2, LV(0), -3, GV(0)), 3, 3),
-        (ev3proto.operation("INPUT_DEVICE.SETUP", 0, 0, 1, 0, 2, LV(0), -1, GV(0)), 1, 1),
-    ],
-)
-def test_lengths_below_zero(operation: ev3proto.Operation, size: int, most: int | None) -> None:
-    """-1 means unlimited for a text; other arrays are read in reverse order."""
-    *_, last = footprints(operation)
-    assert (last.size, last.most) == (size, most)
-
-
-def test_a_variable_that_holds_a_handle_or_an_address_takes_the_bytes_of_that() -> None:
-    name = ev3proto.operation("SOUND.PLAY", 1, LV(2, handle=True))
-    assert [(found.size, found.facts.validator_alignment, found.facts.cpu_alignment) for found in footprints(name)] == [
-        (2, 2, 2)
-    ]
-    level = ev3proto.operation("SOUND.PLAY", LV(4, address=True), "a")
-    assert [
-        (found.size, found.facts.validator_alignment, found.facts.cpu_alignment) for found in footprints(level)
-    ] == [(4, 1, 4)]
-
-
 def test_a_variable_that_holds_a_handle_is_one_value() -> None:
-    """The footprint says two bytes, whatever the length; the array is not in the reply."""
+    """Two bytes, whatever the length; the array is not in the reply."""
     asked = ev3proto.operation("TST.TST_READ_PINS", 0, 5, GV(2, handle=True))
-    assert [(found.start, found.size) for found in footprints(asked)] == [(2, 2)]
     message = ev3proto.direct_command(asked, reply=True, global_size=8)
     dialogue = ev3proto.Dialogue()
     dialogue.feed(message)

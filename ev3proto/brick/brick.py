@@ -396,11 +396,7 @@ class Brick(Equipment):
         return any(program is not None and program.status == RUNNING for program in self.machine.slots)
 
     def _turn_programs(self, *, always: bool) -> None:
-        """Gives every program but the direct command its turns of a tick, in an equal share of the processor's time.
-
-        Args:
-            always: Each program runs at least a few operations, also if there is no time left.
-        """
+        """Gives every program its turns of a tick, in equal shares; with `always`, a few operations at least."""
         running = [program for program in self.machine.slots if program is not None and program.slot != CMD_SLOT]
         for number, program in enumerate(running):
             left, waiting = program.due or OPERATIONS_PER_TICK, 0

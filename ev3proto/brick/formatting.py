@@ -37,10 +37,7 @@ def padded(text: str, figures: int) -> str:
 def formatted(pattern: bytes, value: int | float) -> bytes:
     """Writes one number in a format of C's printf.
 
-    Args:
-        pattern: The format; every conversion in it gets the same value, where the firmware has one for the first only.
-        value: An int is passed as 32 bits, a float as a double. Where a conversion wants the other kind, which C leaves
-            undefined, it is converted.
+    Every conversion gets the value, where the firmware has one for the first only, as the kind that it wants.
     """
     return _CONVERSION.sub(lambda found: _converted(found, value), pattern)
 

@@ -61,14 +61,7 @@ def _first_operation(part: CodeObject) -> int:
 
 
 def load(slot: int, image: Image, started: int, dialect: str) -> Program | None:
-    """Makes a program of an image, with its first object ready to run; None where the image is damaged or too large.
-
-    Args:
-        slot: The slot that it will run in.
-        image: Its image.
-        started: When it was started, by the brick's clock, in microseconds.
-        dialect: The firmware whose instruction set it is read by.
-    """
+    """Makes a program of an image, with its first object ready to run; None where the image is damaged or too large."""
     try:
         parsed = parse(image.data, strict=False, dialect=dialect)
     except DecodeError:

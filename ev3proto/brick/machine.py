@@ -139,14 +139,9 @@ class Machine:
     # Turns
 
     def turn(self, program: Program, most: int, deadline: float = math.inf) -> tuple[int, bool]:
-        """Gives the next object of a program its turn, or continues one that was interrupted.
+        """Gives the next object of a program its turn, or continues one that the deadline interrupted.
 
-        Args:
-            program: A program that runs.
-            most: Operations that it may run in this turn.
-            deadline: Time of this computer's processor after which the turn is interrupted.
-
-        Returns how many were executed, and whether the object waits for something.
+        Returns how many operations were executed, and whether the object waits for something.
         """
         entry = program.current
         if entry is None or not program.unfinished or entry.status != RUNNING:
@@ -347,13 +342,7 @@ class Machine:
     # Results
 
     def write_text(self, destination: Place, text: bytes, room: int | None = None) -> None:
-        """Writes a text and its zero; an array that was named by its handle is resized first.
-
-        Args:
-            destination: Where it goes.
-            text: The text, without its zero.
-            room: Elements that the array gets; None: what the text needs.
-        """
+        """Writes a text and its zero; an array named by its handle is resized, to `room` elements or as needed."""
         if self.resize(destination, len(text) + 1 if room is None else room):
             destination.write_text(text)
 

@@ -40,16 +40,7 @@ def lines_of(text: bytes, delimiter: bytes) -> Iterator[int]:
 
 
 def line_of(text: bytes, delimiter: bytes, number: int) -> bytes:
-    """Returns a line of a text.
-
-    Args:
-        text: The lines, each with the delimiter after it.
-        delimiter: The end of a line. An empty one ends every line at once, as in the firmware.
-        number: Which line, counted from 1.
-
-    Returns:
-        The line without its delimiter and without the byte before it that names a font; empty for an unknown line.
-    """
+    """Returns a line, counted from 1, without delimiter and font byte; an empty delimiter ends every line at once."""
     if number < 1:
         return b""
     start = 0
@@ -62,16 +53,5 @@ def line_of(text: bytes, delimiter: bytes, number: int) -> bytes:
 
 
 def with_line(text: bytes, line: bytes, delimiter: bytes, font: int, size: int) -> bytes:
-    """Returns a text with a line appended to it, as the bytes that the firmware writes.
-
-    Args:
-        text: The present text.
-        line: The line to append.
-        delimiter: What ends the line.
-        font: The font that the line is shown in; any but 0 is written before it as one byte.
-        size: Size of the memory in bytes; what does not fit is omitted.
-
-    Returns:
-        The whole text, with a zero where there is room for it.
-    """
+    """Returns a text with a line and a zero appended, cut to `size` bytes; a font but 0 precedes the line as a byte."""
     return (text + bytes([font] * (font != 0)) + line + delimiter + b"\0")[: max(size, 0)]

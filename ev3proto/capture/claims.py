@@ -135,13 +135,7 @@ class Claim:
         return True
 
     def count(self, records: Sequence[Record], unread: int = 0) -> None:
-        """Counts a packet of a claimed conversation, which may end the claim.
-
-        Args:
-            records: The frames that it has, or completes.
-            unread: Bytes in it that are in no frame.
-
-        """
+        """Counts a packet of a claimed conversation, its frames and other bytes; that may end the claim."""
         if not self.is_claimed or self.is_sure or not (records or unread):
             return
         if self.state is _CLAIMED and any(map(_is_proof, records)):

@@ -37,17 +37,10 @@ def is_error(message: Message) -> bool:
 
 
 def dialogues(events: Iterable[Event], patience_ns: int | None = None) -> Iterator[RequestReply]:
-    """Pairs commands and their replies.
+    """Yields commands with their replies when they are complete; at the end unanswered commands.
 
-    At most MOST_PENDING commands are pending; beyond, the oldest is yielded without a reply.
-
-    Args:
-        events: The events of a capture.
-        patience_ns: Timeout of a reply in nanoseconds; the command is then yielded without it, and again with it if it
-            comes later. None waits to the end of the events.
-
-    Yields:
-        Commands with their replies, when they are complete; at the end unanswered commands.
+    A command is yielded without its reply after `patience_ns`, and again with it if that comes later. So is the oldest
+    of more than MOST_PENDING.
     """
     waiting: Bounded[int, Record] = Bounded(MOST_PENDING)
     for event in events:

@@ -31,10 +31,7 @@ _NOT_SENT = frozenset(_NUMBERS[name] for name in (NEVER_SENT, *ONLY_IN_PROGRAMS)
 def is_plausible(message: Message, schema: FrameReader, *, is_cut: bool = False) -> bool:
     """Returns whether a message is a command that a program would send to a brick, not one by chance.
 
-    Args:
-        message: The message.
-        schema: Reads frames. Direct commands are also tried with the instructions of other firmware.
-        is_cut: The capture has only its beginning: of a direct command the remaining part counts.
+    Direct commands are also tried with the instructions of other firmware; of a cut one the remaining part counts.
     """
     if isinstance(message, SystemCommand):
         return message.fault is None and message.counter & NXT_MASK != NXT_WRITE

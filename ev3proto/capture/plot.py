@@ -26,21 +26,7 @@ _DASHES = ([1, 0], [6, 3], [2, 2], [8, 3, 2, 3], [12, 4])
 
 
 def draw(found: Series, suffix: str, title: str, start_ns: int) -> bytes:
-    """Draws a chart of the numbers among values.
-
-    Args:
-        found: The values.
-        suffix: `.svg` or `.png`.
-        title: Text above the picture.
-        start_ns: Time of the first message, in nanoseconds since 1970-01-01 UTC: 0 on the axis.
-
-    Returns:
-        The contents of a file.
-
-    Raises:
-        ValueError: The suffix is unknown, or there are no numbers to draw.
-        MissingLibraryError: The library that draws is not installed.
-    """
+    """Returns an SVG or PNG of the numbers among values. Raises ValueError and MissingLibraryError."""
     if suffix not in (".svg", ".png"):
         raise ValueError(f"unknown suffix of a plot: {suffix or 'none'}; expected .svg or .png")
     return picture(specification(found, clean(title, MOST_TITLE), start_ns), Form(suffix))

@@ -132,11 +132,7 @@ _CARRIERS = {int(link): carrier for carrier in Carrier for link in carrier.facts
 
 
 def _events_in(packets: Iterator[Packet], context: Context) -> Iterator[Event]:
-    """Yields the events in packets, in their order.
-
-    Raises:
-        CaptureError: After everything readable, if the packets raised it, or have unknown link types.
-    """
+    """Yields the events in packets. Raises CaptureError after everything readable."""
     account = context.account
     readers: dict[Carrier, CarrierReader] = {}
     unknown: set[int] = set()

@@ -87,19 +87,7 @@ class Shelf:
     def place(
         self, parts: tuple[str, ...], suffix: str = "", is_same: Callable[[Path], bool] = lambda _path: False
     ) -> Path:
-        """Finds a place for a file, and creates its folder.
-
-        Args:
-            parts: Names of folders, and of the file.
-            suffix: Added to the file's name, for an incomplete one.
-            is_same: Tells whether an existing file is the one to write, whose place is used then.
-
-        Returns:
-            A path that no other file has.
-
-        Raises:
-            OSError: The folder cannot be created.
-        """
+        """Returns a path that no other file has, or that of a file that `is_same`, and creates its folder."""
         folder = self._folder
         for part in parts[:-1]:
             folder = self._subfolder(folder, part)

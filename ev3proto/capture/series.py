@@ -89,16 +89,7 @@ class Series:
 
 
 def series_of(events: Iterable[Event], file: str | None = None, most: int = MOST_CELLS) -> Series:
-    """Gathers the values of all replies and of messages to mailboxes.
-
-    Args:
-        events: The events of a capture; those without values are skipped.
-        file: The name of the capture, for all rows.
-        most: Maximum number of rows and values; further rows are only counted.
-
-    Returns:
-        The values. Numbers that are not a number (NaN) have no cell.
-    """
+    """Returns the values of all replies and of messages to mailboxes, without NaN; `most` limits rows and values."""
     found = Series({LATENCY: "s"})
     for event in events:
         if not isinstance(event, Record):

@@ -324,11 +324,7 @@ class Statistics:
             self._skip(event)
 
     def summary(self, account: Account | None = None) -> Summary:
-        """Returns the statistics so far. Pending commands count as unanswered.
-
-        Args:
-            account: The account of the capture, after reading.
-        """
+        """Returns the statistics so far; pending commands count as unanswered."""
         while self._waiting:
             self._settle_oldest()
         self._unanswered.sort(key=lambda noted: noted.packet)

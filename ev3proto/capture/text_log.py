@@ -39,23 +39,16 @@ class Clock:
     """A clock for the frames of a text, which never goes back."""
 
     def __init__(self, begin_ns: int = BEGIN_NS, step_ns: int = STEP_NS) -> None:
-        """Starts a text.
-
-        Args:
-            begin_ns: The beginning of a text without dates, in nanoseconds since 1970-01-01 UTC.
-            step_ns: Time between frames without times, in nanoseconds.
-        """
+        """Starts a text."""
         self._begin_ns = begin_ns
         self._step_ns = step_ns
         self._days_ns = 0
         self._last_ns: int | None = None
 
     def at(self, time: str | None) -> int:
-        """Returns the time of a frame, in nanoseconds since 1970-01-01 UTC.
+        """Returns the time of a frame in nanoseconds since 1970-01-01 UTC, by the time in the text, if any.
 
-        Args:
-            time: The time in the text, such as `09:12:31.011558` or `2024-01-31T09:12:31Z`, if any. A time that goes
-                back by more than half a day has passed midnight; by less, it counts as that of the last frame.
+        A time that goes back by more than half a day has passed midnight; by less, it counts as that of the last frame.
         """
         last_ns = self._last_ns
         found = None if time is None else _nanoseconds(time, self._begin_ns)
@@ -91,16 +84,7 @@ def _nanoseconds(text: str, begin_ns: int) -> tuple[int, bool] | None:
 
 
 def read_log(pieces: Iterable[Pasted], *, dialect: str = "official", memory: int = DEFAULT_MEMORY) -> Capture:
-    """Returns the frames of a text as a capture, each reply with its command.
-
-    Args:
-        pieces: The pieces of the text; those without bytes are skipped.
-        dialect: The firmware whose instruction set is used.
-        memory: Memory limit for unanswered commands, in bytes.
-
-    Returns:
-        The capture. The numbers of its records are those of lines.
-    """
+    """Returns the frames of a text as a capture, whose records are numbered by lines."""
     account = Account()
     return Capture(_events(pieces, account, dialect, Budget(memory)), account)
 

@@ -124,11 +124,7 @@ def _unswapped(context: CheckContext, findings: list[Finding]) -> list[Finding]:
 
 
 def swapped(report: Report) -> bytes | None:
-    """Returns the frame with the bytes of its memory word swapped, if a check found them in the wrong order.
-
-    Args:
-        report: The report of a check.
-    """
+    """Returns the frame with the bytes of its memory word swapped, if a check found them in the wrong order."""
     if not any(finding.offset == HEADER_SIZE and finding.code in ("E401", "E402") for finding in report.findings):
         return None
     frame = report.frame

@@ -125,14 +125,7 @@ class Validator:
                 self.families[declaration.opcode.number] = tables[declaration.opcode.validator_table]
 
     def scan(self, frame: bytes, at: int, end: int, starts: list[int] | None = None) -> Verdict:
-        """Returns the verdict on the code in `frame[at:end]`.
-
-        Args:
-            frame: The frame.
-            at: The offset of the first opcode.
-            end: The end of the code.
-            starts: A list to which the offset of every operation is added.
-        """
+        """Returns the verdict on the code in `frame[at:end]`; adds the operations' offsets to `starts`."""
         data = frame[:end] + _AFTER_FRAME
         while at < end:
             start = at
@@ -151,13 +144,7 @@ class Validator:
         return ACCEPTED
 
     def step(self, data: bytes, at: int, end: int) -> int | Refusal:
-        """Returns the offset after the operation at `at`, or why it is refused.
-
-        Args:
-            data: The frame or the image, followed by zeros.
-            at: The offset of the opcode.
-            end: The end of the code; the operation may end later.
-        """
+        """Returns the offset after the operation at `at`, maybe beyond `end`, or why it is refused."""
         found: list[Argument] = []
         expected = self.opcodes[data[at]]
         after = at + 1
@@ -227,11 +214,7 @@ def _expected(parameters: Sequence[Parameter]) -> _Expected:
 
 
 def _cmd_tables(known: Sequence[Declaration]) -> dict[str, Sequence[_Expected]]:
-    """Returns, by name of a table of CMDs, what follows each CMD; nothing for unknown CMDs.
-
-    Args:
-        known: The operations that the validator knows.
-    """
+    """Returns, by name of a table of CMDs, what follows each CMD; nothing for unknown CMDs."""
     commands = [(entry.opcode.validator_table, entry.command, entry.parameters) for entry in known]
     names = dict.fromkeys((*CMD_TABLES, *(name for name, command, _ in commands if command is not None)))
     row: list[_Expected] = []
@@ -260,12 +243,7 @@ _DIRECT = {member.value for member in MessageType if member.kind == "direct-comm
 
 
 def operation_offsets(code: bytes, dialect: str = "official") -> list[int]:
-    """Returns the offsets of the operations that the validator sees in byte code, up to one that it refuses.
-
-    Args:
-        code: Operations, without the header of a frame; offsets are relative to it.
-        dialect: "official", "xtended" or "compat": the firmware of the validator.
-    """
+    """Returns the offsets of the operations that the validator sees in byte code, up to one that it refuses."""
     starts: list[int] = []
     validator(dialect).scan(code, 0, len(code), starts)
     return starts

@@ -86,43 +86,18 @@ class Channel:
         self._reader.start()
 
     def send(self, prepared: Prepared, before: Callable[[bytes], None] | None = None) -> Ticket:
-        """Sends a command, whose counter is chosen here.
+        """Sends a command with a new counter. Raises BuildError and ConnectionLostError.
 
-        Args:
-            prepared: The command.
-            before: Called with the frame just before it is sent, in the order of sending; None for nothing.
-
-        Returns:
-            The command on its way.
-
-        Raises:
-            BuildError: The frame would be too long.
-            ConnectionLostError: The connection is gone.
+        `before` is called with the frame just before it is sent, in the order of sending.
         """
         return self._send(prepared, lambda: self._session.command(prepared.kind, prepared.body), before)
 
     def send_frame(self, frame: bytes, before: Callable[[bytes], None] | None = None) -> Ticket:
-        """Sends a frame as it is, counter included.
-
-        Args:
-            frame: A frame whose header is whole.
-            before: Called with the frame just before it is sent.
-
-        Raises:
-            LinkError: A command with that counter waits for its reply.
-            ConnectionLostError: The connection is gone.
-        """
+        """Sends a frame as it is, counter included. Raises LinkError if a command with that counter is waiting."""
         return self._send(None, lambda: self._session.adopt(frame), before)
 
     def send_again(self, frame: bytes) -> Ticket:
-        """Sends a frame with a new counter, which is chosen here.
-
-        Args:
-            frame: A whole frame whose type is known.
-
-        Raises:
-            ConnectionLostError: The connection is gone.
-        """
+        """Sends a frame of a known type with a new counter. Raises ConnectionLostError."""
         kind = MessageType(Header.read(frame).type)
         return self._send(None, lambda: self._session.command(kind, frame[HEADER_SIZE:]), None)
 
@@ -150,14 +125,7 @@ class Channel:
         return ticket
 
     def ticket(self, counter: int) -> Ticket:
-        """Returns the command with a counter, if its reply was not fetched yet.
-
-        Args:
-            counter: Of a command that wants a reply.
-
-        Raises:
-            LinkError: Unknown counter.
-        """
+        """Returns the command with a counter, if its reply was not fetched yet. Raises LinkError."""
         with self._state:
             found = self._tickets.get(counter)
         if found is None:
@@ -167,19 +135,9 @@ class Channel:
         return found
 
     def wait(self, ticket: Ticket, timeout: float | None, *, keep: bool = False) -> bytes:
-        """Waits for a reply.
+        """Returns the reply to a command. Raises NoAnswerError and ConnectionLostError.
 
-        Args:
-            ticket: What `send` gave.
-            timeout: Seconds to wait at most; None waits as long as the connection lasts.
-            keep: Keep a command without a reply in time: it can be waited for again.
-
-        Returns:
-            The frame of the reply.
-
-        Raises:
-            NoAnswerError: None came in time.
-            ConnectionLostError: None will come.
+        With `keep`, a command without a reply in time can be waited for again.
         """
         try:
             frame = ticket.reply.result(timeout)

@@ -67,16 +67,7 @@ class Prepared:
     dialect: str = "official"
 
     def result(self, request: bytes, reply: bytes) -> Result:
-        """Returns what the program gets for a reply.
-
-        Args:
-            request: The frame of the command.
-            reply: The frame of the reply.
-
-        Raises:
-            DirectCommandError: The brick refused or failed the direct command.
-            SystemCommandError: The brick says that the system command failed.
-        """
+        """Returns the program's result for a reply. Raises DirectCommandError and SystemCommandError."""
         message = parse(reply, strict=False, dialect=self.dialect)
         if isinstance(message, SystemReply):
             self._check_status(message)
@@ -108,18 +99,7 @@ def counter_of(given: bytes | int) -> int:
 
 
 def direct(operations: Operations, local_mem: int, global_mem: int, mode: SyncMode, dialect: str) -> Prepared:
-    """Prepares a direct command.
-
-    Args:
-        operations: Bytes, operations, or a whole message.
-        local_mem: Bytes of local memory, 0 to 63; if 0, operations request what they need.
-        global_mem: Bytes of global memory, 0 to 1019; if 0, operations request what they need.
-        mode: Whether to request a reply and to wait for it.
-        dialect: The firmware whose instruction set the command is in.
-
-    Raises:
-        BuildError: It is not a valid command.
-    """
+    """Prepares a direct command; for a memory of 0, operations request what they need. Raises BuildError."""
     if isinstance(operations, bytes | bytearray):
         body = write_memory(global_mem, local_mem) + bytes(operations)
         return _direct(body, bool(global_mem), mode, is_named=False, dialect=dialect)
@@ -154,15 +134,7 @@ def _listed(operations: object) -> tuple[Draft | Operation | Label, ...]:
 
 
 def system(given: bytes | bytearray | SystemCommand, reply: bool) -> Prepared:
-    """Prepares a system command.
-
-    Args:
-        given: Its number and fields as bytes, or a message of `ev3proto.system`.
-        reply: Whether the brick should answer; a message has this itself.
-
-    Raises:
-        BuildError: It is not a valid command.
-    """
+    """Prepares a system command; a message has itself whether it wants a reply. Raises BuildError."""
     if isinstance(given, SystemCommand):
         wants_reply, body = given.wants_reply and reply, given.build()[HEADER_SIZE:]
     elif isinstance(given, bytes | bytearray) and given:

@@ -371,17 +371,7 @@ def system_reply(frame: bytes) -> SystemReply:
 
 
 def read_source(path: str | Path) -> bytes:
-    """Reads a file to send to a brick.
-
-    Args:
-        path: Any file of this computer, even a device, which may never end.
-
-    Returns:
-        Its bytes, at most `MOST_FILE`.
-
-    Raises:
-        OSError: The file cannot be read, or is longer.
-    """
+    """Reads a file to send to a brick, even from a device, which may never end. Raises OSError."""
     with Path(path).open("rb") as stream:
         data = stream.read(MOST_FILE + 1)
     if len(data) > MOST_FILE:

@@ -67,20 +67,7 @@ def nothing_moved(_done: int, _total: int) -> None:
 
 
 def download(data: bytes, path: str, progress: Progress = nothing_moved) -> Task[File]:
-    """Writes a file to the brick, and compares the MD5 that the brick lists for it.
-
-    Args:
-        data: The contents.
-        path: Where it goes, absolute or relative to /home/root/lms2012/sys.
-        progress: Called with the bytes moved so far and their total.
-
-    Returns:
-        The file as the brick lists it.
-
-    Raises:
-        SystemCommandError: The brick does not take it.
-        TransferError: It has not arrived as it was sent.
-    """
+    """Writes a file to the brick, and compares the listed MD5. Raises SystemCommandError and TransferError."""
     reply = yield begin_download(path, len(data))
     handle = _begun(reply, path)
     progress(0, len(data))
@@ -94,34 +81,14 @@ def download(data: bytes, path: str, progress: Progress = nothing_moved) -> Task
 
 
 def upload(path: str, progress: Progress = nothing_moved) -> Task[bytes]:
-    """Reads a file from the brick, and compares its MD5 with the one that the brick lists.
-
-    Args:
-        path: Where it is, absolute or relative to /home/root/lms2012/sys.
-        progress: Called with the bytes moved so far and their total.
-
-    Returns:
-        The contents.
-
-    Raises:
-        SystemCommandError: The brick does not give it.
-        TransferError: It has not arrived as the brick has it.
-    """
+    """Reads a file from the brick, and compares its MD5 with the listed one. Raises as `download` does."""
     data = yield from _read(begin_upload(path), continue_upload, "size", "data", path, progress)
     yield from _compared(data, path)
     return data
 
 
 def list_dir(path: str) -> Task[Listing]:
-    """Lists a folder.
-
-    Args:
-        path: Where it is, absolute or relative to /home/root/lms2012/sys.
-
-    Raises:
-        SystemCommandError: The folder does not exist.
-        TransferError: The brick lists it without end.
-    """
+    """Lists a folder. Raises SystemCommandError, and TransferError if it is endless."""
     names = _Names()
     data = yield from _read(list_files(path), continue_list_files, "list_size", "list", path, nothing_moved, names.feed)
     return read_listing(data)
@@ -138,11 +105,7 @@ def mkdir(path: str) -> Task[None]:
 
 
 def read_listing(data: bytes) -> Listing:
-    """Reads a listing as the brick sends it. Lines that make no sense are omitted.
-
-    Args:
-        data: The whole listing.
-    """
+    """Reads a listing as the brick sends it. Lines that make no sense are omitted."""
     folders, files = [], []
     for line in data.decode(STRING_CODING).split("\n"):
         md5, _, rest = line.partition(" ")

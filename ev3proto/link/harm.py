@@ -102,15 +102,9 @@ _Found = tuple[list[tuple[str, tuple[Effect, ...]]], list[str]]
 
 
 def harms_of(message: Message, allowed: Container[str] = (), handles: Container[int] = ()) -> dict[Harm, str]:
-    """Returns what a message may do besides reading.
+    """Returns what a message may do besides reading: each group with the first operation that does it.
 
-    Args:
-        message: A message to a brick.
-        allowed: Groups, and full names of operations and system commands, that count as harmless.
-        handles: The handles of files that the sender has opened, which it may read on and close.
-
-    Returns:
-        Each group once, with the name of the operation or system command that does it first.
+    `allowed` has groups and full names; `handles` those of files that the sender has opened and may read on and close.
     """
     if isinstance(message, DirectCommand) and message.fault is None:
         effects, unknown = _of_direct(message)

@@ -56,11 +56,6 @@ def masked(frame: bytes, request: bytes | None = None, dialect: str = "official"
     Commands keep opcodes, CMDs, variables and lengths; those without private texts stay, and the values in replies to
     them. What cannot be read or paired, errors and daisy replies keep length, counter and type. Paths and contents of
     files, and the messages of WRITEMAILBOX, stay.
-
-    Args:
-        frame: A whole frame.
-        request: For a reply: the frame of the command that it answers.
-        dialect: The firmware whose instruction set to read by.
     """
     message = parse(frame, strict=False, dialect=dialect)
     if message.type is None or message.fault is not None:

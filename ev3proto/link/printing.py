@@ -35,14 +35,7 @@ def known_verbosity(value: int) -> int:
 
 
 def frame_printer(direction: str, level: int, request: bytes | None, dialect: str) -> Callable[[bytes], None] | None:
-    """Returns a function that logs a frame and prints it, at level 2 with its meaning; None where neither is done.
-
-    Args:
-        direction: SENT or RECEIVED.
-        level: 0, 1 or 2.
-        request: For a reply: the frame of its command.
-        dialect: The firmware whose instruction set to read by.
-    """
+    """Returns a function that logs a frame and prints it, at level 2 with its meaning; None where neither is done."""
     is_logged = LOGGER.isEnabledFor(logging.DEBUG)
     if not (level or is_logged):
         return None
@@ -60,12 +53,7 @@ def frame_printer(direction: str, level: int, request: bytes | None, dialect: st
 
 
 def frame_line(direction: str, frame: bytes) -> str:
-    """Returns `Sent 0x|0E:00|2A:00|80|00:00|D4:08:84:6D:79:45:56:33:00|`.
-
-    Args:
-        direction: SENT or RECEIVED.
-        frame: The frame.
-    """
+    """Returns `Sent 0x|0E:00|2A:00|80|00:00|D4:08:84:6D:79:45:56:33:00|`."""
     message = parse(frame, strict=False)
     text = as_hex(message)
     if isinstance(message, SystemReply) and len(frame) > HEADER_SIZE + 1:
@@ -76,13 +64,7 @@ def frame_line(direction: str, frame: bytes) -> str:
 
 
 def meaning_line(frame: bytes, request: bytes | None, dialect: str) -> str:
-    """Returns what a frame says, on one line.
-
-    Args:
-        frame: The frame.
-        request: For a reply: the frame of its command.
-        dialect: The firmware whose instruction set to read by.
-    """
+    """Returns what a frame says, on one line; for a reply, `request` is the frame of its command."""
     message = parse(frame, strict=False, dialect=dialect)
     if request is None:
         return f"    {visible(plain_text(command_spans(message)))}"

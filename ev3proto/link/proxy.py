@@ -106,19 +106,7 @@ class Proxy:
         say: Say,
         recording: Recording | None = None,
     ) -> None:
-        """Opens the port.
-
-        Args:
-            wire: The brick.
-            peer: The brick's name in the output.
-            options: The options.
-            show: Receives each command with its reply.
-            say: Receives messages for the user.
-            recording: Receives all frames, too.
-
-        Raises:
-            PortInUseError: The port cannot be opened.
-        """
+        """Opens the port. Raises PortInUseError."""
         self.lost: ConnectionLostError | None = None
         packets = None if recording is None else lambda: recording.packets
         if options.is_masked:

@@ -17,14 +17,7 @@ class Records:
     def __init__(
         self, carrier: Carrier, peer: str, dialect: str = "official", packets: Callable[[], int] | None = None
     ) -> None:
-        """Starts at number 1.
-
-        Args:
-            carrier: What carries the frames.
-            peer: Which brick.
-            dialect: The firmware whose instruction set to read by.
-            packets: Tells how many packets were recorded, the one with the frame included.
-        """
+        """Starts at number 1; `packets` tells how many packets were recorded, the one with the frame included."""
         self._packets = packets
         self.start_ns = time.time_ns()
         self._sent = Route(carrier, HOST, peer, Direction.SENT, None, peer)
@@ -37,12 +30,7 @@ class Records:
         return self._record(frame, self._sent, None)
 
     def received(self, frame: bytes, request: Record | None) -> Record:
-        """Returns a frame that comes from the brick now.
-
-        Args:
-            frame: The frame.
-            request: The record of the command that it answers.
-        """
+        """Returns a frame that comes from the brick now; `request` is the command that it answers."""
         return self._record(frame, self._received, request)
 
     def _record(self, frame: bytes, route: Route, request: Record | None) -> Record:

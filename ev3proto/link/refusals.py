@@ -12,12 +12,7 @@ _NO_HANDLE = 0xFF
 
 
 def refused(message: Message, status: SystemStatus) -> bytes | None:
-    """Returns the error reply to a message; None if it wants none.
-
-    Args:
-        message: The message that is not forwarded.
-        status: What a system command is told.
-    """
+    """Returns the error reply to a message; None if it wants none. `status` is for a system command."""
     if not message.wants_reply:
         return None
     if isinstance(message, SystemCommand):

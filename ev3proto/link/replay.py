@@ -53,12 +53,7 @@ class Likeness(Enum):
 
 
 def steps(pairs: Iterable[RequestReply], allowed: frozenset[str]) -> list[Step]:
-    """Returns the commands of a capture in the order in which they were sent.
-
-    Args:
-        pairs: Its commands with their replies, in any order.
-        allowed: What may be sent besides reading: groups of `Harm`, names of operations and system commands.
-    """
+    """Returns the commands of a capture in the order of sending; `allowed` may be sent besides reading."""
     sent = [
         (command, reply)
         for command, reply in pairs
@@ -105,17 +100,7 @@ class Handles:
 
 
 def compare(step: Step, frame: bytes, reply: bytes | None, dialect: str) -> tuple[Likeness, str]:
-    """Compares a reply with the recorded one.
-
-    Args:
-        step: What was recorded.
-        frame: The command as it was sent now.
-        reply: Its reply, None where none came.
-        dialect: The firmware whose instruction set to read by.
-
-    Returns:
-        How they compare, and what differs in words.
-    """
+    """Returns how a reply compares with the recorded one, and what differs in words."""
     if reply is None or step.reply is None:
         if reply is None and step.reply is None:
             return Likeness.SAME, ""

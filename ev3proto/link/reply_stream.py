@@ -31,11 +31,7 @@ class ReplyStream:
     """Splits what a brick sends into frames. It keeps at most one incomplete frame."""
 
     def __init__(self, is_expected: Callable[[int], bool]) -> None:
-        """Starts at the beginning of a stream.
-
-        Args:
-            is_expected: Says whether a command with that counter waits for its reply.
-        """
+        """Starts a stream; `is_expected` says whether a command with a counter waits for its reply."""
         self._is_expected = is_expected
         self._buffer = bytearray()
         self._in_step = True
@@ -55,14 +51,7 @@ class ReplyStream:
         return size - len(buffer) if HEADER_SIZE <= size <= LARGEST_REPLY else 0
 
     def feed(self, data: bytes) -> list[bytes | Garbage]:
-        """Takes the next bytes.
-
-        Args:
-            data: Any number of bytes.
-
-        Returns:
-            The frames that are complete with them, and the bytes between frames.
-        """
+        """Takes any number of bytes. Returns the frames that are complete with them, and what is between frames."""
         buffer = self._buffer
         buffer += data
         found: list[bytes | Garbage] = []

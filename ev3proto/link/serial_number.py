@@ -28,18 +28,7 @@ def announced_number(target: Target, wire: Wire) -> str:
 
 
 def serial_number_of(wire: Wire, timeout: float = 2.0) -> str | None:
-    """Returns a brick's serial number, which is its Bluetooth address in lower-case hex digits.
-
-    Args:
-        wire: The connection, which nothing else uses yet.
-        timeout: Seconds to wait at most.
-
-    Returns:
-        The number; None if the brick gives none.
-
-    Raises:
-        ConnectionLostError: The connection is gone.
-    """
+    """Returns a brick's serial number, 12 lower-case hex digits, or None. Raises ConnectionLostError."""
     asked = command(com_get.get_id(HWTYPE.members["HW_BT"], _ROOM), reply=True)
     session = Session()
     request = session.command(MessageType.DIRECT_COMMAND_REPLY, asked.build()[HEADER_SIZE:])

@@ -71,11 +71,7 @@ class Session:
     """Commands to one brick and the replies to them."""
 
     def __init__(self, first_counter: int = FIRST_COUNTER) -> None:
-        """Starts a session without commands.
-
-        Args:
-            first_counter: The counter of the first command, 0 to 65535.
-        """
+        """Starts a session without commands."""
         self._next = first_counter % COUNTERS
         self._pairing: Pairing[Request] = Pairing(COUNTERS + MOST_ABANDONED)
         self._waiting: dict[int, Request] = {}
@@ -98,19 +94,7 @@ class Session:
         return self._stream.missing
 
     def command(self, kind: MessageType, body: bytes) -> Request:
-        """Makes the frame of a command, with a counter that no waiting command has.
-
-        Args:
-            kind: The message type.
-            body: The bytes after the header.
-
-        Returns:
-            The command. If it wants a reply, it is waiting from now on.
-
-        Raises:
-            BuildError: The frame would be too long.
-            LinkError: All counters belong to waiting commands.
-        """
+        """Makes a command with a free counter, which waits if it wants a reply. Raises BuildError and LinkError."""
         counter = self._free_counter()
         frame = build_frame(kind, counter, body)
         request = Request(counter, frame, kind.wants_reply)
@@ -120,17 +104,7 @@ class Session:
         return request
 
     def adopt(self, frame: bytes) -> Request:
-        """Takes a command whose frame is made already, counter included.
-
-        Args:
-            frame: The frame. Its header must be whole.
-
-        Returns:
-            The command. It waits for its reply from now on, if it wants one.
-
-        Raises:
-            LinkError: A command with that counter waits for its reply.
-        """
+        """Takes a command with its counter. Raises LinkError if a command with that counter is waiting."""
         _, counter, code = Header.read(frame)
         request = Request(counter, frame, code in _ASKING)
         if request.wants_reply:
@@ -151,14 +125,7 @@ class Session:
             self._abandoned.add(request.counter, request)
 
     def feed(self, data: bytes) -> list[Event]:
-        """Takes bytes from the brick, in any chunks.
-
-        Args:
-            data: The bytes.
-
-        Returns:
-            The events, in order.
-        """
+        """Takes bytes from the brick, in any chunks. Returns the events, in order."""
         return [part if isinstance(part, Garbage) else self._taken(part) for part in self._stream.feed(data)]
 
     def _taken(self, frame: bytes) -> Answered | Stray:

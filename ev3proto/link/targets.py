@@ -64,15 +64,7 @@ class Target:
 
     @classmethod
     def parse(cls, text: str) -> Target:
-        """Reads a target as it is written on the command line.
-
-        Args:
-            text: `wifi`, `wifi:HOST`, `wifi:HOST:PORT`, `usb`, `usb:SERIAL`, `bluetooth:MAC`, `serial:PORT`, `virtual`,
-                `virtual:FOLDER`.
-
-        Raises:
-            ValueError: Unknown target.
-        """
+        """Reads a target as on the command line, such as `wifi:HOST:PORT` or `usb:SERIAL`. Raises ValueError."""
         name, _, rest = text.partition(":")
         try:
             way = Way(name.lower())
@@ -97,11 +89,7 @@ def is_port_name(host: str) -> bool:
 
 
 def target_from_environment() -> Target | None:
-    """Returns the brick that EV3PROTO_TARGET names; None where it is not set.
-
-    Raises:
-        ValueError: It is not a target.
-    """
+    """Returns the brick that EV3PROTO_TARGET names; None where it is not set. Raises ValueError."""
     text = os.environ.get(TARGET_VARIABLE)
     if not text:
         return None
@@ -134,17 +122,7 @@ _WAYS = {"wifi": Way.WIFI, "usb": Way.USB, "bluetooth": Way.BLUETOOTH}
 def chosen_target(
     protocol: str | None, host: str | None, address: tuple[str, int] | None, target: str | Target | None
 ) -> Target:
-    """Returns the brick that a program names; EV3PROTO_TARGET overrides it.
-
-    Args:
-        protocol: WIFI, BLUETOOTH or USB, in any case of letters.
-        host: Address, serial number or port.
-        address: Address and TCP port.
-        target: The brick in one piece, in place of the others.
-
-    Raises:
-        ValueError: No brick is named, or two are.
-    """
+    """Returns the brick that a program names; EV3PROTO_TARGET overrides it. Raises ValueError."""
     overriding = target_from_environment()
     if overriding is not None:
         return overriding

@@ -22,14 +22,7 @@ _GROWTH = 16
 
 
 def scanned(data: bytes, at: int, end: int, instructions: InstructionSet) -> Iterator[Operation | Fault]:
-    """Yields the operations from one offset to another, then the fault of the bytes after them, if any.
-
-    Args:
-        data: The bytes that contain the byte code.
-        at: The offset of the first opcode.
-        end: The end of the byte code.
-        instructions: The instruction set.
-    """
+    """Yields the operations from one offset to another, then the fault of the bytes after them, if any."""
     size = _FIRST_BYTES
     while at < end:
         stop = min(at + size, end)
@@ -55,14 +48,7 @@ class Code(Sequence[Operation]):
     __slots__ = ("_ahead", "_data", "_limit", "_starts", "_types")
 
     def __init__(self, data: bytes, starts: Sequence[int], limit: int, types: Types) -> None:
-        """Creates a view of operations.
-
-        Args:
-            data: The image.
-            starts: The offsets of the operations, which follow each other.
-            limit: The end of the last one; of a partial one, the end of the bytes to read it from.
-            types: Types that follow from the rest of the program.
-        """
+        """Creates a view of consecutive operations; `limit` is the end of the bytes to read the last one from."""
         self._data = data
         self._starts = starts
         self._limit = limit

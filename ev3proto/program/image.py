@@ -327,20 +327,7 @@ def image_of(
     entries: Sequence[Entry],
     defects: Defects = NO_DEFECTS,
 ) -> bytes:
-    """Returns the image of objects.
-
-    Args:
-        version: The version of the image, 0 to 65535.
-        global_size: Bytes of global memory, 0 to 4294967295.
-        entries: The objects, in the order of their numbers.
-        defects: Where the codes are, if not in their order without gaps.
-
-    Returns:
-        The image.
-
-    Raises:
-        BuildError: No image can carry them. The sentence names the field.
-    """
+    """Returns the image of objects. Raises BuildError, which names the field."""
     if len(entries) > MAX_OBJECTS:
         raise BuildError(f"a program cannot have {len(entries)} objects: at most {MAX_OBJECTS}")
     offsets = tuple(regular_offsets(entries)) if defects.offsets is None else defects.offsets

@@ -35,16 +35,7 @@ class ProgramReport(Report):
 
 
 def program_findings(report: ProgramReport, findings: Iterable[Finding], place: str = "") -> Iterator[Line]:
-    """Yields the findings of a program as lines, and the brick's verdict.
-
-    Args:
-        report: What the check found.
-        findings: Those of its findings to show.
-        place: The text before each offset, such as `robot.rbf, `.
-
-    Yields:
-        Two lines for each finding, and one for the verdict.
-    """
+    """Yields two lines for each finding, and one for the verdict; `place` precedes each offset."""
     for finding in findings:
         yield [
             (f"{finding.severity}[{finding.code}]", ROLES[finding.severity]),

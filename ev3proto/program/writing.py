@@ -457,10 +457,7 @@ class DeclaredVariable:
 def declared(start: int, end: int, uses: Mapping[int, Type]) -> list[DeclaredVariable]:
     """Returns variables for the memory from `start` to `end`, one at every place that is used there.
 
-    Args:
-        start: Index of the first byte.
-        end: Index after the last byte.
-        uses: By the index of a place, the type as which it is used; STRING for a buffer of unknown size.
+    `uses` has the type of each place by its index; STRING for a buffer of unknown size.
     """
     end = max(start, min(end, MOST_DECLARED))
     places = sorted(index for index in uses if start <= index < end)

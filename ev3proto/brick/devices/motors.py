@@ -125,15 +125,7 @@ class Motor:
     # Commands
 
     def plug(self, type: int, tacho: int, count: int, speed: int, *, is_held: bool) -> None:
-        """Plugs in another motor, at rest.
-
-        Args:
-            type: Its type.
-            tacho: Degrees in its last move.
-            count: Degrees as a sensor.
-            speed: Percent.
-            is_held: Whether it shows these values until a command moves it.
-        """
+        """Plugs in another motor at rest, which shows the given values while it is held."""
         self.stop()
         self.type = type
         self.is_held = is_held
@@ -208,14 +200,7 @@ class Motor:
             phase.start, phase.end = -phase.start, -phase.end
 
     def move(self, percent: int, amounts: Sequence[float], is_time: bool, owner: int) -> None:
-        """Begins a move with an end: ramp up, constant, ramp down.
-
-        Args:
-            percent: Power or speed.
-            amounts: Degrees or seconds of the three phases; those of length 0 are omitted.
-            is_time: Which of the two.
-            owner: Object that began it.
-        """
+        """Begins a move of three phases in degrees or seconds, ramp up, constant, ramp down; those of 0 are omitted."""
         goal = max(-_MOST, min(percent, _MOST)) * self.polarity
         self._begin()
         speeds = ((self._speed, goal), (goal, goal), (goal, 0.0))
@@ -233,15 +218,7 @@ class Motor:
             self.stop()
 
     def follow_together(self, other: Motor, share: float, percent: int, phase: Phase | None, owner: int) -> None:
-        """Begins a synchronous move: this motor is the master, the other one runs at a share of its speed.
-
-        Args:
-            other: The other motor.
-            share: Of this one's speed and angle, -1 to 1.
-            percent: Speed of this one.
-            phase: How far; None for ever.
-            owner: Object that began it.
-        """
+        """Begins a synchronous move as master; `share`, -1 to 1, is the other's part of speed and angle."""
         goal = max(-_MOST, min(percent, _MOST))
         for motor, part in ((self, 1.0), (other, share)):
             motor._begin()
@@ -343,14 +320,9 @@ class Outputs(Part):
         return self.motors[number] if layer == 0 and 0 <= number < len(PORTS) else None
 
     def synchronise(self, motors: Sequence[Motor], percent: int, turn: int, phase: Phase | None, owner: int) -> None:
-        """Moves two motors so that one runs at a share of the other's speed; other numbers of motors are ignored.
+        """Moves two motors so that one runs at a share of the other's speed; other numbers are ignored.
 
-        Args:
-            motors: Two, in the order of their ports.
-            percent: Speed of the faster one.
-            turn: -200 to 200; positive: the first is the faster one, beyond 100 the other one runs backward.
-            phase: How far the faster one goes; None for ever.
-            owner: Object that began it.
+        `turn` is -200 to 200: positive, the first is the faster one; beyond 100, the other one runs backward.
         """
         if len(motors) != 2:
             return

@@ -156,16 +156,7 @@ class Inputs(Part):
     # Plugging
 
     def plug(self, port: int | str, type: int, readings: Mapping[int, Sequence[float]] | None = None) -> None:
-        """Plugs a sensor or motor in; the type TYPE_NONE unplugs it. The same type again gets new readings.
-
-        Args:
-            port: 1 to 4, or "A" to "D".
-            type: The type's number; one that the tables do not have counts as unknown.
-            readings: Raw readings by mode; missing ones are 0.
-
-        Raises:
-            ValueError: Unknown port, mode unknown to the type, or readings that are not numbers by mode.
-        """
+        """Plugs a device in, or gives it new readings by mode; TYPE_NONE unplugs it. Raises ValueError."""
         if not _are_readings(readings or {}):
             raise ValueError(f"readings are numbers by mode, such as {{0: (1900,)}}, not {readings!r}")
         number = self._port(port)
@@ -222,15 +213,9 @@ class Inputs(Part):
             device.busy_until = self._now + _ANSWER_TIME
 
     def select(self, device: Device, type: int, mode: int) -> None:
-        """Changes type and mode of a device that is ready.
+        """Changes type and mode of a device that is ready; TYPE_KEEP and MODE_KEEP leave them.
 
-        An EV3 touch sensor stays one for any type; any other device becomes the given type. A mode
-        that the type has not is its last one.
-
-        Args:
-            device: Which one.
-            type: The type to take it for; TYPE_KEEP: the one it has.
-            mode: The mode; MODE_KEEP: the one it has.
+        An EV3 touch sensor stays one; a mode that the type has not is its last one.
         """
         if device.is_empty or self.is_busy(device):
             return
@@ -302,14 +287,7 @@ class Inputs(Part):
             found[0].least, found[0].most = float(least), float(most)
 
     def calibrate(self, type: int, mode: int, value: int, *, is_least: bool) -> None:
-        """Moves one end of a raw range.
-
-        Args:
-            type: Of the device; an unknown one is ignored.
-            mode: Of the type; an unknown one is ignored.
-            value: The raw value; in the mode's unit where a calibration is used already.
-            is_least: Which end.
-        """
+        """Moves one end of a raw range; `value` is in the mode's unit once a calibration is used."""
         found = self._calibration(type, mode)
         if found is None:
             return

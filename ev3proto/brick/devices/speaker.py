@@ -44,26 +44,12 @@ class Sound(Part):
         self.playing: Playing | None = None
 
     def tone(self, volume: int, frequency: int, duration: int, now: int) -> None:
-        """Plays a tone in place of the present sound.
-
-        Args:
-            volume: Percent.
-            frequency: Hertz; clamped to what the driver can play.
-            duration: Milliseconds; 0 for ever.
-            now: The clock in microseconds.
-        """
+        """Plays a tone: volume in percent, hertz, milliseconds (0 for ever), the clock in microseconds."""
         frequency = max(LOWEST, min(frequency, HIGHEST))
         self.playing = Playing(_loudness(volume), frequency, b"", now, now + duration * 1000 if duration else None)
 
     def play(self, volume: int, file: bytes, is_repeated: bool, now: int) -> None:
-        """Plays a sound file, once or repeatedly, in place of the present sound.
-
-        Args:
-            volume: Percent.
-            file: Contents of an .rsf file; empty for silence that counts as sounding for a moment.
-            is_repeated: Whether it begins again at its end.
-            now: The clock in microseconds.
-        """
+        """Plays a sound file at a volume in percent; an empty file is silent and counts as sounding for a moment."""
         ends = None if is_repeated else now + max(_length(file), _SHORTEST)
         self.playing = Playing(_loudness(volume), 0, file, now, ends)
 

@@ -28,12 +28,7 @@ def _is_blocked(vm: Machine) -> bool:
 
 
 def _drawing(function: Callable[..., None], in_use: bool | None = True) -> Callable[..., None]:
-    """Changes the display, unless that is blocked.
-
-    Args:
-        function: Called with the display and the parameters.
-        in_use: Whether the display is in use from then on, until what was drawn is shown; None: as it was.
-    """
+    """Changes the display, unless that is blocked; `in_use` says whether it is in use from then on."""
 
     def draw(vm: Machine, *parameters: Any) -> None:
         if not _is_blocked(vm):

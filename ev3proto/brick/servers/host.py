@@ -204,13 +204,7 @@ class Host:
     """A brick that is on, and its connections."""
 
     def __init__(self, brick: Brick, say: Say, faults: Faults | None = None) -> None:
-        """Creates it, in the event loop that runs it.
-
-        Args:
-            brick: The brick.
-            say: Called with messages for the user of the server.
-            faults: The faults of replies.
-        """
+        """Creates it, in the event loop that runs it."""
         self.brick = brick
         self.say = say
         self.connections: list[Connection] = []

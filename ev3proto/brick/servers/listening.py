@@ -27,12 +27,7 @@ class Listener:
     """
 
     def __init__(self, client: Callable[[], asyncio.BaseProtocol], full: Callable[[], None]) -> None:
-        """Does not open the port yet; `open` does.
-
-        Args:
-            client: Makes the protocol of a client that has connected.
-            full: Called when a client was refused because too many files are open.
-        """
+        """Does not open the port yet; `full` is called when a client was refused for lack of descriptors."""
         self.address = ""
         self.port = 0
         self._client = client
@@ -42,17 +37,7 @@ class Listener:
         self._reserve: int | None = None
 
     async def open(self, address: str, port: int) -> None:
-        """Opens the port.
-
-        Args:
-            address: Of this computer.
-            port: 0 for any that is free.
-
-        Raises:
-            OSError: It cannot be opened.
-            OverflowError: There is no such port.
-            UnicodeError: There is no such address.
-        """
+        """Opens a port, 0 for any that is free. Raises OSError, OverflowError and UnicodeError."""
         loop = asyncio.get_running_loop()
         for family, _, _, _, place in await loop.getaddrinfo(address, port, type=socket.SOCK_STREAM):
             listening = socket.create_server(place[:2], family=family, backlog=_BACKLOG)

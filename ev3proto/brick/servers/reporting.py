@@ -43,12 +43,7 @@ class Reporter:
     """Checks the frames of all clients."""
 
     def __init__(self, dialect: str = "official", packet: Callable[[], int] | None = None) -> None:
-        """Starts without any frame.
-
-        Args:
-            dialect: The firmware whose instruction set to check by. ValueError for an unknown one.
-            packet: Returns the number of the last packet of the recording; None where nothing is recorded.
-        """
+        """Starts without any frame; `packet` returns the number of the recording's last packet."""
         self.frames = 0
         self._dialect = dialect
         self._packet = packet

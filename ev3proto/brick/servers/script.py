@@ -126,12 +126,7 @@ class Script:
 
 
 def read_script(path: Path) -> Script:
-    """Reads a script.
-
-    Raises:
-        ScriptError: It is not TOML, or says something impossible; the text says where and what is possible.
-        OSError: It cannot be read.
-    """
+    """Reads a script. Raises OSError, and ScriptError, which says where and what is possible."""
     with path.open("rb") as stream:
         text = stream.read(MOST_SCRIPT + 1)
     if len(text) > MOST_SCRIPT:

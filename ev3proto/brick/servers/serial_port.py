@@ -24,15 +24,7 @@ class SerialPort:
     """The pseudo-terminal, and the link to it."""
 
     def __init__(self, host: Host, path: Path) -> None:
-        """Makes both.
-
-        Args:
-            host: What drives the brick.
-            path: The path of the link, which must not exist yet.
-
-        Raises:
-            ServerError: There is something, or the link cannot be made.
-        """
+        """Makes both; the path of the link must not exist yet. Raises ServerError."""
         try:
             import pty  # Windows has neither
             import tty

@@ -95,19 +95,7 @@ class Running:
 
 @asynccontextmanager
 async def running(options: Options, root: Path, say: Say) -> AsyncIterator[Running]:
-    """Switches a brick on, and off at the end.
-
-    Args:
-        options: The options.
-        root: The folder of its files.
-        say: Is called with what its user should know, in sentences.
-
-    Yields:
-        The brick with everything around it.
-
-    Raises:
-        ServerError: A port, a file or a library is not to be had.
-    """
+    """Switches a brick on, and off at the end. Raises ServerError, also for a file or a library."""
     loop = asyncio.get_running_loop()
     async with AsyncExitStack() as stack:
         brick = Brick(root, dialect=options.dialect, stretch=STRETCH)

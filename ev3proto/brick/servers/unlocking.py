@@ -47,12 +47,9 @@ class Unlocking:
 
 
 def beacon_socket(address: str, port: int) -> tuple[socket.socket, str]:
-    """Opens the socket that sends the beacons of a brick at an IPv4 address.
+    """Returns the socket that sends beacons, and the address that they go to: on loopback, only this computer.
 
-    Hosts answer to the port that the beacon names, or to the one it came from: they are the same, if that port is free.
-
-    Returns:
-        The socket, and the address that beacons go to: on loopback only this computer hears them.
+    Hosts answer to the port that the beacon names, or to the one it came from: the same, if that port is free.
     """
     sender = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
     sender.setblocking(False)

@@ -51,13 +51,7 @@ class Wifi:
     """
 
     def __init__(self, host: Owner, clients: int = 1, only_from: str | None = None) -> None:
-        """Does not open the port yet; `listen` does.
-
-        Args:
-            host: What serves the clients.
-            clients: Number of clients served at once; further ones wait until one disconnects.
-            only_from: The address that clients must have; None for any.
-        """
+        """Does not open the port yet; `only_from` is the address that clients must have."""
         self.address = ""
         self.port = 0
         self._host = host
@@ -70,15 +64,7 @@ class Wifi:
         self._beacon: asyncio.Task[None] | None = None
 
     async def listen(self, address: str, port: int) -> None:
-        """Opens the port.
-
-        Args:
-            address: Of this computer, where clients connect.
-            port: 0 for any that is free.
-
-        Raises:
-            ServerError: It cannot be opened.
-        """
+        """Opens the port, 0 for any that is free. Raises ServerError."""
         try:
             await self._listener.open(address, port)
         except (OSError, OverflowError, UnicodeError) as error:

@@ -23,12 +23,7 @@ class Choosing:
     """
 
     def __init__(self, keep: Filter, memory: int = DEFAULT_MEMORY) -> None:
-        """Starts with an empty backlog.
-
-        Args:
-            keep: The filter.
-            memory: Approximate memory limit for waiting records, in bytes.
-        """
+        """Starts with an empty backlog, which may take some bytes of memory."""
         self.given_up = 0
         self._keep = keep
         self._memory = memory
@@ -36,14 +31,7 @@ class Choosing:
         self._size = 0
 
     def chosen(self, events: Iterable[Event]) -> Iterator[Record]:
-        """Selects the matching records.
-
-        Args:
-            events: All events of the capture; those that are not frames never match.
-
-        Yields:
-            The matching records, in the order of the capture.
-        """
+        """Yields the matching records, in the order of the capture."""
         for event in events:
             if not isinstance(event, Record):
                 continue

@@ -31,11 +31,7 @@ LATE_MS = 100
 
 
 def find_name(word: Word, time: Callable[[Record], float]) -> Name:
-    """Looks up a name; `time` returns the seconds from the beginning of the capture to a record.
-
-    Raises:
-        FilterError: The name is unknown. The error suggests similar ones.
-    """
+    """Looks up a name; `time` returns the seconds from the beginning of the capture to a record. Raises FilterError."""
     lower = word.text.lower()
     known = None if word.text.isupper() and is_parameter(lower) else NAMES.get(lower)
     if known is not None:

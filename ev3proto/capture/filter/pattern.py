@@ -41,14 +41,7 @@ class PatternError(ValueError):
 
 
 def compile_pattern(text: str) -> Callable[[str], bool]:
-    """Compiles a pattern to a search in the first MOST_EXAMINED characters of a text.
-
-    Args:
-        text: A regular expression of Python; it ignores case unless it starts with `(?-i)`.
-
-    Raises:
-        PatternError: The pattern is invalid, or could take very long.
-    """
+    """Compiles a pattern, which ignores case without `(?-i)`, to a search. Raises PatternError."""
     is_exact = text.startswith(_EXACT)
     begin = len(_EXACT) if is_exact else 0
     try:

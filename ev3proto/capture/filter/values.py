@@ -154,11 +154,7 @@ class Kind:
     is_flag: bool = False
 
     def test(self, name: str, relation: str, word: Word) -> Test:
-        """Makes the test of a value by a relation (any except !=) to a word.
-
-        Raises:
-            FilterError: They cannot be compared.
-        """
+        """Makes the test of a value by a relation (any except !=) to a word. Raises FilterError."""
         tests = [*self._numbers(relation, word), *self._texts(relation, word), *self._bytes(relation, word)]
         if not tests or (self.is_flag and relation != "=="):
             raise word.error(self._error(name, relation, word))

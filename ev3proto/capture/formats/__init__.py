@@ -91,11 +91,7 @@ class CaptureFile:
 
     @classmethod
     def at(cls, path: str | os.PathLike[str]) -> Self:
-        """Opens a file.
-
-        Raises:
-            OSError: It cannot be opened.
-        """
+        """Opens a file. Raises OSError."""
         stream = Path(path).open("rb")  # noqa: SIM115 - `close` does
         try:
             return cls(stream, is_ours=True)
@@ -105,12 +101,7 @@ class CaptureFile:
 
     @property
     def is_capture(self) -> bool:
-        """Whether it begins like a capture file.
-
-        Raises:
-            CaptureError: The gzip stream is damaged.
-            OSError: It cannot be read.
-        """
+        """Whether it begins like a capture file. Raises CaptureError and OSError."""
         return self._format() is not None
 
     @property
@@ -119,14 +110,7 @@ class CaptureFile:
         return None if not self._size or self._file.closed else min(self._file.tell() / self._size, 1.0)
 
     def packets(self) -> Iterator[Packet]:
-        """Reads the capture.
-
-        Returns:
-            Its packets. Iterating raises CaptureError if the file is damaged, after everything readable.
-
-        Raises:
-            CaptureError: It is not a capture.
-        """
+        """Yields the packets. Raises CaptureError, if the file is damaged after everything readable."""
         name = self._format()
         if name is None:
             start = self._start().hex(" ").upper()

@@ -24,14 +24,7 @@ LINKS = {1002: Link.HCI, 2001: Link.BLUETOOTH_MONITOR}
 
 
 def packets(stream: BinaryIO) -> Iterator[Packet]:
-    """Reads a file from its start.
-
-    Yields:
-        Its packets.
-
-    Raises:
-        CaptureError: The file is damaged. Everything readable was yielded before.
-    """
+    """Yields the packets of a file. Raises CaptureError for a damaged one, after everything readable."""
     head = stream.read(_header.size)
     if len(head) < _header.size:
         raise CaptureError("the file is cut off in its header")

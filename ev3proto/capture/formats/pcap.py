@@ -28,14 +28,7 @@ _PIECE = 1 << 16
 
 
 def packets(stream: io.BufferedIOBase) -> Iterator[Packet]:
-    """Reads a file from its start.
-
-    Yields:
-        Its packets.
-
-    Raises:
-        CaptureError: The file is damaged. Everything readable was yielded before.
-    """
+    """Yields the packets of a file. Raises CaptureError for a damaged one, after everything readable."""
     size = struct.calcsize("<" + HEADER)
     head = stream.read(size)
     if len(head) < size:

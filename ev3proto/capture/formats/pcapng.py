@@ -114,14 +114,7 @@ class _Section:
 
 
 def packets(stream: BinaryIO) -> Iterator[Packet]:
-    """Reads a file from its start.
-
-    Yields:
-        Its packets.
-
-    Raises:
-        CaptureError: The file is damaged. Everything readable was yielded before.
-    """
+    """Yields the packets of a file. Raises CaptureError for a damaged one, after everything readable."""
     section: _Section | None = None
     trouble: CaptureError | None = None
     number, position = 0, 0

@@ -59,10 +59,6 @@ def specification(timeline: Timeline, title: str = "") -> Json:
 
     Its parameters are widths in pixels that a page fits to its window: `room` of the time axis, `margin` of everything
     left of it, `kinds` of the names of kinds within the margin.
-
-    Args:
-        timeline: What to draw.
-        title: Text above the picture, followed by the lines of `summary`; "" omits both.
     """
     chart = _Chart(timeline)
     heading = {"title": _heading(title, summary(timeline), 17)} if title else {}

@@ -36,11 +36,7 @@ class Form(Enum):
 
     @classmethod
     def of(cls, path: Path) -> Form:
-        """Returns the format for the suffix of a file.
-
-        Raises:
-            ValueError: The suffix is unknown.
-        """
+        """Returns the format for the suffix of a file. Raises ValueError."""
         try:
             return cls(path.suffix.lower())
         except ValueError:
@@ -53,11 +49,7 @@ class MissingLibraryError(ImportError):
 
 
 def require_library() -> None:
-    """Checks that the library that draws is installed, without importing it.
-
-    Raises:
-        MissingLibraryError: The drawing library is not installed.
-    """
+    """Checks that the library that draws is installed, without importing it. Raises MissingLibraryError."""
     if find_spec(LIBRARY) is None:
         raise MissingLibraryError(
             f"drawing needs the package vl-convert-python, which is not installed: {install_command('plot')}"
@@ -65,19 +57,7 @@ def require_library() -> None:
 
 
 def render(timeline: Timeline, form: Form, title: str) -> bytes:
-    """Draws a timeline.
-
-    Args:
-        timeline: What to draw.
-        form: The form of the file.
-        title: The text above the chart: the name of the capture.
-
-    Returns:
-        The contents of the file: the same bytes for the same timeline and title.
-
-    Raises:
-        MissingLibraryError: The library that draws is not installed.
-    """
+    """Returns the contents of a file, the same for the same timeline and title. Raises MissingLibraryError."""
     title = clean(title, MOST_TITLE)
     if form is not Form.HTML:
         return picture(specification(timeline, title), form)
@@ -86,11 +66,7 @@ def render(timeline: Timeline, form: Form, title: str) -> bytes:
 
 
 def picture(chart: dict[str, Any], form: Form) -> bytes:
-    """Draws a Vega-Lite chart as SVG or PNG, without network access; as JSON, returns the chart itself.
-
-    Raises:
-        MissingLibraryError: The library that draws is not installed.
-    """
+    """Draws a Vega-Lite chart as SVG or PNG, or returns it as JSON. Raises MissingLibraryError."""
     if form is Form.JSON:
         return json.dumps(chart, ensure_ascii=False, separators=(",", ":")).encode()
     require_library()

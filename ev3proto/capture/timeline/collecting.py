@@ -60,17 +60,9 @@ def collect(
     window: Window | None = None,
     most_marks: int = MOST_MARKS,
 ) -> Timeline | None:
-    """Collects the marks of a capture.
+    """Returns the timeline of a capture; None if there is nothing to draw.
 
-    Args:
-        events: The events of the capture.
-        chosen: Selects the records to draw. A command and its reply are drawn if either is selected. None draws all
-            records and everything else.
-        window: The part of the capture to draw: everything that begins in it. None draws all of it.
-        most_marks: Maximum number of marks that are drawn one by one.
-
-    Returns:
-        The timeline; None if there is nothing to draw.
+    A command and its reply are drawn if either is chosen; without `chosen` everything is, within the window.
     """
     collector = _Collector(chosen, window or Window(), most_marks)
     for pair in dialogues(map(collector.seen, events)):

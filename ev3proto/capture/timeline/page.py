@@ -77,14 +77,7 @@ _SCRIPT = """
 
 
 def page(specification: dict[str, Any], title: str, lines: list[str], javascript: str) -> str:
-    """Returns the HTML.
-
-    Args:
-        specification: The chart, with its data.
-        title: Title and heading of the page.
-        lines: Paragraphs under the title.
-        javascript: The libraries vega, vega-lite and vega-embed.
-    """
+    """Returns the HTML, with the libraries vega, vega-lite and vega-embed in it."""
     return "\n".join(
         (
             "<!DOCTYPE html>",

@@ -249,13 +249,7 @@ def shortest(argument: Argument) -> bytes:
 
 
 def longer_finding(operation: CheckedOperation, argument: Argument, has_jumps: bool) -> Finding:
-    """Returns the finding about an argument that `is_longer`.
-
-    Args:
-        operation: Its operation.
-        argument: The argument.
-        has_jumps: Whether the command has jumps, which may span it.
-    """
+    """Returns the finding about an argument that `is_longer`."""
     kind, value = argument.form.kind, argument.value
     shorter = shortest(argument)
     if argument.parameter.role is Role.JUMP and kind == CONSTANT and isinstance(value, int) and value < 0:

@@ -131,12 +131,7 @@ def _wrongly_placed(use: Use, asked: int, is_written: bool) -> Iterator[Finding]
 
 
 def _misaligned_texts(place: Footprint, asked: int) -> tuple[str, str]:
-    """Returns message and help for a misaligned variable.
-
-    Args:
-        place: The variable.
-        asked: Bytes of that memory that the command requests.
-    """
+    """Returns message and help for a misaligned variable."""
     is_validated = place.start % place.facts.validator_alignment != 0
     multiple = place.facts.validator_alignment if is_validated else place.facts.cpu_alignment
     aside = "" if is_validated else ", though the firmware does not check it here"
@@ -186,12 +181,7 @@ def _beyond_texts(place: Footprint, asked: int) -> tuple[str, str]:
 
 
 def _overlaps(used: list[Use], *, is_kept: bool) -> Iterator[Finding]:
-    """Yields findings about results that overwrite each other in one memory.
-
-    Args:
-        used: The variables in that memory.
-        is_kept: Whether a reply carries the final contents of that memory.
-    """
+    """Yields findings about results that overwrite each other; `is_kept`: a reply carries the final contents."""
     # The user of each byte, in slices: arrays may take a thousand bytes each.
     results: list[tuple[_Identity, Use] | None] = [None] * MAX_FRAME
     said: dict[tuple[_Identity, _Identity], Finding | None] = {}

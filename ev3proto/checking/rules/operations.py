@@ -318,12 +318,7 @@ def _ports(operation: CheckedOperation) -> list[tuple[int, int]]:
 
 
 def check_refusals(context: CheckContext, *, is_out_of_step: bool) -> Iterator[Finding]:
-    """Yields findings about operations that stop the parser, or the validator where the parser continues.
-
-    Args:
-        context: The frame.
-        is_out_of_step: Whether an earlier argument took the bytes after it, which explains what is read there.
-    """
+    """Yields findings about what stops the parser or validator; an argument may have taken the bytes after it."""
     if not (is_out_of_step or context.effects.isdisjoint(_NEVER_RUNS)):
         yield from _never_run(context)
     if context.dialect == "official":

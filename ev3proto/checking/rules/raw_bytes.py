@@ -80,14 +80,7 @@ def _hex(number: int) -> str:
 
 
 def raw_variable(operation: CheckedOperation, place: Footprint, asked: int, most: int) -> Finding | None:
-    """Returns the finding about a variable beyond the memory that the header requests, if it may be a raw byte.
-
-    Args:
-        operation: Its operation.
-        place: The variable, which no operation of the command writes.
-        asked: Bytes of that memory that the header requests.
-        most: The maximum that a header can request.
-    """
+    """Returns the finding about a variable beyond the requested memory, if it may be a raw byte."""
     argument, form = place.argument, place.argument.form
     if form.width and not (form.handle or form.address):
         return None  # a GV1 is written on purpose
@@ -136,14 +129,7 @@ def raw_constant(operation: CheckedOperation, argument: Argument, known: Paramet
 
 
 def raw_start(operation: CheckedOperation, known: ParameterFacts, data: bytes, at: int) -> Finding | None:
-    """Returns the finding about an argument that cannot be read, if its first byte may be a raw byte.
-
-    Args:
-        operation: Its operation.
-        known: The facts of its parameter.
-        data: The frame, up to its end.
-        at: The offset of the byte.
-    """
+    """Returns the finding about an argument that cannot be read, if its first byte may be a raw byte."""
     if at >= len(data):
         return None
     form = ENCODINGS[data[at]]

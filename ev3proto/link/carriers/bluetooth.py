@@ -19,15 +19,7 @@ _NO_RFCOMM = (
 
 
 def open_bluetooth(target: Target, timeout: float) -> SocketWire:
-    """Connects to a brick by Bluetooth.
-
-    Args:
-        target: Its MAC address is the host.
-        timeout: Seconds to wait at most.
-
-    Raises:
-        NoBrickError: This Python has no Bluetooth sockets, or the brick does not accept the connection.
-    """
+    """Connects to the brick with a MAC address, waiting some seconds at most. Raises LinkError."""
     number = target.serial_number
     if number is None:
         raise NoBrickError(

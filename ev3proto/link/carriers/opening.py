@@ -15,18 +15,7 @@ CONNECT_TIMEOUT = 15.0
 
 
 def open_wire(target: Target, timeout: float = CONNECT_TIMEOUT) -> Wire:
-    """Connects to a brick.
-
-    Args:
-        target: Which one.
-        timeout: Seconds to wait at most, where there is anything to wait for.
-
-    Returns:
-        The connection, ready for frames.
-
-    Raises:
-        LinkError: It cannot be reached; the sentence says what to do.
-    """
+    """Connects to a brick, waiting some seconds at most. Raises LinkError, which says what to do."""
     if target.way is Way.WIFI:
         return open_wifi(target, timeout)
     if target.way is Way.USB:

@@ -61,14 +61,7 @@ class SerialWire:
 
 
 def open_serial(target: Target) -> SerialWire:
-    """Opens the serial port to a brick.
-
-    Args:
-        target: The port is the host.
-
-    Raises:
-        LinkError: It cannot be opened, or pyserial is not installed.
-    """
+    """Opens the serial port to a brick. Raises LinkError, also if pyserial is not installed."""
     try:
         import serial  # an extra
     except ImportError:

@@ -17,14 +17,7 @@ class SocketWire:
     """A connected socket; `Wire` says what its methods do."""
 
     def __init__(self, connected: socket.socket, carrier: Carrier, label: str, first: bytes = b"") -> None:
-        """Takes a socket over.
-
-        Args:
-            connected: The socket.
-            carrier: What it is, as captures call it.
-            label: Which brick, as messages call it.
-            first: Bytes that were read from it already.
-        """
+        """Takes a socket over; `first` are bytes that were read from it already."""
         self.carrier = carrier
         self.label = label
         self._socket = connected

@@ -65,14 +65,7 @@ class UsbWire:
 
 
 def open_usb(target: Target) -> UsbWire:
-    """Opens the brick on USB.
-
-    Args:
-        target: The host is its serial number, or None where only one is plugged in.
-
-    Raises:
-        LinkError: No brick, or several to choose from, or missing permission, or hidapi is not installed.
-    """
+    """Opens the brick with a serial number, or the only one. Raises LinkError, also if hidapi is not installed."""
     try:
         import hid  # an extra
     except ImportError as error:

@@ -23,12 +23,7 @@ class VirtualWire:
     """A virtual brick; `Wire` says what its methods do."""
 
     def __init__(self, brick: Brick, leave: Callable[[], object] = lambda: None) -> None:
-        """Takes a brick over; its clock follows the real one from now on.
-
-        Args:
-            brick: The brick.
-            leave: Called once, when the connection is closed or no longer referenced.
-        """
+        """Takes a brick over, whose clock follows the real one from now on; `leave` is called once, at the end."""
         self.carrier = DEFAULT_CARRIER
         self.label = "the virtual brick"
         self._brick = brick
@@ -79,14 +74,7 @@ class VirtualWire:
 
 
 def open_virtual(target: Target) -> VirtualWire:
-    """Switches a virtual brick on.
-
-    Args:
-        target: The host is the folder of its files; None: a new one, which is deleted at the end.
-
-    Raises:
-        NoBrickError: The folder does not exist.
-    """
+    """Switches a virtual brick on, whose files are in a folder or deleted at the end. Raises NoBrickError."""
     if target.host is None:
         stack = ExitStack()
         return VirtualWire(Brick(root=stack.enter_context(temporary_folder())), stack.close)

@@ -39,15 +39,7 @@ class Found:
 
 
 def open_wifi(target: Target, timeout: float) -> SocketWire:
-    """Connects to a brick by WiFi.
-
-    Args:
-        target: With an address, the beacon is not waited for.
-        timeout: Seconds to wait for the beacon, and again for the connection.
-
-    Raises:
-        LinkError: The brick was not found, or does not accept the connection.
-    """
+    """Connects to a brick by WiFi, after its beacon if the target has no address. Raises LinkError."""
     serial_number = target.serial_number
     if target.host is None or serial_number is not None:
         found = discover(serial_number, timeout)
@@ -56,18 +48,7 @@ def open_wifi(target: Target, timeout: float) -> SocketWire:
 
 
 def discover(serial_number: str | None, timeout: float, *, interface: str = "", port: int = BEACON_PORT) -> Found:
-    """Waits for a brick's beacon and answers it.
-
-    Args:
-        serial_number: Of the brick, 12 lower-case hex digits; None for the one that is heard first.
-        timeout: Seconds to wait at most.
-        interface: Address of this computer at which to listen, all of them unless it is given.
-        port: UDP port at which beacons arrive.
-
-    Raises:
-        PortInUseError: Another program listens for beacons.
-        NoBrickError: No beacon of that brick came.
-    """
+    """Waits for the beacon of a brick, None for any, and answers it. Raises PortInUseError and NoBrickError."""
     deadline = time.monotonic() + timeout
     others: dict[str, str] = {}
     with _listening(interface, port) as listening:
@@ -124,17 +105,7 @@ def _listening(interface: str, port: int) -> socket.socket:
 
 
 def connect(address: str, port: int, timeout: float, serial_number: str = _ANY_SERIAL) -> SocketWire:
-    """Connects to a brick whose address is known, and unlocks it.
-
-    Args:
-        address: Name or number.
-        port: TCP port.
-        timeout: Seconds to wait at most.
-        serial_number: What the unlock text says.
-
-    Raises:
-        NoBrickError: The connection is refused, or the peer is not a brick.
-    """
+    """Connects to a brick whose address is known, and unlocks it. Raises NoBrickError."""
     place = f"[{address}]:{port}" if ":" in address else f"{address}:{port}"
     deadline = time.monotonic() + timeout
     try:

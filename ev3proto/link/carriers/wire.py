@@ -24,17 +24,7 @@ class Wire(Protocol):
         """Sends one whole frame. Raises ConnectionLostError."""
 
     def receive(self, timeout: float) -> bytes:
-        """Waits for bytes.
-
-        Args:
-            timeout: Seconds to wait at most.
-
-        Returns:
-            The bytes; none if nothing came in time.
-
-        Raises:
-            ConnectionLostError: Nothing more will come.
-        """
+        """Waits for bytes, some seconds at most; returns none if nothing came. Raises ConnectionLostError."""
 
     def stop(self) -> None:
         """Unblocks a pending `receive`, if the carrier can. Nothing is sent or received afterwards."""

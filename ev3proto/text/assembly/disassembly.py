@@ -171,16 +171,7 @@ def operation_line(operation: Operation) -> str:
 
 
 def in_macro(argument: Argument, value: str, macro: str | None = None) -> str:
-    """Writes an argument as the macro of its encoding: `LC2(440)`, `HND(LV1(4))`.
-
-    Args:
-        argument: The argument.
-        value: The text in the macro.
-        macro: The macro's name, where it is not that of the encoding.
-
-    Returns:
-        The macro. For a jump that no macro makes, bytes as they are.
-    """
+    """Writes an argument as a macro, `HND(LV1(4))`; a jump that no macro makes as bytes."""
     if argument.kind == JUMP and argument.raw[0] != LABEL_BYTE:
         # The firmware looks at three bits of it only, so that several bytes mean a label.
         return f"{BYTES}({spaced_hex(argument.raw)})"
@@ -262,11 +253,7 @@ class _Jump(NamedTuple):
 def labels_of(steps: Iterable[Operation], places: Sequence[int], rules: Rules, prefix: str) -> Labels:
     """Names the places that jumps lead to, and finds the jumps whose encoding has to be written.
 
-    Args:
-        steps: Operations that follow each other.
-        places: Offsets that a label can be at, in ascending order.
-        rules: Those of the assembler that is to read them.
-        prefix: What the names of labels start with.
+    `places` are the offsets that a label can be at, in ascending order.
     """
     jumps: dict[int, _Jump] = {}
     for step in steps:
@@ -315,14 +302,7 @@ def _place(mark: tuple[int, int | None]) -> int:
 
 
 def lego_lines(operations: Sequence[Operation]) -> Iterator[str]:
-    """Writes the operations of one message, with a label at every place that they jump to.
-
-    Args:
-        operations: As they follow each other in a frame.
-
-    Yields:
-        A line for each operation and each label.
-    """
+    """Writes the operations of one message, with a label at every place that they jump to."""
     labels, end = NO_LABELS, 0
     if operations and all(operation.is_complete for operation in operations):
         end = end_of(operations[-1])

@@ -103,14 +103,7 @@ _KNOWN_ESCAPES = r"\n \r \t \b \f \q (an apostrophe) \0 \" \' \\ \/ \x41 \u0041"
 
 
 def text_of(token: Token, notation: Notation, coding: str, warnings: list[tuple[int, str]]) -> str:
-    """Returns the text between quotes, its escapes replaced. Raises SourceError for an unknown escape.
-
-    Args:
-        token: The text with its quotes.
-        notation: Its notation.
-        coding: The encoding of texts in the image; each byte becomes a character.
-        warnings: (offset, message) of valid but probably unintended code.
-    """
+    """Returns the text between quotes, each byte of its coding a character. Raises SourceError."""
     body = token.text[1:-1]
     if notation.escapes is None or token.text[0] == '"':
         return _unescaped(token, body)

@@ -101,15 +101,7 @@ class PendingMessage:
     def message(
         self, local: LocalNames, sizes: Mapping[str, int], dialect: str, counter: int, reply: bool | None
     ) -> Message:
-        """Returns the message. Raises SourceError.
-
-        Args:
-            local: Its labels.
-            sizes: Bytes of its variables, by the kind of memory.
-            dialect: The firmware whose instruction set it is read by.
-            counter: The counter, if its header has none.
-            reply: Whether a direct command without a type wants a reply; None: if it has global memory.
-        """
+        """Returns the message; counter and reply are for a header that does not say them. Raises SourceError."""
         if self.type is None and not self.parts and not self.is_frame:
             raise SourceError(self.at, "this message has no operation, and the brick refuses an empty one")
         body = joined(self.parts, local.labels, OF_FRAMES)
@@ -218,14 +210,7 @@ def find_command(name: str) -> SystemCommand | None:
 
 
 def system_body(call: Call, encoder: Encoder, *, is_reply: bool, may_fail: bool) -> bytes:
-    """Returns the bytes after the message type. Raises SourceError.
-
-    Args:
-        call: The command.
-        encoder: The encoder of its values.
-        is_reply: Whether it is a reply.
-        may_fail: Whether fields may be missing, because the command failed.
-    """
+    """Returns the bytes after the message type; with `may_fail`, fields may be missing. Raises SourceError."""
     entry = find_command(call.name)
     if entry is None:
         raise SourceError(call.at, f"unknown system command {call.name}{near_misses(call.name, _BY_NAME)}")

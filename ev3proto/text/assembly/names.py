@@ -146,13 +146,7 @@ class Names:
         self._depth = 0
 
     def meaning(self, name: str, at: int, parameter: Parameter | None = None) -> Meaning | None:
-        """Returns the meaning of a name at an offset, or None.
-
-        Args:
-            name: The name.
-            at: Where it is used.
-            parameter: What it is for, if that is known.
-        """
+        """Returns the meaning of a name, used at an offset for a parameter, or None."""
         place = self.local.places.get(name)
         for where in self.notation.lookup:
             if where is Known.LOCALS and place is not None:
@@ -250,12 +244,9 @@ def _ends() -> frozenset[str]:
 
 
 def firmware_constant(name: str, parameter: Parameter | None) -> int | float | str | None:
-    """Returns the firmware's constant of a name, None for an unknown name.
+    """Returns the firmware's constant of a name, or None.
 
-    Args:
-        name: The name, as the firmware spells it.
-        parameter: What the constant is for, if that is known. Where it has an enumeration, neither another
-            enumeration's member nor a CMD is one.
+    Where the parameter has an enumeration, neither another enumeration's member nor a CMD is one.
     """
     if parameter is not None:
         number = parameter.number_of(name)

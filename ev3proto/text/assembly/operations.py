@@ -48,15 +48,7 @@ class Assembler:
         return _bare(name).partition(".")[0] in opcodes(self._dialect)
 
     def operation(self, call: Call, *, is_checked: bool) -> list[Piece]:
-        """Returns the pieces of an operation: bytes, and jumps whose distance is not known yet.
-
-        Args:
-            call: The operation.
-            is_checked: Refuse values that mean nothing to the brick, as `ev3proto.ops` does.
-
-        Raises:
-            SourceError: The message names the wrong value, and what would be right.
-        """
+        """Returns the pieces of an operation; `is_checked` refuses meaningless values. Raises SourceError."""
         schema, head, arguments = self._selected(call)
         if not call.is_complete:
             return [head, *self._incomplete(schema, arguments)]

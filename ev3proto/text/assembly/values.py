@@ -123,13 +123,7 @@ def variable(scope: str, index: int, rules: Rules, handle: bool = False, address
 
 
 def measure(sizes: list[int], goals: Mapping[int, int], rules: Rules) -> None:
-    """Sizes every jump whose encoding is not named as an assembler does.
-
-    Args:
-        sizes: Bytes of every part of the code; those of the jumps are changed.
-        goals: By the number of the part that is a jump: the number of the part that it leads to.
-        rules: Those of the assembler.
-    """
+    """Sizes every jump in `sizes` whose encoding is not named; `goals` has the part that each leads to."""
     free: dict[int, int] = {}
     for place, goal in goals.items():
         is_long = rules.jumps is Jumps.FORWARD and goal > place
@@ -151,11 +145,7 @@ def part_sizes(
 ) -> list[int]:
     """Returns the bytes of each part of a code. Raises SourceError for a jump to an unknown label.
 
-    Args:
-        parts: Bytes and jumps, in their order.
-        labels: By name: the number of the part that a label precedes.
-        rules: Those of the assembler.
-        elsewhere: Labels of another code; a jump to one has three bytes.
+    `labels` has the number of the part that a label precedes; a jump to one that is `elsewhere` has three bytes.
     """
     sizes: list[int] = []
     goals: dict[int, int] = {}
@@ -176,14 +166,7 @@ def part_sizes(
 
 
 def encoded_parts(parts: Sequence[Piece], sizes: Sequence[int], labels: Mapping[str, int], start: int = 0) -> bytes:
-    """Joins the parts of a code. Raises SourceError for jumps that are too far.
-
-    Args:
-        parts: Bytes and jumps, in their order.
-        sizes: Bytes of each.
-        labels: Offsets of labels by name.
-        start: Offset of the first part.
-    """
+    """Joins the parts of a code, by their sizes and the offsets of labels. Raises SourceError for a far jump."""
     ends = accumulate(sizes, initial=start)
     next(ends)
     return b"".join(
@@ -542,11 +525,7 @@ def _worked_out(
 ) -> _N:
     """Returns the value of an expression.
 
-    Args:
-        parts: The values in it.
-        operators: The place and sign of each operator between them.
-        ranks: Operators by precedence.
-        kept: Returns an intermediate result, cut to its size, or raises an error at the operator's place.
+    `ranks` has operators by precedence; `kept` cuts intermediate results to their size, or raises an error.
     """
     for rank in ranks:
         done, left = [parts[0]], []

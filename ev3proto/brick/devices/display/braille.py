@@ -10,15 +10,7 @@ _DOTS = ((0x01, 0x08), (0x02, 0x10), (0x04, 0x20), (0x40, 0x80))
 
 
 def braille(rows: Sequence[bytes], width: int) -> list[str]:
-    """Returns the display as text.
-
-    Args:
-        rows: The rows of pixels, whole bytes each, the leftmost pixel the highest bit.
-        width: Pixels in a row, an even number.
-
-    Returns:
-        Lines of the same length, each for four rows; empty characters are blanks of braille.
-    """
+    """Returns the display as text, a line for every four rows; a row has whole bytes, its width is even."""
     bits = [int.from_bytes(row, "big") for row in rows]
     size = len(rows[0]) * 8 if rows else 0
     lines = []

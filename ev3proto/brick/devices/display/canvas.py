@@ -96,17 +96,7 @@ class Canvas:
                 self.pixel(color, x, y)
 
     def dotline(self, color: int, x0: int, y0: int, x1: int, y1: int, on: int, off: int) -> None:
-        """Draws a dotted line, horizontal or vertical; an oblique one has no dots.
-
-        Args:
-            color: Of the dots; the pixels between them get the opposite one.
-            x0: Column of the start.
-            y0: Row of the start.
-            x1: Column of the end.
-            y1: Row of the end.
-            on: Pixels of a dot.
-            off: Pixels between two dots.
-        """
+        """Draws a straight line of `on` pixels and gaps of `off` in the opposite colour; an oblique one is solid."""
         if x0 != x1 and y0 != y1:
             self.line(color, x0, y0, x1, y1)
             return
@@ -184,13 +174,9 @@ class Canvas:
         self.rows = [0] * HEIGHT
 
     def fillwindow(self, color: int, y: int, height: int) -> None:
-        """Fills whole rows.
+        """Fills whole rows: height 0 means down to the bottom.
 
-        Args:
-            color: 0 clears, 1 sets; any other is the bit pattern of eight pixels, the lowest bit the leftmost, turned
-                over from row to row.
-            y: First row.
-            height: Number of rows, 0: all down to the bottom. With a pattern it is the row after the last.
+        Colours above 1 are bit patterns, the lowest bit leftmost, inverted from row to row, and end at row `height`.
         """
         if y + height >= HEIGHT:
             return
@@ -212,14 +198,7 @@ class Canvas:
     # Opaque cells: characters, icons, pictures
 
     def cell(self, x: int, y: int, width: int, cell_rows: list[int]) -> None:
-        """Draws a cell of given pixels over the present ones, clipped at the edges.
-
-        Args:
-            x: Left column.
-            y: Top row.
-            width: Pixels in a row of the cell.
-            cell_rows: The rows, an integer each, the leftmost pixel the highest of `width` bits.
-        """
+        """Draws a cell over the present pixels, clipped; the leftmost pixel is the highest of `width` bits."""
         shift = WIDTH - width - x
         mask = span(x, x + width)
         for index, row in enumerate(cell_rows, y):
@@ -228,15 +207,9 @@ class Canvas:
                 self.rows[index] = self.rows[index] & ~mask | pixels & mask
 
     def byte_cell(self, x: int, y: int, width: int, cell_rows: list[int]) -> None:
-        """Draws a cell aligned to whole bytes as the firmware does: byte by byte, without clipping at left and right.
+        """Draws a cell aligned to whole bytes as the firmware does, without clipping at left and right.
 
         What is left of the display appears at the right end of the row above, and the other way round.
-
-        Args:
-            x: Left column, a multiple of 8.
-            y: Top row.
-            width: Pixels in a row of the cell, a multiple of 8.
-            cell_rows: The rows, an integer each, the leftmost pixel the highest of `width` bits.
         """
         if x >= 0 and x + width <= WIDTH:
             self.cell(x, y, width, cell_rows)

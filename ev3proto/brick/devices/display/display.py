@@ -141,15 +141,7 @@ class Display(Part):
     # Text
 
     def text(self, color: int, x: int, y: int, text: bytes, font: int | None = None) -> None:
-        """Draws characters one after the other, as far as the display is wide.
-
-        Args:
-            color: 0 draws clear letters on set cells, any other set letters on clear cells.
-            x: Left column of the first cell.
-            y: Top row of the cells.
-            text: The characters; those without a glyph leave a gap.
-            font: The font's number; the selected one by default.
-        """
+        """Draws characters, as far as the display is wide; colour 0 inverts, those without a glyph leave a gap."""
         letters = FONTS[self.font if font is None else font]
         for character in text:
             if x >= WIDTH - letters.width:
@@ -169,16 +161,7 @@ class Display(Part):
             self.canvas.cell(x, y, letters.width, rows)
 
     def value(self, color: int, x: int, y: int, number: float, figures: int, decimals: int) -> None:
-        """Draws a number at most `figures` characters long, a minus sign not counted; NaN as dashes.
-
-        Args:
-            color: As for text.
-            x: Left column.
-            y: Top row.
-            number: What to draw.
-            figures: The width in characters, right-justified; negative: left-justified.
-            decimals: Digits after the point.
-        """
+        """Draws a number of at most `figures` characters, left-justified if negative; NaN as dashes."""
         if math.isnan(number):
             self.text(color, x, y, b"-" * abs(figures))
             return

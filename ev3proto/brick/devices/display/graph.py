@@ -67,16 +67,7 @@ class Graph:
             samples.append(item().value)
 
     def draw(self, canvas: Canvas, view: int) -> Summary:
-        """Draws one item, or all of them.
-
-        Args:
-            canvas: To draw on, in colour 1.
-            view: The item's number; an unknown one means all, drawn one pixel further right, with NaN samples
-                at the bottom.
-
-        Returns:
-            The last, lowest and highest sample and their mean; NaN if all items are drawn.
-        """
+        """Draws one item and returns its summary; an unknown number draws all, NaN at the bottom."""
         if 0 <= view < len(self.items):
             self._draw_item(canvas, view, self.x, skips=True)
             return _summary([sample for sample in self.samples[view] if not math.isnan(sample)])

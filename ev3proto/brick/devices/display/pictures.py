@@ -21,14 +21,7 @@ class Picture:
 
 
 def read_picture(data: bytes) -> Picture:
-    """Reads an .rgf file.
-
-    Args:
-        data: The file's bytes; missing bytes at the end count as clear pixels, further ones are ignored.
-
-    Returns:
-        The picture; one without pixels where even the size is missing.
-    """
+    """Reads an .rgf file; missing bytes are clear pixels, without a size the picture is empty."""
     if len(data) < 2:
         return Picture(0, ())
     width, height = data[0], data[1]

@@ -12,16 +12,7 @@ _ALL_LIGHT = bytes(255 - byte for byte in range(256))
 
 
 def write_png(rows: Sequence[bytes], width: int, scale: int = 1) -> bytes:
-    """Makes a PNG file.
-
-    Args:
-        rows: The rows of pixels, whole bytes each, the leftmost pixel the highest bit; set pixels become black.
-        width: Pixels in a row.
-        scale: Size of a pixel in the file, in pixels.
-
-    Returns:
-        The file's bytes.
-    """
+    """Makes a PNG file of rows of whole bytes, the leftmost pixel the highest bit; set pixels become black."""
     lines = []
     for row in rows:
         bits = int.from_bytes(row, "big") >> (len(row) * 8 - width)

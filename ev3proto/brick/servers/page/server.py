@@ -56,19 +56,7 @@ Handler = Callable[[web.Request], Awaitable[web.StreamResponse]]
 
 @asynccontextmanager
 async def serving(host: Host, address: str, port: int) -> AsyncIterator[tuple[str, asyncio.Event]]:
-    """Serves the page for as long as the context lasts.
-
-    Args:
-        host: What drives the brick.
-        address: An address of this computer.
-        port: The TCP port; 0 for any that is free.
-
-    Yields:
-        The link that opens the page, and an event that is set when a browser has opened it.
-
-    Raises:
-        ServerError: The port cannot be opened.
-    """
+    """Yields the page's link, and an event that is set once a browser has opened it. Raises ServerError."""
     page = _Page(host)
 
     async def guard(request: web.Request, handler: Handler) -> web.StreamResponse:

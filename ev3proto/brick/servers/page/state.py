@@ -130,15 +130,7 @@ def _sensors(brick: Brick) -> list[dict[str, Any]]:
 
 
 def answer(brick: Brick, text: str) -> dict[str, Any] | None:
-    """Runs an action of a page.
-
-    Args:
-        brick: The brick to act on.
-        text: A JSON object with `do`: press, release, stop, plug, read, list, fetch.
-
-    Returns:
-        What to send back to the page, or None; an `error` if the action is impossible.
-    """
+    """Runs an action of a page, a JSON object. Returns what to send back, an `error` if it is impossible."""
     try:
         return _act(brick, json.loads(text))
     except (json.JSONDecodeError, RecursionError):

@@ -89,11 +89,7 @@ class Watcher:
     """Watches the brick's connections for all pages."""
 
     def __init__(self, clock: Callable[[], float]) -> None:
-        """Creates a watcher without dialogues.
-
-        Args:
-            clock: Returns the seconds since the brick was switched on.
-        """
+        """Creates a watcher; `clock` returns the seconds since the brick was switched on."""
         self._clock = clock
         self._count = 0
         self._kept: deque[Talk] = deque(maxlen=MOST_KEPT)

@@ -9,24 +9,16 @@ from ev3proto.tables.mailboxes import BOXES, MOST_CONTENT, MOST_NAME
 
 @dataclass
 class Mailbox:
-    """One mailbox.
+    """One mailbox."""
 
-    name     what senders call it
-    type     the type of its values, one of DATA_FORMAT
-    is_open  whether a program has opened it
-    content  room for a message: the latest one overwrites the start of earlier ones; there is no queue
-    size     bytes of the latest message
-    written  messages since it was opened
-    read     number of times one was read
-    """
-
-    name: bytes = b""
-    type: int = 0
-    is_open: bool = False
+    name: bytes = b""  # what senders call it
+    type: int = 0  # the type of its values, one of DATA_FORMAT
+    is_open: bool = False  # whether a program has opened it
+    # room for a message: the latest one overwrites the start of earlier ones; there is no queue
     content: bytearray = field(default_factory=lambda: bytearray(MOST_CONTENT))
-    size: int = 0
-    written: int = 0
-    read: int = 0
+    size: int = 0  # bytes of the latest message
+    written: int = 0  # messages since it was opened
+    read: int = 0  # number of times one was read
 
     @property
     def has_news(self) -> bool:

@@ -417,16 +417,12 @@ class Brick(Equipment):
 
 @dataclass
 class _Command:
-    """The direct command under way.
-
-    executed  operations so far, without those that waited
-    spent     seconds of this computer's processor that it has taken
-    """
+    """The direct command under way."""
 
     channel: Hashable
     counter: int
     wants_reply: bool
     global_size: int
     program: Program
-    executed: int = 0
-    spent: float = 0.0
+    executed: int = 0  # operations so far, without those that waited
+    spent: float = 0.0  # seconds of this computer's processor that it has taken

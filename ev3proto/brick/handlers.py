@@ -45,18 +45,12 @@ Function = Callable[..., Any]
 
 
 class Handler(NamedTuple):
-    """The implementation of one operation.
+    """The implementation of one operation."""
 
-    function  called with the machine and the parameters
-    places    names of the inputs that it gets as places
-    raw       it reads its parameters itself
-    computes  it gets the inputs only and returns the outputs
-    """
-
-    function: Function
-    places: frozenset[str]
-    raw: bool
-    computes: bool
+    function: Function  # called with the machine and the parameters
+    places: frozenset[str]  # names of the inputs that it gets as places
+    raw: bool  # it reads its parameters itself
+    computes: bool  # it gets the inputs only and returns the outputs
 
 
 HANDLERS: dict[str, Handler] = {}
@@ -103,25 +97,18 @@ def handles_unknown(*opcodes: str) -> Callable[[Function], Function]:
 
 
 class Entry(NamedTuple):
-    """How the machine executes one operation.
-
-    function  the handler
-    readers   one for each parameter; None where the handler reads its parameters itself
-    """
+    """How the machine executes one operation."""
 
     function: Function
+    # one for each parameter; None where the handler reads its parameters itself
     readers: tuple[Callable[[Any], Any], ...] | None
 
 
 class Family(NamedTuple):
-    """How the machine executes an opcode with CMD.
+    """How the machine executes an opcode with CMD."""
 
-    entries  by CMD
-    unknown  the handler of any other CMD; None: nothing
-    """
-
-    entries: Mapping[int, Entry]
-    unknown: Function | None
+    entries: Mapping[int, Entry]  # by CMD
+    unknown: Function | None  # the handler of any other CMD; None: nothing
 
 
 Dispatch = tuple[Entry | Family | None, ...]

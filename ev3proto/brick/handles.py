@@ -18,14 +18,10 @@ NO_HANDLE = -1
 
 
 class Array:
-    """An array: elements of one type, in one buffer that keeps its identity when it is resized.
-
-    type  DATA8, DATA16, DATA32 or DATAF
-    data  its contents
-    """
+    """An array: elements of one type, in one buffer that keeps its identity when it is resized."""
 
     def __init__(self, type: Type, elements: int) -> None:
-        self.type = type
+        self.type = type  # DATA8, DATA16, DATA32 or DATAF
         self.data = bytearray(elements * type.size)
 
     @property

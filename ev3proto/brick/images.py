@@ -26,14 +26,10 @@ _ZEROS = bytes(8)
 
 
 class Image(NamedTuple):
-    """An image in memory.
-
-    data    its bytes
-    folder  where it was loaded from, with its closing slash
-    """
+    """An image in memory."""
 
     data: bytes
-    folder: str
+    folder: str  # where it was loaded from, with its closing slash
 
 
 class Images:

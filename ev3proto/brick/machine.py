@@ -100,27 +100,19 @@ def _integer(
 
 
 class Machine:
-    """The machine with its five slots.
+    """The machine with its five slots."""
 
-    brick     the brick that it is part of
-    slots     the programs, by slot; None where there has been none
-    program   the one that runs at this moment, `object` its object that does
-    images    program images in memory
-    code, ip  its code, and the offset of the next byte to read
-    global_memory, local_memory  its variables
-    """
-
-    program: Program
-    object: ProgramObject
+    program: Program  # the one that runs at this moment
+    object: ProgramObject  # that of it that runs
 
     def __init__(self, brick: Equipment, dispatch: Dispatch) -> None:
-        self.brick = brick
-        self.slots: list[Program | None] = [None] * SLOTS
+        self.brick = brick  # the brick that it is part of
+        self.slots: list[Program | None] = [None] * SLOTS  # the programs, by slot; None where there has been none
         self.code = bytearray()
-        self.ip = 0
+        self.ip = 0  # offset of the next byte to read
         self.global_memory = bytearray()
         self.local_memory = bytearray()
-        self.images = Images()
+        self.images = Images()  # program images in memory
         self._scratch = bytearray(_SCRATCH)
         self._dispatch = dispatch
 

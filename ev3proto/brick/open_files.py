@@ -13,20 +13,13 @@ MOST_RECENT = 10
 
 @dataclass(eq=False)
 class OpenFile:
-    """A file that a program has opened.
+    """A file that a program has opened."""
 
-    place        of the file, for comparing
-    stream       the open file itself
-    for_writing  whether it was opened to write or to append
-    name         by which it was opened
-    is_log       whether it is a data log
-    """
-
-    place: Path
+    place: Path  # of the file, for comparing
     stream: StoredFile
-    for_writing: bool
-    name: bytes
-    is_log: bool = False
+    for_writing: bool  # whether it was opened to write or to append
+    name: bytes  # by which it was opened
+    is_log: bool = False  # whether it is a data log
 
     def read(self, most: int) -> bytes:
         """Reads a number of bytes, fewer at the end of the file."""

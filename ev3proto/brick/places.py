@@ -21,18 +21,14 @@ NOT_A_NUMBER = 0x7FC00000
 
 
 class Place:
-    """The location of a value.
-
-    buffer  the memory
-    at      offset in it
-    handle  the array that the argument named by its handle, which can be resized; -1 for every other place
-    """
+    """The location of a value."""
 
     __slots__ = ("at", "buffer", "handle")
 
     def __init__(self, buffer: bytearray, at: int, handle: int = -1) -> None:
         self.buffer = buffer
-        self.at = at
+        self.at = at  # offset in it
+        # the array that the argument named by its handle, which can be resized; -1 for every other place
         self.handle = handle
 
     def __repr__(self) -> str:

@@ -25,48 +25,29 @@ _LABEL = operations()["LABEL"].opcode.number
 
 
 class Result(NamedTuple):
-    """An output of a subroutine.
+    """An output of a subroutine."""
 
-    parameter  as the subroutine declares it
-    own        its place in the subroutine's memory
-    place      its place in the caller's memory
-    """
-
-    parameter: ProgramParameter
-    own: Place
-    place: Place
+    parameter: ProgramParameter  # as the subroutine declares it
+    own: Place  # its place in the subroutine's memory
+    place: Place  # its place in the caller's memory
 
 
 @dataclass(eq=False)
 class ProgramObject:
-    """An object of a program: a thread, a subroutine, or a block that runs in its owner's memory.
+    """An object of a program: a thread, a subroutine, or a block that runs in its owner's memory."""
 
-    number        counted from 1
-    begin         offset of its first operation, or of a subroutine's table of parameters
-    local_memory  its variables; those of its owner for a block
-    local_size    bytes of them that its header asks for
-    kind          thread, subcall or block
-    triggers      how many triggers start it; 0: it is started by itself
-    parameters    as a subcall declares them
-    status        one of OBJSTAT
-    ip            offset of the next operation
-    pending       triggers that are still missing
-    caller        the object that called it
-    results       its outputs, and their places in the caller's memory
-    """
-
-    number: int
-    begin: int
-    local_memory: bytearray
-    local_size: int
-    kind: ObjectKind = ObjectKind.THREAD
-    triggers: int = 0
-    parameters: tuple[ProgramParameter, ...] = ()
-    status: int = STOPPED
-    ip: int = 0
-    pending: int = 0
-    caller: ProgramObject | None = None
-    results: list[Result] = field(default_factory=list)
+    number: int  # counted from 1
+    begin: int  # offset of its first operation, or of a subroutine's table of parameters
+    local_memory: bytearray  # its variables; those of its owner for a block
+    local_size: int  # bytes of them that its header asks for
+    kind: ObjectKind = ObjectKind.THREAD  # thread, subcall or block
+    triggers: int = 0  # how many triggers start it; 0: it is started by itself
+    parameters: tuple[ProgramParameter, ...] = ()  # as a subcall declares them
+    status: int = STOPPED  # one of OBJSTAT
+    ip: int = 0  # offset of the next operation
+    pending: int = 0  # triggers that are still missing
+    caller: ProgramObject | None = None  # the object that called it
+    results: list[Result] = field(default_factory=list)  # its outputs, and their places in the caller's memory
 
     def reset(self) -> None:
         """Resets it to its beginning."""
@@ -81,42 +62,24 @@ class ProgramObject:
 
 @dataclass(eq=False)
 class Program:
-    """A program in a slot.
-
-    slot           its number
-    code           what offsets in it count from: for a direct command its operations, else the whole image
-    end            offset after the code
-    global_memory  its global variables
-    global_size    bytes of them that its header asks for
-    objects        by number, counted from 1
-    started        of the machine's clock, in microseconds
-    ended          the same; None while it runs
-    status         one of OBJSTAT
-    result         one of RESULT
-    folder         where names without a folder are looked up, with its closing slash; empty: the current folder
-    handles        arrays and files that it holds
-    executed       operations so far
-    current        the object whose turn was last
-    unfinished     operations that are left of its turn, if that took too long
-    due            operations of all turns of a tick that are left, if they took too long
-    """
+    """A program in a slot."""
 
     slot: int
-    code: bytearray
-    end: int
-    global_memory: bytearray
-    global_size: int
-    objects: dict[int, ProgramObject]
-    started: int = 0
-    ended: int | None = None
-    status: int = RUNNING
-    result: int = BUSY
-    folder: str = ""
-    handles: HandleTable = field(default_factory=HandleTable)
-    executed: int = 0
-    current: ProgramObject | None = None
-    unfinished: int = 0
-    due: int = 0
+    code: bytearray  # what offsets in it count from: for a direct command its operations, else the whole image
+    end: int  # offset after the code
+    global_memory: bytearray  # its global variables
+    global_size: int  # bytes of them that its header asks for
+    objects: dict[int, ProgramObject]  # by number, counted from 1
+    started: int = 0  # of the machine's clock, in microseconds
+    ended: int | None = None  # the same; None while it runs
+    status: int = RUNNING  # one of OBJSTAT
+    result: int = BUSY  # one of RESULT
+    folder: str = ""  # where names without a folder are looked up, with its closing slash; empty: the current folder
+    handles: HandleTable = field(default_factory=HandleTable)  # arrays and files that it holds
+    executed: int = 0  # operations so far
+    current: ProgramObject | None = None  # the object whose turn was last
+    unfinished: int = 0  # operations that are left of its turn, if that took too long
+    due: int = 0  # operations of all turns of a tick that are left, if they took too long
     _labels: dict[int, int] | None = None
 
     def label(self, number: int) -> int | None:

@@ -10,31 +10,20 @@ from ev3proto.tables.errors import LOGGED, NUMBERS
 
 @dataclass
 class Settings:
-    """Settings of a brick that was never used before.
+    """Settings of a brick that was never used before."""
 
-    name                 as on its display
-    volume               0 to 100 by right; any byte is kept
-    minutes              after which an idle brick switches off; any byte is kept
-    bluetooth, visible   whether Bluetooth is on, and others see the brick
-    bluetooth_address    12 hexadecimal digits in lower case
-    mode2                Bluetooth's mode for Apple devices
-    wifi                 whether WiFi is on
-    network, mac, ip     of WiFi, as COM_GET.GET_NETWORK says it; None: not connected
-    errors               the log of errors, oldest first
-    """
-
-    name: str = "EV3"
-    volume: int = int(CONSTANTS["DEFAULT_VOLUME"])
-    minutes: int = int(CONSTANTS["DEFAULT_SLEEPMINUTES"])
-    bluetooth: bool = True
-    visible: bool = True
-    bluetooth_address: str = "0016530f0c1e"
-    mode2: bool = False
-    wifi: bool = False
-    network: str | None = None
+    name: str = "EV3"  # as on its display
+    volume: int = int(CONSTANTS["DEFAULT_VOLUME"])  # 0 to 100 by right; any byte is kept
+    minutes: int = int(CONSTANTS["DEFAULT_SLEEPMINUTES"])  # after which an idle brick switches off; any byte is kept
+    bluetooth: bool = True  # whether it is on
+    visible: bool = True  # whether others see the brick by Bluetooth
+    bluetooth_address: str = "0016530f0c1e"  # 12 hexadecimal digits in lower case
+    mode2: bool = False  # Bluetooth's mode for Apple devices
+    wifi: bool = False  # whether it is on
+    network: str | None = None  # of WiFi, as COM_GET.GET_NETWORK says it; None: not connected
     mac: str = "44:49:94:0F:0C:1E"
-    ip: str | None = None
-    errors: list[int] = field(default_factory=list)
+    ip: str | None = None  # None: not connected
+    errors: list[int] = field(default_factory=list)  # the log of errors, oldest first
 
     def log_error(self, name: str) -> None:
         """Adds an error by its name; where the log is full it is dropped."""

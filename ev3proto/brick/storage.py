@@ -44,26 +44,19 @@ _PIECE = 1 << 16
 
 
 class Totals(NamedTuple):
-    """The totals of a folder.
+    """The totals of a folder."""
 
-    entries  as the directory has them, with . and ..; 0 for a file
-    size     bytes of the files
-    """
-
-    entries: int
-    size: int
+    entries: int  # as the directory has them, with . and ..; 0 for a file
+    size: int  # bytes of the files
 
 
 class Storage:
-    """The files.
-
-    root   the folder; None: there are no files. The firmware's folders are made in it.
-    quota  bytes that all files may take
-    """
+    """The files."""
 
     def __init__(self, root: str | os.PathLike[str] | None, quota: int = QUOTA) -> None:
+        # the folder; None: there are no files. The firmware's folders are made in it.
         self.root = None if root is None else Path(root).resolve()
-        self.quota = quota
+        self.quota = quota  # bytes that all files may take
         self.used = 0
         self._entries = 0
         self._open_inodes: Counter[tuple[int, int]] = Counter()

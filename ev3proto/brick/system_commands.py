@@ -56,29 +56,19 @@ _ADDRESS_ROOM = int(CONSTANTS["BTADRSIZE"])
 
 
 class Answer(NamedTuple):
-    """The answer to a system command.
+    """The answer to a system command."""
 
-    status    how it went
-    fields    by name: the reply's other fields, possibly more
-    is_error  whether a status that is a failure makes it an error reply
-    """
-
-    status: SystemStatus
-    fields: Mapping[str, Any]
-    is_error: bool = True
+    status: SystemStatus  # how it went
+    fields: Mapping[str, Any]  # by name: the reply's other fields, possibly more
+    is_error: bool = True  # whether a status that is a failure makes it an error reply
 
 
 class Request(NamedTuple):
-    """A received system command.
-
-    channel  the connection
-    fields   the fields that are present, by name; texts as bytes
-    rest     the bytes after them
-    """
+    """A received system command."""
 
     channel: Hashable
-    fields: Mapping[str, Any]
-    rest: bytes
+    fields: Mapping[str, Any]  # the fields that are present, by name; texts as bytes
+    rest: bytes  # the bytes after them
 
     def number(self, name: str) -> int:
         """Returns a number; 0 where the frame ends before it, as in the firmware's buffer."""
@@ -91,22 +81,14 @@ class Request(NamedTuple):
 
 @dataclass
 class Transfer:
-    """A file or a listing in transit.
+    """A file or a listing in transit."""
 
-    channel  the connection that began it
-    command  the command that began it
-    stream   where it is written to or read from
-    size     its bytes in all
-    place    of the file, to see which program has it open; None for a listing
-    done     bytes that have been moved
-    """
-
-    channel: Hashable
-    command: str
-    stream: StoredFile | io.BytesIO
-    size: int
-    place: Path | None = None
-    done: int = 0
+    channel: Hashable  # the connection that began it
+    command: str  # the command that began it
+    stream: StoredFile | io.BytesIO  # where it is written to or read from
+    size: int  # its bytes in all
+    place: Path | None = None  # of the file, to see which program has it open; None for a listing
+    done: int = 0  # bytes that have been moved
 
 
 Function = Callable[["SystemCommands", Request], Answer | None]

@@ -16,20 +16,13 @@ from ev3proto.tables.frame import MAX_FRAME
 
 
 class State(Enum):
-    """The state of a conversation.
+    """The state of a conversation."""
 
-    OPEN      not claimed; commands that are not plausible may wait for a reply that proves them
-    CLAIMED   claimed from a plausible command, or from replies, on
-    ANSWERED  claimed, and a reply has proved it: faulty frames keep the claim, too
-    SURE      claimed for good
-    ENDED     claimed before: a new claim may begin anywhere in a packet
-    """
-
-    OPEN = auto()
-    CLAIMED = auto()
-    ANSWERED = auto()
-    SURE = auto()
-    ENDED = auto()
+    OPEN = auto()  # not claimed; commands that are not plausible may wait for a reply that proves them
+    CLAIMED = auto()  # claimed from a plausible command, or from replies, on
+    ANSWERED = auto()  # claimed, and a reply has proved it: faulty frames keep the claim, too
+    SURE = auto()  # claimed for good
+    ENDED = auto()  # claimed before: a new claim may begin anywhere in a packet
 
 
 # Faster than attributes of the class, which each packet would look up several times.
@@ -37,16 +30,11 @@ _OPEN, _CLAIMED, _ANSWERED, _SURE, _ENDED = State
 
 
 class Held(NamedTuple):
-    """A packet of commands that a reply may prove.
-
-    side    its direction
-    frames  the commands
-    adopt   gives their events, once they are proved
-    """
+    """A packet of commands that a reply may prove."""
 
     side: Hashable
     frames: list[bytes]
-    adopt: Callable[[], list[Event]]
+    adopt: Callable[[], list[Event]]  # gives their events, once they are proved
 
 
 def _is_proof(record: Record) -> bool:

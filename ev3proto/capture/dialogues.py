@@ -12,14 +12,10 @@ from ev3proto.messages import Message, SystemReply
 
 
 class RequestReply(NamedTuple):
-    """A command and its reply.
+    """A command and its reply."""
 
-    command  None for a reply whose command was not captured
-    reply    None for a command that requests or gets none
-    """
-
-    command: Record | None
-    reply: Record | None
+    command: Record | None  # None for a reply whose command was not captured
+    reply: Record | None  # None for a command that requests or gets none
 
     @property
     def last(self) -> Record:

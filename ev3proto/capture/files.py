@@ -46,30 +46,18 @@ class FileState(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class RecoveredFile:
-    """A transferred file.
+    """A transferred file."""
 
-    path       its path on the brick; for pieces whose beginning was not captured, what is known of them
-    command    the command that began the transfer, None if it was not captured
-    direction  `to brick` or `from brick`
-    peer       the brick
-    bytes      number of transferred bytes
-    size       size of the whole file in bytes, None if unknown
-    outcome    complete, incomplete, or refused by the brick before any byte was transferred
-    trouble    why it is not complete, or cannot be written, as a sentence
-    packets    its first and its last packet
-    file       its path on this computer, None if it was not written
-    """
-
-    path: str
-    command: str | None
-    direction: str
+    path: str  # its path on the brick; for pieces whose beginning was not captured, what is known of them
+    command: str | None  # the command that began the transfer, None if it was not captured
+    direction: str  # `to brick` or `from brick`
     peer: str
-    bytes: int
-    size: int | None
-    outcome: FileState
-    trouble: str | None
-    packets: tuple[int, int]
-    file: Path | None = None
+    bytes: int  # number of transferred bytes
+    size: int | None  # size of the whole file in bytes, None if unknown
+    outcome: FileState  # complete, incomplete, or refused by the brick before any byte was transferred
+    trouble: str | None  # why it is not complete, or cannot be written, as a sentence
+    packets: tuple[int, int]  # its first and its last packet
+    file: Path | None = None  # its path on this computer, None if it was not written
 
 
 def survey(events: Iterable[Event], *, listings: bool = False) -> Iterator[RecoveredFile]:
@@ -157,29 +145,21 @@ def _is_same(path: Path, other: Path) -> bool:
 
 @dataclass(slots=True)
 class _Moving:
-    """A file during its transfer.
-
-    number     its index
-    parts      names of folders and file under which it is written
-    transfer   its transfer in the dialogue, None if the dialogue does not follow it
-    stated     its size in bytes, if there is no transfer
-    failure    the brick's error
-    unwritten  why it is not on this computer's disk
-    """
+    """A file during its transfer."""
 
     number: int
     path: str
-    parts: tuple[str, ...]
+    parts: tuple[str, ...]  # names of folders and file under which it is written
     command: str | None
     direction: str
     peer: str
     first: int
     last: int
-    transfer: Transfer | None = None
-    stated: int | None = None
+    transfer: Transfer | None = None  # its transfer in the dialogue, None if the dialogue does not follow it
+    stated: int | None = None  # its size in bytes, if there is no transfer
     bytes: int = 0
-    failure: str | None = None
-    unwritten: str | None = None
+    failure: str | None = None  # the brick's error
+    unwritten: str | None = None  # why it is not on this computer's disk
 
     @property
     def size(self) -> int | None:

@@ -65,18 +65,12 @@ def polls_end(buffer: bytes, at: int) -> int:
 
 
 class Found(Enum):
-    """What was found at an offset.
-
-    NOTHING  nothing
-    OPEN     an incomplete frame, valid so far
-    SINGLE   a whole frame, not confirmed by what follows it
-    CHAIN    a whole frame, and a header after it
-    """
+    """What was found at an offset."""
 
     NOTHING = auto()
-    OPEN = auto()
-    SINGLE = auto()
-    CHAIN = auto()
+    OPEN = auto()  # an incomplete frame, valid so far
+    SINGLE = auto()  # a whole frame, not confirmed by what follows it
+    CHAIN = auto()  # a whole frame, and a header after it
 
 
 class Finder:

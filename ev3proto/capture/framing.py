@@ -43,18 +43,13 @@ _TEXTS = (PartKind.UNLOCK, PartKind.ACCEPT)
 
 
 class StreamPart(NamedTuple):
-    """A piece of a stream.
+    """A piece of a stream."""
 
-    kind     TEXT_END is the rest of the text before; POLL are length fields of 0 between frames, which the brick skips
-    data     the bytes
-    numbers  the packets that carried them
-    reason   for LOST: why it cannot be read
-    """
-
+    # TEXT_END is the rest of the text before; POLL are length fields of 0 between frames, which the brick skips
     kind: PartKind
     data: bytes
-    numbers: tuple[int, ...]
-    reason: str = ""
+    numbers: tuple[int, ...]  # the packets that carried them
+    reason: str = ""  # for LOST: why it cannot be read
 
 
 class Cutter:

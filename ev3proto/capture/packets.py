@@ -8,35 +8,22 @@ from typing import NamedTuple
 
 @dataclass(frozen=True, slots=True)
 class Interface:
-    """An interface on which packets were captured.
+    """An interface on which packets were captured."""
 
-    link    the number of its link type
-    name    its name in the file, if any
-    order   "<" or ">": the byte order of the machine, which some headers have
-    """
-
-    link: int
-    name: str | None = None
-    order: str = "<"
+    link: int  # the number of its link type
+    name: str | None = None  # its name in the file, if any
+    order: str = "<"  # "<" or ">": the byte order of the machine, which some headers have
 
 
 class Packet(NamedTuple):
-    """A packet.
+    """A packet."""
 
-    number     in the file, from 1
-    time_ns    nanoseconds since 1970-01-01 UTC
-    data       the captured bytes
-    size       its size on the wire in bytes, which is larger than `data` if it was cut
-    interface  its interface
-    flags      the flags beside a packet in btsnoop files; None in other files
-    """
-
-    number: int
-    time_ns: int
-    data: bytes
-    size: int
+    number: int  # in the file, from 1
+    time_ns: int  # nanoseconds since 1970-01-01 UTC
+    data: bytes  # the captured bytes
+    size: int  # its size on the wire in bytes, which is larger than `data` if it was cut
     interface: Interface
-    flags: int | None = None
+    flags: int | None = None  # the flags beside a packet in btsnoop files; None in other files
 
 
 MOST_PACKET = 1 << 24

@@ -58,14 +58,10 @@ class Route:
 
 
 class Answered(NamedTuple):
-    """A command's facts about its reply, without the reply itself, which refers to the command.
+    """A command's facts about its reply, without the reply itself, which refers to the command."""
 
-    time_ns  the reply's time, in nanoseconds since 1970-01-01 UTC
-    failed   whether the command failed
-    """
-
-    time_ns: int
-    failed: bool
+    time_ns: int  # the reply's time, in nanoseconds since 1970-01-01 UTC
+    failed: bool  # whether the command failed
 
 
 class Record:

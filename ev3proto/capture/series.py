@@ -27,22 +27,14 @@ Cell: TypeAlias = float | str
 
 @dataclass(frozen=True, slots=True)
 class Row:
-    """The values of one reply, or of one message to a mailbox.
+    """The values of one reply, or of one message to a mailbox."""
 
-    time_ns   its time, in nanoseconds since 1970-01-01 UTC
-    packet    its packet
-    peer      address of the brick
-    cells     its values by the names of their columns
-    is_timed  its time is known
-    file      the name of its file, if given
-    """
-
-    time_ns: int
+    time_ns: int  # its time, in nanoseconds since 1970-01-01 UTC
     packet: int
-    peer: str
-    cells: dict[str, Cell]
-    is_timed: bool = True
-    file: str | None = None
+    peer: str  # address of the brick
+    cells: dict[str, Cell]  # its values by the names of their columns
+    is_timed: bool = True  # its time is known
+    file: str | None = None  # the name of its file, if given
 
     @property
     def time(self) -> str | None:
@@ -52,18 +44,13 @@ class Row:
 
 @dataclass(slots=True)
 class Series:
-    """The values of a capture.
+    """The values of a capture."""
 
-    units    the columns in order of appearance, each with its unit, if any
-    rows     in the order of the capture
-    size     number of rows and their values together; long texts count as several
-    omitted  number of rows beyond MOST_CELLS, which are not kept
-    """
-
+    # the columns in order of appearance, each with its unit, if any
     units: dict[str, str | None] = field(default_factory=dict)
-    rows: list[Row] = field(default_factory=list)
-    size: int = 0
-    omitted: int = 0
+    rows: list[Row] = field(default_factory=list)  # in the order of the capture
+    size: int = 0  # number of rows and their values together; long texts count as several
+    omitted: int = 0  # number of rows beyond MOST_CELLS, which are not kept
 
     def extend(self, other: Series) -> None:
         """Appends the rows of another capture, and its additional columns."""

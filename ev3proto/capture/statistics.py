@@ -55,57 +55,33 @@ class Amount:
 
 @dataclass(slots=True)
 class OperationSummary:
-    """One operation or system command.
+    """One operation or system command."""
 
-    name        `SOUND.TONE`; a system or daisy command's name, or its number if unknown
-    kind        `direct`, `system` or `daisy`: the kind of messages that carry it
-    uses        its occurrences in commands
-    commands    commands that have it
-    replies     replies to these
-    errors      replies among them that report a failure
-    unanswered  commands that requested a reply and got none
-    bytes       bytes of the frames of those commands and replies; a frame with several operations counts for each
-    latency     latency of those replies, None without any
-    """
-
-    name: str
-    kind: str
-    uses: int = 0
-    commands: int = 0
-    replies: int = 0
-    errors: int = 0
-    unanswered: int = 0
-    bytes: int = 0
-    latency: Percentiles | None = None
+    name: str  # `SOUND.TONE`; a system or daisy command's name, or its number if unknown
+    kind: str  # `direct`, `system` or `daisy`: the kind of messages that carry it
+    uses: int = 0  # its occurrences in commands
+    commands: int = 0  # commands that have it
+    replies: int = 0  # replies to these
+    errors: int = 0  # replies among them that report a failure
+    unanswered: int = 0  # commands that requested a reply and got none
+    bytes: int = 0  # bytes of the frames of those commands and replies; a frame with several operations counts for each
+    latency: Percentiles | None = None  # latency of those replies, None without any
 
 
 @dataclass(frozen=True, slots=True)
 class TransferSummary:
-    """A transferred file or listing.
+    """A transferred file or listing."""
 
-    path       its path in the command
-    command    the command that began it
-    direction  `to brick` or `from brick`
-    bytes      number of transferred bytes
-    size       total number of bytes, None if unknown
-    seconds    seconds from its first message to its last
-    rate       bytes per second, None if it took no time
-    complete   all of it was transferred
-    failed     the brick reported a failure
-    packet     the packet in which it began
-    peer       the brick
-    """
-
-    path: str
-    command: str
-    direction: str
-    bytes: int
-    size: int | None
-    seconds: float
-    rate: float | None
-    complete: bool
-    failed: bool
-    packet: int
+    path: str  # its path in the command
+    command: str  # the command that began it
+    direction: str  # `to brick` or `from brick`
+    bytes: int  # number of transferred bytes
+    size: int | None  # total number of bytes, None if unknown
+    seconds: float  # seconds from its first message to its last
+    rate: float | None  # bytes per second, None if it took no time
+    complete: bool  # all of it was transferred
+    failed: bool  # the brick reported a failure
+    packet: int  # the packet in which it began
     peer: str
 
 
@@ -120,67 +96,40 @@ class Noted:
 
 @dataclass(slots=True)
 class PeerSummary:
-    """The traffic between the computer and one brick, or all of them.
+    """The traffic between the computer and one brick, or all of them."""
 
-    name         the brick's address, or `all`
-    messages     frames and their bytes
-    kinds        the same by kind: direct-command, direct-reply, ...
-    operations   each operation, those with the most commands first
-    latency      latency of all replies, None without any
-    errors       replies that report a failure
-    faults       faulty frames
-    unanswered   commands that requested a reply and got none
-    orphans      replies whose command was not captured
-    first, last  times of the first and the last message, UTC; None if unknown
-    seconds      seconds between these
-    """
-
-    name: str
-    messages: Amount = field(default_factory=Amount)
-    kinds: dict[str, Amount] = field(default_factory=dict)
+    name: str  # the brick's address, or `all`
+    messages: Amount = field(default_factory=Amount)  # frames and their bytes
+    kinds: dict[str, Amount] = field(default_factory=dict)  # the same by kind: direct-command, direct-reply, ...
+    # each operation, those with the most commands first
     operations: list[OperationSummary] = field(default_factory=list)
-    latency: Percentiles | None = None
-    errors: int = 0
-    faults: int = 0
-    unanswered: int = 0
-    orphans: int = 0
-    first: str | None = None
-    last: str | None = None
-    seconds: float = 0.0
+    latency: Percentiles | None = None  # latency of all replies, None without any
+    errors: int = 0  # replies that report a failure
+    faults: int = 0  # faulty frames
+    unanswered: int = 0  # commands that requested a reply and got none
+    orphans: int = 0  # replies whose command was not captured
+    first: str | None = None  # time of the first message, UTC; None if unknown
+    last: str | None = None  # time of the last message
+    seconds: float = 0.0  # seconds between these
 
 
 @dataclass(frozen=True, slots=True)
 class Summary:
-    """The statistics of a capture.
+    """The statistics of a capture."""
 
-    whole               all bricks together
-    peers               each brick, if there are several
-    peers_left_out      messages of further bricks, beyond `MOST_PEERS`
-    texts               texts around frames, by kind
-    transfers           files and listings, in the order in which they began
-    transfers_left_out  number of further ones, beyond `MOST_TRANSFERS`
-    unanswered          the first commands that requested a reply and got none
-    faults              the first faulty frames
-    skipped             the first pieces that could not be read
-    skipped_pieces      number of all such pieces
-    skipped_bytes       captured bytes in them
-    missing_bytes       number of bytes that were not captured, as far as known
-    account             the account of the captured bytes, if given
-    """
-
-    whole: PeerSummary
-    peers: list[PeerSummary]
-    peers_left_out: int
-    texts: dict[str, Amount]
-    transfers: list[TransferSummary]
-    transfers_left_out: int
-    unanswered: list[Noted]
-    faults: list[Noted]
-    skipped: list[Noted]
-    skipped_pieces: int
-    skipped_bytes: int
-    missing_bytes: int
-    account: Account | None
+    whole: PeerSummary  # all bricks together
+    peers: list[PeerSummary]  # each brick, if there are several
+    peers_left_out: int  # messages of further bricks, beyond `MOST_PEERS`
+    texts: dict[str, Amount]  # texts around frames, by kind
+    transfers: list[TransferSummary]  # files and listings, in the order in which they began
+    transfers_left_out: int  # number of further ones, beyond `MOST_TRANSFERS`
+    unanswered: list[Noted]  # the first commands that requested a reply and got none
+    faults: list[Noted]  # the first faulty frames
+    skipped: list[Noted]  # the first pieces that could not be read
+    skipped_pieces: int  # number of all such pieces
+    skipped_bytes: int  # captured bytes in them
+    missing_bytes: int  # number of bytes that were not captured, as far as known
+    account: Account | None  # the account of the captured bytes, if given
 
     def as_dict(self) -> dict[str, Any]:
         """Returns the statistics as values for JSON."""
@@ -198,13 +147,10 @@ class OperationName(NamedTuple):
 
 
 class _Peer:
-    """The counts of one brick, or of all.
-
-    counts  the result, which `summary` completes
-    """
+    """The counts of one brick, or of all."""
 
     def __init__(self, name: str) -> None:
-        self.counts = PeerSummary(name)
+        self.counts = PeerSummary(name)  # the result, which `summary` completes
         self._operations: dict[OperationName, tuple[OperationSummary, Latencies]] = {}
         self._latencies = Latencies()
         self._first_ns: int | None = None

@@ -15,26 +15,16 @@ from ev3proto.tables import operations
 
 
 class Code(NamedTuple):
-    """One code.
+    """One code."""
 
-    code            `E301`: E for errors, W for warnings, H for hints
-    severity        how bad it is
-    title           a few words that name it
-    explanation     what happens on the brick, why, and what to do; paragraphs, separated by empty lines
-    example         a frame that raises it
-    counterexample  nearly the same frame, which does not raise it
-    carrier         the carrier that both need, None if it does not matter
-    alone           whether it is only for a frame that is not among others
-    """
-
-    code: str
-    severity: Severity
-    title: str
-    explanation: str
-    example: bytes
-    counterexample: bytes
-    carrier: str | None = None
-    alone: bool = False
+    code: str  # `E301`: E for errors, W for warnings, H for hints
+    severity: Severity  # how bad it is
+    title: str  # a few words that name it
+    explanation: str  # what happens on the brick, why, and what to do; paragraphs, separated by empty lines
+    example: bytes  # a frame that raises it
+    counterexample: bytes  # nearly the same frame, which does not raise it
+    carrier: str | None = None  # the carrier that both need, None if it does not matter
+    alone: bool = False  # whether it is only for a frame that is not among others
 
     def finding(
         self,

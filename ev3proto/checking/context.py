@@ -20,22 +20,15 @@ from ev3proto.tables.frame import MAX_FRAME, MAX_LONG_FRAME, REPORT_SIZES
 
 @dataclass(slots=True)
 class CheckedOperation:
-    """An operation with the values that the rules use repeatedly.
-
-    parsed     the operation itself
-    facts      its facts
-    name       `SOUND.TONE`
-    arguments  the arguments after opcode and CMD; if the operation is cut off, the readable ones
-    start      offset of its opcode
-    end        offset after it
-    """
+    """An operation with the values that the rules use repeatedly."""
 
     parsed: Operation
     facts: OperationFacts
-    name: str
+    name: str  # `SOUND.TONE`
+    # the arguments after opcode and CMD; if the operation is cut off, the readable ones
     arguments: tuple[Argument, ...]
-    start: int
-    end: int
+    start: int  # offset of its opcode
+    end: int  # offset after it
 
     def has(self, effect: Effect) -> bool:
         """Whether it has an effect."""
@@ -66,30 +59,19 @@ def checked_operations(operations: tuple[Operation, ...]) -> tuple[CheckedOperat
 
 @dataclass(slots=True)
 class CheckContext:
-    """A frame with everything that the rules read.
-
-    frame       the bytes
-    end         the end of the message: that of the length field, or that of the bytes
-    message     the message in `frame[:end]`
-    verdict     the brick's verdict
-    operations  the operations of a direct command, as far as the firmware reads them: up to an OBJECT_END
-    effects     the side effects of all of them
-    has_jumps   whether any of them jumps
-    dialect     the firmware whose instruction set is used
-    carrier     the carrier, None for any
-    is_alone    whether no other command belongs to it
-    """
+    """A frame with everything that the rules read."""
 
     frame: bytes
-    end: int
-    message: Message
-    verdict: Verdict
+    end: int  # the end of the message: that of the length field, or that of the bytes
+    message: Message  # the message in `frame[:end]`
+    verdict: Verdict  # the brick's verdict
+    # the operations of a direct command, as far as the firmware reads them: up to an OBJECT_END
     operations: tuple[CheckedOperation, ...]
-    effects: frozenset[Effect]
-    has_jumps: bool
-    dialect: str
-    carrier: str | None
-    is_alone: bool = False
+    effects: frozenset[Effect]  # the side effects of all of them
+    has_jumps: bool  # whether any of them jumps
+    dialect: str  # the firmware whose instruction set is used
+    carrier: str | None  # the carrier, None for any
+    is_alone: bool = False  # whether no other command belongs to it
 
     @property
     def fault(self) -> Fault | None:

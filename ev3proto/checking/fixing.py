@@ -114,19 +114,13 @@ def _not_made(changes: Sequence[Change]) -> list[str]:
 
 
 class _Fixing:
-    """The state of a frame while it is fixed.
-
-    frame    its current bytes
-    changes  the changes made
-    unfixed  what was not fixed and why, in sentences
-    made     the steps that changed something
-    """
+    """The state of a frame while it is fixed."""
 
     def __init__(self, report: Report, steps: _Step) -> None:
-        self.frame = report.frame
-        self.changes: list[Change] = []
-        self.unfixed: list[str] = []
-        self.made = _Step(0)
+        self.frame = report.frame  # its current bytes
+        self.changes: list[Change] = []  # the changes made
+        self.unfixed: list[str] = []  # what was not fixed and why, in sentences
+        self.made = _Step(0)  # the steps that changed something
         self._dialect = report.dialect
         self._raw = {finding.offset: finding for finding in report.findings if finding.code == RAW_BYTE.code}
         self._step = _Step(0)

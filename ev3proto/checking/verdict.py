@@ -59,20 +59,14 @@ class Reason(Enum):
 
 
 class Verdict(NamedTuple):
-    """The brick's verdict on a frame.
+    """The brick's verdict on a frame."""
 
-    accepted     whether the brick runs it
-    rejected_at  offset where it stops: the operation, or the field of the header; None if it accepts
-    reason       why it refuses; None if it accepts
-    blamed       offset of the exact cause, such as the argument; else rejected_at
-    spins        whether it hangs reading values before it refuses
-    """
-
-    accepted: bool
+    accepted: bool  # whether the brick runs it
+    # offset where it stops: the operation, or the field of the header; None if it accepts
     rejected_at: int | None = None
-    reason: Reason | None = None
-    blamed: int | None = None
-    spins: bool = False
+    reason: Reason | None = None  # why it refuses; None if it accepts
+    blamed: int | None = None  # offset of the exact cause, such as the argument; else rejected_at
+    spins: bool = False  # whether it hangs reading values before it refuses
 
 
 ACCEPTED = Verdict(True)
@@ -96,16 +90,11 @@ _CMD_REQUIREMENT = requirement(CMD.parameter)
 
 
 class _Expected(NamedTuple):
-    """The validator's expectations after an opcode or a CMD.
+    """The validator's expectations after an opcode or a CMD."""
 
-    readers       read the parameters before the elements of a list
-    requirements  the requirements on each of them
-    listed        COUNT or VALUES if it ends in a list
-    """
-
-    readers: tuple[Reader, ...] = ()
-    requirements: tuple[Requirement, ...] = ()
-    listed: Type | None = None
+    readers: tuple[Reader, ...] = ()  # read the parameters before the elements of a list
+    requirements: tuple[Requirement, ...] = ()  # the requirements on each of them
+    listed: Type | None = None  # COUNT or VALUES if it ends in a list
 
 
 class Validator:

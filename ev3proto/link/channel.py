@@ -42,19 +42,14 @@ def known_timeout(seconds: float | None) -> float | None:
 
 
 class Ticket:
-    """A pending command and the future of its reply.
-
-    prepared  the command as prepared; None where a whole frame was given
-    request   the command that it became
-    reply     the future frame of its reply; done at once where it wants none
-    """
+    """A pending command and the future of its reply."""
 
     __slots__ = ("prepared", "reply", "request")
 
     def __init__(self, prepared: Prepared | None, request: Request) -> None:
-        self.prepared = prepared
-        self.request = request
-        self.reply: Future[bytes] = Future()
+        self.prepared = prepared  # the command as prepared; None where a whole frame was given
+        self.request = request  # the command that it became
+        self.reply: Future[bytes] = Future()  # the future frame of its reply; done at once where it wants none
 
     def result(self, reply: bytes) -> Result:
         """Returns the program's result for a reply; the reply itself for a whole frame. Raises LinkError."""
@@ -62,16 +57,12 @@ class Ticket:
 
 
 class Channel:
-    """A connection to a brick.
-
-    carrier  what carries it
-    label    which brick, as messages call it
-    """
+    """A connection to a brick."""
 
     def __init__(self, wire: Wire) -> None:
         """Takes over a connected carrier, and begins to read from it."""
-        self.carrier: Carrier = wire.carrier
-        self.label = wire.label
+        self.carrier: Carrier = wire.carrier  # what carries it
+        self.label = wire.label  # which brick, as messages call it
         self._wire = wire
         self._session = Session()
         self._tickets: Bounded[int, Ticket] = Bounded(MOST_UNFETCHED)

@@ -29,16 +29,12 @@ Result = bytes | list[Value]
 
 
 class SyncMode(StrEnum):
-    """Whether commands request a reply, and who waits for it.
+    """Whether commands request a reply, and who waits for it."""
 
-    STD    requests a reply if there is global memory, and waits for it
-    ASYNC  requests a reply if there is global memory, and waits only when the program calls `wait_for_reply`
-    SYNC   always requests a reply, and waits for it: the brick has done everything when the program continues
-    """
-
-    STD = "STD"
+    STD = "STD"  # requests a reply if there is global memory, and waits for it
+    # requests a reply if there is global memory, and waits only when the program calls `wait_for_reply`
     ASYNC = "ASYNC"
-    SYNC = "SYNC"
+    SYNC = "SYNC"  # always requests a reply, and waits for it: the brick has done everything when the program continues
 
     @classmethod
     def of(cls, name: str) -> SyncMode:
@@ -51,20 +47,13 @@ class SyncMode(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Prepared:
-    """A command before it is sent.
+    """A command before it is sent."""
 
-    kind      its message type
-    body      the bytes after the header
-    waits     whether the program waits for the reply
-    is_named  whether the result is values; else it is bytes
-    dialect   the firmware whose instruction set it is read by
-    """
-
-    kind: MessageType
-    body: bytes
-    waits: bool
-    is_named: bool
-    dialect: str = "official"
+    kind: MessageType  # its message type
+    body: bytes  # the bytes after the header
+    waits: bool  # whether the program waits for the reply
+    is_named: bool  # whether the result is values; else it is bytes
+    dialect: str = "official"  # the firmware whose instruction set it is read by
 
     def result(self, request: bytes, reply: bytes) -> Result:
         """Returns the program's result for a reply. Raises DirectCommandError and SystemCommandError."""

@@ -32,16 +32,12 @@ REPLY_TIMEOUT = 30.0
 
 
 class Shared:
-    """A connection that several objects share: it ends with the last of them.
-
-    channel  the connection
-    moving   the lock that a file transfer holds
-    """
+    """A connection that several objects share: it ends with the last of them."""
 
     def __init__(self, channel: Channel) -> None:
         """Takes over a channel."""
         self.channel = channel
-        self.moving = threading.Lock()
+        self.moving = threading.Lock()  # the lock that a file transfer holds
         self._users = 0
         self._lock = threading.Lock()
 

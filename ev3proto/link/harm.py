@@ -25,14 +25,10 @@ from ev3proto.tables.validation import LABELS
 
 
 class Harm(StrEnum):
-    """A group of effects, as it is named on the command line.
+    """A group of effects, as it is named on the command line."""
 
-    text     what it is, completing "it ..."
-    effects  the gravest first
-    """
-
-    text: str
-    effects: tuple[Effect, ...]
+    text: str  # what it is, completing "it ..."
+    effects: tuple[Effect, ...]  # the gravest first
 
     def __new__(cls, name: str, text: str, *effects: Effect) -> Harm:
         """Creates a group from its name, text and effects."""

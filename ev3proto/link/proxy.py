@@ -58,28 +58,17 @@ _GRACE = 10.0
 
 @dataclass(frozen=True)
 class ProxyOptions:
-    """The options of a proxy.
+    """The options of a proxy."""
 
-    address       of this computer, where clients connect
-    port          0 for any that is free
-    only_from     the address that clients must have; None for any
-    is_read_only  only commands that read go through
-    is_masked     names, addresses and PINs are kept out of the recording and of all that is shown and said
-    faults        what happens to replies
-    dialect       the firmware's instruction set
-    announced     serial number in the UDP beacon, by which programs find the proxy; None: no beacon
-    beacon_port   the UDP port that the beacon goes to
-    """
-
-    address: str = "127.0.0.1"
-    port: int = 0
-    only_from: str | None = None
-    is_read_only: bool = False
-    is_masked: bool = False
-    faults: Faults = field(default_factory=Faults)
-    dialect: str = "official"
-    announced: str | None = None
-    beacon_port: int = BEACON_PORT
+    address: str = "127.0.0.1"  # of this computer, where clients connect
+    port: int = 0  # 0 for any that is free
+    only_from: str | None = None  # the address that clients must have; None for any
+    is_read_only: bool = False  # only commands that read go through
+    is_masked: bool = False  # names, addresses and PINs are kept out of the recording and of all that is shown and said
+    faults: Faults = field(default_factory=Faults)  # what happens to replies
+    dialect: str = "official"  # the firmware's instruction set
+    announced: str | None = None  # serial number in the UDP beacon, by which programs find the proxy; None: no beacon
+    beacon_port: int = BEACON_PORT  # the UDP port that the beacon goes to
 
 
 Shown = Callable[[RequestReply], None]
@@ -90,11 +79,7 @@ Say = Callable[[str], None]
 
 
 class Proxy:
-    """A proxy between clients and a brick.
-
-    port  where it listens
-    lost  why the connection to the brick is gone; None while it is there
-    """
+    """A proxy between clients and a brick."""
 
     def __init__(
         self,
@@ -107,7 +92,7 @@ class Proxy:
         recording: Recording | None = None,
     ) -> None:
         """Opens the port. Raises PortInUseError."""
-        self.lost: ConnectionLostError | None = None
+        self.lost: ConnectionLostError | None = None  # why the connection to the brick is gone; None while it is there
         packets = None if recording is None else lambda: recording.packets
         if options.is_masked:
             wire.label, peer = "the brick", "brick"
@@ -128,7 +113,7 @@ class Proxy:
         except ServerError as error:
             self._loop.close()
             raise PortInUseError(str(error)) from None
-        self.port: int = self._wifi.port
+        self.port: int = self._wifi.port  # where it listens
 
     def serve(self) -> None:
         """Serves clients until `stop` is called or the brick is gone. Raises what `show` raises."""
@@ -330,20 +315,13 @@ class Proxy:
 
 @dataclass(eq=False, slots=True)
 class _Sent:
-    """A command that waits for its reply.
+    """A command that waits for its reply."""
 
-    client   who sent it
-    command  as it is shown
-    frame    as it was sent
-    key      what it shares with its reply
-    expires  when its reply is no longer expected; only for those of a client that has disconnected
-    """
-
-    client: _Client
-    command: Record
-    frame: bytes
-    key: tuple[str, int, int]
-    expires: float = 0.0
+    client: _Client  # who sent it
+    command: Record  # as it is shown
+    frame: bytes  # as it was sent
+    key: tuple[str, int, int]  # what it shares with its reply
+    expires: float = 0.0  # when its reply is no longer expected; only for those of a client that has disconnected
 
 
 def _begins(message: Message) -> TypeGuard[SystemCommand]:
@@ -359,21 +337,14 @@ def _first(waiting: Iterable[_Sent], reply: bytes) -> _Sent | None:
 
 
 class _Client:
-    """The client that is served.
-
-    line     its connection
-    name     its address and port
-    decoder  what it sent
-    waiting  its commands without a reply yet, oldest first
-    handles  its open files on the brick
-    """
+    """The client that is served."""
 
     def __init__(self, proxy: Proxy, line: Line, name: str, decoder: Decoder) -> None:
-        self.line = line
-        self.name = name
-        self.decoder = decoder
-        self.waiting: deque[_Sent] = deque()
-        self.handles = OpenHandles()
+        self.line = line  # its connection
+        self.name = name  # its address and port
+        self.decoder = decoder  # what it sent
+        self.waiting: deque[_Sent] = deque()  # its commands without a reply yet, oldest first
+        self.handles = OpenHandles()  # its open files on the brick
         self._proxy = proxy
 
     @property

@@ -32,16 +32,11 @@ _FIRMWARE = "UI_READ.GET_FW_VERS"
 
 @dataclass(frozen=True, slots=True)
 class Step:
-    """A command of a capture.
+    """A command of a capture."""
 
-    command  as it was recorded
-    reply    the recorded reply, None where there was none
-    harms    the reasons to omit it, each with its operation; empty where it is sent
-    """
-
-    command: Record
-    reply: Record | None
-    harms: dict[Harm, str]
+    command: Record  # as it was recorded
+    reply: Record | None  # the recorded reply, None where there was none
+    harms: dict[Harm, str]  # the reasons to omit it, each with its operation; empty where it is sent
 
 
 class Likeness(Enum):

@@ -27,16 +27,11 @@ _ASKING = frozenset(int(member) for member in MessageType if member.wants_reply)
 
 @dataclass(eq=False, slots=True)
 class Request:
-    """A command that was sent.
+    """A command that was sent."""
 
-    counter      its message counter
-    frame        its bytes
-    wants_reply  whether the brick should answer it
-    """
-
-    counter: int
+    counter: int  # its message counter
     frame: bytes
-    wants_reply: bool
+    wants_reply: bool  # whether the brick should answer it
 
 
 class Oddity(Enum):

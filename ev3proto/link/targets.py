@@ -34,17 +34,13 @@ _CARRIERS = {Way.USB: Carrier.USB, Way.BLUETOOTH: Carrier.BLUETOOTH, Way.SERIAL:
 
 @dataclass(frozen=True, slots=True)
 class Target:
-    """A brick and the way to it.
+    """A brick and the way to it."""
 
-    way   how it is reached
-    host  WiFi: address or serial number, None for the brick whose beacon comes first. USB: serial number, None for the
-          only brick. Bluetooth: MAC address. Serial: the port. Virtual: the folder of its files, None for no files.
-    port  WiFi: the TCP port, None for the usual one
-    """
-
-    way: Way
+    way: Way  # how it is reached
+    # WiFi: address or serial number, None for the brick whose beacon comes first. USB: serial number, None for the only
+    # brick. Bluetooth: MAC address. Serial: the port. Virtual: the folder of its files, None for no files.
     host: str | None = None
-    port: int | None = None
+    port: int | None = None  # WiFi: the TCP port, None for the usual one
 
     def __str__(self) -> str:
         host = f"[{self.host}]" if self.port is not None and ":" in (self.host or "") else self.host

@@ -68,20 +68,14 @@ class Program:
 
 
 class _Code(NamedTuple):
-    """The code at an offset.
+    """The code at an offset."""
 
-    parameters  what a subcall declares
-    starts      the offsets of its operations
-    limit       the end of the last one; of a partial one, the end of the bytes that it was read from
-    handles     the arrays whose handles local variables hold
-    flaw        its fault, and the bytes that could not be read
-    """
-
-    parameters: tuple[ProgramParameter, ...] = ()
-    starts: Sequence[int] = ()
-    limit: int = 0
+    parameters: tuple[ProgramParameter, ...] = ()  # what a subcall declares
+    starts: Sequence[int] = ()  # the offsets of its operations
+    limit: int = 0  # the end of the last one; of a partial one, the end of the bytes that it was read from
+    # the arrays whose handles local variables hold
     handles: Handles = {}  # noqa: RUF012 - never changed
-    flaw: Flaw = NO_FLAW
+    flaw: Flaw = NO_FLAW  # its fault, and the bytes that could not be read
 
 
 class _Reader:

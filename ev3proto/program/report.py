@@ -13,12 +13,9 @@ from ev3proto.text.spans import Line, Role, plain_text, visible
 
 @dataclass(frozen=True, slots=True)
 class ProgramReport(Report):
-    """The result of a check of a program. `frame` is the image; `accepted` tells whether the brick starts it.
+    """The result of a check of a program. `frame` is the image; `accepted` tells whether the brick starts it."""
 
-    omitted  number of findings beyond the limit, which are not in `findings`
-    """
-
-    omitted: int = 0
+    omitted: int = 0  # number of findings beyond the limit, which are not in `findings`
 
     def __str__(self) -> str:
         """Returns what `ev3proto check` prints of it."""

@@ -34,18 +34,13 @@ Kinds = tuple[tuple[Type, Direction], ...]
 
 
 class RetypedSchema:
-    """The schema of an operation, with other types for its last arguments.
-
-    base   the schema by the tables
-    first  number of the first argument with another type
-    kinds  type and direction of that one and those after it; further arguments stay as they are
-    """
+    """The schema of an operation, with other types for its last arguments."""
 
     def __init__(self, base: OperationSchema, first: int, kinds: Kinds) -> None:
-        self.base = base
+        self.base = base  # the schema by the tables
         self.declaration = base.declaration
-        self.first = first
-        self.kinds = kinds
+        self.first = first  # number of the first argument with another type
+        self.kinds = kinds  # type and direction of that one and those after it; further arguments stay as they are
         self.has_outputs = base.has_outputs or any(direction is not Direction.IN for _, direction in kinds)
 
     def selector(self, data: bytes, at: int) -> Argument | None:
@@ -105,18 +100,12 @@ class HandleFinder:
 
 
 class Types(NamedTuple):
-    """Argument types in one code that follow from the rest of the program.
+    """Argument types in one code that follow from the rest of the program."""
 
-    callees  the parameters that objects declare, by their numbers
-    own      the arrays whose handles local variables of the code hold
-    shared   the arrays whose handles global variables hold
-    dialect  the firmware whose instruction set the code is read by
-    """
-
-    callees: Mapping[int, tuple[ProgramParameter, ...]]
-    own: Handles
-    shared: Handles
-    dialect: str
+    callees: Mapping[int, tuple[ProgramParameter, ...]]  # the parameters that objects declare, by their numbers
+    own: Handles  # the arrays whose handles local variables of the code hold
+    shared: Handles  # the arrays whose handles global variables hold
+    dialect: str  # the firmware whose instruction set the code is read by
 
     def typed(self, operation: Operation) -> Operation:
         """Returns the operation; CALL and ARRAY.FILL with the types that follow from the program."""

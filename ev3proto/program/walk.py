@@ -45,34 +45,23 @@ REASONS = {
 
 
 class ObjectRead(NamedTuple):
-    """The bytes that the validator reads for an object.
+    """The bytes that the validator reads for an object."""
 
-    offset    of the object's code: as its header says, or where the validator is when that says 0
-    start     where it starts to read; None where it reads nothing
-    end       where it stops
-    is_ended  whether it found an OBJECT_END
-    """
-
-    offset: int
-    start: int | None
-    end: int
-    is_ended: bool = False
+    offset: int  # of the object's code: as its header says, or where the validator is when that says 0
+    start: int | None  # where it starts to read; None where it reads nothing
+    end: int  # where it stops
+    is_ended: bool = False  # whether it found an OBJECT_END
 
 
 class Walk(NamedTuple):
-    """The validator's verdict on an image.
+    """The validator's verdict on an image."""
 
-    accepted  whether the brick starts the program
-    position  offset of the rejected operation or header field, or None. A version from before the release has a
-              position, too, but is accepted
-    reason    why it refuses
-    objects   the bytes read for each object, up to the refusal
-    """
-
-    accepted: bool
+    accepted: bool  # whether the brick starts the program
+    # offset of the rejected operation or header field, or None. A version from before the release has a position, too,
+    # but is accepted
     position: int | None = None
-    reason: str | None = None
-    objects: tuple[ObjectRead, ...] = ()
+    reason: str | None = None  # why it refuses
+    objects: tuple[ObjectRead, ...] = ()  # the bytes read for each object, up to the refusal
 
 
 def walk(image: bytes, dialect: str = "official") -> Walk:

@@ -86,23 +86,16 @@ def source_lines(program: Program) -> Iterator[str]:
 
 
 class ObjectCode:
-    """The written form of the code of one object.
-
-    word     vmthread, subcall or block
-    steps    the operations to be written
-    is_open  neither RETURN nor OBJECT_END is added
-    raw      the bytes of the parameter table, if it cannot be declared
-    rest     bytes after the operations
-    uses     for each kind of memory: the type by which the steps use each index
-    """
+    """The written form of the code of one object."""
 
     def __init__(self, part: CodeObject) -> None:
         self.part = part
-        self.word = str(part.kind)
-        self.raw = b""
-        self.rest = part.rest
+        self.word = str(part.kind)  # vmthread, subcall or block
+        self.raw = b""  # the bytes of the parameter table, if it cannot be declared
+        self.rest = part.rest  # bytes after the operations
+        # for each kind of memory: the type by which the steps use each index
         self.uses: dict[str, dict[int, Type]] = {GLOBAL: {}, LOCAL: {}}
-        self.steps: Sequence[Operation] = part.operations
+        self.steps: Sequence[Operation] = part.operations  # the operations to be written
         if part.shares is not None:
             self.steps, self.rest, self.is_open = (), b"", True
             return
@@ -110,7 +103,7 @@ class ObjectCode:
             # The word subcall would add a parameter table of its own.
             self.word = str(ObjectKind.THREAD)
             self.raw = part.code[: _table_size(part.parameters)]
-        self.is_open = bool(self.rest) or not self._leave_end_out()
+        self.is_open = bool(self.rest) or not self._leave_end_out()  # neither RETURN nor OBJECT_END is added
         for step in self.steps:
             _add_uses(step, self.uses)
 
@@ -139,19 +132,15 @@ class ObjectCode:
 
 
 class Writer(OperationWriter):
-    """Writes one program.
-
-    codes  how the code of each object is written
-    names  of the objects
-    """
+    """Writes one program."""
 
     separator = ", "
 
     def __init__(self, program: Program) -> None:
         super().__init__(rules_of(program))
         self._program = program
-        self.codes = [ObjectCode(part) for part in program.objects]
-        self.names = [f"{_NAMES[part.kind]}{part.number}" for part in program.objects]
+        self.codes = [ObjectCode(part) for part in program.objects]  # how the code of each object is written
+        self.names = [f"{_NAMES[part.kind]}{part.number}" for part in program.objects]  # of the objects
         self._locals_end = 0
         self._globals: dict[int, str] = {}
         self._locals: dict[int, str] = {}

@@ -35,24 +35,15 @@ _NOT_REPEATED = (BUTTONS["enter"], BUTTONS["back"])
 
 @dataclass
 class Button:
-    """One button: whether it is down, and its presses that no program has read yet.
+    """One button: whether it is down, and its presses that no program has read yet."""
 
-    held       by a hand, by an operation
-    down       as the firmware saw it last
-    activated  it was pressed, or held long enough to count once more
-    long       it was held for 3 s; set again as long as it is held
-    bumped     it was released
-    since      when it went down, in microseconds
-    counted    repeats of `activated` so far in this press
-    """
-
-    held: set[str] = field(default_factory=set)
-    down: bool = False
-    activated: bool = False
-    long: bool = False
-    bumped: bool = False
-    since: int = 0
-    counted: int = 0
+    held: set[str] = field(default_factory=set)  # by a hand, by an operation
+    down: bool = False  # as the firmware saw it last
+    activated: bool = False  # it was pressed, or held long enough to count once more
+    long: bool = False  # it was held for 3 s; set again as long as it is held
+    bumped: bool = False  # it was released
+    since: int = 0  # when it went down, in microseconds
+    counted: int = 0  # repeats of `activated` so far in this press
 
 
 @dataclass
@@ -66,16 +57,12 @@ class _Touch:
 
 
 class Buttons(Part):
-    """The buttons of a brick.
-
-    click       a press was asked for and found: the sign for the brick to click
-    back_block  what SET_BACK_BLOCK set
-    """
+    """The buttons of a brick."""
 
     def __init__(self, back_pressed: Callable[[], None]) -> None:
         """Creates released buttons; `back_pressed` is called for the back button unless it is blocked."""
-        self.click = False
-        self.back_block = 0
+        self.click = False  # a press was asked for and found: the sign for the brick to click
+        self.back_block = 0  # what SET_BACK_BLOCK set
         self._buttons = {number: Button() for number in BUTTONS.values()}
         self._touches: list[_Touch] = []
         self._back_pressed = back_pressed

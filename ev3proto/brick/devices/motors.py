@@ -35,18 +35,12 @@ _MICROSECONDS = 1_000_000.0
 
 @dataclass
 class Phase:
-    """A phase of a move: a number of degrees or seconds, from one speed to another.
+    """A phase of a move: a number of degrees or seconds, from one speed to another."""
 
-    amount   degrees or seconds, not negative
-    is_time  which of the two
-    start    target at its beginning, in percent
-    end      target at its end
-    """
-
-    amount: float
-    is_time: bool
-    start: float
-    end: float
+    amount: float  # degrees or seconds, not negative
+    is_time: bool  # which of the two
+    start: float  # target at its beginning, in percent
+    end: float  # target at its end
 
     @property
     def direction(self) -> int:
@@ -63,26 +57,17 @@ class Phase:
 
 
 class Motor:
-    """A motor on a port, or the empty port.
-
-    type         TYPE_NONE for an empty port
-    wanted       what POWER or SPEED asked for last, -100 to 100, without polarity
-    polarity     1 or -1
-    is_running   whether START made it run for ever
-    phases       the remaining phases of a move; the first is in progress
-    owner        object whose move is under way; 0 without one
-    is_held      its values are as they were plugged in, until a command moves it
-    """
+    """A motor on a port, or the empty port."""
 
     def __init__(self) -> None:
-        self.type = TYPE.members["TYPE_NONE"]
-        self.wanted = 0
-        self.polarity = 1
-        self.is_running = False
-        self.is_held = False
+        self.type = TYPE.members["TYPE_NONE"]  # TYPE_NONE for an empty port
+        self.wanted = 0  # what POWER or SPEED asked for last, -100 to 100, without polarity
+        self.polarity = 1  # 1 or -1
+        self.is_running = False  # whether START made it run for ever
+        self.is_held = False  # its values are as they were plugged in, until a command moves it
         self.is_moving_by_angle = False
-        self.phases: list[Phase] = []
-        self.owner = 0
+        self.phases: list[Phase] = []  # the remaining phases of a move; the first is in progress
+        self.owner = 0  # object whose move is under way; 0 without one
         self.partner: Motor | None = None
         self._target = 0.0
         self._speed = 0.0

@@ -21,20 +21,13 @@ _MICROSECONDS = 1_000_000
 
 @dataclass(frozen=True)
 class Playing:
-    """A tone or file that is played.
+    """A tone or file that is played."""
 
-    volume     percent, in steps of 8
-    frequency  of a tone, in hertz; 0 for a file
-    file       of a sound file, its contents; empty for a tone
-    began      when, in microseconds of the brick's clock
-    ends       when; None: never
-    """
-
-    volume: int
-    frequency: int
-    file: bytes
-    began: int
-    ends: int | None
+    volume: int  # percent, in steps of 8
+    frequency: int  # of a tone, in hertz; 0 for a file
+    file: bytes  # of a sound file, its contents; empty for a tone
+    began: int  # when, in microseconds of the brick's clock
+    ends: int | None  # when; None: never
 
 
 class Sound(Part):

@@ -10,19 +10,13 @@ _MOST_PRINTED = 1 << 16
 
 
 class Terminal:
-    """A terminal without a user.
-
-    text     what was written since the last flush
-    printed  the last part of what was flushed while the terminal was on
-    is_on    whether flushing prints
-    typed    what was typed and not read by a program
-    """
+    """A terminal without a user."""
 
     def __init__(self) -> None:
-        self.text = bytearray()
-        self.printed = bytearray()
-        self.is_on = False
-        self.typed = bytearray()
+        self.text = bytearray()  # what was written since the last flush
+        self.printed = bytearray()  # the last part of what was flushed while the terminal was on
+        self.is_on = False  # whether flushing prints
+        self.typed = bytearray()  # what was typed and not read by a program
 
     def write(self, text: bytes) -> None:
         """Gathers text; whenever the buffer is full it is flushed."""

@@ -33,14 +33,11 @@ MOST_HEAD = 999
 
 
 class LogBuffer(Array):
-    """The memory for a quick log, which is an array of bytes.
-
-    used  bytes that were written
-    """
+    """The memory for a quick log, which is an array of bytes."""
 
     def __init__(self) -> None:
         super().__init__(Type.DATA8, BUFFER)
-        self.used = 0
+        self.used = 0  # bytes that were written
 
     def write(self, vm: Machine, data: bytes) -> bool:
         """Adds bytes. Returns False where there is no room."""

@@ -10,18 +10,12 @@ from ev3proto.tables.frame import LENGTH_FIELD
 
 @dataclass
 class Faults:
-    """The faults of replies.
+    """The faults of replies."""
 
-    delay    seconds by which each reply is delayed
-    drop     share of them that are lost, 0 to 1
-    corrupt  share of them in which one byte after the length field is changed, 0 to 1
-    random   the source of chance; a seed makes it repeatable
-    """
-
-    delay: float = 0.0
-    drop: float = 0.0
-    corrupt: float = 0.0
-    random: Random = field(default_factory=Random)
+    delay: float = 0.0  # seconds by which each reply is delayed
+    drop: float = 0.0  # share of them that are lost, 0 to 1
+    corrupt: float = 0.0  # share of them in which one byte after the length field is changed, 0 to 1
+    random: Random = field(default_factory=Random)  # the source of chance; a seed makes it repeatable
 
     def apply_to(self, reply: bytes) -> bytes | None:
         """Returns what is sent in place of a reply; None where it is lost."""

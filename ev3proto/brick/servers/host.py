@@ -88,17 +88,7 @@ class Observer(Protocol):
 
 
 class Connection:
-    """One client of the brick.
-
-    name     its name in messages
-    carrier  "wifi" or "bluetooth"
-    number   counted from 1, each connection its own
-    used     seconds of the brick's time that it has had
-    rests_until  when it is served again, after it kept others waiting
-    is_gone  whether its client has disconnected; earlier frames are still served, and not answered
-    ends     IP address and port of the client, and those of the brick; on WiFi only
-    opening  the texts before the first frame, each with whether the client sent it
-    """
+    """One client of the brick."""
 
     def __init__(
         self,
@@ -109,14 +99,14 @@ class Connection:
         ends: Ends = _NO_ENDS,
         opening: Sequence[tuple[bytes, bool]] = (),
     ) -> None:
-        self.name = name
-        self.carrier = carrier
-        self.ends = ends
-        self.opening = opening
-        self.number = 0
-        self.used = 0.0
-        self.rests_until = 0.0
-        self.is_gone = False
+        self.name = name  # its name in messages
+        self.carrier = carrier  # "wifi" or "bluetooth"
+        self.ends = ends  # IP address and port of the client, and those of the brick; on WiFi only
+        self.opening = opening  # the texts before the first frame, each with whether the client sent it
+        self.number = 0  # counted from 1, each connection its own
+        self.used = 0.0  # seconds of the brick's time that it has had
+        self.rests_until = 0.0  # when it is served again, after it kept others waiting
+        self.is_gone = False  # whether its client has disconnected; earlier frames are still served, and not answered
         self._host = host
         self._line = line
         self._incoming = bytearray()

@@ -21,14 +21,11 @@ _EXHAUSTED = (errno.EMFILE, errno.ENFILE, errno.ENOBUFS, errno.ENOMEM)
 
 
 class Listener:
-    """A port that accepts clients.
-
-    address, port  where it listens
-    """
+    """A port that accepts clients."""
 
     def __init__(self, client: Callable[[], asyncio.BaseProtocol], full: Callable[[], None]) -> None:
         """Does not open the port yet; `full` is called when a client was refused for lack of descriptors."""
-        self.address = ""
+        self.address = ""  # where it listens
         self.port = 0
         self._client = client
         self._full = full

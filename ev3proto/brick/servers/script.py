@@ -79,14 +79,11 @@ class Step:
 
 @dataclass(frozen=True)
 class Script:
-    """A robot and its events.
-
-    period  seconds after which the steps begin again; None: they happen once
-    """
+    """A robot and its events."""
 
     plugs: tuple[Plug, ...] = ()
     steps: tuple[Step, ...] = ()
-    period: float | None = None
+    period: float | None = None  # seconds after which the steps begin again; None: they happen once
     name: str | None = None
     voltage: float | None = None
     current: float | None = None

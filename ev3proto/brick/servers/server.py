@@ -39,58 +39,34 @@ NETWORK = "ev3proto"
 
 @dataclass(frozen=True)
 class Options:
-    """The options of a brick's server.
+    """The options of a brick's server."""
 
-    address     where clients connect; loopback unless another one is named
-    port        TCP port of WiFi, 0 for any that is free; None: no WiFi
-    beacon      whether it says that it is there
-    clients     number of clients that are served at once
-    serial      where the link to a serial port is to be; None: no such port
-    page        TCP port of the page, 0 for any that is free; None: no page
-    faults      what happens to replies
-    record      file for a capture of what goes by
-    report      whether clients' frames are checked
-    screenshot  file for a picture of the display at the end
-    script      what is plugged in, and what happens
-    serial_number  12 hexadecimal digits; None: the usual ones
-    dialect     the firmware's instruction set
-    """
-
-    address: str = LOOPBACK
-    port: int | None = TCP_PORT
-    beacon: bool = True
-    clients: int = 1
-    serial: Path | None = None
-    page: int | None = None
-    faults: Faults = field(default_factory=Faults)
-    record: Path | None = None
-    report: bool = False
-    screenshot: Path | None = None
-    script: Script = field(default_factory=Script)
-    dialect: str = "official"
-    serial_number: str | None = None
+    address: str = LOOPBACK  # where clients connect; loopback unless another one is named
+    port: int | None = TCP_PORT  # TCP port of WiFi, 0 for any that is free; None: no WiFi
+    beacon: bool = True  # whether it says that it is there
+    clients: int = 1  # number of clients that are served at once
+    serial: Path | None = None  # where the link to a serial port is to be; None: no such port
+    page: int | None = None  # TCP port of the page, 0 for any that is free; None: no page
+    faults: Faults = field(default_factory=Faults)  # what happens to replies
+    record: Path | None = None  # file for a capture of what goes by
+    report: bool = False  # whether clients' frames are checked
+    screenshot: Path | None = None  # file for a picture of the display at the end
+    script: Script = field(default_factory=Script)  # what is plugged in, and what happens
+    dialect: str = "official"  # the firmware's instruction set
+    serial_number: str | None = None  # 12 hexadecimal digits; None: the usual ones
 
 
 @dataclass(frozen=True)
 class Running:
-    """A brick that is on.
-
-    brick     the brick
-    host      what drives it
-    address   where WiFi listens
-    port      of WiFi; 0 without WiFi
-    link      the page's address with its token; empty without a page
-    looked    set when the page was opened
-    reporter  what has checked the frames so far; None where that was not asked for
-    """
+    """A brick that is on."""
 
     brick: Brick
-    host: Host
-    address: str = ""
-    port: int = 0
-    link: str = ""
-    looked: asyncio.Event = field(default_factory=asyncio.Event)
-    reporter: Reporter | None = None
+    host: Host  # what drives it
+    address: str = ""  # where WiFi listens
+    port: int = 0  # of WiFi; 0 without WiFi
+    link: str = ""  # the page's address with its token; empty without a page
+    looked: asyncio.Event = field(default_factory=asyncio.Event)  # set when the page was opened
+    reporter: Reporter | None = None  # what has checked the frames so far; None where that was not asked for
 
 
 @asynccontextmanager

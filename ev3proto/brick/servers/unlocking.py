@@ -24,15 +24,11 @@ _EVERYBODY = "255.255.255.255"
 
 
 class Unlocking:
-    """Finds the unlock text.
-
-    said   the last bytes from the client, up to the end of the read that has the text
-    extra  whether the client sent something right behind the text that is lost with it
-    """
+    """Finds the unlock text."""
 
     def __init__(self) -> None:
-        self.said = b""
-        self.extra = False
+        self.said = b""  # the last bytes from the client, up to the end of the read that has the text
+        self.extra = False  # whether the client sent something right behind the text that is lost with it
 
     def feed(self, data: bytes) -> bytes | None:
         """Takes bytes from the client. Returns what follows the text and is not lost; None before the text is there."""

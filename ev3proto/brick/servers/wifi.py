@@ -45,14 +45,11 @@ class Owner(Protocol):
 
 
 class Wifi:
-    """The TCP port, and the beacon if there is one.
-
-    address, port  where it listens
-    """
+    """The TCP port, and the beacon if there is one."""
 
     def __init__(self, host: Owner, clients: int = 1, only_from: str | None = None) -> None:
         """Does not open the port yet; `only_from` is the address that clients must have."""
-        self.address = ""
+        self.address = ""  # where it listens
         self.port = 0
         self._host = host
         self._clients = clients

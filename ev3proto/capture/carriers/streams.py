@@ -21,42 +21,29 @@ TOO_MUCH = "the rest of the frame was given up: too much is pending"
 
 
 class Piece(NamedTuple):
-    """Consecutive bytes of a stream, from one packet.
-
-    data     the bytes
-    number   the packet's number
-    time_ns  its time
-    missing  number of bytes after these in the same packet that were not captured
-    """
+    """Consecutive bytes of a stream, from one packet."""
 
     data: bytes
-    number: int
+    number: int  # the packet's number
     time_ns: int
-    missing: int = 0
+    missing: int = 0  # number of bytes after these in the same packet that were not captured
 
 
 class Context:
-    """The shared state of the readers of one capture.
-
-    schema   reads frames
-    account  counts all bytes
-    ports    TCP ports whose traffic is a brick's, whatever it is; none for the usual one, if its traffic is recognised
-    is_all   everything on a brick's port, channel and report size is a brick's
-    budget   limits the memory of all pending bytes and commands
-    late     events of what was evicted at that limit; they follow those of the current packet
-    """
+    """The shared state of the readers of one capture."""
 
     __slots__ = ("account", "budget", "is_all", "late", "ports", "schema")
 
     def __init__(
         self, schema: FrameReader, account: Account, ports: frozenset[int], budget: Budget, *, is_all: bool = False
     ) -> None:
-        self.schema = schema
-        self.account = account
+        self.schema = schema  # reads frames
+        self.account = account  # counts all bytes
+        # TCP ports whose traffic is a brick's, whatever it is; none for the usual one, if its traffic is recognised
         self.ports = ports
-        self.is_all = is_all
-        self.budget = budget
-        self.late: list[Event] = []
+        self.is_all = is_all  # everything on a brick's port, channel and report size is a brick's
+        self.budget = budget  # limits the memory of all pending bytes and commands
+        self.late: list[Event] = []  # events of what was evicted at that limit; they follow those of the current packet
 
     def conversation(self) -> Conversation:
         """Returns a new conversation."""
@@ -64,11 +51,7 @@ class Context:
 
 
 class Stream:
-    """One direction of a connection: turns its bytes into events, and counts them in the account.
-
-    packet  the current packet, in which faults are noticed
-    times   the times of the packets whose bytes are pending
-    """
+    """One direction of a connection: turns its bytes into events, and counts them in the account."""
 
     __slots__ = ("_account", "_conversation", "cutter", "packet", "route", "times")
 
@@ -77,10 +60,10 @@ class Stream:
     ) -> None:
         self._account = context.account
         self._conversation = conversation
-        self.times: dict[int, int] = {}
+        self.times: dict[int, int] = {}  # the times of the packets whose bytes are pending
         self.cutter = cutter
         self.route = route
-        self.packet = packet
+        self.packet = packet  # the current packet, in which faults are noticed
 
     def feed(self, piece: Piece) -> list[Event]:
         """Returns the events that the next bytes complete."""

@@ -17,13 +17,11 @@ _RECORD_SIZE = 900
 
 
 class Choosing:
-    """A selection of records from one capture.
-
-    given_up  commands that counted as unanswered before the capture ended, because too many records waited
-    """
+    """A selection of records from one capture."""
 
     def __init__(self, keep: Filter, memory: int = DEFAULT_MEMORY) -> None:
         """Starts with an empty backlog, which may take some bytes of memory."""
+        # commands that counted as unanswered before the capture ended, because too many records waited
         self.given_up = 0
         self._keep = keep
         self._memory = memory

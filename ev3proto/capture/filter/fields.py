@@ -31,16 +31,11 @@ _REPORT = dict.fromkeys(("layer", "port", "status", "type", "mode", "checksum"),
 
 
 class Place(NamedTuple):
-    """A parameter of an operation, or a field of a system command.
+    """A parameter of an operation, or a field of a system command."""
 
-    owner  full name of the operation or the command
-    name   spelling in the tables
-    holds  int (for all numbers), str or bytes
-    """
-
-    owner: str
-    name: str
-    holds: type
+    owner: str  # full name of the operation or the command
+    name: str  # spelling in the tables
+    holds: type  # int (for all numbers), str or bytes
     enum: Enumeration | None = None
     unit: str | None = None
 

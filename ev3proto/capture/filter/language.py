@@ -69,18 +69,16 @@ class Filter:
 
     `time` is counted from the time given to `begin`, or else from the first record tested: compile one filter for each
     capture, or call `begin` for each.
-
-    text         source text
-    looks_ahead  it uses names that are known only after a command's reply (`unanswered`, `failed`, `late`): test
-                 records of a capture that was read to its end, or use `Choosing`
     """
 
     def __init__(self, text: str) -> None:
         """Compiles a filter. Raises FilterError if its syntax or a name is wrong."""
-        self.text = text
+        self.text = text  # source text
         self._start_ns: int | None = None
         parser = _Parser(text, self._time)
         self._holds = parser.filter()
+        # it uses names that are known only after a command's reply (`unanswered`, `failed`, `late`): test records of a
+        # capture that was read to its end, or use `Choosing`
         self.looks_ahead = parser.looks_ahead
 
     def __call__(self, record: Record) -> bool:
@@ -126,13 +124,10 @@ def compile_filter(text: str) -> Filter:
 
 
 class _Parser:
-    """A recursive-descent parser that builds conditions.
-
-    looks_ahead  a name was used that is known only after the reply
-    """
+    """A recursive-descent parser that builds conditions."""
 
     def __init__(self, text: str, time: Callable[[Record], float]) -> None:
-        self.looks_ahead = False
+        self.looks_ahead = False  # a name was used that is known only after the reply
         self._text = text
         self._time = time
         self._at = 0

@@ -17,16 +17,11 @@ _COLUMN = 12
 
 
 class Entry(NamedTuple):
-    """One element of the language.
-
-    written  its notation
-    text     its meaning
-    example  a filter that uses it
-    """
+    """One element of the language."""
 
     written: str
     text: str
-    example: str
+    example: str  # a filter that uses it
 
 
 COMPARISONS = (

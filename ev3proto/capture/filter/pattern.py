@@ -30,13 +30,10 @@ _EXACT = "(?-i)"
 
 
 class PatternError(ValueError):
-    """An invalid pattern, or one that could take very long.
-
-    position  index of the character where the error begins, from 0
-    """
+    """An invalid pattern, or one that could take very long."""
 
     def __init__(self, position: int, reason: str) -> None:
-        self.position = position
+        self.position = position  # index of the character where the error begins, from 0
         super().__init__(reason)
 
 

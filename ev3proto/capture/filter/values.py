@@ -28,17 +28,12 @@ _QUANTITY = re.compile(rf"({_DECIMAL})([^\W\d_]+(?:/s)?|%|°C)")
 
 
 class FilterError(ValueError):
-    """An invalid filter.
-
-    column  column of the error, from 1
-    reason  the error, in one sentence
-    length  length of the error in characters, at least 1
-    """
+    """An invalid filter."""
 
     def __init__(self, column: int, reason: str, length: int = 1) -> None:
-        self.column = column
-        self.reason = reason
-        self.length = max(length, 1)
+        self.column = column  # column of the error, from 1
+        self.reason = reason  # the error, in one sentence
+        self.length = max(length, 1)  # length of the error in characters, at least 1
         super().__init__(f"column {column}: {reason}")
 
     def __reduce__(self) -> tuple[type[FilterError], tuple[int, str, int]]:
@@ -57,18 +52,12 @@ ORDER: dict[str, Callable[[Any, Any], bool]] = {
 
 @dataclass(frozen=True, slots=True)
 class Word:
-    """A name or a value in the source text.
+    """A name or a value in the source text."""
 
-    text     without quotes, escapes resolved
-    column   of its first character, from 1
-    opening  characters before the text: 1 for a quote, 2 for r and a quote, 0 without quotes
-    length   of all its characters; 0 means the length of the text
-    """
-
-    text: str
-    column: int
-    opening: int = 0
-    length: int = 0
+    text: str  # without quotes, escapes resolved
+    column: int  # of its first character, from 1
+    opening: int = 0  # characters before the text: 1 for a quote, 2 for r and a quote, 0 without quotes
+    length: int = 0  # of all its characters; 0 means the length of the text
 
     def error(self, reason: str, position: int | None = None) -> FilterError:
         """Returns the error that marks the word, or its text from a position on."""
@@ -108,16 +97,11 @@ class Word:
 
 
 class Held(NamedTuple):
-    """A value of a name in a frame.
+    """A value of a name in a frame."""
 
-    value  None for a variable, whose value is unknown
-    enum   the names of its numbers, if any
-    unit   its unit, if any
-    """
-
-    value: int | float | str | bytes | None
-    enum: Enumeration | None = None
-    unit: str | None = None
+    value: int | float | str | bytes | None  # None for a variable, whose value is unknown
+    enum: Enumeration | None = None  # the names of its numbers, if any
+    unit: str | None = None  # its unit, if any
 
 
 Test = Callable[[Held], bool]
@@ -126,32 +110,19 @@ Test = Callable[[Held], bool]
 
 @dataclass(frozen=True, slots=True)
 class Kind:
-    """The type of a name's values, which decides what they can be compared with.
+    """The type of a name's values, which decides what they can be compared with."""
 
-    what      description for errors: `a number`, or `operation` for a list of names
-    number    values can be numbers
-    text      values can be texts
-    data      values can be bytes
-    is_bare   texts need no quotes
-    names     the only possible texts, in any case; empty if any text is possible
-    hint      returns a suggestion for an unknown name, or an empty text
-    enums     enumerations that name the numbers
-    units     units of the numbers
-    is_exact  numbers do not come from a frame, whose four bytes hold 7.92 as 7.9200000762939453
-    is_flag   values are true and false, and have no patterns
-    """
-
-    what: str
-    number: bool = False
-    text: bool = False
-    data: bool = False
-    is_bare: bool = False
-    names: tuple[str, ...] = ()
-    hint: Callable[[str], str] = lambda _: ""
-    enums: tuple[Enumeration, ...] = ()
-    units: tuple[str, ...] = ()
-    is_exact: bool = False
-    is_flag: bool = False
+    what: str  # description for errors: `a number`, or `operation` for a list of names
+    number: bool = False  # values can be numbers
+    text: bool = False  # values can be texts
+    data: bool = False  # values can be bytes
+    is_bare: bool = False  # texts need no quotes
+    names: tuple[str, ...] = ()  # the only possible texts, in any case; empty if any text is possible
+    hint: Callable[[str], str] = lambda _: ""  # returns a suggestion for an unknown name, or an empty text
+    enums: tuple[Enumeration, ...] = ()  # enumerations that name the numbers
+    units: tuple[str, ...] = ()  # units of the numbers
+    is_exact: bool = False  # numbers do not come from a frame, whose four bytes hold 7.92 as 7.9200000762939453
+    is_flag: bool = False  # values are true and false, and have no patterns
 
     def test(self, name: str, relation: str, word: Word) -> Test:
         """Makes the test of a value by a relation (any except !=) to a word. Raises FilterError."""
@@ -231,20 +202,13 @@ class Kind:
 
 
 class Name(NamedTuple):
-    """A name in a filter.
+    """A name in a filter."""
 
-    kind         type of its values
-    read         yields its values in a record; unknown ones are None
-    text         description, for properties of every frame
-    example      a filter that uses it
-    looks_ahead  for a command, it is known only after the reply, or at the end of the capture
-    """
-
-    kind: Kind
-    read: Callable[[Record], Iterable[Held]]
-    text: str = ""
-    example: str = ""
-    looks_ahead: bool = False
+    kind: Kind  # type of its values
+    read: Callable[[Record], Iterable[Held]]  # yields its values in a record; unknown ones are None
+    text: str = ""  # description, for properties of every frame
+    example: str = ""  # a filter that uses it
+    looks_ahead: bool = False  # for a command, it is known only after the reply, or at the end of the capture
 
 
 def _text_test(relation: str, word: Word, change: Callable[[str], str]) -> Callable[[str], bool] | None:

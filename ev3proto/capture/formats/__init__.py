@@ -69,10 +69,7 @@ class _Source(io.RawIOBase):
 
 
 class CaptureFile:
-    """A stream that may be a capture, compressed with gzip or not. Its format can be examined before it is read.
-
-    contents  its uncompressed contents
-    """
+    """A stream that may be a capture, compressed with gzip or not. Its format can be examined before it is read."""
 
     def __init__(self, stream: BinaryIO, *, is_ours: bool = False) -> None:
         """Takes a stream at its start; with `is_ours`, `close` closes it."""
@@ -82,7 +79,7 @@ class CaptureFile:
         self._size = _size(stream)
         self._source = _Source(getattr(stream, "read1", stream.read))
         self._is_packed = self._source.start().startswith(GZIP)
-        self.contents: io.BufferedReader[Any] = io.BufferedReader(self._source)
+        self.contents: io.BufferedReader[Any] = io.BufferedReader(self._source)  # its uncompressed contents
         self._gzip_trouble: tuple[type[Exception], ...] = ()
         if self._is_packed:
             self._gzip_trouble = EOFError, zlib.error, gzip.BadGzipFile

@@ -60,25 +60,16 @@ class Lane(NamedTuple):
 
 @dataclass(slots=True)
 class Mark:
-    """One event: a command with its reply, a file that was moved, a beacon, skipped bytes.
-
-    outcome  its outcome
-    begin    seconds from the first event of the capture to the command
-    end      the same to the reply; None for marks without an end
-    label    a text beside it: the values of a reply, the path of a file; "" for nothing
-    tip      details by name
-    number   number of its packet
-    latency  seconds from command to reply; None without a reply or without times
-    """
+    """One event: a command with its reply, a file that was moved, a beacon, skipped bytes."""
 
     lane: Lane
     outcome: MarkState
-    begin: float
-    end: float | None
-    label: str
-    tip: dict[str, str]
-    number: int
-    latency: float | None = None
+    begin: float  # seconds from the first event of the capture to the command
+    end: float | None  # the same to the reply; None for marks without an end
+    label: str  # a text beside it: the values of a reply, the path of a file; "" for nothing
+    tip: dict[str, str]  # details by name
+    number: int  # number of its packet
+    latency: float | None = None  # seconds from command to reply; None without a reply or without times
 
 
 @dataclass(slots=True)
@@ -154,28 +145,17 @@ class Tally:
 
 @dataclass(slots=True)
 class Timeline:
-    """A timeline to draw.
+    """A timeline to draw."""
 
-    origin_ns  time of the capture's first event, in nanoseconds since 1970-01-01 UTC: 0 on the axis
-    begin      start of the picture, in seconds since then
-    end        end of the picture
-    marks      all marks in the order of time; if there are too many, only those of troubles and files
-    cells      if there are too many marks: counts by lane and start of the bin
-    bin_width  width of a bin in seconds, 0 without bins
-    bricks     totals of each brick by name, in the order of their first events
-    unshown    troubles and files that were counted, but not drawn
-    is_timed   the capture has times; otherwise a second is a line of the text
-    """
-
-    origin_ns: int
-    begin: float
-    end: float
-    marks: list[Mark]
-    cells: dict[tuple[Lane, float], Cell]
-    bin_width: float
-    bricks: dict[str, Tally]
-    unshown: int
-    is_timed: bool = True
+    origin_ns: int  # time of the capture's first event, in nanoseconds since 1970-01-01 UTC: 0 on the axis
+    begin: float  # start of the picture, in seconds since then
+    end: float  # end of the picture
+    marks: list[Mark]  # all marks in the order of time; if there are too many, only those of troubles and files
+    cells: dict[tuple[Lane, float], Cell]  # if there are too many marks: counts by lane and start of the bin
+    bin_width: float  # width of a bin in seconds, 0 without bins
+    bricks: dict[str, Tally]  # totals of each brick by name, in the order of their first events
+    unshown: int  # troubles and files that were counted, but not drawn
+    is_timed: bool = True  # the capture has times; otherwise a second is a line of the text
 
     @property
     def messages(self) -> int:

@@ -11,14 +11,10 @@ SEND_TIMEOUT = 30.0
 
 
 class Wire(Protocol):
-    """A connection to one brick that carries bytes. One thread sends while another receives.
+    """A connection to one brick that carries bytes. One thread sends while another receives."""
 
-    carrier  what carries them, as captures call it
-    label    which brick, as messages call it
-    """
-
-    carrier: Carrier
-    label: str
+    carrier: Carrier  # what carries them, as captures call it
+    label: str  # which brick, as messages call it
 
     def send(self, frame: bytes) -> None:
         """Sends one whole frame. Raises ConnectionLostError."""

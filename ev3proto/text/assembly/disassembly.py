@@ -210,14 +210,10 @@ def _symbols(enum: Enumeration) -> dict[int, str]:
 
 
 class Labels(NamedTuple):
-    """The labels of a code.
+    """The labels of a code."""
 
-    names  by the offset that is jumped to
-    forms  by the offset of a jump: its encoding, where the assembler would choose another
-    """
-
-    names: Mapping[int | None, str] = {}
-    forms: Mapping[int, str] = {}
+    names: Mapping[int | None, str] = {}  # by the offset that is jumped to
+    forms: Mapping[int, str] = {}  # by the offset of a jump: its encoding, where the assembler would choose another
 
 
 NO_LABELS = Labels()
@@ -317,16 +313,12 @@ def lego_lines(operations: Sequence[Operation]) -> Iterator[str]:
 
 
 class OperationWriter:
-    """Writes operations as statements.
+    """Writes operations as statements."""
 
-    rules      those of the assembler that is to read them
-    separator  what is written between two values
-    """
-
-    separator = ","
+    separator = ","  # what is written between two values
 
     def __init__(self, rules: Rules = OF_FRAMES) -> None:
-        self.rules = rules
+        self.rules = rules  # those of the assembler that is to read them
 
     def line(self, operation: Operation, labels: Labels = NO_LABELS) -> str:
         """Writes one operation. One that is cut short ends in `...`. Jumps to no label are written as numbers."""

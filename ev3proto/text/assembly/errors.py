@@ -66,16 +66,11 @@ class SourceError(Exception):
 
 
 class SourceWarning(NamedTuple):
-    """A warning about valid but probably unintended code.
+    """A warning about valid but probably unintended code."""
 
-    line    counted from 1
-    column  counted from 1
-    reason  one sentence
-    """
-
-    line: int
-    column: int
-    reason: str
+    line: int  # counted from 1
+    column: int  # counted from 1
+    reason: str  # one sentence
 
     def __str__(self) -> str:
         return f"line {self.line}, column {self.column}: {self.reason}"

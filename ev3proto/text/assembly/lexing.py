@@ -16,18 +16,12 @@ NAME, NUMBER, WORD, TEXT, MARK, BAD, END = "name", "number", "word", "text", "ma
 
 
 class Token(NamedTuple):
-    """A token.
-
-    kind      its kind
-    text      as written; for a bad token, the error message
-    at        offset of its first character
-    is_first  whether it is the first of its line
-    """
+    """A token."""
 
     kind: str
-    text: str
-    at: int
-    is_first: bool
+    text: str  # as written; for a bad token, the error message
+    at: int  # offset of its first character
+    is_first: bool  # whether it is the first of its line
 
     @property
     def end(self) -> int:

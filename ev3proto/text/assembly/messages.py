@@ -59,26 +59,16 @@ MAX_BODY = 1 << 19
 
 @dataclass
 class PendingMessage:
-    """A message under construction.
-
-    at          its place
-    type        its type; None for a direct command whose type is computed
-    facts       the numbers in its header
-    is_frame    whether the bytes are a whole frame, its header included
-    is_lenient  whether it may be faulty, on purpose
-    has_header  whether a header begins it, so that its values may mean nothing to the brick
-    parts       operations, bodies of system messages and raw bytes, in pieces
-    size        bytes of all parts, if all jumps are short
-    """
+    """A message under construction."""
 
     at: int
-    type: MessageType | None = None
-    facts: dict[str, int] = field(default_factory=dict)
-    is_frame: bool = False
-    is_lenient: bool = False
-    has_header: bool = False
-    parts: list[Piece] = field(default_factory=list)
-    size: int = 0
+    type: MessageType | None = None  # its type; None for a direct command whose type is computed
+    facts: dict[str, int] = field(default_factory=dict)  # the numbers in its header
+    is_frame: bool = False  # whether the bytes are a whole frame, its header included
+    is_lenient: bool = False  # whether it may be faulty, on purpose
+    has_header: bool = False  # whether a header begins it, so that its values may mean nothing to the brick
+    parts: list[Piece] = field(default_factory=list)  # operations, bodies of system messages and raw bytes, in pieces
+    size: int = 0  # bytes of all parts, if all jumps are short
 
     @property
     def kind(self) -> str:

@@ -31,22 +31,14 @@ OBJECT_PARAMETER = "OBJID"
 
 
 class Place(NamedTuple):
-    """A variable.
+    """A variable."""
 
-    at        where it is declared in the text
-    scope     local or global
-    start     bytes from the start of that memory
-    type      of one element; STRING for a buffer, HANDLE for what was declared as one
-    elements  how many there are
-    is_array  whether it was declared with a number of elements
-    """
-
-    at: int
-    scope: str
-    start: int
-    type: Type
-    elements: int
-    is_array: bool = False
+    at: int  # where it is declared in the text
+    scope: str  # local or global
+    start: int  # bytes from the start of that memory
+    type: Type  # of one element; STRING for a buffer, HANDLE for what was declared as one
+    elements: int  # how many there are
+    is_array: bool = False  # whether it was declared with a number of elements
 
     @property
     def width(self) -> int:
@@ -60,17 +52,12 @@ class Place(NamedTuple):
 
 
 class Callee(NamedTuple):
-    """The signature of an object.
+    """The signature of an object."""
 
-    number      1 or more
-    at          the place of its declaration
-    kind        the word that begins it
-    parameters  direction and type of each; None for threads, whose calls have no count
-    """
-
-    number: int
-    at: int
-    kind: str
+    number: int  # 1 or more
+    at: int  # the place of its declaration
+    kind: str  # the word that begins it
+    # direction and type of each; None for threads, whose calls have no count
     parameters: tuple[tuple[Direction, Type], ...] | None
 
 

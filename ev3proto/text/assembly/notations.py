@@ -65,38 +65,25 @@ def command_name(entry: SystemCommand) -> str:
 
 
 class Jumps(Enum):
-    """How long the distance to a label is.
+    """How long the distance to a label is."""
 
-    SHORTEST  as short as it can be; each starts short and only grows
-    SHRUNK    the same by EV3-G's way: each starts with three bytes and only shrinks
-    THREE     always three bytes
-    FORWARD   as short as it can be backwards, five bytes forwards
-    """
-
-    SHORTEST = "shortest"
-    SHRUNK = "shrunk"
-    THREE = "three"
-    FORWARD = "forward"
+    SHORTEST = "shortest"  # as short as it can be; each starts short and only grows
+    SHRUNK = "shrunk"  # the same by EV3-G's way: each starts with three bytes and only shrinks
+    THREE = "three"  # always three bytes
+    FORWARD = "forward"  # as short as it can be backwards, five bytes forwards
 
 
 class Rules(NamedTuple):
-    """How an assembler encodes values, and where it puts variables.
+    """How an assembler encodes values, and where it puts variables."""
 
-    name              as a setting in a source has it
-    jumps             how long they are
-    lowest            the lowest numbers that LC0, LC1 and LC2 take
-    indexes           the first variables' indexes that need more than LV0, LV1 and LV2
-    long_floats       all floats have four bytes, even those whose bits are a small number
-    shares            equal objects share their code
-    aligns_elements   a variable starts at a multiple of its element's size; else of its own if that is 2 or 4
-    """
-
-    name: str
-    jumps: Jumps
-    lowest: tuple[int, int, int] = (-31, -127, -32767)
+    name: str  # as a setting in a source has it
+    jumps: Jumps  # how long they are
+    lowest: tuple[int, int, int] = (-31, -127, -32767)  # the lowest numbers that LC0, LC1 and LC2 take
+    # the first variables' indexes that need more than LV0, LV1 and LV2
     indexes: tuple[int, int, int] = (32, 128, 32768)
-    long_floats: bool = False
-    shares: bool = False
+    long_floats: bool = False  # all floats have four bytes, even those whose bits are a small number
+    shares: bool = False  # equal objects share their code
+    # a variable starts at a multiple of its element's size; else of its own if that is 2 or 4
     aligns_elements: bool = False
 
 
@@ -124,34 +111,24 @@ class Known(Enum):
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Notation:
-    """The syntax of one notation.
+    """The syntax of one notation."""
 
-    name          as users choose it
-    blank         pattern of what separates tokens, comments to the end of the line included
-    text          pattern of a text in quotes
-    marks         pattern of the characters that are tokens
-    heads         words that begin objects
-    escapes       those in single quotes, replaced kind after kind; None: as in C
-    lookup        where names are looked up
-    rules         how values are encoded
-    has_messages  frames: headers, macros, bytes, names in front of values, expressions everywhere, unlimited numbers
-    by_line       a statement a line, blanks between arguments, unknown escapes stay; else tokens with parentheses
-    last_counts   LEGO's: the last of several declarations counts, numbers are cut, defines may have expressions
-    folds         EV3 Basic's: names are read in upper case, no expressions
-    """
-
-    name: str
-    blank: str = rf"{_BLANK}|//[^\r\n]*+"
-    text: str = r"'[^'\r\n]*'"
-    marks: str = r"[-+*/(){},:@&!]"
-    heads: tuple[str, ...] = OBJECT_WORDS
+    name: str  # as users choose it
+    blank: str = rf"{_BLANK}|//[^\r\n]*+"  # pattern of what separates tokens, comments to the end of the line included
+    text: str = r"'[^'\r\n]*'"  # pattern of a text in quotes
+    marks: str = r"[-+*/(){},:@&!]"  # pattern of the characters that are tokens
+    heads: tuple[str, ...] = OBJECT_WORDS  # words that begin objects
+    # those in single quotes, replaced kind after kind; None: as in C
     escapes: tuple[tuple[str, str], ...] | None = None
-    lookup: tuple[Known, ...]
-    rules: Rules
+    lookup: tuple[Known, ...]  # where names are looked up
+    rules: Rules  # how values are encoded
+    # frames: headers, macros, bytes, names in front of values, expressions everywhere, unlimited numbers
     has_messages: bool = False
+    # a statement a line, blanks between arguments, unknown escapes stay; else tokens with parentheses
     by_line: bool = False
+    # LEGO's: the last of several declarations counts, numbers are cut, defines may have expressions
     last_counts: bool = False
-    folds: bool = False
+    folds: bool = False  # EV3 Basic's: names are read in upper case, no expressions
 
     @property
     def declaring(self) -> tuple[str, ...]:

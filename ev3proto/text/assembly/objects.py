@@ -70,65 +70,42 @@ Declared = tuple[Direction, Type, int]
 
 
 class AssembledObject(NamedTuple):
-    """An object of a program.
-
-    owner, triggers, local_size  fields of its header
-    parameters                   the parameters that a subcall declares; None for other objects
-    declared                     parameter count in the code (of the last object with this name)
-    code                         its encoded operations
-    shares                       number of the object whose code it uses; None if the code is its own
-    last                         index of the last object with this name
-    settings                     its settings in the source
-    """
+    """An object of a program."""
 
     owner: int
     triggers: int
     local_size: int
-    parameters: tuple[Declared, ...] | None
-    declared: int
-    code: bytes
-    shares: int | None
-    last: int
-    settings: Mapping[str, int]
+    parameters: tuple[Declared, ...] | None  # the parameters that a subcall declares; None for other objects
+    declared: int  # parameter count in the code (of the last object with this name)
+    code: bytes  # its encoded operations
+    shares: int | None  # number of the object whose code it uses; None if the code is its own
+    last: int  # index of the last object with this name
+    settings: Mapping[str, int]  # its settings in the source
 
 
 class AssembledProgram(NamedTuple):
-    """A program.
+    """A program."""
 
-    settings     the settings in the source
-    global_size  bytes of global memory
-    objects      the objects, in the order of their numbers
-    """
-
-    settings: Settings
-    global_size: int
-    objects: list[AssembledObject]
+    settings: Settings  # the settings in the source
+    global_size: int  # bytes of global memory
+    objects: list[AssembledObject]  # the objects, in the order of their numbers
 
 
 @dataclass
 class _Object:
-    """An object under construction.
+    """An object under construction."""
 
-    head        its head
-    alias_of    the name of the object whose code it uses under another head
-    body        its statements
-    parts       bytes, and jumps that are not sized yet
-    labels      index of the part after each label, by name
-    last        name of the last operation
-    code        the joined parts
-    """
-
-    head: Opening
+    head: Opening  # its head
     settings: Mapping[str, int]
     memory: Memory
-    alias_of: str | None = None
-    body: list[Statement] = field(default_factory=list)
+    alias_of: str | None = None  # the name of the object whose code it uses under another head
+    body: list[Statement] = field(default_factory=list)  # its statements
     names: LocalNames = field(default_factory=LocalNames)
     parameters: list[Declared] = field(default_factory=list)
-    parts: list[Piece] = field(default_factory=list)
-    labels: dict[str, int] = field(default_factory=dict)
-    last: str = ""
-    code: bytes = b""
+    parts: list[Piece] = field(default_factory=list)  # bytes, and jumps that are not sized yet
+    labels: dict[str, int] = field(default_factory=dict)  # index of the part after each label, by name
+    last: str = ""  # name of the last operation
+    code: bytes = b""  # the joined parts
 
     @property
     def table_size(self) -> int:
@@ -138,16 +115,12 @@ class _Object:
 
 
 class ProgramAssembler:
-    """Assembles the objects of one source.
-
-    errors    its errors
-    warnings  (offset, message) of valid but probably unintended code
-    """
+    """Assembles the objects of one source."""
 
     def __init__(self, text: str, notation: Notation, coding: str, rules: Rules | None = None) -> None:
         parser = Parser(text, notation, coding)
-        self.errors: list[SourceError] = []
-        self.warnings = parser.warnings
+        self.errors: list[SourceError] = []  # its errors
+        self.warnings = parser.warnings  # (offset, message) of valid but probably unintended code
         self._notation = notation
         self._settings = Settings(text, self.errors)
         # The notation alone decides where variables are.

@@ -83,14 +83,11 @@ def is_operation_word(name: str) -> bool:
 
 
 class Parser:
-    """A recursive-descent parser with two tokens of lookahead.
-
-    warnings  (offset, message) of valid but probably unintended code
-    """
+    """A recursive-descent parser with two tokens of lookahead."""
 
     def __init__(self, text: str, notation: Notation, coding: str = "latin-1") -> None:
         self.notation = notation
-        self.warnings: list[tuple[int, str]] = []
+        self.warnings: list[tuple[int, str]] = []  # (offset, message) of valid but probably unintended code
         self._coding = coding
         self._tokens = tokens(text, notation)
         self._ahead: deque[Token] = deque()

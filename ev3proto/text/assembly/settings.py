@@ -42,17 +42,12 @@ _RULES = {rules.name: rules for rules in (OF_LEGO, OF_EV3_G, OF_BASIC)}
 
 
 class Settings:
-    """The settings of a source.
-
-    numbers  fields of the image
-    rules    those by which values are encoded; None: those of the notation
-    gaps     offset and bytes of what belongs to no object
-    """
+    """The settings of a source."""
 
     def __init__(self, text: str, errors: list[SourceError]) -> None:
-        self.numbers: dict[str, int] = {}
-        self.rules: Rules | None = None
-        self.gaps: list[tuple[int, bytes]] = []
+        self.numbers: dict[str, int] = {}  # fields of the image
+        self.rules: Rules | None = None  # those by which values are encoded; None: those of the notation
+        self.gaps: list[tuple[int, bytes]] = []  # offset and bytes of what belongs to no object
         self._of_objects: deque[tuple[int, str, int]] = deque()
         for found in _SETTING.finditer(text) if MARK[3:] in text else ():
             try:

@@ -129,19 +129,13 @@ class Define(NamedTuple):
 
 
 class Declaration(NamedTuple):
-    """`DATA8 x`, `ARRAY8 x 20`, `IN_S text 20`, `local DATAF f`: a variable or a parameter.
+    """`DATA8 x`, `ARRAY8 x 20`, `IN_S text 20`, `local DATAF f`: a variable or a parameter."""
 
-    at     the place of its name
-    word   the type as written
-    size   the number of elements, if given
-    scope  the word before it, if any
-    """
-
-    at: int
-    word: str
+    at: int  # the place of its name
+    word: str  # the type as written
     name: str
-    size: Value | None = None
-    scope: str | None = None
+    size: Value | None = None  # the number of elements, if given
+    scope: str | None = None  # the word before it, if any
 
 
 class Label(NamedTuple):
@@ -152,29 +146,22 @@ class Label(NamedTuple):
 
 
 class Call(NamedTuple):
-    """An operation or a system command with its arguments.
-
-    end          the place of a further argument
-    is_complete  False if it ends in `...`
-    """
+    """An operation or a system command with its arguments."""
 
     at: int
     name: str
     arguments: tuple[WrittenArgument, ...]
-    end: int
-    is_complete: bool = True
+    end: int  # the place of a further argument
+    is_complete: bool = True  # False if it ends in `...`
 
 
 class Opening(NamedTuple):
-    """`vmthread NAME {`: the start of an object.
-
-    is_alias  whether it is another head for the code of the object above
-    """
+    """`vmthread NAME {`: the start of an object."""
 
     at: int
     word: str
     name: str
-    is_alias: bool = False
+    is_alias: bool = False  # whether it is another head for the code of the object above
 
 
 class Closing(NamedTuple):

@@ -73,16 +73,11 @@ _N = TypeVar("_N", int, float, Fraction)
 
 
 class PendingJump(NamedTuple):
-    """A jump whose distance is not known yet.
+    """A jump whose distance is not known yet."""
 
-    at    its place in the text
-    name  the label
-    form  the encoding that is named, None for the usual one
-    """
-
-    at: int
-    name: str
-    form: str | None = None
+    at: int  # its place in the text
+    name: str  # the label
+    form: str | None = None  # the encoding that is named, None for the usual one
 
 
 Piece = bytes | PendingJump | Distance
@@ -186,16 +181,12 @@ def _encoded_jump(part: PendingJump | Distance, size: int, end: int, labels: Map
 
 
 class Encoder:
-    """Evaluates and encodes values.
-
-    names     the names that are known
-    warnings  (offset, message) of valid but probably unintended code
-    """
+    """Evaluates and encodes values."""
 
     def __init__(self, names: Names, rules: Rules, warnings: list[tuple[int, str]]) -> None:
-        self.names = names
+        self.names = names  # the names that are known
         self.rules = rules
-        self.warnings = warnings
+        self.warnings = warnings  # (offset, message) of valid but probably unintended code
         self._is_typed = names.notation.has_messages
         self._depth = 0
 

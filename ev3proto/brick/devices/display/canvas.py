@@ -278,13 +278,11 @@ def _walk(x0: int, y0: int, x1: int, y1: int) -> _Pixels:
 
 
 class _Octant:
-    """One eighth of a circle, from straight below the centre to the diagonal, as the firmware walks it.
-
-    last  the distance from the middle to its last column
-    """
+    """One eighth of a circle, from straight below the centre to the diagonal, as the firmware walks it."""
 
     def __init__(self, radius: int) -> None:
         self._radius = abs(radius)
+        # the distance from the middle to its last column
         self.last = 0 if radius < 0 else max(isqrt(radius * radius // 2) - 2, 0)
         while radius > 0 and self.height(self.last) > self.last:
             self.last += 1

@@ -36,26 +36,18 @@ TOP_LINE_PERIOD = 400_000
 
 
 class Display(Part):
-    """The display of a brick that was just switched on: everything is clear.
-
-    canvas       the canvas of all drawing operations
-    font         number of the selected font
-    is_headed    whether there is a line at the top
-    graph        what GRAPH_SETUP set up
-    is_in_use    something was drawn that is not shown yet
-    is_blocked   only the object that opened a popup may draw
-    """
+    """The display of a brick that was just switched on: everything is clear."""
 
     def __init__(self, settings: Settings | None = None, battery: Battery | None = None) -> None:
         """Makes a display; its top line shows `settings` and `battery`."""
-        self.canvas = Canvas()
-        self.font = NORMAL
-        self.is_headed = False
+        self.canvas = Canvas()  # the canvas of all drawing operations
+        self.font = NORMAL  # number of the selected font
+        self.is_headed = False  # whether there is a line at the top
         self._settings = settings or Settings()
         self._battery = battery or Battery()
-        self.graph = Graph()
-        self.is_in_use = False
-        self.is_blocked = False
+        self.graph = Graph()  # what GRAPH_SETUP set up
+        self.is_in_use = False  # something was drawn that is not shown yet
+        self.is_blocked = False  # only the object that opened a popup may draw
         self._owner: tuple[int, int] | None = None
         self._before_popup = Canvas()
         self._next_top_line = 0

@@ -19,18 +19,12 @@ _CHARACTERS = b" ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_
 
 @dataclass
 class ScreenDialog:
-    """A window over what was drawn before.
+    """A window over what was drawn before."""
 
-    display  the display that shows it
-    owner    the program that asks
-    choice   which of several things is selected, counted from 0
-    text     the text typed so far
-    """
-
-    display: Display
-    owner: object
-    choice: int = 0
-    text: bytes = b""
+    display: Display  # the display that shows it
+    owner: object  # the program that asks
+    choice: int = 0  # which of several things is selected, counted from 0
+    text: bytes = b""  # the text typed so far
     _before: Canvas = field(init=False)
 
     def __post_init__(self) -> None:

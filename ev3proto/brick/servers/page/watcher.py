@@ -33,22 +33,14 @@ class Client(Protocol):
 
 @dataclass(eq=False)
 class Talk:
-    """A command and its reply.
+    """A command and its reply."""
 
-    number   counted from 1
-    client   the name of the client
-    begun    seconds since the brick was switched on
-    command  the frame; None for a reply to an unknown command
-    reply    the frame; None while it has not come
-    latency  seconds between them
-    """
-
-    number: int
-    client: str
-    begun: float
-    command: bytes | None
-    reply: bytes | None = None
-    latency: float | None = None
+    number: int  # counted from 1
+    client: str  # the name of the client
+    begun: float  # seconds since the brick was switched on
+    command: bytes | None  # the frame; None for a reply to an unknown command
+    reply: bytes | None = None  # the frame; None while it has not come
+    latency: float | None = None  # seconds between them
 
     def entry(self, dialect: str) -> dict[str, Any]:
         """Returns the dialogue for a page: command and reply, decoded, and whether something went wrong."""

@@ -83,20 +83,13 @@ def frame_check(data: bytes) -> int:
 
 
 class Serial(NamedTuple):
-    """The contents of an RFCOMM frame.
+    """The contents of an RFCOMM frame."""
 
-    channel       the serial port's number
-    is_from_host  its direction
-    data          the bytes; empty in frames that open or close ports
-    missing       number of further bytes that were not captured
-    is_turn       it opens or closes the port
-    """
-
-    channel: int
+    channel: int  # the serial port's number
     is_from_host: bool
-    data: bytes
-    missing: int
-    is_turn: bool
+    data: bytes  # the bytes; empty in frames that open or close ports
+    missing: int  # number of further bytes that were not captured
+    is_turn: bool  # it opens or closes the port
 
 
 class Ports(NamedTuple):
@@ -107,27 +100,18 @@ class Ports(NamedTuple):
 
 
 class Closed(NamedTuple):
-    """A closed connection.
+    """A closed connection."""
 
-    key  as in `Carried`
-    """
-
-    key: tuple[object, int, int]
+    key: tuple[object, int, int]  # as in `Carried`
 
 
 class Carried(NamedTuple):
-    """A whole L2CAP packet.
+    """A whole L2CAP packet."""
 
-    ends     both ends of the connection
-    key      the connection: adapter, handle, and a number, as handles are reused
-    serial   the RFCOMM frame in it; None for other traffic
-    weight   captured bytes of all packets that carried it
-    """
-
-    ends: Ports
-    key: tuple[object, int, int]
-    serial: Serial | None
-    weight: int
+    ends: Ports  # both ends of the connection
+    key: tuple[object, int, int]  # the connection: adapter, handle, and a number, as handles are reused
+    serial: Serial | None  # the RFCOMM frame in it; None for other traffic
+    weight: int  # captured bytes of all packets that carried it
 
 
 @dataclass(slots=True)
@@ -141,13 +125,11 @@ class _Part:
 
 @dataclass(slots=True)
 class _Connection:
-    """One connection of an adapter.
-
-    channels  the L2CAP channels of RFCOMM, with their directions
-    """
+    """One connection of an adapter."""
 
     address: str | None
     generation: int
+    # the L2CAP channels of RFCOMM, with their directions
     channels: set[tuple[bool | None, int]] = field(default_factory=set)
     parts: dict[object, _Part] = field(default_factory=dict)
 

@@ -35,18 +35,12 @@ _DEVICE_DESCRIPTOR = bytes((18, 1))
 
 
 class Urb(NamedTuple):
-    """A USB request, on its submission or its completion.
+    """A USB request, on its submission or its completion."""
 
-    device    bus and number: `1.7`
-    endpoint  with the direction bit
-    transfer  transfer type
-    data      the data in this packet; empty in the other half of a request
-    """
-
-    device: str
-    endpoint: int
-    transfer: int
-    data: bytes
+    device: str  # bus and number: `1.7`
+    endpoint: int  # with the direction bit
+    transfer: int  # transfer type
+    data: bytes  # the data in this packet; empty in the other half of a request
 
     @property
     def is_from_host(self) -> bool:

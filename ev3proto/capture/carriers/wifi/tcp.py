@@ -43,9 +43,6 @@ class Reassembly:
 
     `start` is the sequence number of its first byte; None if the capture begins later, and the first bytes seen are the
     start.
-
-    acknowledged  the number before which the receiver has everything; None if unknown
-    repeated      number of repeated bytes so far
     """
 
     __slots__ = ("_ahead", "_holes", "_position", "_start", "_waiting", "acknowledged", "repeated")
@@ -53,11 +50,11 @@ class Reassembly:
     def __init__(self, start: int | None = None) -> None:
         self._start = start
         self._position = 0
-        self.acknowledged: int | None = None
+        self.acknowledged: int | None = None  # the number before which the receiver has everything; None if unknown
         self._ahead: list[tuple[int, Piece]] = []  # with their offsets in the stream
         self._waiting = 0
         self._holes: list[tuple[int, int]] = []
-        self.repeated = 0
+        self.repeated = 0  # number of repeated bytes so far
 
     def _offset(self, sequence: int) -> int:
         """Returns the offset of a sequence number, the nearest one to the position."""

@@ -3,19 +3,16 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 from urllib.parse import quote
 
 from ev3proto.checking.codes import CODES
 from ev3proto.checking.program_codes import PROGRAM_CODES
-from ev3proto.checking.report import Finding, Fix, Report, Severity
-from ev3proto.cli.check_output import Output, Place, Tally
+from ev3proto.checking.report import Finding, Severity
+from ev3proto.cli.check_output import SOURCE_CODE, Checked, Output, Tally
 from ev3proto.cli.output import Printer
-from ev3proto.cli.programs import SOURCE_CODE
-from ev3proto.program.report import ProgramReport
-from ev3proto.text.assembly.errors import AssemblyError, SourceWarning
 from ev3proto.version import VERSION
 
 SARIF_SCHEMA = "https://json.schemastore.org/sarif-2.1.0.json"
@@ -60,50 +57,34 @@ class Note:
     more: Mapping[str, Any] = field(default_factory=dict)
 
 
-def notes_on(
-    report: Report, findings: Iterable[Finding], facts: Mapping[str, Any], *, is_file: bool = False
-) -> list[Note]:
-    """Returns the findings of a frame or a program as notes.
-
-    Args:
-        report: The report.
-        findings: The findings of it to show.
-        facts: Where the frame is: `source`, and `line` and `column`, or `packet`.
-        is_file: Offsets are those of the whole file.
-
-    Returns:
-        A note for each, and one more if the brick refuses it for a reason that none of them gives.
-    """
-    shown = list(findings)
+def notes_on(checked: Checked) -> Iterator[Note]:
+    """Yields the findings of a frame or a program, one more if the brick refuses it for a reason that none gives."""
+    facts, report, is_file = checked.place.facts, checked.report, checked.is_program
+    name = str(facts.get("source", ""))
+    for severity, one in checked.source:
+        yield Note(severity, SOURCE_CODE, one.reason, name, one.line, one.column)
+    if report is None:
+        return
+    shown = list(checked.shown)
     if not report.accepted and not any(one.severity is Severity.ERROR for one in shown):
         at = report.rejected_at or 0
         advice = "ev3proto check shows why" if report.findings else "the bytes there are not what it reads"
         shown.insert(0, Finding(Severity.ERROR, REFUSED, at, 0, "the brick refuses it", advice))
-    packet = f"packet {facts['packet']}, " if "packet" in facts else ""
-    return [
-        Note(
-            one.severity,
-            one.code,
-            f"{packet}offset {one.offset}: {one.message}; {one.help}",
-            str(facts.get("source", "")),
+    packet = {"packet": facts["packet"]} if "packet" in facts else {}
+    where = f"packet {facts['packet']}, " if packet else ""
+    for finding in shown:
+        yield Note(
+            finding.severity,
+            finding.code,
+            f"{where}offset {finding.offset}: {finding.message}; {finding.help}",
+            name,
             facts.get("line"),
             facts.get("column"),
-            (one.offset, one.length) if is_file else None,
-            {"offset": one.offset, "length": one.length}
+            (finding.offset, finding.length) if is_file else None,
+            {"offset": finding.offset, "length": finding.length}
             | ({} if is_file else {"frame": report.frame.hex()})
-            | {name: facts[name] for name in ("packet",) if name in facts},
+            | packet,
         )
-        for one in shown
-    ]
-
-
-def notes_on_source(
-    label: str, error: AssemblyError | None = None, warnings: Iterable[SourceWarning] = ()
-) -> list[Note]:
-    """Returns the errors and warnings of a program's source as notes."""
-    found = [] if error is None else [error, *error.others]
-    notes = [Note(Severity.ERROR, SOURCE_CODE, one.reason, label, one.line, one.column) for one in found]
-    return notes + [Note(Severity.WARNING, SOURCE_CODE, one.reason, label, one.line, one.column) for one in warnings]
 
 
 def github(note: Note) -> str:
@@ -178,24 +159,13 @@ class Annotations(Output):
         self._show = Printer().text
         self._log = Sarif(self._show) if style == "sarif" else None
 
-    def frame(self, report: Report, shown: Sequence[Finding], place: Place) -> None:
-        """Shows the findings of a frame."""
-        self._notes(notes_on(report, shown, place.facts))
-
-    def fixed(self, fix: Fix, shown: Sequence[Finding], place: Place) -> None:
-        """Shows what remains in a fixed frame."""
-        self.frame(fix.report, shown, place)
-
-    def program(
-        self, report: ProgramReport, shown: Sequence[Finding], place: Place, warnings: Sequence[SourceWarning]
-    ) -> None:
-        """Shows the findings of a program, by their offsets in the file, and the warnings of its source."""
-        self._notes(notes_on_source(place.facts["source"], warnings=warnings))
-        self._notes(notes_on(report, shown, place.facts, is_file=True))
-
-    def source_errors(self, label: str, error: AssemblyError) -> None:
-        """Shows the errors of a program's source."""
-        self._notes(notes_on_source(label, error))
+    def show(self, checked: Checked) -> None:
+        """Shows the findings of a frame or a program, and of a program's source."""
+        for note in notes_on(checked):
+            if self._log is None:
+                self._show(github(note))
+            else:
+                self._log.add(note)
 
     def complaint(self, sentence: str) -> None:
         """Shows a sentence about input that could not be read."""
@@ -208,13 +178,6 @@ class Annotations(Output):
         """Writes the end of the log."""
         if self._log is not None:
             self._log.end()
-
-    def _notes(self, notes: Iterable[Note]) -> None:
-        for note in notes:
-            if self._log is None:
-                self._show(github(note))
-            else:
-                self._log.add(note)
 
 
 def _region(note: Note) -> dict[str, int]:

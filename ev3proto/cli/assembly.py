@@ -41,21 +41,15 @@ def assembled_messages(
     except AssemblyError as error:
         objects = OBJECT.findall(text)
         if len(objects) <= 1 and _SUBROUTINE not in objects:
-            show_errors("" if source.is_frame else f"{source.label}, ", error, complain_of)
+            show_errors("" if source.is_frame else f"{source.label}, ", (error, *error.others), complain_of)
         if objects:
             label = "" if source.is_frame else f"{source.label}: "
             complain_of(f"{label}this is a program, not a frame; add -o FILE.rbf to make its image")
 
 
-def show_errors(place: str, error: AssemblyError, complain_of: Callable[[str], None] = complain) -> None:
-    """Prints every error with its line and, below that, a mark at the place.
-
-    Args:
-        place: Prefix of each message.
-        error: The first error, which has the others.
-        complain_of: Is called with each message.
-    """
-    for one in (error, *error.others):
+def show_errors(place: str, errors: Iterable[AssemblyError], complain_of: Callable[[str], None] = complain) -> None:
+    """Prints errors, `place` before each, and below that its line with a mark."""
+    for one in errors:
         complain_of(f"{place}{one}")
         if one.text.strip():
             complain("\n".join(f"  {line}" for line in one.excerpt.split("\n")))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import sys
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
@@ -14,27 +13,26 @@ from ev3proto.checking.checking import check as check_frame
 from ev3proto.checking.codes import CODES, Code
 from ev3proto.checking.fixing import fix
 from ev3proto.checking.program_codes import PROGRAM_CODES
-from ev3proto.checking.report import Finding, Report
-from ev3proto.cli.check_output import SEVERITIES, JsonOutput, Output, Place, Tally, TextOutput
+from ev3proto.checking.report import Finding, Report, Severity
+from ev3proto.cli.check_output import SEVERITIES, Checked, JsonOutput, Output, Place, SourceFinding, Tally, TextOutput
 from ev3proto.cli.edited import EditedFile
 from ev3proto.cli.inputs import Frame, Image, Inputs, SourceCode, Takes, Text, looks_like_assembly
 from ev3proto.cli.kinds import introduction
 from ev3proto.cli.options import given_options, incompatible, json_option
-from ev3proto.cli.output import Printer, complain
+from ev3proto.cli.output import Printer, complain, say_json
 from ev3proto.cli.reading import CaptureOptions, reading_options
 from ev3proto.cli.words import Source, sources
 from ev3proto.errors import counted, near_misses
 from ev3proto.messages import Message
 from ev3proto.tables.carriers import CARRIERS
 from ev3proto.text.diagnostics import explanation
-from ev3proto.text.fixed_text import FixedFrame, fix_pieces, is_command, unix_lines
+from ev3proto.text.fixed_text import fix_pieces, is_command, unix_lines
 from ev3proto.text.paste import read_text
 from ev3proto.text.spans import Role
 
 if TYPE_CHECKING:
     from ev3proto.capture.record import Record
     from ev3proto.cli.captures import CaptureSource
-    from ev3proto.text.assembly.errors import SourceWarning
 
 # Captures and programs are imported when they are needed, which saves 40 ms for a frame.
 
@@ -68,11 +66,6 @@ class CheckOptions:
     carrier: str | None = None
     hidden: frozenset[str] = frozenset()
     quiet: bool = False
-
-    @property
-    def as_json(self) -> bool:
-        """Whether one object a line is printed."""
-        return self.style == "json"
 
     def leaves_out(self, report: Report, *, is_alone: bool) -> bool:
         """Whether nothing is printed about a frame: with --errors-only, among many, one without errors."""
@@ -175,7 +168,10 @@ class Checking:
         edited = iter(made.frames)
         for frame in (frame for pasted in found for frame in self._inputs.pasted(source.source, pasted)):
             if self._is_checked(frame):
-                self._fixed(next(edited), self._place(frame), output)
+                one, place = next(edited), self._place(frame)
+                self.tally.frames += 1
+                if self._counts(one.report, place):
+                    output.edited(one, self._options.shown(one.fix.report), place)
 
     def _capture(self, capture: CaptureSource) -> None:
         """Checks the commands in a capture, each for its carrier."""
@@ -192,18 +188,16 @@ class Checking:
             )
             self._frame(record.frame, place, self._options.carrier or capture.carrier(record))
 
-    def _image(self, source: Source, image: bytes, warnings: Sequence[SourceWarning] = ()) -> None:
-        """Checks a program image, and shows the warnings of its source."""
+    def _image(self, source: Source, image: bytes, found: Sequence[SourceFinding] = ()) -> None:
+        """Checks a program image, whose source may have warnings."""
         from ev3proto.program import check_program  # takes 30 ms, which frames do not need
 
         if self._options.fixes:
             raise click.UsageError(f"--fix is for frames, but {source.label[:60]} is a program")
         self._take_first(is_alone=False)
         self.tally.programs += 1
-        report = check_program(image, dialect=self._dialect)
         place = Place("" if self._is_single else source.label, {"source": source.label})
-        if self._counts(report, place):
-            self._output.program(report, self._options.shown(report), place, warnings)
+        self._show(Checked(place, check_program(image, dialect=self._dialect), is_program=True, source=found))
 
     def _code(self, code: SourceCode) -> None:
         """Shows the errors of a program's source, or checks the image that it assembles to."""
@@ -214,32 +208,32 @@ class Checking:
         try:
             made = assemble(code.text)
         except AssemblyError as error:
+            errors = [SourceFinding(Severity.ERROR, one) for one in (error, *error.others)]
             self.tally.programs += 1
             self._inputs.at_fault = True
-            self.tally.findings["error"] += 1 + len(error.others)
+            self.tally.findings["error"] += len(errors)
             if not self._options.quiet:
-                self._output.source_errors(code.source.label, error)
+                self._output.show(Checked(Place("", {"source": code.source.label}), None, source=errors))
             return
-        self.tally.findings["warning"] += len(made.warnings)
-        self._inputs.at_fault |= self._options.strict and bool(made.warnings)
-        self._image(code.source, made.image, () if "warning" in self._options.hidden else made.warnings)
-
-    def _fixed(self, edited: FixedFrame, place: Place, output: TextOutput) -> None:
-        """Shows how a frame was fixed in its text."""
-        self.tally.frames += 1
-        if self._counts(edited.report, place):
-            output.edited(edited, self._options.shown(edited.fix.report), place)
+        warnings = [SourceFinding(Severity.WARNING, one) for one in made.warnings]
+        self.tally.findings["warning"] += len(warnings)
+        self._inputs.at_fault |= self._options.strict and bool(warnings)
+        self._image(code.source, made.image, () if "warning" in self._options.hidden else warnings)
 
     def _frame(self, frame: bytes, place: Place, carrier: str | None, *, is_alone: bool = False) -> None:
         self.tally.frames += 1
-        if self._options.fixes:
-            fixed = fix(frame, dialect=self._dialect, carrier=carrier)
-            if self._counts(fixed.report, place):
-                self._output.fixed(fixed, self._options.shown(fixed.report), place)
-            return
-        report = check_frame(frame, dialect=self._dialect, carrier=carrier, alone=is_alone)
-        if self._counts(report, place):
-            self._output.frame(report, self._options.shown(report), place)
+        made = fix(frame, dialect=self._dialect, carrier=carrier) if self._options.fixes else None
+        if made is not None:
+            self._show(Checked(place, made.report, fix=made))
+        else:
+            report = check_frame(frame, dialect=self._dialect, carrier=carrier, alone=is_alone)
+            self._show(Checked(place, report))
+
+    def _show(self, checked: Checked) -> None:
+        """Counts the findings of a report, and shows them."""
+        report = checked.report
+        if report is not None and self._counts(report, checked.place):
+            self._output.show(checked._replace(shown=self._options.shown(report)))
 
     def _counts(self, report: Report, place: Place) -> bool:
         """Counts the findings of a report, and returns whether it is shown."""
@@ -269,10 +263,10 @@ def _assembly(inputs: Inputs, source: Source, lines: Iterable[str]) -> Iterator[
 def _output(options: CheckOptions, dialect: str) -> Output:
     """Returns what shows the findings in the format of the options."""
     if options.style in ("github", "sarif"):
-        from ev3proto.cli.annotations import Annotations  # takes 30 ms: sources of programs have findings, too
+        from ev3proto.cli.annotations import Annotations  # takes 3 ms, which other formats do not need
 
         return Annotations(options.style)
-    return JsonOutput(shows_warnings="warning" not in options.hidden) if options.as_json else TextOutput(dialect)
+    return JsonOutput() if options.style == "json" else TextOutput(dialect)
 
 
 def is_reply(record: Record) -> bool:
@@ -381,7 +375,7 @@ def _explain(name: str, *, as_json: bool, dialect: str) -> None:
     printer = Printer()
     for code in found:
         if as_json:
-            printer.text(json.dumps(_code_entry(code), ensure_ascii=False))
+            say_json(_code_entry(code))
         elif name == ALL_CODES:
             printer.lines(
                 [[(f"{code.code}  ", Role.OPERATION), (f"{code.severity!s:8} ", Role.ASIDE), (code.title, Role.PLAIN)]]

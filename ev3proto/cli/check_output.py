@@ -1,29 +1,28 @@
-"""How `check` shows what it found: as text, as one JSON object a line. SARIF and GitHub's annotations are beside it."""
+"""What `check` found, and the renderers of that: text, one JSON object a line; annotations are beside it."""
 
 from __future__ import annotations
 
-import json
 from abc import ABC, abstractmethod
 from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from ev3proto.checking.report import Finding, Fix, Report
-from ev3proto.cli.output import Printer, complain
+from ev3proto.checking.report import Finding, Fix, Report, Severity
+from ev3proto.cli.output import Printer, complain, say_json
 from ev3proto.errors import counted
 from ev3proto.text.diagnostics import diagnostics, fixed
 from ev3proto.text.spans import Line, Role, plain_text
 
 if TYPE_CHECKING:
-    from ev3proto.program.report import ProgramReport
     from ev3proto.text.assembly.errors import AssemblyError, SourceWarning
     from ev3proto.text.fixed_text import FixedFrame
 
-# Programs are imported when they are needed, which saves 30 ms for a frame.
-
 SEVERITIES = ("error", "warning", "hint")
 """The severities that are counted, the worst first."""
+
+SOURCE_CODE = "source"
+"""The code of errors and warnings of a program's source."""
 
 
 class Place(NamedTuple):
@@ -37,6 +36,31 @@ class Place(NamedTuple):
     label: str
     facts: dict[str, Any]
     is_among: bool = False
+
+
+class SourceFinding(NamedTuple):
+    """An error or a warning of a program's source."""
+
+    severity: Severity
+    error: AssemblyError | SourceWarning
+
+
+class Checked(NamedTuple):
+    """A frame or a program, and what was found in it.
+
+    report      None for a program whose source has errors
+    shown       the findings of the report to show
+    fix         the fix of a frame; the report is that of the fixed one
+    is_program  whether it is a program
+    source      what was found in a program's source
+    """
+
+    place: Place
+    report: Report | None
+    shown: Sequence[Finding] = ()
+    fix: Fix | None = None
+    is_program: bool = False
+    source: Sequence[SourceFinding] = ()
 
 
 @dataclass(slots=True)
@@ -66,25 +90,11 @@ class Tally:
 
 
 class Output(ABC):
-    """The findings in one format."""
+    """A renderer: the findings in one format."""
 
     @abstractmethod
-    def frame(self, report: Report, shown: Sequence[Finding], place: Place) -> None:
-        """Shows the findings of a frame."""
-
-    @abstractmethod
-    def fixed(self, fix: Fix, shown: Sequence[Finding], place: Place) -> None:
-        """Shows a fixed frame."""
-
-    @abstractmethod
-    def program(
-        self, report: ProgramReport, shown: Sequence[Finding], place: Place, warnings: Sequence[SourceWarning]
-    ) -> None:
-        """Shows the findings of a program, and the warnings of its source."""
-
-    @abstractmethod
-    def source_errors(self, label: str, error: AssemblyError) -> None:
-        """Shows the errors of a program's source."""
+    def show(self, checked: Checked) -> None:
+        """Shows the findings of a frame or a program."""
 
     def complaint(self, sentence: str) -> None:  # noqa: B027 - most formats leave it to standard error
         """Shows a message about input that cannot be read, besides standard error."""
@@ -97,8 +107,7 @@ class Output(ABC):
 class TextOutput(Output):
     """The findings as text; paragraphs of several lines have empty lines between them.
 
-    Attributes:
-        is_edited: Whether the output is a text with its frames fixed, and all else goes to standard error.
+    is_edited  whether the output is a text with its frames fixed, and all else goes to standard error
     """
 
     def __init__(self, dialect: str) -> None:
@@ -107,37 +116,29 @@ class TextOutput(Output):
         self._was_long: bool | None = None
         self.is_edited = False
 
-    def frame(self, report: Report, shown: Sequence[Finding], place: Place) -> None:
-        """Prints the verdict, and each finding with its bytes."""
-        self._paragraph(diagnostics(report, shown, place=place.label, dialect=self._dialect), is_long=bool(shown))
+    def show(self, checked: Checked) -> None:
+        """Prints the verdict, the fix, and each finding with its bytes."""
+        label, dialect, report, shown = checked.place.label, self._dialect, checked.report, checked.shown
+        _complain_of_source(checked)
+        if report is None:
+            return
+        lines: Iterable[Line]
+        if checked.is_program:
+            from ev3proto.program.report import ProgramReport, program_findings  # loaded by the check of the program
 
-    def fixed(self, fix: Fix, shown: Sequence[Finding], place: Place) -> None:
-        """Prints the fixed frame, its changes, and what remains."""
-        self._paragraph(fixed(fix, shown, place=place.label, dialect=self._dialect), is_long=True)
+            assert isinstance(report, ProgramReport)
+            lines = program_findings(report, shown, f"{label}, " if label else "")
+        elif checked.fix is not None:
+            lines = fixed(checked.fix, shown, place=label, dialect=dialect)
+        else:
+            lines = diagnostics(report, shown, place=label, dialect=dialect)
+        self._paragraph(lines, is_long=bool(shown) or checked.fix is not None)
 
     def edited(self, edited: FixedFrame, shown: Sequence[Finding], place: Place) -> None:
         """Prints the same about a frame in a text on standard error: the text itself is the output."""
-        fix = edited.fix
-        if fix.is_fixed or fix.report.findings:
-            lines = fixed(fix, shown, place=place.label, dialect=self._dialect, is_written=edited.is_written)
+        if edited.fix.is_fixed or edited.fix.report.findings:
+            lines = fixed(edited.fix, shown, place=place.label, dialect=self._dialect, is_written=edited.is_written)
             complain("\n".join(map(plain_text, lines)) + "\n")
-
-    def program(
-        self, report: ProgramReport, shown: Sequence[Finding], place: Place, warnings: Sequence[SourceWarning]
-    ) -> None:
-        """Prints the findings, and the warnings on standard error."""
-        from ev3proto.cli.programs import complain_of_warnings  # takes 30 ms, which frames do not need
-        from ev3proto.program.report import program_findings  # the same
-
-        complain_of_warnings(place.facts["source"], warnings)
-        label = f"{place.label}, " if place.label else ""
-        self._paragraph(program_findings(report, shown, label), is_long=bool(shown))
-
-    def source_errors(self, label: str, error: AssemblyError) -> None:
-        """Prints the errors on standard error."""
-        from ev3proto.cli.assembly import show_errors  # takes 5 ms, which frames do not need
-
-        show_errors(f"{label}, ", error)
 
     def end(self, tally: Tally, *, is_quiet: bool) -> None:
         """Prints a line, if there is more than one frame; none for no frame at all."""
@@ -160,56 +161,38 @@ class TextOutput(Output):
         self._printer.lines(lines)
 
 
+_REFUSED: dict[str, Any] = {"accepted": False, "rejected_at": None, "findings": [], "hex": ""}
+"""The report on a program whose source has errors."""
+
+
 class JsonOutput(Output):
-    """The findings as one JSON object a line.
+    """The findings as one JSON object a line."""
 
-    shows_warnings  whether warnings are shown
-    """
-
-    def __init__(self, *, shows_warnings: bool) -> None:
-        self._printer = Printer()
-        self._shows_warnings = shows_warnings
-
-    def frame(self, report: Report, shown: Sequence[Finding], place: Place) -> None:
-        """Prints the verdict and the findings."""
-        self._print(place.facts, report.as_dict(), shown)
-
-    def fixed(self, fix: Fix, shown: Sequence[Finding], place: Place) -> None:
-        """Prints the same of the fixed frame, with its changes."""
-        self._print(place.facts, fix.as_dict(), shown)
-
-    def program(
-        self, report: ProgramReport, shown: Sequence[Finding], place: Place, warnings: Sequence[SourceWarning]
-    ) -> None:
-        """Prints the verdict, the warnings of the source and the findings."""
-        from ev3proto.cli.programs import complain_of_warnings, source_findings  # takes 30 ms, which frames do not need
-
-        complain_of_warnings(place.facts["source"], warnings)
-        found = source_findings(warnings=warnings) if warnings and self._shows_warnings else []
-        self._print(place.facts, report.as_dict(), shown, found)
-
-    def source_errors(self, label: str, error: AssemblyError) -> None:
-        """Prints the errors as findings of a program that is refused, and on standard error."""
-        from ev3proto.cli.assembly import show_errors  # takes 5 ms, which frames do not need
-        from ev3proto.cli.programs import source_findings  # takes 30 ms, the same
-
-        show_errors(f"{label}, ", error)
-        entry: dict[str, Any] = {"accepted": False, "rejected_at": None, "findings": [], "hex": ""}
-        self._print({"source": label}, entry, (), source_findings(error))
+    def show(self, checked: Checked) -> None:
+        """Prints the verdict and the findings, also those of a program's source."""
+        _complain_of_source(checked)
+        found = checked.fix or checked.report
+        entry = _REFUSED if found is None else found.as_dict()
+        findings = [*map(_source_entry, checked.source), *(finding.as_dict() for finding in checked.shown)]
+        say_json(checked.place.facts | entry | {"findings": findings})
 
     def end(self, tally: Tally, *, is_quiet: bool) -> None:
         """Prints the numbers if nothing else is printed."""
         if is_quiet:
             counts = {f"{severity}s": tally.findings[severity] for severity in SEVERITIES}
-            entry = {"frames": tally.frames, "programs": tally.programs, "replies": tally.replies, **counts}
-            self._printer.text(json.dumps(entry))
+            say_json({"frames": tally.frames, "programs": tally.programs, "replies": tally.replies, **counts})
 
-    def _print(
-        self,
-        facts: dict[str, Any],
-        entry: dict[str, Any],
-        shown: Sequence[Finding],
-        before: Sequence[dict[str, Any]] = (),
-    ) -> None:
-        entry["findings"] = [*before, *(finding.as_dict() for finding in shown)]
-        self._printer.text(json.dumps(facts | entry, ensure_ascii=False))
+
+def _complain_of_source(checked: Checked) -> None:
+    """Prints the warnings and errors of a program's source on standard error."""
+    if checked.source:
+        from ev3proto.cli.programs import complain_of_source  # loaded by the check of the program
+
+        complain_of_source(checked.place.facts["source"], [error for _, error in checked.source])
+
+
+def _source_entry(found: SourceFinding) -> dict[str, Any]:
+    """Returns what was found in a source in the form of `Finding.as_dict`, with `line` and `column`."""
+    one = found.error
+    finding = Finding(found.severity, SOURCE_CODE, 0, 0, one.reason, f"change line {one.line} of the source")
+    return finding.as_dict() | {"line": one.line, "column": one.column}

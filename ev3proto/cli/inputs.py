@@ -205,12 +205,12 @@ class Inputs:
 
     def _word(self, source: Source) -> Iterator[Content]:
         """Yields the frames in a word of the command line."""
-        lines = source.name.split("\n")
+        lines, takes = source.name.split("\n"), self._takes
         if self.reading.missing is not None:
             yield from self.text(source, lines)
             return
-        pasted, takes = read_argument(source.name), self._takes
-        if not pasted.data or takes.makes_first:
+        pasted = None if takes.makes_first else read_argument(source.name)
+        if pasted is None or not pasted.data:
             line = "".join([*introduction(iter(lines))][-1:])
             making = None if takes.making is None else takes.making(line.strip())
             if making is not None:
@@ -219,6 +219,7 @@ class Inputs:
             if takes.making is None and looks_like_assembly(line):
                 self.complain(f"{source.name[:60]!r} is assembly, not a frame; {_HOW_FRAMES_ARE_MADE}")
                 return
+        pasted = pasted or read_argument(source.name)
         if self._as_capture and pasted.data:
             yield from self._capture(source, Contents(Kind.TEXT, lines=lines))
         else:

@@ -6,10 +6,11 @@ characters are escaped, whatever their origin. Both streams may be closed, full,
 
 from __future__ import annotations
 
+import json
 import os
 import sys
 import time
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from itertools import chain, islice
 from pathlib import Path
@@ -118,6 +119,11 @@ def _painted(line: Line) -> str:
 def say(text: str = "") -> None:
     """Prints lines to standard output."""
     _write(f"{visible_lines(text)}\n")
+
+
+def say_json(entry: Mapping[str, Any]) -> None:
+    """Prints an object for other tools on one line."""
+    say(json.dumps(entry, ensure_ascii=False))
 
 
 def draw(lines: Iterable[str]) -> None:

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from textwrap import wrap
-from typing import Any
 
 import click
 
@@ -24,9 +23,6 @@ from ev3proto.text.assembly.errors import AssemblyError, SourceWarning
 from ev3proto.text.diagnostics import ROLES
 from ev3proto.text.phrases import NOTATIONS, spaced_hex
 from ev3proto.text.spans import Line, Role
-
-SOURCE_CODE = "source"
-"""The code of errors and warnings of a source."""
 
 _MOST_WARNINGS = 20
 _TEXT_WIDTH = 100
@@ -73,32 +69,14 @@ def _source(program: Program) -> Iterator[Line]:
     return ([("// ", Role.ASIDE), *line] for line in listing(program))
 
 
-def complain_of_warnings(label: str, warnings: Sequence[SourceWarning]) -> None:
-    """Prints the first warnings of a source, and the number of the others."""
+def complain_of_source(label: str, found: Sequence[AssemblyError | SourceWarning]) -> None:
+    """Prints the errors of a source, or its first warnings and the number of the others."""
+    warnings = [one for one in found if isinstance(one, SourceWarning)]
+    show_errors(f"{label}, ", (one for one in found if isinstance(one, AssemblyError)))
     for warning in warnings[:_MOST_WARNINGS]:
         complain(f"{label}, {warning} (warning)")
     if len(warnings) > _MOST_WARNINGS:
         complain(f"{label}: and {len(warnings) - _MOST_WARNINGS} more warnings")
-
-
-def source_findings(error: AssemblyError | None = None, warnings: Iterable[SourceWarning] = ()) -> list[dict[str, Any]]:
-    """Returns errors and warnings of a source in the form of `Finding.as_dict`, with `line` and `column`."""
-    found: list[tuple[str, AssemblyError | SourceWarning]] = [("warning", one) for one in warnings]
-    if error is not None:
-        found += [("error", one) for one in (error, *error.others)]
-    return [
-        {
-            "severity": severity,
-            "code": SOURCE_CODE,
-            "offset": 0,
-            "length": 0,
-            "message": one.reason,
-            "help": f"change line {one.line} of the source",
-            "line": one.line,
-            "column": one.column,
-        }
-        for severity, one in found
-    ]
 
 
 def program_explanation(code: Code, dialect: str) -> Iterator[Line]:
@@ -122,9 +100,9 @@ def assembled(
     try:
         made = assemble(text, dialect=dialect, version=version, shortest=shortest)
     except AssemblyError as error:
-        show_errors(f"{label}, ", error)
+        complain_of_source(label, (error, *error.others))
         return None
-    complain_of_warnings(label, made.warnings)
+    complain_of_source(label, made.warnings)
     return made
 
 

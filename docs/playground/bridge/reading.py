@@ -13,7 +13,7 @@ from typing import Any
 from ev3proto.capture.dialogues import RequestReply, dialogues
 from ev3proto.capture.record import Event, elapsed
 from ev3proto.capture.text_log import read_log
-from ev3proto.cli.assembly import assembled_messages, show_errors
+from ev3proto.cli.assembly import assembled_messages
 from ev3proto.cli.captures import CaptureSource
 from ev3proto.cli.check import is_reply
 from ev3proto.cli.decode import Decoding
@@ -27,7 +27,7 @@ from ev3proto.cli.inputs import (
     Takes,
     looks_like_assembly,
 )
-from ev3proto.cli.programs import complain_of_warnings
+from ev3proto.cli.programs import complain_of_source
 from ev3proto.cli.reading import CaptureOptions
 from ev3proto.cli.recorded import show_capture
 from ev3proto.cli.words import Source
@@ -163,10 +163,10 @@ class Reading(Decoding):
         try:
             made = assemble(text)
         except AssemblyError as error:
-            show_errors(f"{label}, ", error)
+            complain_of_source(label, (error, *error.others))
             return
         with redirect_stderr(io.StringIO()) as warnings:
-            complain_of_warnings(label, made.warnings)
+            complain_of_source(label, made.warnings)
         self._findings.warn(warnings.getvalue())
         self.program(Image(Source(label), made.image))
 

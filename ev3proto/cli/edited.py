@@ -5,7 +5,7 @@ from __future__ import annotations
 import codecs
 from typing import NamedTuple
 
-from ev3proto.cli.output import binary_output, is_terminal, say
+from ev3proto.cli.output import is_terminal, put, say
 
 _BY_MARK = ((codecs.BOM_UTF8, "utf-8"), (codecs.BOM_UTF16_LE, "utf-16-le"), (codecs.BOM_UTF16_BE, "utf-16-be"))
 _TAB = 8
@@ -34,8 +34,7 @@ class EditedFile(NamedTuple):
         if is_terminal():
             say(text.removesuffix("\n").expandtabs(_TAB))
             return
-        with binary_output() as stream:
-            stream.write(self.mark + text.encode(self.encoding, _errors(self.encoding)))
+        put(self.mark + text.encode(self.encoding, _errors(self.encoding)), None)
 
 
 def _errors(encoding: str) -> str:

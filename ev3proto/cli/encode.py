@@ -5,11 +5,9 @@ from __future__ import annotations
 import json
 import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from contextlib import ExitStack
 from dataclasses import replace
 from pathlib import Path
-from types import TracebackType
-from typing import Any, BinaryIO, Self
+from typing import Any
 
 import click
 
@@ -17,7 +15,7 @@ from ev3proto.cli.assembly import assembled_messages
 from ev3proto.cli.captures import CaptureSource
 from ev3proto.cli.inputs import Frame, Inputs, Making, Takes
 from ev3proto.cli.options import Whole, given_options, incompatible, reply_option
-from ev3proto.cli.output import binary_output, failing_to, is_terminal, say
+from ev3proto.cli.output import failing_to, output_to, refuse_terminal, say
 from ev3proto.cli.reading import CaptureOptions, reading_options
 from ev3proto.cli.words import Source, sources
 from ev3proto.dialogue import Dialogue
@@ -31,7 +29,6 @@ from ev3proto.text.json_format.from_messages import record
 from ev3proto.text.json_format.to_messages import RecordError, frames_in, read_records
 from ev3proto.text.phrases import Seen, heading
 from ev3proto.text.spans import plain_text
-from ev3proto.whole_files import whole_file
 
 _TAKES = Takes(
     nothing="nothing to encode; expected assembly such as SOUND(TONE, 1, 440, 1000), objects as `decode --json` prints"
@@ -43,44 +40,6 @@ _TAKES = Takes(
 
 RBF, SUFFIX = "rbf", ".rbf"
 """The format of programs: their images."""
-
-
-class Output:
-    """The output of frames in one format, as a context manager: the file appears whole, at the end.
-
-    Without frames, no file is written, and an existing one stays.
-
-    form  one of FORMS
-    path  None for standard output
-    """
-
-    def __init__(self, form: str, path: str | None) -> None:
-        self.count = 0
-        self._form = FORMS[form]
-        self._path = path
-        self._stack = ExitStack()
-        self._dialogue = Dialogue()
-        self._stream: BinaryIO | None = None
-
-    def write(self, message: Message) -> None:
-        """Writes one frame."""
-        self.count += 1
-        data = self._form(message, self.count, self._dialogue)
-        if self._path is None and isinstance(data, str):
-            say(data)
-            return
-        if self._stream is None:
-            target = binary_output() if self._path is None else whole_file(Path(self._path))
-            self._stream = self._stack.enter_context(target)
-        self._stream.write(data if isinstance(data, bytes) else f"{data}\n".encode())
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, where: TracebackType | None
-    ) -> None:
-        self._stack.__exit__(kind, error, where)
 
 
 def _assembly(message: Message, dialogue: Dialogue, notation: str) -> str:
@@ -250,10 +209,18 @@ def encode(
     if is_for_program:
         raise click.UsageError("--source, --version and --shortest are for programs; add --to rbf or -o FILE.rbf")
     form = form or "hex"
-    if form == RAW and path is None and is_terminal():
-        raise click.UsageError("refusing to write raw bytes to a terminal; give -o FILE, or pipe them into a program")
-    with failing_to("written", path), Output(form, path) as output:
-        inputs = inputs_for(names, reading, counter=counter, reply=reply, unchecked=unchecked)
-        for message in encoded(inputs):
-            output.write(message)
+    if form == RAW:
+        refuse_terminal(path, "raw bytes", "them")
+    inputs = inputs_for(names, reading, counter=counter, reply=reply, unchecked=unchecked)
+    dialogue, number = Dialogue(), 0
+    with failing_to("written", path), output_to(None if path is None else Path(path)) as stream:
+        for number, message in enumerate(encoded(inputs), 1):
+            data = FORMS[form](message, number, dialogue)
+            if path is None and isinstance(data, str):
+                say(data)
+            else:
+                stream.write(data if isinstance(data, bytes) else f"{data}\n".encode())
+        if not number:
+            # Nothing was written yet, and an existing file stays.
+            sys.exit(1)
     sys.exit(1 if inputs.at_fault else 0)

@@ -14,13 +14,13 @@ from ev3proto.cli.commands import Group
 from ev3proto.cli.inputs import Frame, Inputs, Takes
 from ev3proto.cli.options import FOLDER, FiniteRange, dialect_option
 from ev3proto.cli.output import (
-    binary_output,
     check_option,
     failing_to,
-    is_terminal,
     output_option,
     output_options,
+    output_to,
     put,
+    refuse_terminal,
     write_text,
 )
 from ev3proto.cli.reading import CaptureOptions, reading_options
@@ -32,7 +32,6 @@ from ev3proto.generate.cheader import build as header
 from ev3proto.generate.kaitai import build as description
 from ev3proto.generate.tables_json import build as tables
 from ev3proto.tables.carriers import CARRIERS, DEFAULT_CARRIER
-from ev3proto.whole_files import whole_file
 
 _MOST_INTERVAL = 3_600_000.0
 _NANOSECONDS_EACH = 1_000_000
@@ -179,9 +178,8 @@ def pcapng(names: tuple[str, ...], output: Path | None, carrier: str, interval: 
       ev3proto export pcapng 0e002a0080000094010182b80182e803 -o tone.pcapng
       ev3proto export pcapng --carrier usb robot.log | tshark -r -
     """  # noqa: D301
-    if output is None and is_terminal():
-        raise click.UsageError("refusing to write a capture to a terminal; give -o FILE, or pipe it into a program")
-    with failing_to("written", output), binary_output() if output is None else whole_file(output) as stream:
+    refuse_terminal(output, "a capture")
+    with failing_to("written", output), output_to(output) as stream:
         writer = CaptureWriter(stream, carrier=carrier, step_ns=round(interval * _NANOSECONDS_EACH))
         inputs = Inputs(sources(names), reading, Takes(is_quiet=True))
         for frame, place in _timed_frames(inputs):

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import sys
 from collections.abc import Iterator
 from dataclasses import asdict
@@ -16,7 +15,7 @@ from ev3proto.capture.files import FileState, RecoveredFile, recover, survey
 from ev3proto.cli.captures import CaptureSource
 from ev3proto.cli.inputs import ONLY_CAPTURES, Inputs
 from ev3proto.cli.options import FOLDER, json_option
-from ev3proto.cli.output import complain, say
+from ev3proto.cli.output import complain, say, say_json
 from ev3proto.cli.reading import CaptureOptions, reading_options
 from ev3proto.cli.tables import Tables
 from ev3proto.cli.words import files as named_files
@@ -63,7 +62,7 @@ def files(
         for recovered in _complaining(found, source):
             is_empty = False
             if as_json:
-                say(json.dumps(_record(recovered), ensure_ascii=False))
+                say_json(_record(recovered))
             elif folder is None:
                 rows.append(_row(recovered))
             elif recovered.file is not None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import re
 from collections.abc import Iterator
 from difflib import get_close_matches
@@ -12,7 +11,7 @@ import click
 
 from ev3proto.cli.entries import ENCODING, MODE, Entry, device_types, encoding, encodings, error_numbers, modes, named
 from ev3proto.cli.options import AREA, AREAS_HELP, dialect_option, json_option
-from ev3proto.cli.output import Failure, Printer
+from ev3proto.cli.output import Failure, Printer, say_json
 from ev3proto.errors import near_misses
 from ev3proto.schema.argument import ENCODINGS
 from ev3proto.schema.instructions import instruction_set
@@ -52,7 +51,7 @@ def ops(words: tuple[str, ...], area: str | None, as_json: bool, dialect: str) -
         raise Failure(f"no operation matches {' '.join(words)!r}{hint}")
     for number, entry in enumerate(found):
         if as_json:
-            printer.text(json.dumps(entry.record(), ensure_ascii=False))
+            say_json(entry.record())
         elif len(found) == 1 or (exact and all(entry.name == found[0].name for entry in exact)):
             if number:
                 printer.text("")

@@ -188,44 +188,37 @@ class _Bytes:
 
 
 @contextmanager
-def binary_output() -> Iterator[BinaryIO]:
-    """Yields standard output for bytes, after all earlier output; it is flushed at the end.
+def output_to(path: Path | None) -> Iterator[BinaryIO]:
+    """Yields a file that appears whole at the end, or standard output. Raises OSError, or OutputError."""
+    if path is None:
+        with writing_output() as stdout:
+            stdout.flush()
+        yield cast(BinaryIO, _Bytes())
+        flush()
+        return
+    from ev3proto.whole_files import whole_file  # takes 2 ms, which commands that print do not need
 
-    Raises:
-        OutputError: It cannot be written.
-    """
-    with writing_output() as stream:
-        stream.flush()
-    yield cast(BinaryIO, _Bytes())
-    flush()
+    with whole_file(path) as stream:
+        yield stream
+
+
+def refuse_terminal(path: object, what: str, pipe: str = "it", option: str = "-o") -> None:
+    """Raises click.UsageError if there is no path, and bytes would be written to a terminal."""
+    if path is None and is_terminal():
+        raise click.UsageError(
+            f"refusing to write {what} to a terminal; give {option} FILE, or pipe {pipe} into a program"
+        )
 
 
 def put(data: bytes, path: Path | None, *, check: bool = False) -> bool:
-    """Writes a file, whole or not at all, and reports failures.
-
-    Args:
-        data: Its contents.
-        path: The file; None for standard output.
-        check: Write nothing, and compare.
-
-    Returns:
-        Whether the file has these contents now.
-
-    Raises:
-        OutputError: Standard output cannot be written.
-    """
-    if path is None:
-        with binary_output() as stream:
-            stream.write(data)
-        return True
-    from ev3proto.whole_files import write_whole  # takes 2 ms, which commands that print do not need
-
+    """Writes a file, or standard output, or with `check` only compares; reports failures, and returns the success."""
     try:
-        if not check:
-            write_whole(path, data)
-        elif path.read_bytes() != data:
+        if check and path is not None and path.read_bytes() != data:
             complain(f"{path} is out of date; run this without --check to write it again")
             return False
+        if not check:
+            with output_to(path) as stream:
+                stream.write(data)
     except OSError as error:
         complain(f"{path}: cannot be {'read' if check else 'written'}: {error.strerror or error}")
         return False

@@ -11,7 +11,7 @@ import click
 from ev3proto.checking.codes import Code
 from ev3proto.cli.assembly import show_errors
 from ev3proto.cli.kinds import is_image
-from ev3proto.cli.output import Printer, complain, is_terminal, put
+from ev3proto.cli.output import Printer, complain, put, refuse_terminal
 from ev3proto.cli.words import Source
 from ev3proto.errors import DecodeError, counted
 from ev3proto.program import Assembled, Program, assemble, check_program, parse
@@ -113,8 +113,7 @@ def encode_program(
     if len(found) != 1:
         raise click.UsageError(f"expected one source of a program, not {len(found)}")
     source = found[0]
-    if path is None and is_terminal():
-        raise click.UsageError("refusing to write an image to a terminal; give -o FILE, or pipe it into a program")
+    refuse_terminal(path, "an image")
     text = _text_of(source)
     if text is None:
         return 1

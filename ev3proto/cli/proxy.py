@@ -17,7 +17,7 @@ from ev3proto.capture.dialogues import RequestReply
 from ev3proto.cli.ending import stopped_by_signals
 from ev3proto.cli.faults import fault_options
 from ev3proto.cli.options import SerialNumber, dialect_option, incompatible, json_option
-from ev3proto.cli.output import Failure, complain, failing_to, flush, is_terminal, say, writing_output
+from ev3proto.cli.output import Failure, complain, failing_to, flush, refuse_terminal, say, writing_output
 from ev3proto.cli.recorded import Dialogues
 from ev3proto.cli.show import Show
 from ev3proto.cli.targets import target_option
@@ -171,9 +171,6 @@ def _recording(record: str | None, stack: ExitStack) -> Recording | None:
 def _recorded_to(record: str, stack: ExitStack) -> BinaryIO:
     """Opens the stream of the recording. Raises OSError, click.UsageError or OutputError."""
     if record == "-":
-        if is_terminal():
-            raise click.UsageError(
-                "refusing to write a capture to a terminal; give --record FILE, or pipe it into a program"
-            )
+        refuse_terminal(None, "a capture", option="--record")
         return sys.stdout.buffer
     return cast(BinaryIO, stack.enter_context(closing(GrowingFile(Path(record)))))

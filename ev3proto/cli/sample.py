@@ -10,7 +10,7 @@ from itertools import islice
 import click
 
 from ev3proto.cli.options import AREA, AREAS_HELP, Whole, dialect_option, incompatible
-from ev3proto.cli.output import Failure, binary_output, complain, say
+from ev3proto.cli.output import Failure, complain, put, say
 from ev3proto.cli.show import FORMATS, Show
 from ev3proto.dialogue import Exchange
 from ev3proto.extras import install_command
@@ -92,10 +92,10 @@ def sample(
         complain(f"found only {written} different frames of this kind")
 
 
-def _writer(style: str, dialect: str) -> Callable[[bytes], None]:
+def _writer(style: str, dialect: str) -> Callable[[bytes], object]:
     """Returns a function that writes one frame to standard output."""
     if style == "raw":
-        return _write_raw
+        return lambda frame: put(frame, None)
     show = None if style == "hex" else Show(style)
 
     def write(frame: bytes) -> None:
@@ -106,8 +106,3 @@ def _writer(style: str, dialect: str) -> Callable[[bytes], None]:
             show.exchange(Exchange(message), Seen())
 
     return write
-
-
-def _write_raw(frame: bytes) -> None:
-    with binary_output() as stream:
-        stream.write(frame)

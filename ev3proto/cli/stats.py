@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import sys
 from collections.abc import Iterator, Mapping, Sequence
 
@@ -12,7 +11,7 @@ from ev3proto.capture import Account
 from ev3proto.capture.latencies import ACCURACY, EXACT, Percentiles
 from ev3proto.capture.statistics import Amount, Noted, PeerSummary, Statistics, Summary, TransferSummary
 from ev3proto.cli.inputs import ONLY_CAPTURES, Inputs
-from ev3proto.cli.output import say
+from ev3proto.cli.output import say, say_json
 from ev3proto.cli.reading import CaptureOptions, reading_options
 from ev3proto.cli.tables import Tables
 from ev3proto.cli.words import files as named_files
@@ -48,7 +47,7 @@ def stats(files: tuple[str, ...], reading: CaptureOptions, as_json: bool) -> Non
     summary = statistics.summary(account)
     if account.packets:
         if as_json:
-            say(json.dumps(summary.as_dict(), ensure_ascii=False))
+            say_json(summary.as_dict())
         else:
             _Page(summary, "line" if units == {"line"} else "packet").show()
     sys.exit(1 if inputs.at_fault else 0)

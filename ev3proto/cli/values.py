@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import csv
 import io
-import json
 import sys
 from collections.abc import Iterator
 from pathlib import Path
@@ -17,7 +16,7 @@ from ev3proto.capture.series import MOST_CELLS, Cell, Row, Series, series_of
 from ev3proto.capture.timeline import MissingLibraryError
 from ev3proto.cli.inputs import ONLY_CAPTURES, Inputs
 from ev3proto.cli.options import FILE, incompatible
-from ev3proto.cli.output import complain, put, say
+from ev3proto.cli.output import complain, put, say, say_json
 from ev3proto.cli.reading import CaptureOptions, reading_options
 from ev3proto.cli.tables import Tables
 from ev3proto.cli.words import files as named_files
@@ -152,7 +151,7 @@ def _csv_line(cells: list[Any]) -> str:
 
 def _print_json(found: Series) -> None:
     for record in _records(found):
-        say(json.dumps(record, ensure_ascii=False))
+        say_json(record)
 
 
 def _records(found: Series) -> Iterator[dict[str, Any]]:

@@ -124,7 +124,7 @@ class TextOutput(Output):
             return
         lines: Iterable[Line]
         if checked.is_program:
-            from ev3proto.program.report import ProgramReport, program_findings  # loaded by the check of the program
+            from ev3proto.program.report import ProgramReport, program_findings  # takes 8 ms, which frames do not need
 
             assert isinstance(report, ProgramReport)
             lines = program_findings(report, shown, f"{label}, " if label else "")
@@ -186,7 +186,7 @@ class JsonOutput(Output):
 def _complain_of_source(checked: Checked) -> None:
     """Prints the warnings and errors of a program's source on standard error."""
     if checked.source:
-        from ev3proto.cli.programs import complain_of_source  # loaded by the check of the program
+        from ev3proto.cli.programs import complain_of_source  # takes 8 ms, which frames do not need
 
         complain_of_source(checked.place.facts["source"], [error for _, error in checked.source])
 

@@ -55,7 +55,7 @@ class Decoding:
 
     def capture(self, capture: CaptureSource) -> None:
         """Shows the frames and texts of a capture, its dialogues, or the programs that it transfers."""
-        from ev3proto.cli.recorded import moved_programs, show_capture  # takes 30 ms, which frames do not need
+        from ev3proto.cli.recorded import moved_programs, show_capture  # takes 13 ms, which frames do not need
 
         before = self._show.count
         if self._as_programs:
@@ -77,7 +77,7 @@ class Decoding:
 
     def _shown(self, label: str, origin: str | None, image: bytes) -> None:
         """Shows a program: its name in messages, its origin if that is to be shown, its image."""
-        from ev3proto.cli.programs import read_program  # takes 60 ms, which frames do not need
+        from ev3proto.cli.programs import read_program  # takes 58 ms, which frames do not need
 
         program = read_program(label, image, self.inputs.reading.dialect)
         if program is None:

@@ -132,7 +132,7 @@ ONLY_CAPTURES = Takes(wanted="", as_capture=True, is_quiet=True)
 
 def looks_like_assembly(line: str) -> bool:
     """Whether a line without a frame is assembly; one with only a label may be a heading."""
-    from ev3proto.text.assembly.recognising import is_assembly  # takes 11 ms, which frames do not need
+    from ev3proto.text.assembly.recognising import is_assembly  # takes 19 ms, which frames do not need
 
     return not line.rstrip().endswith(":") and is_assembly(line)
 
@@ -193,7 +193,7 @@ class Inputs:
             elif source.lines is not None:
                 yield from self.text(source, source.lines)
             elif self._takes.sources and source.name.lower().endswith(SOURCE_SUFFIX):
-                from ev3proto.program.sources import MAX_SOURCE  # takes 30 ms, which frames do not need
+                from ev3proto.program.sources import MAX_SOURCE  # takes 50 ms, which frames do not need
 
                 yield SourceCode(source, source.read(MAX_SOURCE + 1))
             elif self.reading.engine != BUILTIN:
@@ -227,7 +227,7 @@ class Inputs:
 
     def _file(self, source: Source) -> Iterator[Content]:
         """Yields what is in a file. Raises OSError, EOFError or zlib.error."""
-        from ev3proto.capture.formats import CaptureFile  # takes 13 ms, which frames do not need
+        from ev3proto.capture.formats import CaptureFile  # takes 9 ms, which frames do not need
 
         takes, is_quiet, is_ours = self._takes, self._takes.is_quiet, source.name != "-"
         with (
@@ -254,7 +254,7 @@ class Inputs:
 
     def _capture(self, source: Source, contents: Contents) -> Iterator[Content]:
         """Yields a capture, or a text that is read as one; then reports one in which nothing was found."""
-        from ev3proto.cli.captures import CaptureSource  # takes 15 ms, which frames do not need
+        from ev3proto.cli.captures import CaptureSource  # takes 10 ms, which frames do not need
 
         capture = CaptureSource(source, self.reading, contents)
         yield capture

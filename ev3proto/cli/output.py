@@ -20,6 +20,7 @@ import click
 
 from ev3proto.cli.options import FILE
 from ev3proto.text.spans import Line, Role, plain_text, visible, visible_lines
+from ev3proto.whole_files import whole_file
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -196,8 +197,6 @@ def output_to(path: Path | None) -> Iterator[BinaryIO]:
         yield cast(BinaryIO, _Bytes())
         flush()
         return
-    from ev3proto.whole_files import whole_file  # takes 2 ms, which commands that print do not need
-
     with whole_file(path) as stream:
         yield stream
 

@@ -69,7 +69,7 @@ def given_up(label: str, count: int, memory: int) -> str:
 def _compiled(_context: click.Context, _parameter: click.Parameter, text: str | None) -> Filter | None:
     if text is None:
         return None
-    from ev3proto.capture.filter import FilterError, compile_filter  # takes 8 ms, which only filters need
+    from ev3proto.capture.filter import FilterError, compile_filter  # takes 16 ms, which only filters need
 
     try:
         return compile_filter(text)
@@ -94,7 +94,7 @@ def _underlined(text: str, error: FilterError) -> str:
 def _explain_filters(context: click.Context, _parameter: click.Parameter, is_wanted: bool) -> None:
     if not is_wanted or context.resilient_parsing:
         return
-    from ev3proto.capture.filter.manual import manual  # takes 8 ms, too
+    from ev3proto.capture.filter.manual import manual  # takes 16 ms, too
 
     say("\n".join(manual()))
     context.exit()

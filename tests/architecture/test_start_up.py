@@ -24,7 +24,6 @@ PARTS_NOT_NEEDED = (
     "text.diagnostics",
     "text.assembly",
     "text.dialogues",
-    "whole_files",
 )
 OTHERS_NOT_NEEDED = ("asyncio", "hypothesis", "pyshark", "rich", "scapy", "secrets", "tempfile")
 

@@ -27,6 +27,7 @@ from ev3proto import GV, LV, Draft, check, command, ops
         (ops.array_append(LV(0), LV(4)), 0, 8),
         (ops.mailbox_read(0, 4, [GV(0), GV(4)]), 8, 0),
         (ops.ui_read.get_os_vers(0), 0, 0),
+        (ops.input_device.setup(0, 0, 1, 0, 2, LV(0), -3, GV(0)), 3, 2),  # in reverse order
     ],
     ids=lambda value: value.name if isinstance(value, Draft) else None,
 )

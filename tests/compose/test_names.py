@@ -94,23 +94,8 @@ FUNCTIONS: dict[str, Callable[[Any], bytes]] = {
 
 INDEXES = (-1, 0, 31, 32, 127, 128, 255, 256, 32767, 32768, 65535, 65536, 2**31 - 1, 2**31, 2**32 - 1, 2**32, True, "1")
 NUMBERS = (
-    -32,
-    -33,
-    31,
-    32,
-    -127,
-    -128,
-    127,
-    128,
-    -32767,
-    -32768,
-    32767,
-    32768,
-    -(2**31),
-    -(2**31) - 1,
-    2**31,
-    True,
-    1.5,
+    *(-32, -33, 31, 32, -127, -128, 127, 128, -32767, -32768, 32767, 32768),
+    *(-(2**31), -(2**31) - 1, 2**31, True, 1.5),
 )
 ARGUMENTS: dict[str, tuple[Any, ...]] = {
     "LCX": NUMBERS,
@@ -164,9 +149,6 @@ def test_constants_spelled_as_ev3_dc_spells_them() -> None:
     assert set(REFERENCE) <= set(constant_names())
 
 
-# The claims that DIFFERENT makes, seen through the brick's eyes: what ev3_dc's bytes say when an argument is read.
-
-
 def read_by_the_brick(raw: bytes) -> tuple[str, Any]:
     """Encoding and value of one argument: TIMER_READY has just one."""
     frame = struct.pack("<HHBH", 6 + len(raw), 1, 0x80, 0) + ev3_dc.opTimer_Ready + raw
@@ -174,45 +156,6 @@ def read_by_the_brick(raw: bytes) -> tuple[str, Any]:
     assert isinstance(message, ev3proto.DirectCommand)
     (argument,) = message.operations[0].arguments
     return argument.encoding, argument.value
-
-
-@pytest.mark.parametrize(
-    ("name", "theirs", "ours"),
-    [
-        ("CURRENT_SLOT", ("LC0", -31), ("LC0", -1)),
-        ("TYPE_REFRESH_BROWSER", ("LC0", -30), ("LC0", -2)),
-        ("TEXTBOX", ("LC0", -32), ("LC1", 32)),
-        ("WARNING_BATTLOW", ("LV0", 0), ("LC1", 64)),
-    ],
-)
-def test_what_bare_bytes_say(name: str, theirs: tuple[str, int], ours: tuple[str, int]) -> None:
-    raw = constant(name)
-    assert isinstance(raw, bytes)
-    assert read_by_the_brick(REFERENCE[name]) == theirs
-    assert read_by_the_brick(raw) == ours
-
-
-@pytest.mark.parametrize("name", ["WARNING_BUSY", "HALTED"])
-def test_bare_128_starts_a_string(name: str) -> None:
-    raw = constant(name)
-    assert isinstance(raw, bytes)
-    assert read_by_the_brick(raw) == ("LC2", 128)
-    assert read_by_the_brick(REFERENCE[name] + b"abc\0") == ("LCS_OLD", "abc")
-
-
-def test_wrong_numbers_of_ev3_dc() -> None:
-    assert REFERENCE["opTst"] == constant("opMailbox_Close") == b"\xdd"
-    assert constant("opTst") == b"\xff"
-    assert (REFERENCE["SET_TESTPIN"], constant("SET_TESTPIN")) == (b"\x17", b"\x18")
-    assert (REFERENCE["INIT_RUN"], constant("INIT_RUN")) == (b"\x18", b"\x19")
-    assert REFERENCE["OBJ_STOP"] == 0
-    assert constant("OBJ_STOP") == b"\0"
-
-
-def test_strings_of_ev3_dc() -> None:
-    assert ev3_dc.LCS("größer") == b"\x84gr\xc3\xb6\xc3\x9fer\0"
-    assert LCS("größer") == b"\x84gr\xf6\xdfer\0"
-    assert ev3_dc.LCS("a\0b") == b"\x84a\0b\0"
 
 
 # A name of two tables takes the value of the one that names.py puts first; a third such name must be decided on.
@@ -242,7 +185,8 @@ def test_names_in_two_tables() -> None:
 def test_constant_values() -> None:
     assert constant("opUI_Draw") == constant("opUI_DRAW") == constant("opui_draw") == b"\x84"
     assert constant("opObject_Return") == constant("opReturn") == constant("opOBJECT_RETURN") == b"\x08"
-    assert constant("TEXTBOX") == b"\x81\x20"
+    assert (constant("TEXTBOX"), constant("CURRENT_SLOT"), constant("HALTED")) == (b"\x81\x20", b"\x3f", b"\x82\x80\0")
+    assert (constant("opTst"), constant("SET_TESTPIN"), constant("OBJ_STOP")) == (b"\xff", b"\x18", b"\0")
     assert constant("LED_BLACK") == constant("LED_OFF") == b"\0"
     assert constant("EV3_COLOR") == 29
     assert constant("TYPE_COLOR") == LCX(29)

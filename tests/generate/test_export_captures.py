@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import io
-import warnings
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -85,11 +84,6 @@ def test_given_times(carrier: str) -> None:
 
 
 @pytest.mark.parametrize("carrier", CARRIERS)
-def test_a_conversation_may_begin_at_time_zero(carrier: str) -> None:
-    assert [record.time_ns for record in records(made(DIALOGUE, carrier, begin_ns=0, step_ns=1))] == [*range(10)]
-
-
-@pytest.mark.parametrize("carrier", CARRIERS)
 def test_the_same_frames_make_the_same_file(carrier: str) -> None:
     assert made(DIALOGUE, carrier) == made([message.build() for message in DIALOGUE], carrier)
 
@@ -129,14 +123,6 @@ def test_many_unanswered_commands(carrier: str, tshark: Tshark) -> None:
     assert len(records(data)) == 400
     path = tshark.place(data, f"export-many-{carrier}.pcapng")
     assert tshark.run(path, "-2", "-Y", f"_ws.malformed || _ws.expert.severity > {NOTE}") == ""
-
-
-def test_packet_numbers_wrap_around() -> None:
-    told = [direct_command(operation("SOUND_READY"))] * 65536
-    stream = io.BytesIO()
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
-        assert write_pcapng(told, stream) == 65536
 
 
 def test_the_packets_are_those_that_dpkt_builds() -> None:

@@ -207,55 +207,6 @@ def test_zero_lengths_between_frames(parser: Any) -> None:
         assert counters == [int.from_bytes(frame[2:4], "little") for frame in frames_of_file], name
 
 
-_RUN = """
-const KaitaiStream = require("kaitai-struct/KaitaiStream");
-const { Ev3 } = require(process.argv[1]);
-const is_argument = (one) => one && one.isLong !== undefined;
-const value = (one) => one.text ?? one.floatValue ?? one.value;
-function values(operation) {
-    let body = operation.arguments;
-    if (body && body.cmd) body = body.parameters;
-    const own = Object.entries(body ?? {}).filter(([name]) => !name.startsWith("_"));
-    return own.flatMap(([, told]) => told).filter(is_argument).map(value).map((one) => one === one ? one : "nan");
-}
-const frames = JSON.parse(require("fs").readFileSync(0));
-const told = frames.map((hex) => {
-    const { message } = new Ev3(new KaitaiStream(Buffer.from(hex, "hex"))).frames[0];
-    return [message.kind, message.counter, (message.body.operations ?? []).map((one) => [one.opcode, values(one)])];
-});
-console.log(JSON.stringify(told));
-"""
-
-
-def described(frame: bytes) -> list[Any]:
-    """A frame as that script describes it, by our own codec."""
-    message = parse(frame)
-    assert message.type is not None
-    told = []
-    for operation in message.operations if isinstance(message, DirectCommand | DaisyCommand) else ():
-        found = [argument.value for argument in operation.arguments]
-        told.append([operation.opcode, ["nan" if one != one else one for one in found]])
-    return [message.type.value, message.counter, told]
-
-
-def test_javascript_reads_the_captures(tmp_path: Path) -> None:
-    compile_for(["javascript"], "official", tmp_path)
-    frames_of_all = [frame for found in captured().values() for frame in found]
-    environment = {**os.environ, "NODE_PATH": str(Path(os.environ.get(SETTING, "")).parent)}
-    done = subprocess.run(
-        ["node", "-e", _RUN, str(tmp_path / "javascript" / "Ev3.js")],
-        env=environment,
-        input=json.dumps([frame.hex() for frame in frames_of_all]),
-        capture_output=True,
-        text=True,
-        timeout=120,
-        check=False,
-    )
-    assert done.stderr == ""
-    for told, frame in zip(json.loads(done.stdout), frames_of_all, strict=True):
-        assert told == described(frame), frame.hex()
-
-
 LANGUAGES = ["java", "javascript", "cpp_stl", "csharp", "go", "ruby"]
 
 

@@ -264,16 +264,6 @@ def parse_operations(raw: bytes, dialect: str) -> tuple[ev3proto.Operation, ...]
     return message.operations
 
 
-def test_no_field_has_the_name_of_something_that_packets_have() -> None:
-    layers = [getattr(ev3, name) for name in dir(ev3)]
-    packets = [layer for layer in layers if isinstance(layer, type) and issubclass(layer, Packet)]
-    assert len(packets) > 500
-    taken = {
-        (layer.__name__, field.name) for layer in packets for field in layer.fields_desc if hasattr(Packet, field.name)
-    }
-    assert taken == set()
-
-
 def test_the_dialect_is_a_setting() -> None:
     frame = bytes(EV3() / EV3DirectCommand(operations=[ev3.MAILBOX_SIZE()]))
     assert isinstance(EV3(frame)[EV3DirectCommand].payload, Raw)
@@ -401,19 +391,6 @@ def test_a_conversation_over_a_socket() -> None:
     end.close()
     assert reply is not None
     assert reply[EV3DirectReply].memory == bytes.fromhex("a470fd40")
-
-
-def test_random_values_make_frames() -> None:
-    packet = EV3() / EV3DirectCommand(operations=[ev3.SOUND_TONE(), ev3.UI_DRAW_LINE(), ev3.INPUT_READSI()])
-    for _ in range(50):
-        found = fuzz(packet, _inplace=0)
-        found.type, found.length = 0x80, None
-        for one in found[EV3DirectCommand].operations:
-            one.fields |= {
-                name: type(one)().getfieldval(name) for name in ("opcode", "CMD") if name in one.default_fields
-            }
-        built = bytes(found)
-        assert bytes(EV3(built)) == built
 
 
 def test_without_scapy_it_says_what_to_install() -> None:

@@ -24,17 +24,7 @@ def assembled_messages(
     reply: bool | None = None,
     unchecked: bool = False,
 ) -> Iterator[Message]:
-    """Yields the messages of a text in assembly.
-
-    Args:
-        source: The origin of the text.
-        lines: Its lines; those of a file end in a newline.
-        complain_of: Is called with a sentence about each error, with its line.
-        dialect: The firmware whose instruction set to write for.
-        counter: Message counter of the first message that states none.
-        reply: Whether messages want a reply; None: if their operations return values.
-        unchecked: Accept values that mean nothing to the brick.
-    """
+    """Yields the messages of a text in assembly, whose lines end in a newline if it is a file; reports errors."""
     text = _joined(lines, "\n" if source.is_frame else "", MAX_TEXT + 1)
     try:
         yield from assembled(text, dialect=dialect, counter=counter, reply=reply, unchecked=unchecked)

@@ -48,11 +48,7 @@ class CaptureSource:
         return Account()
 
     def events(self) -> Iterator[Event]:
-        """Reads the capture. Reports what is unreadable, and raises nothing.
-
-        Yields:
-            All events; with a filter, only frames that match it.
-        """
+        """Yields all events, or with a filter the frames that match; reports what is unreadable, and raises nothing."""
         chosen = self._options.filter
         if chosen is None:
             yield from self._all_events()
@@ -68,15 +64,11 @@ class CaptureSource:
             )
 
     def records(self) -> Iterator[Record]:
-        """Reads the capture in the same way, and yields its frames."""
+        """Yields the frames; reports in the same way."""
         return (event for event in self.events() if isinstance(event, Record))
 
     def dialogues(self) -> Iterator[RequestReply]:
-        """Reads the capture in the same way.
-
-        Yields:
-            Each command with its reply, if the two match the filter.
-        """
+        """Yields each command with its reply, if the two match the filter; reports in the same way."""
         chosen = self._options.filter
         for pair in dialogues(self._all_events()):
             if chosen is None or chosen.of_dialogue(pair):

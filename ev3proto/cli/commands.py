@@ -124,10 +124,7 @@ class Commands(Group):
     def main(  # type: ignore[override]
         self, args: Sequence[str] | None = None, prog_name: str | None = None, **extra: Any
     ) -> NoReturn:
-        """Runs a command, and exits with 0 (fine), 1 (input), 2 (usage) or 70 (a defect of ev3proto).
-
-        A signal gives 128 plus its number. A reader that stops reading the output is not an error: 0.
-        """
+        """Runs a command, and exits with 0 (fine), 1 (input), 2 (usage), 70 (a defect) or 128 and a signal."""
         extra["standalone_mode"] = False
         if isinstance(sys.stdout, TextIOWrapper):
             # Characters that the terminal cannot show are written as escapes.

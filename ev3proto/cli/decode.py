@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING
 
 import click
 
-from ev3proto.cli.inputs import Content, Frame, Image, Inputs, SourceCode, Takes, Text
+from ev3proto.cli.inputs import Content, Frame, Inputs, Takes, Whole
 from ev3proto.cli.options import incompatible
 from ev3proto.cli.output import complain
 from ev3proto.cli.reading import MIB, CaptureOptions, given_up, reading_options
 from ev3proto.cli.show import FORMATS, Show
-from ev3proto.cli.words import sources
+from ev3proto.cli.words import Source, sources
 from ev3proto.dialogue import Dialogue
 from ev3proto.messages import DirectCommand, Message, Operation
 from ev3proto.semantics.mangled import mangled
@@ -48,9 +48,9 @@ class Decoding:
         """Shows one thing."""
         if isinstance(content, Frame):
             self.frame(content)
-        elif isinstance(content, Image):
-            self.program(content)
-        elif not isinstance(content, SourceCode | Text):
+        elif isinstance(content, Whole):
+            self.program(content.source, content.data)
+        else:
             self.capture(content)
 
     def capture(self, capture: CaptureSource) -> None:
@@ -68,12 +68,11 @@ class Decoding:
                     self.inputs.complain(f"{capture.label}, {capture.unit} {record.number}: fault at {fault}")
         capture.taken = self._show.count - before
 
-    def program(self, program: Image) -> None:
+    def program(self, source: Source, image: bytes) -> None:
         """Shows a program image."""
-        label = program.source.label
         if self._as_programs:
-            raise click.UsageError(f"--programs is for captures, but {label[:60]} is a program itself")
-        self._shown(label, None, program.image)
+            raise click.UsageError(f"--programs is for captures, but {source.label[:60]} is a program itself")
+        self._shown(source.label, None, image)
 
     def _shown(self, label: str, origin: str | None, image: bytes) -> None:
         """Shows a program: its name in messages, its origin if that is to be shown, its image."""

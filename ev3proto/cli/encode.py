@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -87,7 +86,7 @@ def inputs_for(
     def making(line: str) -> Making | None:
         return _records if _is_record(line) else assembly if is_assembly(line) or OBJECT.match(line) else None
 
-    return Inputs(sources(names), reading, replace(_TAKES, making=making))
+    return Inputs(sources(names), reading, _TAKES._replace(making=making))
 
 
 def encoded(inputs: Inputs, *, faults: bool = True) -> Iterator[Message]:

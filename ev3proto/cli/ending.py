@@ -39,15 +39,7 @@ class Ended(SystemExit):
 
 
 def ended_behind(error: BaseException | None) -> Ended | None:
-    """Finds the signal that caused an error.
-
-    Args:
-        error: Any error, or None. While a class is created, Python 3.11 wraps exceptions in a RuntimeError.
-
-    Returns:
-        The end that caused the error; None if no signal did.
-
-    """
+    """Returns the signal that caused an error, if any: Python 3.11 wraps exceptions while a class is made."""
     cause = error
     while cause is not None and not isinstance(cause, Ended):
         cause = cause.__cause__
@@ -82,13 +74,7 @@ def _handled_by(handler: Handler, numbers: list[signal.Signals]) -> Iterator[Non
 
 @contextmanager
 def stopped_by_signals(stop: Callable[[], object]) -> Iterator[None]:
-    """Lets the first signal stop something in order; the next one acts as before.
-
-    If that takes longer than PATIENCE, the signal is sent again, until the context ends.
-
-    Args:
-        stop: Called once, between any two steps of the program.
-    """
+    """Calls `stop` at the first signal; the next one acts as before, and after PATIENCE the first is sent again."""
     numbers = _numbers(also_ignored=True)
     before = {number: signal.getsignal(number) for number in numbers}
     over = threading.Event()

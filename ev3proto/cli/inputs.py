@@ -10,10 +10,8 @@ import os
 import re
 import zlib
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass
-from io import BufferedReader
 from itertools import chain
-from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias, cast
+from typing import TYPE_CHECKING, NamedTuple, TypeAlias, cast
 
 import click
 
@@ -35,7 +33,7 @@ SOURCE_SUFFIX = ".lms"
 _HOW_FRAMES_ARE_MADE = "`ev3proto encode` makes frames of it"
 _AN_IMAGE = "this is a program image (.rbf); `ev3proto decode` shows it"
 _AT_START = "column 1: "
-_HAS_BYTES = re.compile(r"(?:(?<!\w)(?:0x|\\x)?[0-9a-fA-F]{2,8}[\s:,-]{1,3}){4}")
+_HAS_BYTES = r"(?:(?<!\w)(?:0x|\\x)?[0-9a-fA-F]{2,8}[\s:,-]{1,3}){4}"
 """Bytes in hex, which need no advice on how to write frames."""
 
 # What is read
@@ -70,34 +68,20 @@ class Frame(NamedTuple):
         return self.pasted is not None and self.pasted.cut and fault is not None and fault.truncated
 
 
-class Image(NamedTuple):
-    """The image of a program (.rbf)."""
+class Whole(NamedTuple):
+    """A file that is taken whole: the image of a program, its source, or a text that is printed with changes."""
 
+    kind: Kind
     source: Source
-    image: bytes
+    data: bytes
 
 
-class SourceCode(NamedTuple):
-    """The source of a program (.lms)."""
-
-    source: Source
-    text: bytes
-
-
-class Text(NamedTuple):
-    """A text that is read whole, to be printed with changes."""
-
-    source: Source
-    stream: BufferedReader[Any]
-
-
-Content: TypeAlias = "Frame | CaptureSource | Image | SourceCode | Text"
+Content: TypeAlias = "Frame | CaptureSource | Whole"
 Making = Callable[["Inputs", Source, Iterable[str]], Iterator[Message]]
 """Makes messages of a text that has no bytes yet: of assembly, of JSON."""
 
 
-@dataclass(frozen=True, slots=True)
-class Takes:
+class Takes(NamedTuple):
     """What a subcommand takes besides frames and captures, and how it speaks of that.
 
     wanted       the name of what it looks for in captures; empty if it takes only captures, and says what is missing
@@ -108,7 +92,7 @@ class Takes:
     makes_first  a word is what `making` says before it is bytes
     programs     takes images of programs
     sources      takes sources of programs
-    edits        takes texts whole
+    edits        takes texts whole, up to this number of bytes and one more; 0: line by line
     as_capture   reads the frames of a text as a capture, with their replies and times
     is_quiet     prints nothing while it reads, so that a progress bar may be drawn
     """
@@ -121,7 +105,7 @@ class Takes:
     makes_first: bool = False
     programs: bool = False
     sources: bool = False
-    edits: bool = False
+    edits: int = 0
     as_capture: bool = False
     is_quiet: bool = False
 
@@ -167,7 +151,7 @@ class Inputs:
         for source in self.sources:
             self._is_empty, self._first_line = True, ""
             for content in self._contents(source):
-                self._is_empty &= isinstance(content, Text)
+                self._is_empty &= isinstance(content, Whole) and content.kind is Kind.TEXT
                 yield content
             if self._is_empty:
                 self.complain(self._nothing_in(source))
@@ -195,7 +179,7 @@ class Inputs:
             elif self._takes.sources and source.name.lower().endswith(SOURCE_SUFFIX):
                 from ev3proto.program.sources import MAX_SOURCE  # takes 50 ms, which frames do not need
 
-                yield SourceCode(source, source.read(MAX_SOURCE + 1))
+                yield Whole(Kind.SOURCE, source, source.read(MAX_SOURCE + 1))
             elif self.reading.engine != BUILTIN:
                 yield from self._capture(source, Contents(Kind.CAPTURE))
             else:
@@ -239,7 +223,7 @@ class Inputs:
             if found.kind is Kind.OTHER:
                 self.complain(f"{source.label}: {found.reason}")
             elif found.kind is Kind.PROGRAM and takes.programs:
-                yield Image(source, file.contents.read(MAX_IMAGE + 1))
+                yield Whole(Kind.PROGRAM, source, file.contents.read(MAX_IMAGE + 1))
             elif found.kind is Kind.PROGRAM:
                 self.complain(f"{source.label}: {_AN_IMAGE}")
             elif found.kind is Kind.CAPTURE or (found.kind is Kind.FRAMES and self._as_capture):
@@ -248,7 +232,7 @@ class Inputs:
                 for pasted in found.frames:
                     yield from self.pasted(source, pasted)
             elif takes.edits and self.reading.missing is None and not self._as_capture:
-                yield Text(source, file.contents)
+                yield Whole(Kind.TEXT, source, file.contents.read(takes.edits + 1))
             else:
                 yield from self.text(source, found.lines)
 
@@ -325,7 +309,7 @@ class Inputs:
             more = ", but the source of a program; `ev3proto encode -o FILE.rbf` makes its image"
         elif looks_like_assembly(self._first_line):
             more = f", but assembly; {_HOW_FRAMES_ARE_MADE}"
-        elif _HAS_BYTES.search(self._first_line):
+        elif re.search(_HAS_BYTES, self._first_line):
             more = ""
         else:
             more = HOW_FRAMES_ARE_WRITTEN

@@ -29,6 +29,7 @@ class Kind(Enum):
 
     CAPTURE = "a capture"
     PROGRAM = "the image of a program (.rbf)"
+    SOURCE = "the source of a program (.lms)"
     TEXT = "lines of text"
     FRAMES = "the bytes of frames, one after the other"
     OTHER = "anything else"

@@ -4,28 +4,23 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from textwrap import wrap
 
 import click
 
-from ev3proto.checking.codes import Code
 from ev3proto.cli.assembly import show_errors
 from ev3proto.cli.kinds import is_image
 from ev3proto.cli.output import Printer, complain, put, refuse_terminal
 from ev3proto.cli.words import Source
 from ev3proto.errors import DecodeError, counted
-from ev3proto.program import Assembled, Program, assemble, check_program, parse
+from ev3proto.program import Assembled, Program, assemble, parse
 from ev3proto.program.listing import listing, program_json, program_tree
-from ev3proto.program.report import program_findings
 from ev3proto.program.sources import MAX_SOURCE
 from ev3proto.program.writing import source_lines
 from ev3proto.text.assembly.errors import AssemblyError, SourceWarning
-from ev3proto.text.diagnostics import ROLES
-from ev3proto.text.phrases import NOTATIONS, spaced_hex
+from ev3proto.text.phrases import NOTATIONS
 from ev3proto.text.spans import Line, Role
 
 _MOST_WARNINGS = 20
-_TEXT_WIDTH = 100
 _MOST_OF_A_NAME = 200
 
 
@@ -41,15 +36,7 @@ def read_program(label: str, image: bytes, dialect: str) -> Program | None:
 def show_program(
     printer: Printer, program: Program, image: bytes, style: str | None, origin: str | None = None
 ) -> None:
-    """Prints a program.
-
-    Args:
-        printer: The printer.
-        program: The program.
-        image: Its image, to which its offsets refer.
-        style: `listing`, `tree`, `json` or `lego`; `table` and None are the listing, `asm` is `lego`.
-        origin: Its origin; None if it was named on the command line.
-    """
+    """Prints a program in a style, with its origin if it was not named on the command line."""
     if style == "json":
         printer.joined(program_json(program, len(image), origin))
         return
@@ -77,20 +64,6 @@ def complain_of_source(label: str, found: Sequence[AssemblyError | SourceWarning
         complain(f"{label}, {warning} (warning)")
     if len(warnings) > _MOST_WARNINGS:
         complain(f"{label}: and {len(warnings) - _MOST_WARNINGS} more warnings")
-
-
-def program_explanation(code: Code, dialect: str) -> Iterator[Line]:
-    """Yields the explanation of a code of programs, with the findings in its example."""
-    yield [(f"{code.severity}[{code.code}]", ROLES[code.severity]), (f": {code.title}", Role.HEADING)]
-    yield []
-    for text in wrap(" ".join(code.explanation.split()), _TEXT_WIDTH):
-        yield [(text, Role.PLAIN)]
-    yield []
-    yield [("example: ", Role.ASIDE), (spaced_hex(code.example), Role.VALUE)]
-    report = check_program(code.example, dialect=dialect)
-    yield from program_findings(report, report.findings)
-    yield []
-    yield [("without it: ", Role.ASIDE), (spaced_hex(code.counterexample), Role.VALUE)]
 
 
 def assembled(

@@ -18,11 +18,7 @@ from ev3proto.text.spans import Line, Role, visible
 
 
 def show_capture(show: Show, capture: CaptureSource, *, as_dialogues: bool) -> Iterator[Record]:
-    """Shows the frames and texts of a capture, or its dialogues.
-
-    Yields:
-        The frames that were shown.
-    """
+    """Shows the frames and texts of a capture, or its dialogues, and yields the frames."""
     if as_dialogues:
         dialogues = Dialogues(show)
         for pair in capture.dialogues():
@@ -39,15 +35,7 @@ def show_capture(show: Show, capture: CaptureSource, *, as_dialogues: bool) -> I
 
 
 def moved_programs(capture: CaptureSource, complain: Callable[[str], None]) -> Iterator[tuple[str, bytes]]:
-    """Yields the programs that a capture transfers to or from the brick, as far as they were captured.
-
-    Args:
-        capture: The capture.
-        complain: Is called with a message about each error.
-
-    Yields:
-        The origin of each program, and its image.
-    """
+    """Yields the origins and images of the programs that a capture transfers, as far as they were captured."""
     with temporary_folder() as folder:
         found: list[RecoveredFile] = []
         try:

@@ -59,17 +59,7 @@ def channel_to(target: Target) -> Iterator[Channel]:
 
 
 def is_refused(frame: bytes, place: str, *, dialect: str, carrier: str) -> bool:
-    """Checks a frame before it is sent, and prints its errors on standard error.
-
-    Args:
-        frame: The frame.
-        place: Its origin, for complaints.
-        dialect: The firmware whose instruction set it is in.
-        carrier: What will carry it.
-
-    Returns:
-        Whether the brick would refuse it.
-    """
+    """Returns whether the brick would refuse a frame, and prints the errors in it on standard error."""
     report = check(frame, dialect=dialect, carrier=carrier)
     if report.accepted and not report.errors:
         return False

@@ -12,7 +12,7 @@ warning[W303]: FREQUENCY is 200 Hz, outside of 250 to 10000 Hz
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import groupby, pairwise
 from operator import attrgetter
 from textwrap import wrap
@@ -279,8 +279,8 @@ def fixed(
     yield from diagnostics(fix.report, findings, place=place, dialect=dialect)
 
 
-def explanation(code: Code, report: Report, dialect: str = "official") -> Iterator[Line]:
-    """Yields the explanation of a code, and the findings of its example, which `report` has."""
+def explanation(code: Code, found: Iterable[Line], shown: Callable[[bytes], str]) -> Iterator[Line]:
+    """Yields the explanation of a code, with its examples as `shown` writes bytes, and what is found in the first."""
     yield [
         (f"{code.severity}[{code.code}]", ROLES[code.severity]),
         (f": {code.title}", Role.HEADING),
@@ -290,10 +290,10 @@ def explanation(code: Code, report: Report, dialect: str = "official") -> Iterat
         for text in wrap(" ".join(paragraph.split()), _TEXT_WIDTH):
             yield [(text, Role.PLAIN)]
         yield []
-    yield [("example: ", Role.ASIDE), (grouped_hex(report.frame, dialect), Role.VALUE)]
-    yield from diagnostics(report, dialect=dialect)
+    yield [("example: ", Role.ASIDE), (shown(code.example), Role.VALUE)]
+    yield from found
     yield []
-    yield [("without it: ", Role.ASIDE), (grouped_hex(code.counterexample, dialect), Role.VALUE)]
+    yield [("without it: ", Role.ASIDE), (shown(code.counterexample), Role.VALUE)]
 
 
 def grouped_hex(frame: bytes, dialect: str = "official") -> str:

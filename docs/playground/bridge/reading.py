@@ -20,13 +20,13 @@ from ev3proto.cli.decode import Decoding
 from ev3proto.cli.inputs import (
     Content,
     Frame,
-    Image,
     Inputs,
     Making,
-    SourceCode,
     Takes,
+    Whole,
     looks_like_assembly,
 )
+from ev3proto.cli.kinds import Kind
 from ev3proto.cli.programs import complain_of_source
 from ev3proto.cli.reading import CaptureOptions
 from ev3proto.cli.recorded import show_capture
@@ -153,8 +153,8 @@ class Reading(Decoding):
 
     def take(self, content: Content) -> None:
         """Takes one thing."""
-        if isinstance(content, SourceCode):
-            self._program_of(content.text, content.source.label)
+        if isinstance(content, Whole) and content.kind is Kind.SOURCE:
+            self._program_of(content.data, content.source.label)
         else:
             super().take(content)
 
@@ -168,13 +168,13 @@ class Reading(Decoding):
         with redirect_stderr(io.StringIO()) as warnings:
             complain_of_source(label, made.warnings)
         self._findings.warn(warnings.getvalue())
-        self.program(Image(Source(label), made.image))
+        self.program(Source(label), made.image)
 
-    def program(self, program: Image) -> None:
+    def program(self, source: Source, image: bytes) -> None:
         """Takes the image of a program."""
-        super().program(program)
-        self.image = program.image
-        self._findings.program(check_program(program.image))
+        super().program(source, image)
+        self.image = image
+        self._findings.program(check_program(image))
 
     def frame(self, frame: Frame) -> None:
         """Takes a frame of a text, or of assembly."""

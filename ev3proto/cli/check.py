@@ -161,7 +161,7 @@ class Checking:
             return
         found = list(read_text(unix_lines(text)))
         made = fix_pieces(text, found, dialect=self._dialect, carrier=self._options.carrier)
-        contents.print(made.text)
+        contents.write(made.text)
         self._take_first(is_alone=False)
         output.is_edited = True
         edited = iter(made.frames)

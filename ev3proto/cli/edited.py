@@ -29,7 +29,7 @@ class EditedFile(NamedTuple):
         mark, encoding = next(((mark, name) for mark, name in _BY_MARK if data.startswith(mark)), (b"", "utf-8"))
         return cls(data[len(mark) :].decode(encoding, _errors(encoding)), encoding, mark)
 
-    def print(self, text: str) -> None:
+    def write(self, text: str) -> None:
         """Prints a changed text as the file was written. On a terminal, what could steer it is escaped."""
         if is_terminal():
             say(text.removesuffix("\n").expandtabs(_TAB))

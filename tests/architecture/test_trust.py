@@ -15,7 +15,6 @@ from support.cli import run_ev3proto, run_ev3proto_text
 from support.cpu_time import milliseconds
 from support.effort import effort
 from support.files import Blocks
-from support.frames import Segment, tcp_capture
 from support.packets import HCI_WITH_DIRECTION, RAW_IP, Capture, Connection, SerialPort, datagram, segment
 from support.peak import PEAK
 from support.wireshark import Tshark
@@ -98,16 +97,6 @@ def test_unusual_operations_are_shown_and_come_back(operations: str, shown: str)
     for record in (entry, {key: value for key, value in entry.items() if key != "hex"}):
         made = run_ev3proto("encode", "--to", "raw", stdin=json.dumps(record).encode())
         assert made.stdout == frame
-
-
-@pytest.mark.parametrize("options", [(), ("--json",)])
-def test_strings_in_commands_of_a_capture_are_harmless(options: tuple[str, ...], tmp_path: Path) -> None:
-    texts = [letter.encode("latin-1") for letter in CONTROLS if ord(letter) < 0x100]
-    path = tmp_path / "harmful.pcap"
-    path.write_bytes(tcp_capture(Segment(True, bytes.fromhex(a_string(text))) for text in texts))
-    done = run_ev3proto_text("decode", *options, str(path))
-    assert done.stdout.replace("\n", "").isprintable()
-    assert done.stdout.count("\\u00") == len(texts)
 
 
 def commands(count: int) -> bytes:

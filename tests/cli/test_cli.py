@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import subprocess
-import sys
 from pathlib import Path
 
 import pytest
@@ -148,47 +147,6 @@ def test_formats() -> None:
     assert run("decode", TONE, "--format", "json").stdout == run("decode", TONE, "--json").stdout
 
 
-@pytest.mark.parametrize(
-    ("words", "status", "complaint"),
-    [
-        (("decode", "no-such-file"), 1, "is neither a file nor a frame"),
-        (("decode", "."), 1, "cannot be read"),
-        (("decode", "--format", "xml", TONE), 2, "xml"),
-        (("decode", "--dialect", "lejos", TONE), 2, "lejos"),
-        (("ops", "toen"), 1, "did you mean SOUND.TONE"),
-        (("ops", "battry"), 1, "did you mean battery"),
-    ],
-)
-def test_complaints(words: tuple[str, ...], status: int, complaint: str) -> None:
-    done = run(*words)
-    assert done.returncode == status
-    assert complaint in done.stderr
-    assert "Traceback" not in done.stderr
-
-
-@pytest.mark.parametrize(
-    ("words", "options"),
-    [
-        (f"decode --dialogues --format tree {TONE}", ("--dialogues", "--format tree")),
-        ("check --explain E101 --fix", ("--explain", "--fix")),
-        ("check --explain E101 --strict --carrier usb", ("--explain", "--strict", "--carrier")),
-        ("check --explain E101 --format sarif", ("--explain", "--format sarif")),
-        ("encode -o x.rbf --no-reply x.lms", ("--no-reply", "-o FILE.rbf")),
-        ("encode --to rbf -o x.rbf --unchecked --filter op==NOP x.lms", ("--unchecked", "--filter", "--to rbf")),
-        ("values --csv --json captures/wifi.pcapng", ("--csv", "--json")),
-        ("values --plot no/x.svg --csv captures/wifi.pcapng", ("--plot", "--csv")),
-        ("proxy --to serial:/no/port --json --record -", ("--json", "--record -")),
-        ("brick --no-wifi --serial x --root /dev/null/x --beacon", ("--no-wifi", "--beacon")),
-    ],
-)
-def test_options_that_contradict_each_other(words: str, options: tuple[str, ...]) -> None:
-    done = run(*words.split())
-    assert (done.returncode, done.stdout) == (2, "")
-    sentence = done.stderr.splitlines()[-1]
-    assert sentence.startswith("Error: ")
-    assert [option for option in options if option not in sentence] == []
-
-
 def test_options_that_say_the_same_twice() -> None:
     assert run("decode", "--json", "--format", "json", TONE).returncode == 0
     assert run("decode", "--dialogues", "--format", "json", TONE).returncode == 0
@@ -214,27 +172,6 @@ def test_a_line_without_an_end(tmp_path: Path) -> None:
     assert len(done.stderr.splitlines()) == 1
     assert "line 1" in done.stderr
     assert json.loads(done.stdout)["hex"] == TONE_BYTES
-
-
-def test_a_reader_that_goes_away() -> None:
-    text = f"{TONE}\n" * 3000
-    command = f"{sys.executable} -m ev3proto decode | head -n 1"
-    done = subprocess.run(command, shell=True, input=text, capture_output=True, text=True, check=False, timeout=60)
-    assert done.stdout.startswith("DIRECT_COMMAND_NO_REPLY")
-    assert done.stderr == ""
-
-
-def test_output_that_cannot_be_written() -> None:
-    command = f"{sys.executable} -m ev3proto decode 0600010080000001 > /dev/full"
-    done = subprocess.run(command, shell=True, capture_output=True, text=True, check=False, timeout=60, cwd=ROOT)
-    assert done.returncode == 1
-    assert done.stderr.startswith("the output cannot be written: ")
-
-
-def test_standard_input_that_is_closed() -> None:
-    command = f"{sys.executable} -m ev3proto decode <&-"
-    done = subprocess.run(command, shell=True, capture_output=True, text=True, check=False, timeout=60, cwd=ROOT)
-    assert (done.returncode, done.stderr) == (1, "standard input: cannot be read: standard input is closed\n")
 
 
 def test_dialects() -> None:

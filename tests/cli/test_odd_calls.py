@@ -19,7 +19,6 @@ from support.peak import PEAK
 
 TONE = "0e002a0080000094010182b80182e803"
 CAPTURE = "captures/wifi.pcapng"
-SCRIPT = Path(sys.executable).with_name("ev3proto")
 UNREADABLE = "/proc/self/mem"
 """A file whose first bytes cannot be read, even by root."""
 
@@ -140,15 +139,6 @@ def test_a_full_disk_leaves_nothing_half(words: Sequence[str], target: str, tmp_
         if (full / name).is_file():
             assert (full / name).read_bytes() == (whole / name).read_bytes()
     assert len([name for name in files_in(full) if (full / name).is_file()]) < len(files_in(whole))
-
-
-@pytest.mark.parametrize("words", [("stats", CAPTURE), ("ops",), ("check", CAPTURE), ("decode", "--json", CAPTURE)])
-def test_standard_output_is_closed(words: Sequence[str]) -> None:
-    line = f"{SCRIPT} {' '.join(words)} >&-"
-    done = subprocess.run(["bash", "-c", line], capture_output=True, text=True, check=False)
-    assert (done.returncode, done.stdout) == (1, "")
-    assert done.stderr.startswith("the output cannot be written: ")
-    assert done.stderr.count("\n") == 1
 
 
 @pytest.mark.parametrize("words", [("decode",), ("stats",)], ids=" ".join)

@@ -168,15 +168,6 @@ def test_check_explains_the_codes_of_programs() -> None:
     assert "E005" in run_ev3proto_text("check", "--explain", "all").stdout
 
 
-def test_nothing_is_shown_as_it_came(tmp_path: Path) -> None:
-    text = b"\x1b[31m"
-    code = b"\x7d\x05\x80" + text + b"\x00\x60\x0a"
-    head = b"LEGO" + (28 + len(code)).to_bytes(4, "little") + b"\x6d\x00\x01\x00" + bytes(4)
-    (tmp_path / "x.rbf").write_bytes(head + b"\x1c\x00\x00\x00" + bytes(8) + code)
-    for style in ("listing", "lego", "tree", "json"):
-        assert "\x1b" not in run_ev3proto_text("decode", "--format", style, tmp_path / "x.rbf").stdout
-
-
 @pytest.fixture
 def capture(tmp_path: Path) -> Path:
     """A capture in which the example is sent to a brick."""

@@ -51,10 +51,10 @@ def test_an_operation_on_a_full_disk(root: Path, code: bytes, size: int) -> None
 def test_clients_on_a_full_disk(root: Path, code: bytes, size: int) -> None:
     with served(root) as brick, full_disk(size):
         for _ in range(2):
-            with Client(brick.port, timeout=10) as client:
+            with Client(brick.port) as client:
                 assert client.ask(command(code))[4] in (OK, FAIL)
                 assert client.ask(NOP) == NOP_REPLY
-        with Client(brick.port, timeout=10) as client:
+        with Client(brick.port) as client:
             assert upload(client, b"../prjs/c", bytes(5000)) == SystemStatus.SIZE_ERROR
             assert client.ask(NOP) == NOP_REPLY
         assert brick.said == []
@@ -76,7 +76,7 @@ def test_a_defect_in_an_operation(tmp_path: Path, monkeypatch: pytest.MonkeyPatc
     with served(tmp_path) as brick:
         monkeypatch.setattr(brick.now.brick.sound, "tone", Broken("the sound"))
         for _ in range(2):
-            with Client(brick.port, timeout=10) as client:
+            with Client(brick.port) as client:
                 assert client.ask(command(op("SOUND.TONE", 1, 440, 100)))[4] == FAIL
                 assert client.ask(NOP) == NOP_REPLY
         assert [sentence[:38] for sentence in brick.said] == ["a defect of the virtual brick, please "]
@@ -86,7 +86,7 @@ def test_a_defect_while_time_passes(tmp_path: Path, monkeypatch: pytest.MonkeyPa
     with served(tmp_path) as brick:
         broken = Broken("a part")
         monkeypatch.setattr(brick.now.brick.inputs, "advance", broken)
-        with Client(brick.port, timeout=10) as client:
+        with Client(brick.port) as client:
             assert client.is_silent(0.2)
             broken.is_broken = False
             assert client.ask(NOP) == NOP_REPLY
@@ -95,10 +95,10 @@ def test_a_defect_while_time_passes(tmp_path: Path, monkeypatch: pytest.MonkeyPa
 
 def test_a_defect_at_the_end_of_a_connection(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     with served(tmp_path) as brick:
-        with Client(brick.port, timeout=10) as client:
+        with Client(brick.port) as client:
             assert client.ask(NOP) == NOP_REPLY
             monkeypatch.setattr(brick.now.brick, "disconnect", Broken("the end"))
-        with Client(brick.port, timeout=10) as client:
+        with Client(brick.port) as client:
             assert client.ask(NOP) == NOP_REPLY
         assert any("the end is broken" in sentence for sentence in brick.said)
 
@@ -112,7 +112,7 @@ def test_a_long_pin_is_answered(tmp_path: Path, length: int) -> None:
 
 
 def test_a_defect_in_a_system_command_is_answered(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    with served(tmp_path) as brick, Client(brick.port, timeout=10) as client:
+    with served(tmp_path) as brick, Client(brick.port) as client:
         monkeypatch.setattr(brick.now.brick.mailboxes, "deliver", Broken("a mailbox"))
         monkeypatch.setattr(brick.now.brick.files, "make_folder", Broken("a folder"))
         assert client.ask(system(0x9B, b"../prjs/x\0"))[4:] == bytes((0x05, 0x9B, SystemStatus.UNKNOWN_ERROR))

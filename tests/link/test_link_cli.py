@@ -586,7 +586,7 @@ def test_a_brick_that_is_not_found_is_not_named_with_hide() -> None:
         assert "annas" not in done.stderr
 
 
-@pytest.mark.parametrize("faults", [Faults(drop=1.0), Faults(delay=0.3), Faults(corrupt=1.0, random=Random(1))])
+@pytest.mark.parametrize("faults", [Faults(drop=1.0), Faults(delay=1.0), Faults(corrupt=1.0, random=Random(1))])
 def test_faults_on_purpose(faults: Faults) -> None:
     with relay("virtual", faults=faults) as found, through(found) as my_ev3:
         with pytest.raises(ev3proto.NoAnswerError, match="within"):

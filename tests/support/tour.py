@@ -118,7 +118,7 @@ def jukebox(client: Any, brick: Served) -> Iterator[Any]:
     jukebox.volume = 12
     jukebox.change_color(ev3_dc.LED_ORANGE)
     yield client.battery and brick.now.brick.leds
-    jukebox.play_tone("a'", duration=0.2)
+    jukebox.play_tone("a'", duration=20)
     yield client.battery and (before := _frequency(brick))
     song = jukebox.song(ev3_dc.HAPPY_BIRTHDAY)
     song.start()

@@ -386,7 +386,7 @@ def test_a_conversation_over_a_socket() -> None:
         global_size=4, operations=[ev3.UI_READ_GET_VBATT(VALUE=GV(0))]
     )
     end = StreamSocket(host, EV3)
-    reply = end.sr1(asked, timeout=10, verbose=False)
+    reply = end.sr1(asked, timeout=60, verbose=False)
     thread.join()
     end.close()
     assert reply is not None

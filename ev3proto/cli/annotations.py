@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 from urllib.parse import quote
@@ -87,56 +87,58 @@ def notes_on(checked: Checked) -> Iterator[Note]:
         )
 
 
-def github(note: Note) -> str:
-    """Returns a note as a command of GitHub's workflows, which marks the line of the file."""
-    parts = [f"file={_property(note.source)}"] if note.source else []
-    parts += [] if note.line is None else [f"line={note.line}"]
-    parts.append(f"title={_property(note.code)}")
-    parts += [] if note.line is None or note.column is None else [f"col={note.column}"]
-    return f"::{_GITHUB[note.severity]} {','.join(parts)}::{_message(note.sentence)}"
+class GitHub(Output):
+    """The findings as commands of GitHub's workflows, which mark the lines of files."""
+
+    def __init__(self) -> None:
+        self._printer = Printer()
+
+    def show(self, checked: Checked) -> None:
+        """Shows the findings of a frame or a program, and of a program's source."""
+        for note in notes_on(checked):
+            self._show(note)
+
+    def complaint(self, sentence: str) -> None:
+        """Shows a sentence about input that could not be read."""
+        self._show(Note(Severity.ERROR, UNREAD, sentence))
+
+    def end(self, tally: Tally, *, is_quiet: bool) -> None:
+        """Shows nothing: numbers are for people."""
+
+    def _show(self, note: Note) -> None:
+        parts = [f"file={_property(note.source)}"] if note.source else []
+        parts += [] if note.line is None else [f"line={note.line}"]
+        parts.append(f"title={_property(note.code)}")
+        parts += [] if note.line is None or note.column is None else [f"col={note.column}"]
+        self._printer.text(f"::{_GITHUB[note.severity]} {','.join(parts)}::{_message(note.sentence)}")
 
 
-class Sarif:
-    """One SARIF log of notes, written note by note, because a capture may have millions.
+class Sarif(Output):
+    """The findings as one SARIF log, which is written note by note, because a capture may have millions."""
 
-    show  prints a line of the log
-    """
-
-    def __init__(self, show: Callable[[str], None]) -> None:
-        self._show = show
+    def __init__(self) -> None:
+        self._printer = Printer()
         self._used: set[str] = set()
         self._complaints: list[str] = []
         self._more_complaints = 0
         self._last = f'{{"$schema": "{SARIF_SCHEMA}", "version": "{SARIF_VERSION}", "runs": [{{"results": ['
 
-    def add(self, note: Note) -> None:
-        """Adds a note."""
-        result: dict[str, Any] = {
-            "ruleId": note.code,
-            "level": _SARIF[note.severity],
-            "message": {"text": note.sentence},
-        }
-        if note.more:
-            result["properties"] = dict(note.more)
-        if note.source:
-            location: dict[str, Any] = {"artifactLocation": {"uri": quote(note.source.replace("\\", "/"))}}
-            region = _region(note)
-            if region:
-                location["region"] = region
-            result["locations"] = [{"physicalLocation": location}]
-        # A comma separates two results, so each line is written when the next one is known.
-        self._show(self._last + "," * bool(self._used))
-        self._last = json.dumps(result, ensure_ascii=False)
-        self._used.add(note.code)
+    def show(self, checked: Checked) -> None:
+        """Adds the findings of a frame or a program, and of a program's source."""
+        for note in notes_on(checked):
+            # A comma separates two results, so each line is written when the next one is known.
+            self._printer.text(self._last + "," * bool(self._used))
+            self._last = json.dumps(_result(note), ensure_ascii=False)
+            self._used.add(note.code)
 
-    def complain(self, sentence: str) -> None:
+    def complaint(self, sentence: str) -> None:
         """Adds a sentence about input that could not be read."""
         if len(self._complaints) < MOST_COMPLAINTS:
             self._complaints.append(sentence)
         else:
             self._more_complaints += 1
 
-    def end(self) -> None:
+    def end(self, tally: Tally, *, is_quiet: bool) -> None:  # noqa: ARG002 - numbers are for people
         """Writes the end of the log: the rules, and what could not be read."""
         driver = {"name": "ev3proto", "version": VERSION, "rules": [_rule(code) for code in sorted(self._used)]}
         sentences = list(self._complaints)
@@ -147,37 +149,22 @@ class Sarif:
             "tool": {"driver": driver},
             "invocations": [{"executionSuccessful": not complaints, "toolExecutionNotifications": complaints}],
         }
-        self._show(self._last)
-        self._show(f"], {json.dumps(rest, ensure_ascii=False)[1:]}]}}")
+        self._printer.text(self._last)
+        self._printer.text(f"], {json.dumps(rest, ensure_ascii=False)[1:]}]}}")
 
 
-class Annotations(Output):
-    """Shows findings to a workflow: commands for GitHub, or a SARIF log."""
-
-    def __init__(self, style: str) -> None:
-        """`style` is github or sarif."""
-        self._show = Printer().text
-        self._log = Sarif(self._show) if style == "sarif" else None
-
-    def show(self, checked: Checked) -> None:
-        """Shows the findings of a frame or a program, and of a program's source."""
-        for note in notes_on(checked):
-            if self._log is None:
-                self._show(github(note))
-            else:
-                self._log.add(note)
-
-    def complaint(self, sentence: str) -> None:
-        """Shows a sentence about input that could not be read."""
-        if self._log is None:
-            self._show(github(Note(Severity.ERROR, UNREAD, sentence)))
-        else:
-            self._log.complain(sentence)
-
-    def end(self, tally: Tally, *, is_quiet: bool) -> None:  # noqa: ARG002 - numbers are for people
-        """Writes the end of the log."""
-        if self._log is not None:
-            self._log.end()
+def _result(note: Note) -> dict[str, Any]:
+    """Returns a note as a result of a SARIF log."""
+    result: dict[str, Any] = {"ruleId": note.code, "level": _SARIF[note.severity], "message": {"text": note.sentence}}
+    if note.more:
+        result["properties"] = dict(note.more)
+    if note.source:
+        location: dict[str, Any] = {"artifactLocation": {"uri": quote(note.source.replace("\\", "/"))}}
+        region = _region(note)
+        if region:
+            location["region"] = region
+        result["locations"] = [{"physicalLocation": location}]
+    return result
 
 
 def _region(note: Note) -> dict[str, int]:

@@ -116,6 +116,10 @@ class CaptureSource:
                 self._complain(f"line {pasted.line}: {pasted.problem}")
             yield pasted
 
+    def where(self, number: int) -> str:
+        """Returns the start of a message about a record."""
+        return f"{self.label}, {self.unit} {number}"
+
     def carrier(self, record: Record) -> str | None:
         """Returns what carried a frame; None for a text."""
         return str(record.carrier) if not self.is_text else None

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -14,7 +14,7 @@ from ev3proto.checking.codes import CODES, Code
 from ev3proto.checking.fixing import fix
 from ev3proto.checking.program_codes import PROGRAM_CODES
 from ev3proto.checking.report import Finding, Report, Severity
-from ev3proto.cli.annotations import Annotations
+from ev3proto.cli.annotations import GitHub, Sarif
 from ev3proto.cli.check_output import SEVERITIES, Checked, JsonOutput, Output, Place, SourceFinding, Tally, TextOutput
 from ev3proto.cli.edited import EditedFile
 from ev3proto.cli.inputs import Frame, Inputs, Takes, Whole, looks_like_assembly
@@ -27,7 +27,7 @@ from ev3proto.errors import counted, near_misses
 from ev3proto.messages import Message
 from ev3proto.tables.carriers import CARRIERS
 from ev3proto.text.diagnostics import diagnostics, explanation, grouped_hex
-from ev3proto.text.fixed_text import fix_pieces, is_command, unix_lines
+from ev3proto.text.fixed_text import fix_pieces, unix_lines
 from ev3proto.text.paste import read_text
 from ev3proto.text.phrases import spaced_hex
 from ev3proto.text.spans import Role
@@ -36,8 +36,13 @@ if TYPE_CHECKING:
     from ev3proto.capture.record import Record
     from ev3proto.cli.captures import CaptureSource
 
-FORMATS = ("text", "json", "sarif", "github")
-"""The formats of findings."""
+FORMATS: dict[str, Callable[[str], Output]] = {
+    "text": TextOutput,
+    "json": lambda _: JsonOutput(),
+    "sarif": lambda _: Sarif(),
+    "github": lambda _: GitHub(),
+}
+"""The formats of findings, and what makes the renderer of each for a dialect."""
 
 _BUT_ERRORS = frozenset(SEVERITIES[1:])
 
@@ -52,7 +57,6 @@ ALL_CODES = "all"
 class CheckOptions:
     """The options of `check`.
 
-    style    one of FORMATS
     fixes    print the fixed frame and the remaining findings
     strict   count warnings as errors in the exit status
     carrier  what carries the frames; None: as the capture says, or any
@@ -60,7 +64,6 @@ class CheckOptions:
     quiet    only the summary is printed
     """
 
-    style: str = FORMATS[0]
     fixes: bool = False
     strict: bool = False
     carrier: str | None = None
@@ -122,7 +125,7 @@ class Checking:
 
     def _is_checked(self, frame: Frame) -> bool:
         """Whether a frame of a text is a whole command; counts others."""
-        if _is_from_brick(frame):
+        if frame.is_from_brick:
             self.tally.replies += 1
             return False
         if frame.is_cut:
@@ -180,11 +183,8 @@ class Checking:
                 self.tally.replies += 1
                 continue
             capture.taken += 1
-            place = Place(
-                f"{capture.label}, {capture.unit} {record.number}",
-                {"source": capture.label, capture.unit: record.number},
-                is_among=True,
-            )
+            facts = {"source": capture.label, capture.unit: record.number}
+            place = Place(capture.where(record.number), facts, is_among=True)
             self._frame(record.frame, place, self._options.carrier or capture.carrier(record))
 
     def _image(self, source: Source, image: bytes, found: Sequence[SourceFinding] = ()) -> None:
@@ -242,27 +242,11 @@ class Checking:
         return not self._options.leaves_out(report, is_alone=self._is_single and not place.is_among)
 
 
-def _is_from_brick(frame: Frame) -> bool:
-    """Whether a frame of a text is not for the check: by its text, or else by its type."""
-    if frame.pasted is None:
-        return frame.message.type is not None and not frame.message.type.is_command
-    if frame.source.is_frame:
-        return frame.pasted.direction == "received"
-    return not is_command(frame.message, frame.pasted)
-
-
 def _assembly(inputs: Inputs, source: Source, lines: Iterable[str]) -> Iterator[Message]:
     """Makes messages of assembly as `encode` and `send` do, but leaves its values to the check."""
     from ev3proto.cli.assembly import assembled_messages  # takes 8 ms, which frames do not need
 
     return assembled_messages(source, lines, inputs.complain, dialect=inputs.reading.dialect, unchecked=True)
-
-
-def _output(options: CheckOptions, dialect: str) -> Output:
-    """Returns what shows the findings in the format of the options."""
-    if options.style in ("github", "sarif"):
-        return Annotations(options.style)
-    return JsonOutput() if options.style == "json" else TextOutput(dialect)
 
 
 def is_reply(record: Record) -> bool:
@@ -285,7 +269,7 @@ def is_reply(record: Record) -> bool:
 @click.option(
     "--format",
     "style",
-    type=click.Choice(FORMATS),
+    type=click.Choice(tuple(FORMATS)),
     help="How to show findings (default: text); sarif and github are for continuous integration.",
 )
 @click.option("--carrier", type=click.Choice(CARRIERS), help="What carries the frames; a capture says so itself.")
@@ -340,9 +324,9 @@ def check(
     if fixes and style in ("sarif", "github"):
         raise incompatible("--fix", f"--format {style}")
     hidden = {"hint", "warning"} if errors_only else {"hint"} if no_hints else set()
-    style = style or ("json" if as_json else FORMATS[0])
-    options = CheckOptions(style, fixes, strict, carrier, frozenset(hidden), quiet)
-    output = _output(options, reading.dialect)
+    style = style or ("json" if as_json else "text")
+    options = CheckOptions(fixes, strict, carrier, frozenset(hidden), quiet)
+    output = FORMATS[style](reading.dialect)
     takes = Takes(
         wanted="command",
         making=lambda line: _assembly if looks_like_assembly(line) else None,

@@ -65,7 +65,7 @@ class Decoding:
             for record in show_capture(self._show, capture, as_dialogues=self._as_dialogues):
                 fault = record.message.fault
                 if fault is not None:
-                    self.inputs.complain(f"{capture.label}, {capture.unit} {record.number}: fault at {fault}")
+                    self.inputs.complain(f"{capture.where(record.number)}: fault at {fault}")
         capture.taken = self._show.count - before
 
     def program(self, source: Source, image: bytes) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from pathlib import Path
 
 import click
@@ -101,10 +102,7 @@ def uninstall_command(folder: Path | None, tshark: str | None, force: bool) -> N
                     raise
                 folders = Folders.documented()
         outcomes = list(uninstall(folders, force=force))
-    for path, outcome in outcomes:
-        say(f"{path}: {outcome.value}")
-    if any(outcome is InstallResult.KEPT for _, outcome in outcomes):
-        say("To remove what was changed, add --force.")
+    _say(outcomes, "remove")
 
 
 def _install(folder: Path | None, with_profile: bool, tshark: str | None, force: bool) -> None:
@@ -124,10 +122,7 @@ def _install(folder: Path | None, with_profile: bool, tshark: str | None, force:
     outcomes = [install_launcher(folders.extcap, force=force)] if folders.extcap else []
     if with_profile:
         outcomes += install_profile(folders.profiles, force=force)
-    for path, outcome in outcomes:
-        say(f"{path}: {outcome.value}")
-    if any(outcome is InstallResult.KEPT for _, outcome in outcomes):
-        say("To overwrite what was changed, add --force.")
+    _say(outcomes, "overwrite")
     trouble = asked.trouble(plugin) if asked else None
     if asked and trouble:
         raise InstallError(f"{asked.path} does not load it: {trouble}")
@@ -140,3 +135,13 @@ def _install(folder: Path | None, with_profile: bool, tshark: str | None, force:
         say("For the profile, choose EV3 under Edit, Configuration Profiles.")
     elif with_profile:
         say("The profile belongs in the folder profiles of the personal configuration: Help, About, Folders.")
+
+
+def _say(outcomes: Iterable[tuple[Path, InstallResult]], do: str) -> None:
+    """Prints what became of each file, and how to change also what the user changed."""
+    is_kept = False
+    for path, outcome in outcomes:
+        say(f"{path}: {outcome.value}")
+        is_kept |= outcome is InstallResult.KEPT
+    if is_kept:
+        say(f"To {do} what was changed, add --force.")

@@ -146,7 +146,7 @@ def _timed_frames(inputs: Inputs) -> Iterator[tuple[bytes | TimedFrame, str]]:
         elif isinstance(content, CaptureSource):
             for record in content.records():
                 content.taken += 1
-                yield TimedFrame(record.frame, record.time_ns), f"{content.label}, {content.unit} {record.number}"
+                yield TimedFrame(record.frame, record.time_ns), content.where(record.number)
 
 
 @export.command()

@@ -68,8 +68,7 @@ def files(
             elif recovered.file is not None:
                 say(f"{recovered.file}: {recovered.bytes} bytes {recovered.direction}, {visible(recovered.path)}")
             if folder is not None and recovered.trouble is not None:
-                place = f"{source.label}, {source.unit} {recovered.packets[0]}"
-                complain(f"{place}: {visible(recovered.path)}: {recovered.trouble}")
+                complain(f"{source.where(recovered.packets[0])}: {visible(recovered.path)}: {recovered.trouble}")
                 source.status |= recovered.outcome is not FileState.REFUSED
         units.add(source.unit)
         source.expect_frames()

@@ -62,6 +62,14 @@ class Frame(NamedTuple):
         return f"{self.source.label}, frame {self.number}" if self.pasted is None else self.source.where(self.pasted)
 
     @property
+    def is_from_brick(self) -> bool:
+        """Whether it is a reply: by its text, or else, unless it was typed as bytes, by its type."""
+        direction = None if self.pasted is None else self.pasted.direction
+        if direction is not None or (self.pasted is not None and self.source.is_frame):
+            return direction == "received"
+        return self.message.type is not None and not self.message.type.is_command
+
+    @property
     def is_cut(self) -> bool:
         """Whether the text says that the frame had more bytes."""
         fault = self.message.fault

@@ -48,7 +48,7 @@ def moved_programs(capture: CaptureSource, complain: Callable[[str], None]) -> I
         for file in found:
             image = b"" if file.file is None else file.file.read_bytes()
             if is_image(image):
-                yield f"{capture.label}, {capture.unit} {file.packets[0]}: {visible(file.path)}", image
+                yield f"{capture.where(file.packets[0])}: {visible(file.path)}", image
 
 
 def _show_record(show: Show, record: Record, start_ns: int) -> None:

@@ -36,7 +36,7 @@ from ev3proto.program import assemble, check_program
 from ev3proto.schema.frame import parse
 from ev3proto.text.assembly.errors import AssemblyError
 from ev3proto.text.assembly.recognising import OBJECT
-from ev3proto.text.fixed_text import fix_text, is_command
+from ev3proto.text.fixed_text import fix_text
 from ev3proto.text.forms import as_c, as_hex, as_python
 from ev3proto.text.paste import Pasted, read_argument
 from ev3proto.text.phrases import command_spans, reply_spans
@@ -187,9 +187,8 @@ class Reading(Decoding):
             self._log.append(pasted)
         if frame.is_cut:
             return
-        is_alone = frame.source.is_frame
-        is_from_brick = pasted.direction == "received" or not (is_alone or is_command(message, pasted))
-        self._take(message, message.build(), "" if is_alone else frame.place, pasted.line, is_reply=is_from_brick)
+        place = "" if frame.source.is_frame else frame.place
+        self._take(message, message.build(), place, pasted.line, is_reply=frame.is_from_brick)
 
     def capture(self, capture: CaptureSource) -> None:
         """Takes the frames of a capture."""
@@ -203,7 +202,7 @@ class Reading(Decoding):
     def _records(self, capture: CaptureSource) -> Iterator[Event]:
         for record in show_capture(self._showing, capture, as_dialogues=False):
             self._start_ns = capture.account.first_ns or 0
-            place = f"{capture.label}, {capture.unit} {record.number}"
+            place = capture.where(record.number)
             message = record.message
             if message.fault is not None:
                 self.inputs.complain(f"{place}: fault at {message.fault}")

@@ -88,13 +88,13 @@ class Decoding:
 
     def frame(self, frame: Frame) -> None:
         """Shows a frame of a text."""
-        fault, seen = frame.message.fault, Seen()
-        if frame.pasted is not None:
-            unknown = frozenset(one.offset - frame.start for one in frame.pasted.unknown)
-            seen = Seen(frame.pasted.direction, frame.pasted.time, frame.is_cut, unknown=unknown)
+        fault, pasted, is_cut, seen = frame.message.fault, frame.pasted, frame.is_cut, Seen()
+        if pasted is not None:
+            unknown = frozenset([one.offset - frame.start for one in pasted.unknown])
+            seen = Seen(pasted.direction, pasted.time, is_cut, unknown=unknown)
         self._show.exchange(self._dialogue.follow(frame.message), seen, frame.rest)
         never = _never_run(frame.message)
-        if fault is not None and not frame.is_cut:
+        if fault is not None and not is_cut:
             text = mangled(frame.message.build())
             self.inputs.complain(f"{frame.place}: fault at {fault}{f'; {text.message}' if text else ''}")
         elif never is not None:

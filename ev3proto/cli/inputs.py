@@ -72,8 +72,10 @@ class Frame(NamedTuple):
     @property
     def is_cut(self) -> bool:
         """Whether the text says that the frame had more bytes."""
+        if self.pasted is None or not self.pasted.cut:
+            return False
         fault = self.message.fault
-        return self.pasted is not None and self.pasted.cut and fault is not None and fault.truncated
+        return fault is not None and fault.truncated
 
 
 class Whole(NamedTuple):

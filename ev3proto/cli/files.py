@@ -18,7 +18,7 @@ from ev3proto.cli.options import FOLDER, json_option
 from ev3proto.cli.output import complain, say, say_json
 from ev3proto.cli.reading import CaptureOptions, reading_options
 from ev3proto.cli.tables import Tables
-from ev3proto.cli.words import files as named_files
+from ev3proto.cli.words import files_named
 from ev3proto.text.spans import visible
 
 
@@ -52,7 +52,7 @@ def files(
 
     rows: list[tuple[str, ...]] = []
     units = set()
-    inputs = Inputs(named_files(names), reading, ONLY_CAPTURES)
+    inputs = Inputs(files_named(names), reading, ONLY_CAPTURES)
     for source in inputs.captures():
         if folder is None:
             found = survey(source.events(), listings=listings)

@@ -253,7 +253,7 @@ class Inputs:
         capture = CaptureSource(source, self.reading, contents)
         yield capture
         if self._takes.wanted and not capture.taken and not capture.status:
-            if capture.is_text and self.reading.filter is None:
+            if capture.is_text and self.reading.filter is None and not capture.account.frames:
                 self.complain(self._nothing_in(source))
             else:
                 matches = " matches the filter" if self.reading.filter else ""

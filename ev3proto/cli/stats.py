@@ -14,7 +14,7 @@ from ev3proto.cli.inputs import ONLY_CAPTURES, Inputs
 from ev3proto.cli.output import say, say_json
 from ev3proto.cli.reading import CaptureOptions, reading_options
 from ev3proto.cli.tables import Tables
-from ev3proto.cli.words import files as named_files
+from ev3proto.cli.words import files_named
 from ev3proto.errors import counted
 
 _MILLISECONDS = 1000
@@ -36,7 +36,7 @@ def stats(files: tuple[str, ...], reading: CaptureOptions, as_json: bool) -> Non
     """  # noqa: D301 - the mark by which click leaves lines as they are
     statistics = Statistics()
     account = Account()
-    inputs = Inputs(named_files(files), reading, ONLY_CAPTURES)
+    inputs = Inputs(files_named(files), reading, ONLY_CAPTURES)
     units = set()
     for source in inputs.captures():
         for event in source.events():

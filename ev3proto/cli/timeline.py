@@ -16,7 +16,7 @@ from ev3proto.cli.inputs import ONLY_CAPTURES, Inputs
 from ev3proto.cli.options import FILE, FiniteRange
 from ev3proto.cli.output import Failure, complain, put, say
 from ev3proto.cli.reading import CaptureOptions, reading_options
-from ev3proto.cli.words import files as named_files
+from ev3proto.cli.words import files_named
 
 MOST_SECONDS = 1e9
 """Longest time that can be asked for: thirty years."""
@@ -60,7 +60,7 @@ def timeline(
         raise click.UsageError(f"--from {first:g} must be less than --to {last:g}")
     if not output.parent.is_dir():
         raise Failure(f"{output}: cannot be written: there is no folder {output.parent}")
-    inputs = Inputs(named_files(files), reading, ONLY_CAPTURES)
+    inputs = Inputs(files_named(files), reading, ONLY_CAPTURES)
     labels = ", ".join(source.label for source in inputs.sources)
     names = ", ".join(Path(source.label).name for source in inputs.sources)
     # The timeline filters by itself: a reply that is kept back must not look as if it never came.

@@ -19,7 +19,7 @@ from ev3proto.cli.options import FILE, incompatible
 from ev3proto.cli.output import complain, put, say, say_json
 from ev3proto.cli.reading import CaptureOptions, reading_options
 from ev3proto.cli.tables import Tables
-from ev3proto.cli.words import files as named_files
+from ev3proto.cli.words import files_named
 from ev3proto.errors import counted
 from ev3proto.text.spans import visible
 
@@ -64,7 +64,7 @@ def values(files: tuple[str, ...], reading: CaptureOptions, as_csv: bool, as_jso
     form = "csv" if as_csv else "json" if as_json else None
     if plot is not None and form is not None:
         raise incompatible("--plot", f"--{form}")
-    inputs = Inputs(named_files(files), reading, ONLY_CAPTURES)
+    inputs = Inputs(files_named(files), reading, ONLY_CAPTURES)
     sources = []
     found = Series()
     for source in inputs.captures():

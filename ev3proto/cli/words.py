@@ -94,7 +94,7 @@ def sources(names: Sequence[str]) -> list[Source]:
     return [Source(name, is_frame=name != "-" and (not name or not _exists(name))) for name in names or ("-",)]
 
 
-def files(names: Sequence[str]) -> list[Source]:
+def files_named(names: Sequence[str]) -> list[Source]:
     """Returns the files that the words name, or standard input."""
     return [Source(name) for name in names]
 

@@ -108,6 +108,7 @@ OF_THE_INPUT = {
     "decode hello.txt": f"hello.txt: no frame found; frames are written in hex, such as {FRAME}",
     "check hello.txt empty.txt": f"empty.txt: no frame found; frames are written in hex, such as {FRAME}",
     "stats hello.txt": f"hello.txt: no frame found; frames are written in hex, such as {FRAME}",
+    "decode --programs log.txt": "log.txt: no program in 1 frame",
     "decode tone.lms": "tone.lms: no frame found, but the source of a program; `ev3proto encode -o FILE.rbf` makes its"
     " image",
     "decode tone.asm": "tone.asm: no frame found, but assembly; `ev3proto encode` makes frames of it",

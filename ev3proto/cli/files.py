@@ -51,7 +51,6 @@ def files(
         raise click.UsageError("--force needs -o")
 
     rows: list[tuple[str, ...]] = []
-    units = set()
     inputs = Inputs(files_named(names), reading, ONLY_CAPTURES)
     for source in inputs.captures():
         if folder is None:
@@ -70,12 +69,11 @@ def files(
             if folder is not None and recovered.trouble is not None:
                 complain(f"{source.where(recovered.packets[0])}: {visible(recovered.path)}: {recovered.trouble}")
                 source.status |= recovered.outcome is not FileState.REFUSED
-        units.add(source.unit)
         source.expect_frames()
         if is_empty and not source.status:
             complain(f"{source.label}: no file is moved{source.passed_over}")
     if rows:
-        _list(rows, "lines" if units == {"line"} else "packets")
+        _list(rows, f"{inputs.unit}s")
     sys.exit(1 if inputs.at_fault else 0)
 
 

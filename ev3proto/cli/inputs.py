@@ -156,6 +156,7 @@ class Inputs:
         self._heard = heard
         self._is_empty = True
         self._first_line = ""
+        self._units: set[str] = set()
 
     def __iter__(self) -> Iterator[Content]:
         for source in self.sources:
@@ -169,6 +170,11 @@ class Inputs:
     def captures(self) -> Iterator[CaptureSource]:
         """Yields the captures, for a subcommand that takes nothing else."""
         return cast("Iterator[CaptureSource]", iter(self))
+
+    @property
+    def unit(self) -> str:
+        """What the numbers of records count: packets, or lines if only texts were read."""
+        return "line" if self._units == {"line"} else "packet"
 
     def complain(self, sentence: str) -> None:
         """Prints a message about wrong input on standard error."""
@@ -201,7 +207,7 @@ class Inputs:
         """Yields the frames in a word of the command line."""
         lines, takes = source.name.split("\n"), self._takes
         if self.reading.missing is not None:
-            yield from self.text(source, lines)
+            yield from self.text(source, lines if takes.makes_first else [source.name])
             return
         pasted = None if takes.makes_first else read_argument(source.name)
         if pasted is None or not pasted.data:
@@ -251,6 +257,7 @@ class Inputs:
         from ev3proto.cli.captures import CaptureSource  # takes 10 ms, which frames do not need
 
         capture = CaptureSource(source, self.reading, contents)
+        self._units.add(capture.unit)
         yield capture
         if self._takes.wanted and not capture.taken and not capture.status:
             if capture.is_text and self.reading.filter is None and not capture.account.frames:

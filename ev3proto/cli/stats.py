@@ -37,19 +37,17 @@ def stats(files: tuple[str, ...], reading: CaptureOptions, as_json: bool) -> Non
     statistics = Statistics()
     account = Account()
     inputs = Inputs(files_named(files), reading, ONLY_CAPTURES)
-    units = set()
     for source in inputs.captures():
         for event in source.events():
             statistics.add(event)
         source.expect_frames()
-        units.add(source.unit)
         account.add(source.account)
     summary = statistics.summary(account)
     if account.packets:
         if as_json:
             say_json(summary.as_dict())
         else:
-            _Page(summary, "line" if units == {"line"} else "packet").show()
+            _Page(summary, inputs.unit).show()
     sys.exit(1 if inputs.at_fault else 0)
 
 

@@ -91,7 +91,7 @@ def values(files: tuple[str, ...], reading: CaptureOptions, as_csv: bool, as_jso
     if plot is not None:
         _draw(found, plot, ", ".join(Path(source.label).name for source in inputs.sources), start)
     elif form is None:
-        _print_table(found, "line" if {source.unit for source in sources} == {"line"} else "packet", start)
+        _print_table(found, inputs.unit, start)
     else:
         _PRINTERS[form](found)
     sys.exit(1 if inputs.at_fault else 0)

@@ -202,6 +202,8 @@ def test_frames_without_their_length_and_operations_alone() -> None:
     shown = json.loads(out("decode", "--json", "--operations", operations))
     assert [one["command"] for one in shown["operations"]] == ["TONE"]
     assert json.loads(out("decode", "--json", "--operations", "81 01 60"))["globals"] == 4
+    wrapped = json.loads(out("decode", "--json", "--operations", "94 01 01 82\nB8 01 82 E8 03"))
+    assert [one["command"] for one in wrapped["operations"]] == ["TONE"]
     assert b"--no-length" in run("decode", content).stderr
     assert b"--operations" in run("decode", operations).stderr
     assert b"--operations" in run("decode", "-", stdin=f"{operations}\n").stderr

@@ -164,8 +164,8 @@ class Checking:
             return
         found = list(read_text(unix_lines(text)))
         made = fix_pieces(text, found, dialect=self._dialect, carrier=self._options.carrier)
-        contents.write(made.text)
         self._take_first(is_alone=False)
+        contents.write(made.text)
         output.is_edited = True
         edited = iter(made.frames)
         for frame in (frame for pasted in found for frame in self._inputs.pasted(source, pasted)):

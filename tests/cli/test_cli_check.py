@@ -141,6 +141,21 @@ def test_a_text_is_printed_with_its_frames_fixed(tmp_path: Path) -> None:
     assert b"robot.log, line 4: nothing could be fixed\n" in said
 
 
+def test_a_frame_and_a_text_are_fixed_in_their_order(tmp_path: Path) -> None:
+    (tmp_path / "robot.log").write_text("sent 09 00 2a 00 80 00 00 01\n")
+    done = run("--fix", "06002a0080000001", str(tmp_path / "robot.log"))
+    assert (done.returncode, done.stdout.splitlines()) == (
+        0,
+        [
+            "frame 1: nothing to fix",
+            "0x|06:00|2A:00|80|00:00|01|",
+            "frame 1: accepted: no findings",
+            "sent 06 00 2a 00 80 00 00 01",
+        ],
+    )
+    assert done.stderr.splitlines()[-1] == "2 frames: 0 errors, 0 warnings, 0 hints"
+
+
 def test_a_fixed_text_can_be_given_on() -> None:
     first = run("--fix", stdin=f"{WITHOUT_REPLY}\n{VOLTAGE}\n")
     assert (first.returncode, first.stdout) == (0, f"{VOLTAGE}\n{VOLTAGE}\n")

@@ -141,6 +141,12 @@ def test_outputs_without_a_reply() -> None:
     assert told(fixed) == ["type: DIRECT_COMMAND_NO_REPLY -> DIRECT_COMMAND_REPLY"]
 
 
+def test_an_output_right_after_memory_that_the_command_reads_needs_a_reply() -> None:
+    copied = (operation("UI_READ.GET_VBATT", GV(0)), operation("MOVEF_F", GV(0), LV(0)))
+    fixed = fix(command(*copied, operation("UI_READ.GET_LBATT", GV(4)), global_size=5, local_size=4))
+    assert told(fixed) == ["type: DIRECT_COMMAND_NO_REPLY -> DIRECT_COMMAND_REPLY"]
+
+
 def test_global_memory_that_the_command_itself_reads_needs_no_reply() -> None:
     frame = command(operation("INPUT_READ", 0, 0, 0, 0, GV(0)), operation("OUTPUT_SPEED", 0, 1, GV(0)), global_size=1)
     assert parsed(fix(frame).frame).type is ev3proto.MessageType.DIRECT_COMMAND_NO_REPLY

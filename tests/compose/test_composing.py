@@ -126,6 +126,7 @@ def test_sizes_and_reply_by_hand() -> None:
     assert sizes(command(ops.sound.break_(), reply=True)) == (True, 0, 0)
     assert sizes(command(ops.sound.break_(), global_size=3)) == (True, 3, 0)
     assert sizes(command(ops.ui_read.get_vbatt(GV(0)), reply=False)) == (False, 4, 0)
+    assert sizes(command(battery, ops.or8(1, 2, LV(0)), global_size=4, local_size=1)) == (True, 4, 1)
     with pytest.raises(
         BuildError, match=r"^global_size must be 4 or more, not 2: the operations use that much global memory$"
     ):

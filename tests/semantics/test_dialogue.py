@@ -95,6 +95,13 @@ def test_arrays() -> None:
     assert value.value == [1, 2, -1, 4, 5]
 
 
+def test_an_element_is_as_large_as_the_memory_that_is_left_for_it() -> None:
+    dialogue = ev3proto.Dialogue()
+    dialogue.feed(ask(ev3proto.operation("ARRAY_READ", LV(0), 0, GV(0)), size=2))
+    (value,) = dialogue.feed(answer(b"\x01\x80", size=2))
+    assert (value.value, value.type, value.length) == (-32767, "DATA16", 2)
+
+
 def test_only_what_is_in_the_reply_is_a_value() -> None:
     operations = [
         ev3proto.operation("OUTPUT_READ", 0, 0, GV(4), LV(0)),
@@ -157,6 +164,14 @@ def test_of_commands_of_one_counter_and_one_size_the_newest_is_answered() -> Non
     dialogue = ev3proto.Dialogue()
     for name in ("UI_READ.GET_VBATT", "UI_READ.GET_IBATT"):
         dialogue.feed(ask(ev3proto.operation(name, GV(0)), counter=5, size=4))
+    (value,) = dialogue.feed(answer(struct.pack("<f", 0.25), counter=5, size=4))
+    assert (value.command, value.value) == ("GET_IBATT", 0.25)
+
+
+def test_of_older_commands_of_one_counter_and_one_size_the_newest_is_answered() -> None:
+    dialogue = ev3proto.Dialogue()
+    for name, size in (("UI_READ.GET_VBATT", 4), ("UI_READ.GET_IBATT", 4), ("UI_READ.GET_TBATT", 8)):
+        dialogue.feed(ask(ev3proto.operation(name, GV(0)), counter=5, size=size))
     (value,) = dialogue.feed(answer(struct.pack("<f", 0.25), counter=5, size=4))
     assert (value.command, value.value) == ("GET_IBATT", 0.25)
 

@@ -204,6 +204,13 @@ def test_handles_of_a_connection_that_ends_are_freed(brick: Brick) -> None:
     assert answer(brick, system.begin_download("../prjs/b.rtf", 3)) == (REPLY, bytes((0, 0)))
 
 
+def test_handles_of_other_connections_stay(brick: Brick) -> None:
+    brick.receive_from("one", system.begin_download("../prjs/a.rtf", 3).build())
+    assert answer(brick, system.begin_download("../prjs/b.rtf", 3)) == (REPLY, bytes((0, 1)))
+    brick.disconnect("one")
+    assert answer(brick, system.continue_download(1, b"abc")) == (REPLY, bytes((8, 1)))
+
+
 def test_what_has_no_reply(brick: Brick, projects: Path) -> None:
     assert brick.receive(system.begin_download("../prjs/a.rtf", 3, reply=False).build()) == []
     assert brick.receive(system.continue_download(0, b"abc", reply=False).build()) == []

@@ -151,6 +151,11 @@ class TestModes:
         assert answer(brick.advance(most - least + 0.001)) != "busy"
         assert ask(brick, read) != "busy"
 
+    def test_a_device_that_is_changing_its_mode_keeps_it(self, brick: Brick) -> None:
+        ask(brick, SI.format(2, 1))
+        ask(brick, SI.format(2, 2))
+        assert ask(brick, "DATA8 t DATA8 m INPUT_DEVICE(GET_TYPEMODE, 0, 2, t, m)") == "21 01"
+
     def test_reading_does_not_wait_for_it(self, brick: Brick) -> None:
         assert ask(brick, SI.format(1, 2)) == NAN
         assert ask(brick, "DATA8 t DATA8 m INPUT_DEVICE(GET_TYPEMODE, 0, 1, t, m)") == "1d 02"

@@ -128,6 +128,9 @@ class TestDrawing:
         with pytest.raises(RefusedError):
             ask(brick, "UI_DRAW(PICTURE, 1, 0, 0, 1)")
 
+    def test_a_popup_waits_until_what_was_drawn_is_shown(self, brick: Brick) -> None:
+        assert ask(brick, "UI_DRAW(PIXEL, 1, 0, 0) UI_DRAW(POPUP, 1)", seconds=1) == "busy"
+
 
 class TestText:
     @pytest.mark.parametrize(
@@ -236,6 +239,10 @@ class TestState:
         ask(brick, "UI_WRITE(LED, LED_RED_FLASH)")
         assert brick.leds == 6
 
+    def test_a_busy_brick_keeps_the_colour_of_its_light(self, brick: Brick) -> None:
+        ask(brick, "UI_WRITE(SET_BUSY, 1)")
+        assert brick.leds == 1
+
 
 class TestButtons:
     PRESS, RELEASE = "UI_BUTTON(PRESS, {0})", "UI_BUTTON(RELEASE, {0})"
@@ -293,6 +300,15 @@ class TestButtons:
         assert found == ["0100", "0000", "0100", "0100", "0100", "0101"]
         brick.release("down")
         assert ask(brick, "DATA8 a UI_BUTTON(GET_BUMBED, 3, a)") == "01"
+
+    def test_each_press_is_repeated(self, brick: Brick) -> None:
+        short = "DATA8 a UI_BUTTON(SHORTPRESS, 1, a)"
+        for _ in range(2):
+            brick.press("up")
+            assert ask(brick, short) == "01"
+            brick.advance(0.5)
+            assert ask(brick, short) == "01"
+            brick.release("up")
 
     def test_enter_is_not_repeated(self, brick: Brick) -> None:
         brick.press("enter")

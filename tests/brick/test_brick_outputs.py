@@ -64,6 +64,18 @@ class TestHeldValues:
         assert number(ask(brick, COUNT)) == 470
         assert ask(brick, READ) == "64 00 00 00 00"
 
+    def test_a_move_begins_with_the_speed_that_was_shown(self, brick: Brick) -> None:
+        assert ask(brick, f"OUTPUT_POWER(0, 1, 50) OUTPUT_START(0, 1) {READ}") == "00 00 00 00 d6"
+
+
+def test_a_running_motor_reverses_with_its_polarity(brick: Brick) -> None:
+    ask(brick, "OUTPUT_POWER(0, 1, 50) OUTPUT_START(0, 1)")
+    brick.advance(2)
+    assert ask(brick, READ) == "00 00 00 00 32"
+    ask(brick, "OUTPUT_POLARITY(0, 1, -1)")
+    brick.advance(2)
+    assert ask(brick, READ) == "00 00 00 00 ce"
+
 
 def test_the_count_and_the_tacho_are_cleared_apart() -> None:
     brick = Brick()

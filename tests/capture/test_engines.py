@@ -80,7 +80,7 @@ def test_both_find_the_same(opened: Open, name: str) -> None:
     found = [told(event) for event in theirs.events()]
     assert found == [told(event) for event in ours.events()]
     assert len(found) == EVENTS[name]
-    for part in ("packets", "frames", "texts", "first_ns", "last_ns"):
+    for part in ("packets", "frames", "texts", "cut", "first_ns", "last_ns"):
         assert getattr(theirs.account, part) == getattr(ours.account, part)
     assert theirs.account.balance == 0
 

@@ -66,6 +66,12 @@ def answer(counter: int = 1, *, error: bool = False) -> Message:
     return ev3proto.direct_reply(b"" if error else bytes(4), counter=counter, error=error)
 
 
+def test_packets_that_are_not_in_the_order_of_their_times() -> None:
+    whole = summary([seen(ask(), 1, 500), seen(ask(2), 2, 2000), seen(ask(3), 3, 0)]).whole
+    assert (whole.first, whole.last) == ("2026-01-01T10:00:00.000000Z", "2026-01-01T10:00:02.000000Z")
+    assert whole.seconds == 2.0
+
+
 def test_messages_operations_and_latencies() -> None:
     tone = ev3proto.operation("SOUND.TONE", 5, 440, 250)
     play = seen(ev3proto.direct_command(tone, ev3proto.operation("SOUND_READY"), tone), 1, 0)

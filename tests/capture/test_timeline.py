@@ -297,6 +297,13 @@ def test_a_part_of_a_capture() -> None:
     assert collect([brick.tells(0, tone(0))], window=Window(1, None)) is None
 
 
+def test_a_file_that_began_before_the_window_is_drawn() -> None:
+    brick = Brick()
+    events = [*download(brick, 0, "../prjs/a/a.rbf"), *download(brick, 20, "../prjs/b/b.rbf", counter=60)]
+    timeline = collected(events, window=Window(0.023, None))
+    assert [(mark.label, mark.begin, mark.end) for mark in files_of(timeline)] == [("../prjs/b/b.rbf", 0.02, 0.03)]
+
+
 def test_nothing_makes_no_timeline() -> None:
     assert collect([]) is None
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import struct
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -70,6 +71,13 @@ def test_a_brick_on_wifi_is_found_and_unlocked_first() -> None:
     said = [event.said for event in events if isinstance(event, Announcement)]
     assert said == [TextKind.BEACON, TextKind.ANSWER, TextKind.UNLOCK, TextKind.ACCEPT]
     assert isinstance(events[4], Record)
+
+
+def test_the_header_of_linux_has_the_time_in_seconds_and_microseconds() -> None:
+    (tone,) = (message.build() for message in DIALOGUE[2:3])
+    data = made([TimedFrame(tone, BEGIN_NS + 1_234_567_000)], "usb")
+    header = data[data.index(tone) - 64 :][:64]
+    assert struct.unpack_from("<qi", header, 16) == (BEGIN_NS // 10**9 + 1, 234_567)
 
 
 @pytest.mark.parametrize("carrier", CARRIERS)

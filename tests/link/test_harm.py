@@ -70,6 +70,12 @@ READING = [
 ]
 
 
+def test_a_command_may_wait_for_a_sensor_sixteen_times() -> None:
+    ready = operation("INPUT_DEVICE.READY_RAW", 0, 0, 0, 0, [GV(0)])
+    assert harms(command(*[ready] * 16)) == set()
+    assert harms(command(*[ready] * 17)) == COMPUTING
+
+
 @each("reading", READING)
 def test_reading_is_on_the_list(reading: Operation) -> None:
     assert harms(command(reading)) == set()

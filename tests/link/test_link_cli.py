@@ -13,7 +13,7 @@ import socket
 import subprocess
 import sys
 import threading
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from random import Random
 from typing import Any
@@ -23,9 +23,10 @@ import pytest
 from dpkt.ethernet import Ethernet
 from support.cli import ROOT, run_ev3proto_text
 from support.server import ACCEPT, UNLOCK, Client, Served, command, frame, free_port, served, system, until
+from support.stub_brick import reply, stub_brick
 
 import ev3proto
-from ev3proto import EV3
+from ev3proto import EV3, GV, direct_command, operation
 from ev3proto.brick.servers.faults import Faults
 from ev3proto.brick.servers.server import Options
 from ev3proto.capture import Record, read
@@ -513,6 +514,26 @@ def test_a_poll_between_frames_is_passed_over(tmp_path: Path) -> None:
     (tmp_path / "talk.pcapng").write_bytes(stream.getvalue())
     records = [event for event in read(tmp_path / "talk.pcapng").events() if isinstance(event, Record)]
     assert [record.message.kind for record in records] == ["direct-command", "direct-reply"] * 2
+
+
+def test_a_reply_answers_the_newest_command_with_its_counter() -> None:
+    """A sender reuses a counter only after it gave up on the command before."""
+    ask = direct_command(operation("OUTPUT_TEST", 0, 15, GV(0)), counter=7, reply=True, global_size=1).build()
+    again = direct_command(operation("UI_READ.GET_LBATT", GV(0)), counter=7, reply=True, global_size=1).build()
+
+    def only_the_second(frame: bytes, send: Callable[[bytes], None]) -> None:
+        if frame == again:
+            send(reply(frame, b"\x64"))
+
+    with stub_brick(only_the_second) as port, relay(f"wifi:127.0.0.1:{port}") as found:
+        with Client(found.proxy.port) as client:
+            client.send(ask)
+            assert client.ask(again) == bytes.fromhex("04 00 07 00 02 64")
+        until(lambda: len(found.shown) == 2)
+    assert found.shown == [
+        "UI_READ.GET_LBATT(PCT=GV(0)) -> PCT=100 %",
+        "OUTPUT_TEST(LAYER=0, NOS=15, BUSY=GV(0)) -> no reply",
+    ]
 
 
 def test_a_frame_that_is_longer_than_a_report_does_not_go_to_usb(tmp_path: Path) -> None:

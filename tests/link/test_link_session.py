@@ -66,6 +66,29 @@ def test_counters_wrap_around_those_that_were_abandoned() -> None:
     assert session.feed(reply(42) + reply(43)) == [Stray(Oddity.LATE, reply(42)), Answered(request, reply(43))]
 
 
+def test_the_counter_of_a_late_answer_is_free_again() -> None:
+    session = Session()
+    first, second = session.command(ASK, NOP), session.command(ASK, NOP)
+    session.abandon(first)
+    session.abandon(second)
+    session.feed(reply(second.counter))
+    for _ in range(65534):
+        session.command(ASK, NOP)
+    assert session.command(ASK, NOP).counter == second.counter
+
+
+def test_the_counter_of_an_answered_command_is_free_again_though_it_was_abandoned_before() -> None:
+    session = Session()
+    first, second = session.command(ASK, NOP), session.command(ASK, NOP)
+    session.abandon(second)
+    session.abandon(first)
+    again = session.adopt(first.frame)
+    assert session.feed(reply(first.counter)) == [Answered(again, reply(first.counter))]
+    for _ in range(65534):
+        session.command(ASK, NOP)
+    assert session.command(ASK, NOP).counter == first.counter
+
+
 def test_when_all_counters_wait_the_next_command_is_refused() -> None:
     session = Session()
     for _ in range(65536):

@@ -129,6 +129,12 @@ def test_encode_prints_warnings(source: Path, tmp_path: Path) -> None:
     assert "line 10, column 14: DESTINATION of MOVE8_8 is a DATA8, not a DATA32: timer (warning)" in result.stderr
 
 
+def test_check_counts_warnings_when_that_is_asked_for(source: Path) -> None:
+    source.write_text(SOURCE.replace("MOVE8_8(0, count)", "MOVE8_8(0, timer)"))
+    assert run_ev3proto_text("check", source).returncode == 0
+    assert run_ev3proto_text("check", "--strict", source).returncode == 1
+
+
 @pytest.mark.parametrize("options", [("--version", "70000"), ("--version", "x"), ("--shortest", "--to", "hex")])
 def test_a_call_that_makes_no_sense_is_refused(source: Path, options: tuple[str, ...]) -> None:
     assert run_ev3proto_text("encode", source, *options).returncode == 2

@@ -175,6 +175,12 @@ def test_bytes_after_the_end_of_an_object_are_not_code() -> None:
     assert say.operations[-1].name == "OBJECT_END"
 
 
+def test_bytes_after_an_end_that_a_jump_leads_to_are_not_code() -> None:
+    main = programs.parse(image_of((0, 0, "40 00 0A 01 0A"))).objects[0]
+    assert [operation.name for operation in main.operations] == ["JR", "OBJECT_END"]
+    assert main.rest == b"\x01\x0a"
+
+
 def test_a_hostile_table_takes_no_longer_than_its_size() -> None:
     count = 60_000
     code = b"\x01" * 100_000 + b"\x0a"

@@ -22,7 +22,7 @@ from ev3proto.cli.sample import sample
 from ev3proto.extras import install_command
 from ev3proto.sampling import samples
 from ev3proto.tables import OPCODES, area_of, operations
-from ev3proto.testing import accepted_frames, choice, frames
+from ev3proto.testing import accepted_frames, choice, frames, values_for
 
 ROOT = Path(__file__).parents[2]
 AREA = {opcode.name: area_of(opcode) for opcode in OPCODES}
@@ -276,3 +276,13 @@ def test_strategies_take_a_choice() -> None:
         assert {AREA[operation.name] for operation in message.operations} == {"sound"}
     with pytest.raises(ValueError, match=r"^unknown area sond: the areas are vm, math"):
         choice(areas=["sond"])
+
+
+def test_values_of_a_parameter_include_not_a_number() -> None:
+    volume = operations()["SOUND.TONE"].parameters[0]
+    assert -128 in islice(samples(values_for(volume), 1), 300)
+
+
+def test_failed_draws_with_examples_between_them_do_not_end_the_samples() -> None:
+    sometimes = st.booleans().filter(lambda drawn: drawn)
+    assert len(list(islice(samples(sometimes, 1), 9000))) == 9000

@@ -136,4 +136,3 @@ class Claim:
         # In a dialogue, the rest of a frame may come in many packets.
         if self._strange >= STRANGE_PACKETS and (self.state is not _ANSWERED or self._unread > MAX_FRAME):
             self._enter(_ENDED)
-            self.to_brick = self._known

@@ -192,8 +192,7 @@ def _fields(frame: bytes, message: SystemCommand | SystemReply) -> bytes:
         given[name] = value
         end = begin + len(declared.write_present(given))
         if name in private:
-            # The last byte is the zero of a text; of one without it, the length says where it ends.
-            last = end - 1 if frame[end - 1 : end] == b"\0" else end
-            shown[start:last] = bytes((MASK,)) * (last - start)
+            # The last byte is the zero of the text.
+            shown[start : end - 1] = bytes((MASK,)) * (end - 1 - start)
         start = end
     return bytes(shown)

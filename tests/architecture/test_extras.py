@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import re
-import subprocess
 import sys
 import tomllib
 from pathlib import Path
 
 import pytest
+from support.cli import run_program
 
 from ev3proto.extras import fitting_command, install_command
 
@@ -83,14 +83,7 @@ def test_in_an_environment_on_windows(tmp_path: Path, monkeypatch: pytest.Monkey
     ],
 )
 def test_a_missing_package_is_reported_with_the_command(missing: str, program: str, extra: str) -> None:
-    done = subprocess.run(
-        [sys.executable, "-c", f"import sys; sys.modules[{missing!r}] = None; {program}"],
-        cwd=ROOT,
-        capture_output=True,
-        text=True,
-        check=False,
-        timeout=60,
-    )
+    done = run_program(sys.executable, "-c", f"import sys; sys.modules[{missing!r}] = None; {program}")
     assert done.returncode != 0
     assert f"which is not installed: {install_command(extra)}" in done.stderr.splitlines()[-1]
 

@@ -11,6 +11,7 @@ from types import FunctionType, ModuleType
 
 import pytest
 from support.cases import each
+from support.cli import run_program
 
 from ev3proto import ops, system
 from ev3proto.cli.generate import reference_page
@@ -25,9 +26,7 @@ MODULES = {
 
 
 def generate(*arguments: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [sys.executable, "-m", "ev3proto.generate", *arguments], cwd=ROOT, capture_output=True, text=True, check=False
-    )
+    return run_program(sys.executable, "-m", "ev3proto.generate", *arguments)
 
 
 # The files
@@ -60,13 +59,7 @@ def test_one_command_brings_all_of_it_up_to_date(tmp_path: Path) -> None:
 
 def test_the_form_of_the_modules() -> None:
     for tool in (("check",), ("format", "--check")):
-        done = subprocess.run(
-            [sys.executable, "-m", "ruff", *tool, *MODULES.values()],
-            cwd=ROOT,
-            capture_output=True,
-            text=True,
-            check=False,
-        )
+        done = run_program(sys.executable, "-m", "ruff", *tool, *MODULES.values())
         assert done.returncode == 0, done.stdout
 
 
@@ -181,15 +174,8 @@ def complaints(tmp_path_factory: pytest.TempPathFactory) -> dict[str, list[str]]
     programs = {"good": GOOD, "bad": BAD}
     for name, source in programs.items():
         (folder / f"{name}.py").write_text(source)
-    done = subprocess.run(
-        [sys.executable, "-m", "mypy", "--strict", "--config-file", "", "--cache-dir", str(folder / "cache")]
-        + [str(folder / f"{name}.py") for name in programs],
-        cwd=ROOT,
-        capture_output=True,
-        text=True,
-        check=False,
-        timeout=120,
-    )
+    mypy = [sys.executable, "-m", "mypy", "--strict", "--config-file", "", "--cache-dir", folder / "cache"]
+    done = run_program(*mypy, *(folder / f"{name}.py" for name in programs))
     assert done.stdout.splitlines()[-1].startswith("Found "), done.stdout + done.stderr
     return {
         name: [line.split(f"{name}.py:")[1] for line in done.stdout.splitlines() if f"{name}.py:" in line]
@@ -201,7 +187,7 @@ def test_a_type_checker_is_content_with_what_is_right(complaints: dict[str, list
     assert complaints["good"] == []
     program = tmp_path / "program.py"
     program.write_text(GOOD)
-    done = subprocess.run([sys.executable, str(program)], capture_output=True, text=True, check=False, cwd=ROOT)
+    done = run_program(sys.executable, program)
     assert (done.returncode, done.stderr) == (0, "")
 
 

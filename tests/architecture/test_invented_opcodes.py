@@ -6,13 +6,12 @@ An invented opcode and an invented family are added to the tables in a copy of t
 from __future__ import annotations
 
 import json
-import os
 import shutil
-import subprocess
 import sys
 from pathlib import Path
 
 import pytest
+from support.cli import run_program
 from support.wireshark import Tshark
 
 from ev3proto.generate.captures import write_pcapng
@@ -102,15 +101,8 @@ def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def _run(root: Path, *arguments: str) -> str:
     """The output of Python that imports from the copy first."""
-    done = subprocess.run(
-        [sys.executable, *arguments],
-        cwd=root,
-        env={**os.environ, "PYTHONPATH": str(root), "PYTHONDONTWRITEBYTECODE": "1"},
-        capture_output=True,
-        text=True,
-        check=False,
-        timeout=60,
-    )
+    variables = {"PYTHONPATH": str(root), "PYTHONDONTWRITEBYTECODE": "1"}
+    done = run_program(sys.executable, *arguments, cwd=root, env=variables)
     assert done.returncode == 0, done.stderr
     return done.stdout
 

@@ -177,7 +177,7 @@ def hostile(kind: str, count: int) -> bytes:
 def hostile_bluetooth(kind: str, count: int) -> bytes:
     """The same for Bluetooth."""
     found = Capture(HCI_WITH_DIRECTION)
-    reply = frame_of(b"\0" * 1000, 1, 2, memory=b"")
+    reply = frame_of(b"\0" * 100 + b"\xff" * 900, 1, 2, memory=b"")
     for number in range(count):
         if kind == "beginnings of packets":
             head = struct.pack("<IBHHHH", 0, 2, number % 4096, 6004, 60_000, 0x41)

@@ -7,7 +7,7 @@ import io
 from support.messages import voltage, volts
 from support.packets import RAW_IP, Capture, Connection
 
-from ev3proto.capture import Event, Record, read
+from ev3proto.capture import Event, read
 from ev3proto.capture.dialogues import dialogues
 
 TONE = bytes.fromhex("0e002a0080000094010182b80182e803")
@@ -48,11 +48,3 @@ def test_a_reply_by_itself() -> None:
     """One is chance, two in a row are not."""
     assert numbers(captured((False, volts(7)))) == []
     assert numbers(captured((False, volts(7)), (False, volts(8)))) == [(None, 2)]
-
-
-def test_values_are_read_through_the_command() -> None:
-    *_, reply = captured((True, voltage(1)), (False, volts(1)))
-    assert isinstance(reply, Record)
-    assert [(value.op, value.name, round(float(value.value), 2)) for value in reply.values] == [  # type: ignore[arg-type]
-        ("UI_READ", "VALUE", 7.5)
-    ]

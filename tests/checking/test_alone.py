@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from pathlib import Path
 
 import pytest
 from support.cli import run_ev3proto_text
@@ -98,7 +97,7 @@ def test_no_hint(operations: str) -> None:
     assert findings(operations) == []
 
 
-def test_the_command_line_gives_hints_for_one_frame_only(tmp_path: Path) -> None:
+def test_the_command_line_gives_hints_for_one_frame_only() -> None:
     def codes(*words: str, stdin: str = "") -> list[list[str]]:
         lines = run_ev3proto_text("check", "--json", *words, stdin=stdin).stdout.splitlines()
         return [[finding["code"] for finding in json.loads(line)["findings"]] for line in lines]

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 import pytest
-from support.cli import run_ev3proto
+from support.cli import run_ev3proto, run_program
 from support.wireshark import DISSECTOR, Tshark
 
 from ev3proto.generate.dissector.names import HEXADECIMAL, filter_name
@@ -55,9 +55,7 @@ def values(tshark: Tshark) -> dict[str, dict[int, str]]:
 
 
 def report(tshark: Tshark, what: str) -> list[str]:
-    done = subprocess.run(
-        [str(tshark.path), "-G", what, *tshark.words], capture_output=True, encoding="utf-8", timeout=120, check=True
-    )
+    done = run_program(tshark.path, "-G", what, *tshark.words)
     assert ".lua:" not in done.stderr
     return done.stdout.splitlines()
 

@@ -19,7 +19,7 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
-from support.cli import run_ev3proto_text
+from support.cli import run_ev3proto_text, run_program
 from support.packets import RAW_IP, Capture, Connection
 from support.wireshark import DISSECTOR, Tshark
 
@@ -92,13 +92,8 @@ class Home:
     def read(self, capture: str | Path, *words: str) -> str:
         """The output of tshark for a capture, without naming a script, and without errors."""
         placed = self.tshark.place(CAPTURES / capture)
-        done = subprocess.run(
-            [str(self.program), "-n", "-r", str(placed), *words],
-            capture_output=True,
-            encoding="utf-8",
-            check=True,
-            timeout=120,
-        )
+        done = run_program(self.program, "-n", "-r", placed, *words)
+        assert done.returncode == 0
         complaints = [line for line in done.stderr.splitlines() if not line.startswith("Running as user")]
         assert complaints == []
         return done.stdout
@@ -298,12 +293,7 @@ def test_the_profile(home: Home) -> None:
 
 
 def test_the_preferences_of_the_profile(with_profile: Home) -> None:
-    done = subprocess.run(
-        [str(with_profile.program), "-G", "currentprefs", "-C", "EV3"],
-        capture_output=True,
-        encoding="utf-8",
-        check=True,
-    )
+    done = run_program(with_profile.program, "-G", "currentprefs", "-C", "EV3")
     # With it a single segment that the capture lacks hides all that follow.
     assert "\n#tcp.reassemble_out_of_order: FALSE\n" in done.stdout
     # Only changed settings have no # before them.
@@ -490,9 +480,7 @@ def test_without_a_tshark_the_usual_folders_are_taken(
 
 def interfaces(home: Home) -> str:
     """What tshark lists, as the user who runs the tests: others may not start this Python."""
-    environment = {**os.environ, "HOME": str(home.folder)}
-    words = ["tshark", "-D"]
-    return subprocess.run(words, env=environment, capture_output=True, encoding="utf-8", check=True, timeout=120).stdout
+    return run_program("tshark", "-D", env={"HOME": str(home.folder)}).stdout
 
 
 def test_the_proxy_is_among_the_interfaces(home: Home) -> None:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import re
 import struct
-import subprocess
 from collections.abc import Iterable
 from pathlib import Path
 
+from support.cli import run_program
 from support.messages import tone, voltage
 from support.packets import HCI_WITH_DIRECTION, RAW_IP, Capture, Connection, SerialPort
 from support.wireshark import DISSECTOR, Tshark
@@ -85,17 +85,8 @@ def test_what_cannot_be_exported_is_said_and_leaves_nothing(tshark: Tshark) -> N
 
     folder = export_folder(tshark, "full")
     full_disk = ["sh", "-c", "trap '' XFSZ; ulimit -f 5; exec \"$@\"", "sh"]
-    words = [
-        str(tshark.path),
-        *tshark.words,
-        "-r",
-        str(capture),
-        "-q",
-        *tshark.statistics,
-        "-o",
-        f"ev3_statistics.export:{folder}",
-    ]
-    done = subprocess.run([*full_disk, *words], capture_output=True, text=True, check=True)
+    words = [*tshark.words, "-r", capture, "-q", *tshark.statistics, "-o", f"ev3_statistics.export:{folder}"]
+    done = run_program(*full_disk, tshark.path, *words)
     assert f"{folder}/values.rtf: not written: File too large" in done.stdout.splitlines()
     assert f"{folder}/first.rbf: 2500 bytes" in done.stdout.splitlines()
     assert [path.name for path in folder.iterdir()] == ["first.rbf"]

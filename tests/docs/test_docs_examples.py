@@ -14,7 +14,7 @@ from pathlib import Path
 
 import pytest
 from support.announcing import Announcing, free_udp_port
-from support.cli import run_ev3proto_text
+from support.cli import run_ev3proto_text, run_program
 from support.wireshark import Tshark
 
 from ev3proto import DecodeError
@@ -62,15 +62,7 @@ class Session:
             # No shell is needed, and no process.
             done = run_ev3proto_text(*shlex.split(command)[1:], cwd=self._folder)
         else:
-            done = subprocess.run(
-                ["bash", "-c", command],
-                cwd=self._folder,
-                env=self._environment,
-                capture_output=True,
-                text=True,
-                check=False,
-                timeout=120,
-            )
+            done = run_program("bash", "-c", command, cwd=self._folder, env=self._environment)
         return done.stdout.replace(f":{self.port}", f":{PORT}")
 
     def _brick(self, command: str) -> str:
@@ -130,9 +122,7 @@ def programs(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def test_mypy_finds_nothing_in_the_programs(programs: Path) -> None:
     command = [sys.executable, "-m", "mypy", "--strict", "--config-file", str(ROOT / "pyproject.toml")]
-    done = subprocess.run(
-        [*command, *map(str, sorted(programs.glob("*.py")))], cwd=ROOT, capture_output=True, text=True, check=False
-    )
+    done = run_program(*command, *sorted(programs.glob("*.py")))
     assert done.returncode == 0, done.stdout
 
 
@@ -140,7 +130,7 @@ def test_pyright_finds_nothing_in_the_programs(programs: Path) -> None:
     settings = {"extraPaths": [str(ROOT)], "include": ["*.py"], "reportMissingModuleSource": False}
     (programs / "pyrightconfig.json").write_text(json.dumps(settings))
     command = [sys.executable, "-m", "pyright", "--pythonpath", sys.executable, "--project", str(programs)]
-    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    done = run_program(*command)
     assert done.returncode == 0, done.stdout
 
 
@@ -163,12 +153,10 @@ def test_the_javascript_program_reads_the_frame(tmp_path: Path) -> None:
     # Where tests/run has installed what the page tells its readers to install.
     compiler = os.environ.get("EV3PROTO_KSC")
     assert compiler is not None, "run tests/run once"
-    environment = {**os.environ, "NODE_PATH": str(Path(compiler).parent)}
+    environment = {"NODE_PATH": str(Path(compiler).parent)}
     for name, program in (("compile.js", compiling), ("read.js", reading)):
         (tmp_path / name).write_text(program)
-        done = subprocess.run(
-            ["node", name], cwd=tmp_path, env=environment, capture_output=True, text=True, check=False, timeout=60
-        )
+        done = run_program("node", name, cwd=tmp_path, env=environment)
         assert (done.returncode, done.stderr) == (0, ""), "run tests/run once"
     assert done.stdout == shown
 
@@ -195,7 +183,7 @@ def node_client(tmp_path: Path) -> Path:
 
 
 def node(folder: Path, *words: str) -> str:
-    done = subprocess.run(["node", *words], cwd=folder, capture_output=True, text=True, check=False, timeout=60)
+    done = run_program("node", *words, cwd=folder)
     assert (done.returncode, done.stderr) == (0, "")
     return done.stdout
 
@@ -257,15 +245,7 @@ def test_the_lines_for_ci_run(tmp_path: Path, client: str, status: int, said: st
     (tmp_path / "your-tests").write_text(client)
     (tmp_path / "your-tests").chmod(0o755)
     path = f"{tmp_path}{os.pathsep}{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
-    done = subprocess.run(
-        ["bash", "-e", "-c", script],
-        cwd=tmp_path,
-        env={**os.environ, "PATH": path},
-        capture_output=True,
-        text=True,
-        check=False,
-        timeout=60,
-    )
+    done = run_program("bash", "-e", "-c", script, cwd=tmp_path, env={"PATH": path})
     assert (done.returncode, done.stdout.splitlines()[0]) == (status, "True"), done.stderr
     assert said in done.stdout, "the report names what check finds"
 
@@ -277,14 +257,7 @@ def test_the_program_for_pyshark_prints_what_is_in_packets(tshark: Tshark) -> No
     program = program.replace('"robot.pcapng"', f'"{capture}", tshark_path="{tshark.path}"')
     program = program.replace("parameters()", f'parameters(tshark="{tshark.path}")')
     # A tshark with a root of its own sees the dissector in its work folder only.
-    done = subprocess.run(
-        [sys.executable, "-c", program],
-        env={**os.environ, "TMPDIR": str(tshark.folder)},
-        capture_output=True,
-        text=True,
-        check=False,
-        timeout=60,
-    )
+    done = run_program(sys.executable, "-c", program, env={"TMPDIR": str(tshark.folder)})
     assert (done.returncode, done.stderr) == (0, "")
     lines = done.stdout.splitlines()
     assert lines[0].startswith("1 DirectCommand(DIRECT_COMMAND_REPLY, counter=1000")

@@ -5,13 +5,13 @@ docs/ev3_dc.md lists the intended differences.
 
 from __future__ import annotations
 
-import os
 import re
 import subprocess
 import sys
 from pathlib import Path
 
 from support.announcing import Announcing, free_udp_port
+from support.cli import run_program
 from support.server import beacon_port, free_port, served
 
 from ev3proto.brick.servers.server import Options
@@ -29,14 +29,7 @@ TIME = re.compile(r"^\d\d:\d\d:\d\d\.\d{6} ", re.MULTILINE)
 
 def printed(program: str, **environment: str) -> list[str]:
     """Returns the output of a program, without its times."""
-    done = subprocess.run(
-        [sys.executable, "-c", program],
-        env={**os.environ, **environment},
-        capture_output=True,
-        text=True,
-        check=False,
-        timeout=60,
-    )
+    done = run_program(sys.executable, "-c", program, env=environment)
     assert done.stderr == ""
     return TIME.sub("", done.stdout).splitlines()
 

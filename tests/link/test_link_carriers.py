@@ -111,7 +111,7 @@ def test_the_serial_port(tmp_path: Path) -> None:
             assert my_ev3.name == "robot"
 
 
-def test_the_brick_behind_the_serial_port_goes_away(tmp_path: Path) -> None:
+def test_the_brick_behind_the_serial_port_goes_away() -> None:
     import pty
 
     master, slave = pty.openpty()

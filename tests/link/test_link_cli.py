@@ -546,7 +546,7 @@ def test_a_frame_that_is_longer_than_a_report_does_not_go_to_usb(tmp_path: Path)
         ]
 
 
-def test_names_and_pins_can_be_masked(tmp_path: Path) -> None:
+def test_names_and_pins_can_be_masked() -> None:
     stream = io.BytesIO()
     with relay("virtual", Recording(stream), is_masked=True) as found, through(found) as my_ev3:
         my_ev3.name = "secret"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import struct
+from typing import Any
 
 import pytest
 
@@ -54,45 +55,36 @@ def test_the_examples_of_the_protocol() -> None:
     assert (changed.name, changed.value, changed.offset) == ("CHANGED", 0, 9)
 
 
+NAME = ("INPUT_DEVICE.GET_NAME", 0, 0, 16, GV(0))
+
+
 @pytest.mark.parametrize(
-    ("memory", "text"),
-    [(b"EV3-BRICK\0rest", "EV3-BRICK"), (b"0123456789abcdefTOO MUCH", "0123456789abcdef"), (b"\xe9t\xe9\0", "été")],
+    ("operation", "memory", "expected"),
+    [
+        # A text ends at its zero or its length; -1 means unlimited.
+        (NAME, b"EV3-BRICK\0rest", {"DESTINATION": "EV3-BRICK"}),
+        (NAME, b"0123456789abcdefTOO MUCH", {"DESTINATION": "0123456789abcdef"}),
+        (NAME, b"\xe9t\xe9\0", {"DESTINATION": "été"}),
+        (("UI_READ.GET_FW_VERS", -1, GV(3)), b"...V1.09H\0", {"DESTINATION": "V1.09H"}),
+        # Several values
+        (("INPUT_DEVICE.READY_PCT", 0, 0, 0, 0, [GV(0), GV(1)]), b"\x32\xfd", {"VALUES[0]": 50, "VALUES[1]": -3}),
+        (("INPUT_DEVICE.READY_RAW", 0, 0, 0, 0, [GV(4)]), b"....\xff\xff\xff\xff", {"VALUES[0]": -1}),
+        (("INPUT_DEVICE.READY_SI", 0, 0, 0, 0, [GV(0)]), b"\x00\x00\x00\xc0", {"VALUES[0]": -2.0}),
+        (("INPUT_READEXT", 0, 0, 0, 0, "DATA_16", [GV(0)]), b"\xfb\xff", {"VALUES[0]": -5}),
+        (("MEMORY_READ", 1, 0, 0, 5, GV(0)), b"\x01\x02\xff\x04\x05\x06", {"ARRAY": [1, 2, -1, 4, 5]}),
+    ],
 )
-def test_strings_end_at_their_zero_or_their_length(memory: bytes, text: str) -> None:
-    (value,) = values(ev3proto.operation("INPUT_DEVICE.GET_NAME", 0, 0, 16, GV(0)), memory=memory)
-    assert (value.name, value.value, value.type) == ("DESTINATION", text, "string")
-
-
-def test_a_length_of_minus_one_means_unlimited() -> None:
-    (value,) = values(ev3proto.operation("UI_READ.GET_FW_VERS", -1, GV(3)), memory=b"...V1.09H\0")
-    assert value.value == "V1.09H"
+def test_values_in_the_form_of_their_parameters(
+    operation: tuple[Any, ...], memory: bytes, expected: dict[str, object]
+) -> None:
+    found = values(ev3proto.operation(*operation), memory=memory)
+    assert {value.name: value.value for value in found} == expected
 
 
 def test_names_of_enumerations() -> None:
     kind, mode = values(ev3proto.operation("INPUT_DEVICE.GET_TYPEMODE", 0, 0, GV(0), GV(1)), memory=b"\x1d\x02")
     assert (kind.value, kind.symbol) == (29, "TYPE_COLOR")
     assert (mode.value, mode.symbol) == (2, None)
-
-
-@pytest.mark.parametrize(
-    ("name", "layout", "expected"),
-    [("READY_PCT", "<bb", [50, -3]), ("READY_RAW", "<ii", [100000, -1]), ("READY_SI", "<ff", [1.5, -2.0])],
-)
-def test_several_values_of_a_sensor(name: str, layout: str, expected: list[float]) -> None:
-    size = struct.calcsize(layout) // 2
-    operation = ev3proto.operation(f"INPUT_DEVICE.{name}", 0, 0, 0, 0, [GV(0), GV(size)])
-    found = values(operation, memory=struct.pack(layout, *expected))
-    assert [(value.name, value.value) for value in found] == [("VALUES[0]", expected[0]), ("VALUES[1]", expected[1])]
-
-
-def test_a_sensor_s_values_in_the_format_asked_for() -> None:
-    operation = ev3proto.operation("INPUT_READEXT", 0, 0, 0, 0, "DATA_16", [GV(0), GV(2)])
-    assert [value.value for value in values(operation, memory=struct.pack("<hh", 1000, -5))] == [1000, -5]
-
-
-def test_arrays() -> None:
-    (value,) = values(ev3proto.operation("MEMORY_READ", 1, 0, 0, 5, GV(0)), memory=bytes((1, 2, 255, 4, 5, 6)))
-    assert value.value == [1, 2, -1, 4, 5]
 
 
 def test_an_element_is_as_large_as_the_memory_that_is_left_for_it() -> None:

@@ -54,6 +54,16 @@ def run_ev3proto_text(
     return subprocess.CompletedProcess(done.args, done.returncode, done.stdout.decode(), done.stderr.decode())
 
 
+def run_program(
+    *words: str | Path, env: Mapping[str, str] | None = None, cwd: Path = ROOT
+) -> subprocess.CompletedProcess[str]:
+    """Runs a program in a process of its own. The variables are added to those of the tests."""
+    environment = {**os.environ, **(env or {})}
+    return subprocess.run(
+        [str(word) for word in words], cwd=cwd, env=environment, capture_output=True, encoding="utf-8", timeout=120
+    )
+
+
 def _status() -> int:
     try:
         main()

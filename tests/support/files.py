@@ -94,10 +94,6 @@ class Blocks:
         head = struct.pack(self.order + "IIIII", interface, time >> 32, time & 0xFFFFFFFF, len(data), size or len(data))
         self.block(6, head + data + bytes(-len(data) % 4) + self.options([(1, b"a comment")]))
 
-    def old_packet(self, time: int, data: bytes, *, interface: int = 0) -> None:
-        head = struct.pack(self.order + "HHIIII", interface, 0, time >> 32, time & 0xFFFFFFFF, len(data), len(data))
-        self.block(2, head + data)
-
     def simple_packet(self, data: bytes, size: int = 0) -> None:
         self.block(3, struct.pack(self.order + "I", size or len(data)) + data)
 

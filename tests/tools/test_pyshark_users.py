@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import os
-import subprocess
 import sys
 from pathlib import Path
 
 import pytest
+from support.cli import run_program
 from support.wireshark import Tshark
 
 CAPTURES = Path(__file__).parents[2] / "captures"
@@ -38,11 +37,9 @@ for use_ek in (False, True):
 
 def test_the_messages_of_each_packet(tshark: Tshark) -> None:
     names = [str(tshark.place(CAPTURES / name)) for name in ("wifi.pcapng", "usb-plugged.pcap", "bluetooth.pcapng")]
-    plain = str(tshark.path)
-    command = [sys.executable, "-c", PROGRAM, plain, *names]
     # A tshark with a root of its own sees the dissector in its work folder only.
-    places = {**os.environ, "TMPDIR": str(tshark.folder)}
-    done = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False, env=places)
+    places = {"TMPDIR": str(tshark.folder)}
+    done = run_program(sys.executable, "-c", PROGRAM, tshark.path, *names, env=places)
     assert done.returncode == 0, done.stderr
     counts = [line.split() for line in done.stdout.splitlines()]
     assert [line[:2] for line in counts] == [

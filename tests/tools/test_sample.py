@@ -13,7 +13,7 @@ import pytest
 from click.testing import CliRunner, Result
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from support.cli import run_ev3proto_text
+from support.cli import run_ev3proto_text, run_program
 from support.effort import effort
 
 import ev3proto
@@ -88,15 +88,9 @@ def test_another_program_around_it_changes_nothing(tmp_path: Path) -> None:
     (tmp_path / "program.py").write_text(
         "numbers = [77777, 88888]\nfrom ev3proto.cli.sample import sample\nsample(['-n', '150', '--seed', '7'])\n"
     )
-    done = subprocess.run(
-        [sys.executable, "program.py"],
-        cwd=tmp_path,
-        env={"PATH": os.defpath, "PYTHONPATH": str(ROOT), "PYTHONHASHSEED": "5"},
-        capture_output=True,
-        text=True,
-        check=False,
-        timeout=60,
-    )
+    variables = {"PATH": os.defpath, "PYTHONPATH": str(ROOT), "PYTHONHASHSEED": "5"}
+    call = [sys.executable, "program.py"]
+    done = subprocess.run(call, cwd=tmp_path, env=variables, capture_output=True, text=True, check=False, timeout=60)
     assert (done.returncode, done.stderr) == (0, "")
     assert done.stdout == run("-n", "150", "--seed", "7").stdout
     # And nothing is left behind.
@@ -261,7 +255,7 @@ def test_without_hypothesis() -> None:
     program = (
         "import sys\nsys.modules['hypothesis'] = None\nfrom ev3proto.cli.sample import sample\nsample(['-n', '1'])\n"
     )
-    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False, cwd=ROOT)
+    done = run_program(sys.executable, "-c", program)
     assert (done.returncode, done.stdout) == (1, "")
     assert done.stderr == (f"samples need hypothesis, which is not installed or too old: {install_command('sample')}\n")
 

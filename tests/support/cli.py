@@ -55,7 +55,7 @@ def run_ev3proto_text(
 
 
 def run_program(
-    *words: str | Path, env: Mapping[str, str] | None = None, cwd: Path = ROOT
+    *words: object, env: Mapping[str, str] | None = None, cwd: Path = ROOT
 ) -> subprocess.CompletedProcess[str]:
     """Runs a program in a process of its own. The variables are added to those of the tests."""
     environment = {**os.environ, **(env or {})}

@@ -186,13 +186,6 @@ def test_the_name_of_a_file_does_not_matter(tmp_path: Path) -> None:
     assert run("decode", "-", stdin=packed.read_bytes()).stdout == plain
 
 
-def test_a_named_pipe(tmp_path: Path) -> None:
-    pipe = tmp_path / "pipe"
-    os.mkfifo(pipe)
-    with subprocess.Popen(["sh", "-c", f"cat {CAPTURES / 'usb.pcapng'} > {pipe}"]):
-        assert run("decode", str(pipe)).stdout == run("decode", str(CAPTURES / "usb.pcapng")).stdout
-
-
 def test_text_that_gzip_packed() -> None:
     done = run("decode", "--json", stdin=gzip.compress(TONE.hex().encode()))
     assert json.loads(done.stdout)["hex"] == TONE.hex()
@@ -332,12 +325,6 @@ def test_the_option_that_shows_packets_which_are_not_recognised(place: str) -> N
         assert [json.loads(line)["hex"] for line in shown.stdout.splitlines()] == [FAULTY.hex()]
 
 
-def test_all_is_an_option_of_the_built_in_engine() -> None:
-    done = run("decode", "--all", "--engine", "wireshark", stdin=b"")
-    assert done.returncode == 2
-    assert "--all and --engine wireshark cannot be used together" in done.stderr.decode()
-
-
 def test_packets_are_not_called_unrecognised_when_some_frames_are_shown() -> None:
     capture = Capture(RAW_IP)
     Connection(capture).send(TONE)
@@ -427,13 +414,6 @@ def test_what_is_wrong_in_the_header_of_a_file_is_said(
     assert sentence in done.stderr.decode()
 
 
-def test_a_reader_that_goes_away() -> None:
-    command = f"{sys.executable} -m ev3proto decode {CAPTURES / 'wifi.pcapng'} | head -n 1"
-    done = subprocess.run(command, shell=True, capture_output=True, check=False, cwd=ROOT, timeout=60)
-    assert done.stderr == b""
-    assert len(done.stdout.splitlines()) == 1
-
-
 # Filters
 
 
@@ -448,13 +428,6 @@ def test_a_filter() -> None:
         1,
         "standard input: no frame in 3 packets matches the filter\n",
     )
-
-
-def test_a_filter_that_is_wrong() -> None:
-    done = run("decode", "--filter", "op==SOUND.TOEN", str(CAPTURES / "usb.pcapng"))
-    assert done.returncode == 2
-    assert "SOUND.TONE" in done.stderr.decode()
-    assert "\n  op==SOUND.TOEN\n      ^" in done.stderr.decode()
 
 
 def test_wireshark_reads_standard_input_from_its_first_byte(tshark: Tshark) -> None:

@@ -48,11 +48,6 @@ def test_a_frame_with_a_wrong_length_is_a_faulty_frame() -> None:
     assert [code in checked.stdout for code in (b"E102", b"E103")] == [True, True]
 
 
-def test_dialogues_of_nothing() -> None:
-    done = run("decode", "--dialogues", "-", stdin="hello\n")
-    assert (done.returncode, b"no frame found" in done.stderr) == (1, True)
-
-
 UNKNOWN = {
     "1C00xxxx0192xxxxxxxx2E2E2F617070732F7473742F7473742E72626600": ("counter ?", "size = ?", 'path = "../apps'),
     "let b = new Uint8Array([0x0D, 0x00, id & 0xFF, (id >> 8) & 0xFF, 0x00, 0x04, 0x00,\n"
@@ -207,13 +202,6 @@ def test_frames_without_their_length_and_operations_alone() -> None:
     assert b"--no-length" in run("decode", content).stderr
     assert b"--operations" in run("decode", operations).stderr
     assert b"--operations" in run("decode", "-", stdin=f"{operations}\n").stderr
-
-
-def test_a_program_image_is_called_what_it_is(tmp_path: Path) -> None:
-    image = tmp_path / "x.rbf"
-    image.write_bytes(b"LEGO" + bytes(40))
-    for command in (("stats",), ("files",), ("encode", "--to", "hex")):
-        assert b"program image" in run(*command, str(image)).stderr, command
 
 
 WITHOUT_TIMES = (

@@ -127,7 +127,15 @@ def test_one_signal_is_enough_whatever_hangs() -> None:
 def test_a_closed_pipe_is_not_a_fault(words: list[str], tmp_path: Path) -> None:
     (tmp_path / "long").write_text(f"{TONE}\n" * 20_000)
     call = " ".join(map(str, words))
-    for command in ("decode --json long", "ops", "ops --json", "--help", "export json", "stats --help"):
+    for command in (
+        "decode --json long",
+        f"decode {ROOT / CAPTURE}",
+        "ops",
+        "ops --json",
+        "--help",
+        "export json",
+        "stats --help",
+    ):
         line = f"set -o pipefail; {call} {command} | head -n 1"
         done = subprocess.run(["bash", "-c", line], cwd=tmp_path, capture_output=True, text=True, check=False)
         assert (done.returncode, done.stderr, done.stdout.count("\n")) == (0, "", 1), command

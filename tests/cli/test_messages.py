@@ -40,6 +40,7 @@ OF_THE_CALL = {
     "encode -o x.rbf --no-reply --filter op==NOP x": "--no-reply, --filter and --to rbf or -o FILE.rbf cannot be used"
     " together",
     "encode --shortest --to hex x": "--source, --version and --shortest are for programs; add --to rbf or -o FILE.rbf",
+    "decode --all --engine wireshark 00": "--all and --engine wireshark cannot be used together",
     "decode --no-length --operations 00": "--no-length and --operations cannot be used together",
     "decode --json --format asm 00": "--json and --format asm cannot be used together",
     "decode --dialogues --programs 00": "--dialogues and --programs cannot be used together",
@@ -106,6 +107,7 @@ OF_THE_INPUT = {
     ' "LIST_FILES@(path=\'/x" is not hex',
     "encode foo": "'foo' is neither a file nor assembly nor a frame: 'foo' is not hex",
     "decode hello.txt": f"hello.txt: no frame found; frames are written in hex, such as {FRAME}",
+    "decode --dialogues hello.txt": f"hello.txt: no frame found; frames are written in hex, such as {FRAME}",
     "check hello.txt empty.txt": f"empty.txt: no frame found; frames are written in hex, such as {FRAME}",
     "stats hello.txt": f"hello.txt: no frame found; frames are written in hex, such as {FRAME}",
     "decode --programs log.txt": "log.txt: no program in 1 frame",
@@ -115,6 +117,7 @@ OF_THE_INPUT = {
     "encode hello.txt": "hello.txt: nothing to encode; expected assembly such as SOUND(TONE, 1, 440, 1000), objects as"
     f" `decode --json` prints them, or frames in hex such as {FRAME}",
     "encode tone.lms": "tone.lms: this is a program, not a frame; add -o FILE.rbf to make its image",
+    "encode short.rbf": "short.rbf: this is a program image (.rbf); `ev3proto decode` shows it",
     "stats short.rbf": "short.rbf: this is a program image (.rbf); `ev3proto decode` shows it",
     f"decode {CAPTURE} --filter FREQUENCY>99999": f"{CAPTURE}: no frame in 58 packets matches the filter",
     f"check {CAPTURE} --filter FREQUENCY>99999": f"{CAPTURE}: no command in 58 packets matches the filter",

@@ -34,7 +34,6 @@ from ev3proto.capture.timeline import (
     LaneKind,
     Mark,
     MarkState,
-    MissingLibraryError,
     Timeline,
     Window,
     collect,
@@ -604,12 +603,6 @@ def test_counts_are_drawn_in_all_forms(form: Form) -> None:
         assert b"marks in 5 ms" in data
 
 
-def test_without_the_library(drawn: Timeline, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("ev3proto.capture.timeline.chart_files.LIBRARY", "no_such_library")
-    with pytest.raises(MissingLibraryError, match=f"not installed: .*{re.escape(install_command('plot'))}"):
-        render(drawn, Form.SVG, "x")
-
-
 # The command line
 
 
@@ -673,12 +666,6 @@ def test_a_capture_without_frames(tmp_path: Path) -> None:
     done = run(capture, "-o", tmp_path / "x.html")
     assert (done.exit_code, done.output) == (1, f"{capture}: no frame found\n")
     assert list(tmp_path.iterdir()) == [capture]
-
-
-def test_a_text_is_drawn_too(tmp_path: Path) -> None:
-    done = run(CAPTURES / "bluetooth.log", "-o", tmp_path / "x.html")
-    assert done.exit_code == 0
-    assert (tmp_path / "x.html").exists()
 
 
 def test_a_file_that_cannot_be_written(tmp_path: Path) -> None:

@@ -39,9 +39,7 @@ def told(fixed: Fix) -> list[str]:
 
 
 def parsed(frame: bytes) -> DirectCommand:
-    message = ev3proto.parse(frame)
-    assert isinstance(message, DirectCommand)
-    return message
+    return ev3proto.parse(frame, expect=DirectCommand)
 
 
 # The length field

@@ -110,8 +110,7 @@ def is_refused(frame: bytes, root: Path) -> bool:
 
 
 def refused_operation(frame: bytes, root: Path) -> Operation | None:
-    command = ev3proto.parse(frame)
-    assert isinstance(command, DirectCommand)
+    command = ev3proto.parse(frame, expect=DirectCommand)
     for operation in command.operations:
         end = operation.offset + operation.length
         if is_refused(with_length(frame[2:end]), root):
@@ -142,8 +141,7 @@ def test_what_has_no_finding_is_refused_only_for_the_state_of_the_brick(tmp_path
     for frame in islice(commands_without_findings(effort(3, 5)), effort(60, 3000)):
         if is_refused(frame, tmp_path):
             operation = refused_operation(frame, tmp_path)
-            command = ev3proto.parse(frame)
-            assert isinstance(command, DirectCommand)
+            command = ev3proto.parse(frame, expect=DirectCommand)
             if operation is None or explanation(command, operation) is None:
                 unexplained.append(f"{frame.hex()}: {operation}")
     assert unexplained == []

@@ -147,8 +147,7 @@ def test_unread_outputs_go_to_local_memory() -> None:
 
 def test_operations_made_otherwise() -> None:
     made = ev3proto.operation("UI_READ.GET_VBATT", GV(0))
-    parsed = ev3proto.parse(bytes.fromhex("0800 0100 00 0400 810160"))
-    assert isinstance(parsed, DirectCommand)
+    parsed = ev3proto.parse(bytes.fromhex("0800 0100 00 0400 810160"), expect=DirectCommand)
     message = command(made, ops.ui_read.get_lbatt(), *parsed.operations)
     assert operation_code(message) == "810160 811264 810160"
     assert sizes(message) == (True, 5, 0)

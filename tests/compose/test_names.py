@@ -152,8 +152,7 @@ def test_constants_spelled_as_ev3_dc_spells_them() -> None:
 def read_by_the_brick(raw: bytes) -> tuple[str, Any]:
     """Encoding and value of one argument: TIMER_READY has just one."""
     frame = struct.pack("<HHBH", 6 + len(raw), 1, 0x80, 0) + ev3_dc.opTimer_Ready + raw
-    message = ev3proto.parse(frame)
-    assert isinstance(message, ev3proto.DirectCommand)
+    message = ev3proto.parse(frame, expect=ev3proto.DirectCommand)
     (argument,) = message.operations[0].arguments
     return argument.encoding, argument.value
 

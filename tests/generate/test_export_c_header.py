@@ -117,8 +117,7 @@ def commands(dialect: str, count: int) -> list[DirectCommand]:
     found = []
     for raw in drawn(raw_operations(dialect), count):
         frame = struct.pack("<HHBH", len(raw) + 5, 0, MessageType.DIRECT_COMMAND_NO_REPLY, 0) + raw
-        message = parse(frame, dialect=dialect)
-        assert isinstance(message, DirectCommand)
+        message = parse(frame, dialect=dialect, expect=DirectCommand)
         found.append(message)
     return found
 

@@ -96,8 +96,7 @@ def test_every_encoding_builds_the_same_bytes(name: str) -> None:
     def check(raw: bytes) -> None:
         for dialect in DIALECTS_OF[name]:
             frame = direct_frame(raw)
-            message = ev3proto.parse(frame, dialect=dialect)
-            assert isinstance(message, DirectCommand)
+            message = ev3proto.parse(frame, dialect=dialect, expect=DirectCommand)
             assert [operation.full_name for operation in message.operations] == [name]
             assert message.build() == frame
             assert_tiled(message.operations, frame, 7)
@@ -131,8 +130,7 @@ def test_an_encoded_argument_is_kept(data: st.DataObject) -> None:
 
 
 def only_operation(operation: Operation, dialect: str) -> Operation:
-    message = ev3proto.parse(direct_frame(operation.raw), dialect=dialect)
-    assert isinstance(message, DirectCommand)
+    message = ev3proto.parse(direct_frame(operation.raw), dialect=dialect, expect=DirectCommand)
     (found,) = message.operations
     assert found.offset == 7
     return found

@@ -158,8 +158,7 @@ def test_invalid_pieces(named: dict[str, Any], sentence: str) -> None:
 
 def test_the_first_bytes_of_a_file_may_come_with_its_name() -> None:
     frame = "1d0001000192050000002e2e2f70726a732f712f612e7478740068656c6c6f"
-    message = parse(bytes.fromhex(frame))
-    assert isinstance(message, SystemCommand)
+    message = parse(bytes.fromhex(frame), expect=SystemCommand)
     assert message.fields == {"size": 5, "path": "../prjs/q/a.txt", "data": b"hello"}
     assert message.build().hex() == frame
     assert system.begin_download("../prjs/q/a.txt", 5, b"hello", counter=1) == message

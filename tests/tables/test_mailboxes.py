@@ -37,11 +37,9 @@ def test_the_readings_that_fit_a_message(payload: str, expected: dict[str, str |
 
 
 def test_a_message_knows_its_readings() -> None:
-    message = parse(bytes.fromhex("0d00 0000 81 9e 02 6100 0400 0000c03f"))
-    assert isinstance(message, SystemCommand)
+    message = parse(bytes.fromhex("0d00 0000 81 9e 02 6100 0400 0000c03f"), expect=SystemCommand)
     assert message.readings == {"number": 1.5}
-    other = parse(bytes.fromhex("0400 0000 01 9d"))
-    assert isinstance(other, SystemCommand)
+    other = parse(bytes.fromhex("0400 0000 01 9d"), expect=SystemCommand)
     assert other.readings == {}
 
 

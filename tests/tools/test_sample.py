@@ -264,8 +264,7 @@ def test_strategies_take_a_choice() -> None:
     """The same in users' own tests."""
     chosen = choice(areas=["sound"], types=["DIRECT_COMMAND_REPLY"])
     for frame in islice(samples(frames("official", chosen), 1), 30):
-        message = ev3proto.parse(frame)
-        assert isinstance(message, DirectCommand)
+        message = ev3proto.parse(frame, expect=DirectCommand)
         assert message.wants_reply
         assert {AREA[operation.name] for operation in message.operations} == {"sound"}
     with pytest.raises(ValueError, match=r"^unknown area sond: the areas are vm, math"):

@@ -259,8 +259,7 @@ def test_every_operation_has_a_layer(dialect: str) -> None:
 
 def parse_operations(raw: bytes, dialect: str) -> tuple[ev3proto.Operation, ...]:
     frame = (len(raw) + 5).to_bytes(2, "little") + bytes((0, 0, 0x80, 0, 0)) + raw
-    message = parse(frame, dialect=dialect)
-    assert isinstance(message, DirectCommand)
+    message = parse(frame, dialect=dialect, expect=DirectCommand)
     return message.operations
 
 
@@ -290,8 +289,7 @@ def test_daisy_messages() -> None:
     stop = EV3() / EV3DaisyCommand(operations=[ev3.OUTPUT_STOP(NOS=15)])
     assert bytes(stop) == bytes.fromhex("0a0000000aa00001a3000f00")
     report = EV3(bytes(EV3() / EV3DaisyReply() / EV3SensorReport(layer=1, port=2, data=b"\x01", busy=b"\x02")))
-    message = parse(bytes(report))
-    assert isinstance(message, ev3proto.DaisyReply)
+    message = parse(bytes(report), expect=ev3proto.DaisyReply)
     assert message.report == ev3proto.SensorReport(1, 2, 0, 0, 0, b"\x01".ljust(32, b"\0"), 0, b"\x02")
 
 

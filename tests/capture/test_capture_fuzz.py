@@ -15,6 +15,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from support.effort import effort
 from support.files import Blocks, Timed, btsnoop, pcap, timed
+from support.messages import voltage
 from support.packets import ACK, FIN, PUSH, RST, SYN, Device, SerialPort, datagram, packets_of, segment
 from support.packets import Capture as Packets
 
@@ -76,10 +77,6 @@ def look_at(event: Event) -> None:
 # Files in which everything may be changed
 
 
-def command(counter: int) -> bytes:
-    return struct.pack("<HHB", 8, counter, 0x00) + bytes.fromhex("0400 81 01 60")
-
-
 def reply(counter: int) -> bytes:
     return struct.pack("<HHBf", 7, counter, 0x02, 7.5)
 
@@ -92,9 +89,9 @@ def wifi() -> bytes:
         segment(False, 199, flags=SYN, acknowledged=100),
         segment(True, 100, ev3proto.Unlock("0016530f0f0f").build(), acknowledged=200),
         segment(False, 200, b"Accept:EV340\r\n\r\n\0", acknowledged=167),
-        segment(True, 167, command(1) + command(2)[:5], acknowledged=217),
-        segment(True, 187, command(3), acknowledged=217),
-        segment(True, 182, command(2)[5:], acknowledged=217),
+        segment(True, 167, voltage(1) + voltage(2)[:5], acknowledged=217),
+        segment(True, 187, voltage(3), acknowledged=217),
+        segment(True, 182, voltage(2)[5:], acknowledged=217),
         segment(False, 217, reply(1) + reply(2), acknowledged=197),
         segment(True, 197, flags=RST),
     ]
@@ -105,7 +102,7 @@ def usb() -> bytes:
     packets = Packets(220)
     device = Device(packets, size=64)
     device.enumerate(0x0694, 0x0005)
-    device.send(command(1))
+    device.send(voltage(1))
     device.receive(reply(1))
     return packets.data()
 
@@ -113,8 +110,8 @@ def usb() -> bytes:
 def bluetooth() -> bytes:
     packets = Packets(201)
     port = SerialPort(packets)
-    port.send(command(1) + command(2)[:3])
-    port.send(command(2)[3:])
+    port.send(voltage(1) + voltage(2)[:3])
+    port.send(voltage(2)[3:])
     port.receive(reply(1) + reply(2))
     return packets.data()
 
@@ -246,7 +243,7 @@ class Sent(NamedTuple):
     garbage: bytes
 
 
-STREAM = b"".join(command(number) for number in range(3)) + reply(9) + struct.pack("<HHB", 300, 4, 2) + bytes(297)
+STREAM = b"".join(voltage(number) for number in range(3)) + reply(9) + struct.pack("<HHB", 300, 4, 2) + bytes(297)
 sent = st.builds(
     Sent,
     st.integers(0, len(STREAM)),
@@ -289,7 +286,7 @@ def test_all_of_a_stream_gives_all_of_its_frames(
 
 
 @fuzzed
-@given(st.lists(st.binary(max_size=40) | st.sampled_from((command(1), reply(1), command(2)[:4], command(2)[4:]))))
+@given(st.lists(st.binary(max_size=40) | st.sampled_from((voltage(1), reply(1), voltage(2)[:4], voltage(2)[4:]))))
 def test_anything_in_a_serial_port(pieces: list[bytes]) -> None:
     packets = Packets(201)
     port = SerialPort(packets)

@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-import io
 import struct
 from collections.abc import Callable
 from itertools import product
-from typing import Any
 
 import pytest
 from support.files import Blocks, btsnoop, pcap, timed
 from support.packets import ACK, BRICK, EVERYBODY, HOST, SYN, Device, SerialPort, datagram, packets_of, segment
 from support.packets import Capture as Packets
+from support.reading import opened, records
 
 import ev3proto
-from ev3proto.capture import Announcement, Capture, Direction, Event, Record, TextKind, read
+from ev3proto.capture import Announcement, Direction, Record, TextKind
 
 COMMAND = struct.pack("<HHB", 8, 7, 0x00) + bytes.fromhex("0400 81 01 60")
 """UI_READ.GET_VBATT."""
@@ -23,20 +22,6 @@ REPLY = struct.pack("<HHBf", 7, 7, 0x02, 7.5)
 ACCEPT = b"Accept:EV340\r\n\r\n\0"
 IP = segment(True, 1000, COMMAND)
 ANSWER = segment(False, 500, REPLY, acknowledged=1010)
-
-
-def opened(data: bytes, **options: Any) -> tuple[list[Event], Capture]:
-    """Returns all events of a capture; checks that every byte is accounted for."""
-    capture = read(io.BytesIO(data), **options)
-    events = list(capture.events())
-    assert capture.account.balance == 0
-    return events, capture
-
-
-def records(data: bytes, **options: Any) -> list[Record]:
-    events, _ = opened(data, **options)
-    assert all(isinstance(event, Record) for event in events), events
-    return [event for event in events if isinstance(event, Record)]
 
 
 # IP on every link

@@ -5,7 +5,6 @@
 
 from __future__ import annotations
 
-import io
 import random
 import struct
 from pathlib import Path
@@ -14,9 +13,10 @@ import pytest
 from support.files import pcap, timed
 from support.packets import USBMON, Device, cut, packets_of
 from support.packets import Capture as Packets
+from support.reading import opened, records
 from support.unlikely_reports import FROM_HOST, UNLIKELY
 
-from ev3proto.capture import Capture, Event, Record, Skipped, read
+from ev3proto.capture import Record, Skipped
 
 CAPTURES = Path(__file__).parents[2] / "captures"
 LEGO, EV3, BOOTLOADER = 0x0694, 0x0005, 0x0006
@@ -32,19 +32,6 @@ OVERWRITTEN = bytes.fromhex("0400 0000 01 F6")
 """A bootloader's reply with the request written over its first bytes."""
 
 
-def opened(data: bytes) -> tuple[list[Event], Capture]:
-    """Returns all events of a capture; checks that every byte is accounted for."""
-    capture = read(io.BytesIO(data))
-    events = list(capture.events())
-    assert capture.account.balance == 0
-    return events, capture
-
-
-def records(packets: Packets) -> list[Record]:
-    events, _ = opened(packets.data())
-    return [event for event in events if isinstance(event, Record)]
-
-
 def test_other_programs_of_a_brick_are_left_alone() -> None:
     """Pybricks, and network gadgets: they have the brick's product number, and bulk endpoints."""
     packets = Packets(USBMON)
@@ -55,7 +42,7 @@ def test_other_programs_of_a_brick_are_left_alone() -> None:
         for data in (VOLTAGE, CUT_OFF, VOLTS):
             device.send(data)
             device.receive(data)
-    assert records(packets) == []
+    assert records(packets.data()) == []
 
 
 def test_a_command_and_its_reply() -> None:
@@ -81,7 +68,7 @@ def test_a_brick_is_known_by_its_product(product: int) -> None:
     other.enumerate(0x1234, product)
     sent = brick.send(CUT_OFF)
     other.send(CUT_OFF)
-    (record,) = records(packets)
+    (record,) = records(packets.data())
     assert (record.number, record.peer) == (sent, "1.7")
     assert record.message.fault is not None
 
@@ -93,7 +80,7 @@ def test_another_device_gets_the_number() -> None:
     device.send(CUT_OFF)
     device.enumerate(0x1234, 0x0001)
     device.send(CUT_OFF)
-    assert len(records(packets)) == 1
+    assert len(records(packets.data())) == 1
 
 
 def test_bytes_of_a_brick_that_are_not_a_frame_are_reported() -> None:
@@ -130,7 +117,7 @@ def test_a_computer_sends_daisy_messages_in_its_own_reports() -> None:
         device.receive(DAISY_REPLY)
     device.send(VOLTAGE)
     device.receive(VOLTS)
-    found = [(record.number, record.request is not None) for record in records(packets)]
+    found = [(record.number, record.request is not None) for record in records(packets.data())]
     assert found == [(1, False), (2, True), (3, False), (4, True), (5, False), (6, True), (7, False), (8, True)]
 
 
@@ -145,11 +132,11 @@ def test_daisy_reports_have_their_own_size() -> None:
     ):
         packets = Packets(USBMON)
         Device(packets, size=size).send(frame)
-        assert len(records(packets)) == count, (size, frame)
+        assert len(records(packets.data())) == count, (size, frame)
     for far in ("0600 0100 0A A2 00 63", "0500 0100 08 63 00"):
         packets = Packets(USBMON)
         Device(packets, size=64).send(bytes.fromhex(far))
-        assert records(packets) == []
+        assert records(packets.data()) == []
 
 
 def test_bricks_of_a_chain_send_commands_both_ways() -> None:
@@ -157,7 +144,7 @@ def test_bricks_of_a_chain_send_commands_both_ways() -> None:
     device = Device(packets, size=64)
     device.send(DAISY)
     device.receive(DAISY)
-    assert len(records(packets)) == 2
+    assert len(records(packets.data())) == 2
 
 
 def test_the_bootloaders_fault() -> None:
@@ -168,7 +155,7 @@ def test_the_bootloaders_fault() -> None:
             device.enumerate(LEGO, BOOTLOADER)
         device.send(OVERWRITTEN)
         device.receive(OVERWRITTEN)
-        command, reply = records(packets)
+        command, reply = records(packets.data())
         assert command.note is None
         assert reply.note is not None
         assert reply.note.startswith("a known fault of the EV3's bootloader on USB 3 ports")
@@ -178,7 +165,7 @@ def test_the_bootloaders_fault() -> None:
 def test_a_reply_may_look_like_one_of_the_bootloader_only_from_the_device() -> None:
     packets = Packets(USBMON)
     Device(packets).receive(bytes.fromhex("0400 0000 01 9D"))  # LIST_OPEN_HANDLES is not a command of the bootloader
-    assert records(packets) == []
+    assert records(packets.data()) == []
 
 
 def test_reports_cut_by_the_capture() -> None:
@@ -224,4 +211,4 @@ def test_random_reports_are_hardly_ever_taken_for_frames() -> None:
         for _ in range(3000):
             device.send(rng.randbytes(size))
             device.receive(rng.randbytes(size))
-    assert len(records(packets)) <= 1
+    assert len(records(packets.data())) <= 1

@@ -13,6 +13,7 @@ from support.files import BEGIN_NS, RAW_IP, Blocks, Timed, btsnoop, pcap, timed
 from support.messages import voltage, volts
 from support.packets import FIN, HCI_WITH_DIRECTION, RST, SYN, SerialPort, frame_check, segment
 from support.packets import Capture as Packets
+from support.reading import opened
 
 import ev3proto
 from ev3proto.capture import Announcement, Capture, Event, Record, Skipped, read
@@ -30,14 +31,6 @@ def tone(counter: int) -> bytes:
 def led(counter: int) -> bytes:
     """A command of 12 bytes: its length starts with the byte of a line feed."""
     return struct.pack("<HHB", 10, counter, 0x80) + bytes.fromhex("0000 821b01 01 01")
-
-
-def opened(data: bytes) -> tuple[list[Event], Capture]:
-    """Returns all events of a capture; checks that every byte is accounted for."""
-    capture = read(io.BytesIO(data))
-    events = list(capture.events())
-    assert capture.account.balance == 0
-    return events, capture
 
 
 def of(packets: Iterable[bytes], link: int = RAW_IP) -> tuple[list[Event], Capture]:

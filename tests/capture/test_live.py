@@ -22,6 +22,7 @@ from pathlib import Path
 
 import pytest
 from support.cli import run_ev3proto_text
+from support.messages import voltage
 from support.wireshark import Tshark
 
 ROOT = Path(__file__).parents[2]
@@ -32,11 +33,6 @@ WITHIN = 30
 UNLOCK = b"GET /target?sn=06165300000a VMTP1.0\r\nProtocol: EV3\r\n\r\n"
 ACCEPT = b"Accept:EV340\r\n\r\n\0"
 TONE = bytes.fromhex("0e00 0200 80 0000 94 01 05 82b801 82fa00")
-
-
-def voltage(counter: int) -> bytes:
-    """Asks for the voltage of the battery."""
-    return bytes((8, 0, counter, 0)) + bytes.fromhex("00 0400 81 01 60")
 
 
 def answer(counter: int) -> bytes:

@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from support.careful import careful_frames
 from support.cli import run_ev3proto
 from support.effort import effort
+from support.messages import frame_of
 from support.packets import RAW_IP, Capture, Connection
 
 import ev3proto
@@ -35,12 +36,8 @@ def capture_of(*frames: str) -> bytes:
     capture = Capture(RAW_IP)
     connection = Connection(capture)
     for frame in frames:
-        connection.send(hexed(frame))
+        connection.send(frame_of(frame))
     return capture.data()
-
-
-def hexed(text: str) -> bytes:
-    return bytes.fromhex(text.replace(":", "").replace("|", ""))
 
 
 BROKEN_PROGRAM = b"LEGO" + bytes(12)

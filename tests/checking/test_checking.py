@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from support.messages import raw
 
 import ev3proto
 from ev3proto import GV, LV, Finding, Operation, Report, Severity, check, operation, system
@@ -24,12 +25,6 @@ def command(*operations: Operation, **header: int) -> bytes:
 
 def asking(*operations: Operation, **header: int) -> bytes:
     return ev3proto.direct_command(*operations, reply=True, **header).build()
-
-
-def raw(code: str, *, memory: int = 0, type: int = 0x80) -> bytes:
-    """The frame of a direct command with this code."""
-    rest = bytes((42, 0, type)) + memory.to_bytes(2, "little") + bytes.fromhex(code)
-    return len(rest).to_bytes(2, "little") + rest
 
 
 def codes(frame: bytes, **options: Any) -> list[str]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 from hypothesis import given, settings
 from support.effort import effort
+from support.messages import frame_of
 
 import ev3proto
 from ev3proto import GV, LV, DirectCommand, Operation, operation
@@ -19,11 +20,6 @@ from ev3proto.testing import frames, mutated_frames
 many = settings(max_examples=effort(75, 1000))
 
 VOLTAGE = "08:00|2A:00|00|04:00|81|01|60|"
-
-
-def hexed(text: str) -> bytes:
-    """The frame written in the lesson's notation."""
-    return bytes.fromhex(text.replace("|", "").replace(":", ""))
 
 
 def command(*operations: Operation, **header: int) -> bytes:
@@ -47,9 +43,9 @@ def parsed(frame: bytes) -> DirectCommand:
 
 @pytest.mark.parametrize("length", ["00:00", "07:00", "09:00", "FF:FF"])
 def test_a_wrong_length_field(length: str) -> None:
-    fixed = fix(hexed(VOLTAGE.replace("08:00", length)))
-    assert fixed.frame == hexed(VOLTAGE)
-    stated = int.from_bytes(hexed(length), "little")
+    fixed = fix(frame_of(VOLTAGE.replace("08:00", length)))
+    assert fixed.frame == frame_of(VOLTAGE)
+    stated = int.from_bytes(frame_of(length), "little")
     assert told(fixed) == [f"length field: {stated} -> 8"]
     assert fixed.report.errors == ()
 
@@ -61,7 +57,7 @@ def test_a_wrong_length_field_of_a_system_command() -> None:
 
 
 def test_a_frame_that_is_cut_off_stays() -> None:
-    cut = hexed("0E:00|2A:00|80|00:00|94|01|01|82:B8:01|82:E8")
+    cut = frame_of("0E:00|2A:00|80|00:00|94|01|01|82:B8:01|82:E8")
     fixed = fix(cut)
     assert (fixed.frame, fixed.changes) == (cut, ())
     assert fixed.unfixed == (
@@ -70,7 +66,7 @@ def test_a_frame_that_is_cut_off_stays() -> None:
 
 
 def test_padding_is_not_a_wrong_length() -> None:
-    padded = hexed(VOLTAGE) + bytes(1014)
+    padded = frame_of(VOLTAGE) + bytes(1014)
     fixed = fix(padded)
     assert (fixed.frame, fixed.changes) == (padded, ())
     assert "padding" in fixed.unfixed[0]
@@ -80,8 +76,8 @@ def test_padding_is_not_a_wrong_length() -> None:
 
 
 def test_memory_that_was_not_asked_for() -> None:
-    fixed = fix(hexed("08:00|2A:00|00|00:00|81|01|60|"))
-    assert fixed.frame == hexed(VOLTAGE)
+    fixed = fix(frame_of("08:00|2A:00|00|00:00|81|01|60|"))
+    assert fixed.frame == frame_of(VOLTAGE)
     assert told(fixed) == ["global memory: 0 bytes -> 4 bytes"]
 
 
@@ -134,8 +130,8 @@ def test_memory_that_nothing_uses_stays() -> None:
 
 
 def test_outputs_without_a_reply() -> None:
-    fixed = fix(hexed(VOLTAGE.replace("|00|", "|80|")))
-    assert fixed.frame == hexed(VOLTAGE)
+    fixed = fix(frame_of(VOLTAGE.replace("|00|", "|80|")))
+    assert fixed.frame == frame_of(VOLTAGE)
     assert told(fixed) == ["type: DIRECT_COMMAND_NO_REPLY -> DIRECT_COMMAND_REPLY"]
 
 
@@ -181,7 +177,7 @@ def test_what_only_the_processor_needs_is_said_too() -> None:
 
 
 def test_what_cannot_be_read_on_is_said() -> None:
-    frame = hexed("09:00|2A:00|00|04:00|81|81:01|FF|")
+    frame = frame_of("09:00|2A:00|00|04:00|81|81:01|FF|")
     assert fix(frame).unfixed == ("cannot parse past offset 10; the rest is left unchanged",)
 
 
@@ -190,9 +186,9 @@ def test_what_cannot_be_read_on_is_said() -> None:
 
 def test_shorter_encodings() -> None:
     values = (encode_as("LC2", 5), encode_as("LC4", 440), encode_as("LC4", 100000))
-    fixed = fix(hexed("14:00|00:00|80|00:00|94|81:01|") + b"".join(values))
+    fixed = fix(frame_of("14:00|00:00|80|00:00|94|81:01|") + b"".join(values))
     # The length field was also wrong.
-    assert fixed.frame == hexed("10:00|00:00|80|00:00|94|01|05|82:B8:01|83:A0:86:01:00|")
+    assert fixed.frame == frame_of("10:00|00:00|80|00:00|94|01|05|82:B8:01|83:A0:86:01:00|")
     assert told(fixed)[1:] == [
         "CMD of SOUND.TONE at offset 8: 81:01 -> 01",
         "VOLUME of SOUND.TONE at offset 10: 82:05:00 -> 05",

@@ -6,6 +6,7 @@ from itertools import product
 
 import pytest
 from support.cpu_time import milliseconds
+from support.messages import raw
 
 import ev3proto
 from ev3proto.checking.verdict import Reason, Verdict, verdict
@@ -15,15 +16,9 @@ from ev3proto.tables.declaration import Type
 START = 7
 
 
-def command(code: str, *, memory: int = 0, type: int = 0x80) -> bytes:
-    """The frame of a direct command with this code."""
-    rest = bytes((42, 0, type)) + memory.to_bytes(2, "little") + bytes.fromhex(code)
-    return len(rest).to_bytes(2, "little") + rest
-
-
 def answer(code: str) -> tuple[int | None, Reason | None]:
     """Returns where a command is refused, counted from its first operation, and why; None if it is accepted."""
-    found = verdict(command(code))
+    found = verdict(raw(code))
     assert found.accepted == (found.rejected_at is None) == (found.reason is None) == (found.blamed is None)
     return (None if found.rejected_at is None else found.rejected_at - START), found.reason
 
@@ -167,54 +162,54 @@ def test_the_rules(code: str, expected: tuple[int | None, Reason | None]) -> Non
 )
 def test_a_negative_cmd_reaches_into_the_table_before(code: str, number: int | None) -> None:
     """The firmware does not expect it: the tables are adjacent in memory."""
-    assert verdict(command(code)).accepted == (number is not None)
+    assert verdict(raw(code)).accepted == (number is not None)
 
 
 def test_what_newer_firmware_has() -> None:
     """The validator of 2013 takes GET_POWER for a command without parameters: 0x60 is SYSTEM, 0x64 JR_LT8."""
     assert answer("81 1D 60 64 68 6C") == (5, Reason.CUT_OFF)
-    assert verdict(command("81 1D 60 64 68 6C"), "xtended").accepted
+    assert verdict(raw("81 1D 60 64 68 6C"), "xtended").accepted
 
 
 def test_dialects() -> None:
-    assert verdict(command("E4 00 00 01")) == Verdict(False, 7, Reason.OPCODE, 7)
-    assert verdict(command("E4 00 00 01"), "xtended").accepted
+    assert verdict(raw("E4 00 00 01")) == Verdict(False, 7, Reason.OPCODE, 7)
+    assert verdict(raw("E4 00 00 01"), "xtended").accepted
     with pytest.raises(ValueError, match="dialect"):
-        verdict(command("01"), "nxt")
+        verdict(raw("01"), "nxt")
 
 
 @pytest.mark.parametrize("count", ["3F", "81FF", "83FFFFFFFF", "8300000080", "83FFFFFF7F", "8340420F00"])
 def test_counts_that_make_the_brick_spin(count: str) -> None:
     """In constant time, without stepping through thousands of millions of values."""
-    frame = command(f"01 2F 40 {count} 01 02 03")
+    frame = raw(f"01 2F 40 {count} 01 02 03")
     assert milliseconds(lambda: verdict(frame), 10) <= 10
     assert verdict(frame) == Verdict(False, 8, Reason.CUT_OFF, 10, True)
 
 
 def test_a_count_that_is_only_too_large() -> None:
-    assert verdict(command("2F 40 81 64 01 02 03")) == Verdict(False, 7, Reason.CUT_OFF, 9, False)
-    assert not verdict(command("2F 40 83 3F420F00 01 02 03")).spins
+    assert verdict(raw("2F 40 81 64 01 02 03")) == Verdict(False, 7, Reason.CUT_OFF, 9, False)
+    assert not verdict(raw("2F 40 83 3F420F00 01 02 03")).spins
 
 
 def test_blame() -> None:
     """In addition to the operation, at which the firmware stops, the exact argument."""
-    assert verdict(command("01 A6 8180 01")) == Verdict(False, 8, Reason.RANGE, 9)
-    assert verdict(command("81 1E 60 61 68")) == Verdict(False, 7, Reason.ALIGNMENT, 10)
+    assert verdict(raw("01 A6 8180 01")) == Verdict(False, 8, Reason.RANGE, 9)
+    assert verdict(raw("81 1E 60 61 68")) == Verdict(False, 7, Reason.ALIGNMENT, 10)
 
 
 def test_the_header() -> None:
-    assert verdict(command("01", memory=1021)).accepted
-    assert verdict(command("01", memory=1022)) == Verdict(False, 5, Reason.GLOBALS, 5)
-    assert verdict(command("01", memory=1023 | 63 << 10)) == Verdict(False, 5, Reason.GLOBALS, 5)
-    assert verdict(command("01", memory=63 << 10)).accepted
-    assert verdict(command("")) == Verdict(False, 7, Reason.EMPTY, 7)
-    assert verdict(command("", memory=1023)) == Verdict(False, 7, Reason.EMPTY, 7)
-    assert verdict(command("01" * 1017)).accepted
-    assert verdict(command("01" * 1018)) == Verdict(False, 0, Reason.TOO_LONG, 0)
+    assert verdict(raw("01", memory=1021)).accepted
+    assert verdict(raw("01", memory=1022)) == Verdict(False, 5, Reason.GLOBALS, 5)
+    assert verdict(raw("01", memory=1023 | 63 << 10)) == Verdict(False, 5, Reason.GLOBALS, 5)
+    assert verdict(raw("01", memory=63 << 10)).accepted
+    assert verdict(raw("")) == Verdict(False, 7, Reason.EMPTY, 7)
+    assert verdict(raw("", memory=1023)) == Verdict(False, 7, Reason.EMPTY, 7)
+    assert verdict(raw("01" * 1017)).accepted
+    assert verdict(raw("01" * 1018)) == Verdict(False, 0, Reason.TOO_LONG, 0)
 
 
 def test_a_length_field_that_is_wrong() -> None:
-    whole = command("82 1B 02 82 1B 01")
+    whole = raw("82 1B 02 82 1B 01")
     assert verdict(b"\x08\0" + whole[2:]).accepted
     assert verdict(b"\x09\0" + whole[2:]) == Verdict(False, 10, Reason.CUT_OFF, 11)
     assert verdict(b"\x0c\0" + whole[2:]) == Verdict(False, 13, Reason.INCOMPLETE, 13)
@@ -245,5 +240,5 @@ def test_every_operation_from_its_shortest_values() -> None:
 
 def test_every_code_of_two_bytes_has_an_answer() -> None:
     for first, second in product(range(256), range(256)):
-        found = verdict(command(f"{first:02X}{second:02X}"))
+        found = verdict(raw(f"{first:02X}{second:02X}"))
         assert found.rejected_at in (None, START, START + 1)

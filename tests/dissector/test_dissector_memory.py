@@ -8,14 +8,10 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from support.frames import Segment, tcp_capture
+from support.messages import tone
 from support.wireshark import DISSECTOR, Tshark
 
 from ev3proto.tables import OPCODES
-
-
-def tone(number: int, frequency: int = 440) -> bytes:
-    body = bytes.fromhex("0000 94 01 01 82") + struct.pack("<h", frequency) + bytes.fromhex("82E803")
-    return struct.pack("<HHB", 14, number, 0x80) + body
 
 
 def test_how_lua_frees_for_other_plugins_is_left_alone() -> None:

@@ -11,6 +11,7 @@ import pytest
 from dpkt.ethernet import Ethernet
 from hypothesis import strategies as st
 from support.frames import drawn
+from support.reading import records
 from support.wireshark import Tshark
 
 from ev3proto import GV, BuildError, capture, direct_command, direct_reply, operation, system_command, system_reply
@@ -48,10 +49,6 @@ def made(told: Sequence[Message | bytes | TimedFrame], carrier: str, **times: in
     stream = io.BytesIO()
     assert write_pcapng(told, stream, carrier=carrier, **times) == len(told)
     return stream.getvalue()
-
-
-def records(data: bytes) -> list[Record]:
-    return [event for event in capture.read(io.BytesIO(data)).events() if isinstance(event, Record)]
 
 
 @pytest.mark.parametrize("carrier", CARRIERS)

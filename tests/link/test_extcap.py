@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import os
-import socket
 import subprocess
 import time
 from pathlib import Path
 
 import pytest
 from support.cli import run_ev3proto_text as run
-from support.server import Client, command
+from support.server import Client, command, free_port
 
 from ev3proto.capture import Record, read
 from ev3proto.cli import extcap
@@ -73,11 +72,6 @@ def test_a_failing_library_is_not_blamed_on_the_capture(tmp_path: Path, monkeypa
     done = run("extcap", *words, "--target", "usb")
     assert done.returncode == 1
     assert done.stderr == "cannot connect to usb: [Errno 13] Permission denied: '/locked/libusb.so'\n"
-
-
-def free_port() -> int:
-    with socket.create_server(("127.0.0.1", 0)) as listening:
-        return int(listening.getsockname()[1])
 
 
 def connected(port: int) -> Client:

@@ -11,6 +11,7 @@ from collections.abc import Callable
 
 import pytest
 from support.cpu_time import seconds
+from support.messages import frame_of
 
 import ev3proto
 from ev3proto import GV, LV, BuildError, DecodeError
@@ -19,11 +20,6 @@ from ev3proto.schema.header import read_memory, write_memory
 from ev3proto.schema.instructions import instruction_set
 
 pytestmark = pytest.mark.portable
-
-
-def frame_of(text: str) -> bytes:
-    """`0E:00|2A:00|...` as people print frames."""
-    return bytes.fromhex(text.replace(":", " ").replace("|", " "))
 
 
 def operation_of(text: str) -> ev3proto.Operation:

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 from ev3proto.capture.claims import State
+from support.messages import tone
 from support.packets import HCI_WITH_DIRECTION, RAW_IP, USBMON, Capture, Connection, Device, SerialPort
 
 CARRIERS = {"tcp": RAW_IP, "rfcomm": HCI_WITH_DIRECTION, "usb": USBMON}
@@ -93,11 +94,6 @@ class Step(NamedTuple):
     data: bytes
     state: State
     shown: str
-
-
-def tone(counter: int) -> bytes:
-    """A plausible command."""
-    return direct(counter, "94 01 01 82 B801 82 E803", kind=0x80)
 
 
 def asking(counter: int) -> bytes:

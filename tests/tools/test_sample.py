@@ -15,6 +15,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from support.cli import run_ev3proto_text, run_program
 from support.effort import effort
+from support.messages import frame_of
 
 import ev3proto
 from ev3proto import DaisyCommand, DirectCommand, MessageType, SystemCommand, SystemReply
@@ -36,12 +37,6 @@ def folder_of_hypothesis(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def run(*words: str) -> Result:
     return CliRunner().invoke(sample, words)
-
-
-def frame_of(line: str) -> bytes:
-    """The bytes of `0x|06:00|2A:00|80|00:00|01|`."""
-    assert line.startswith("0x|")
-    return bytes.fromhex(line[2:].replace("|", "").replace(":", ""))
 
 
 def drawn(*words: str) -> list[ev3proto.Message]:

@@ -5630,9 +5630,9 @@ end
 
 -- The instruction set, made ready -----------------------------------------------------------------------------------
 --
--- The tables above are written for readers. Here each parameter becomes what reading an argument needs. Wireshark needs
--- all fields at startup; an operation gets its parameters when it is first seen, because a capture has few operations,
--- and the garbage collector visits everything again and again.
+-- The tables above are written for people. Here they become tables for reading arguments. Wireshark needs all fields at
+-- startup; an operation gets its parameters when it is first seen, because a capture uses few operations, and the
+-- garbage collector visits everything repeatedly.
 
 -- Returns a table whose entries are made on first use.
 local function made_late(make)
@@ -5944,7 +5944,7 @@ do
     local function single(text, at)
         if at + 4 > #text then return nil end
         local value = unpack("<f", text, at + 1)
-        -- All NaNs are shown alike.
+        -- All NaNs look the same.
         return value == value and value or 0 / 0
     end
 
@@ -6284,7 +6284,7 @@ end
 -- and afterwards those that are displayed. What the first pass finds is kept by the place of each message; later passes
 -- look it up.
 
--- Reading and showing one message: further below.
+-- The functions that read and show one message are defined below.
 local messages = {}
 
 local dialogues = {}
@@ -6300,7 +6300,7 @@ do
     -- of its file.
     local replies, requests, delays, bodies, transfers
 
-    -- Equal bodies as one string.
+    -- One string for all equal bodies.
     local shared_bodies
 
     local conversations
@@ -6484,8 +6484,8 @@ end
 
 -- Reply values ------------------------------------------------------------------------------------------------------
 --
--- A reply to a direct command is just memory. The output parameters of the command that name global variables tell what
--- is where in it.
+-- A reply to a direct command is only memory. The command's output parameters that are global variables tell what it
+-- contains and where.
 
 local reply_values = {}
 do
@@ -6595,7 +6595,7 @@ do
         end
     end
 
-    -- Adds the expert information that the brick refuses the index of a variable.
+    -- Adds the expert information for a variable whose index the brick refuses.
     local function complain_of_index(item, parameter, encoding, index, alignment)
         local reason = "%s: the index of a %s must be a multiple of %d, the brick refuses %s"
         local sort = encoding.handle and "handle" or TYPE_NAMES[parameter.type]
@@ -6660,7 +6660,7 @@ do
         end
         if encoding.scope then
             check_variable(item, parameter, encoding, value)
-            -- An address is not a value, but the place of one.
+            -- An address is the place of a value, not a value.
             if not item and encoding.kind == GLOBAL and parameter.is_output and not encoding.address then
                 note_output(parameter, encoding, value)
             end
@@ -6738,7 +6738,7 @@ do
         summaries, summary_count = {}, 0
     end
 
-    -- Returns what a direct command is without a tree, by its bytes after the type: `line`, `after`, `fault` and
+    -- Returns the summary of a direct command without a tree, by its bytes after the type: `line`, `after`, `fault` and
     -- `first` as above, its `complaints`, and its `outputs`. Offsets are those in the frame.
     function operations.summary_of(body)
         local summary = summaries[body]
@@ -6952,7 +6952,7 @@ do
         return concat(pieces)
     end
 
-    -- Returns the subject of a system message; for a piece of a file that is the file and its progress.
+    -- Returns the subject of a system message; for a piece of a file, the file and its progress.
     local function subject_text(message, place)
         local transfer = dialogues.transfer_at(place)
         local is_first = message.command.transfer == "begin" and message.type.is_command
@@ -7046,7 +7046,7 @@ do
         at = at + 2
         if not payload or stop - at < DAISY.sensor_report_size then return line end
         for _, declared in ipairs(DAISY.sensor_report) do
-            -- The last part takes the rest.
+            -- The last part extends to the end.
             local after = declared.size and at + declared.size or stop
             if after > at then payload:add(report_field[declared.name], bytes_between(view, at, after)) end
             at = after
@@ -7065,8 +7065,7 @@ do
         { direct = show_direct_command, system = show_system_message, daisy = show_daisy_command }
     local SHOW_REPLY = { direct = show_direct_reply, system = show_system_message, daisy = show_daisy_reply }
 
-    -- Tells whether a frame of which the capture has only the beginning has a fault there: with zeros in place of the
-    -- rest, it has the same one.
+    -- Tells whether a fault in the captured beginning of a frame is real: with zeros for the rest, it is the same.
     local function is_real(fault, message)
         local type = message.type
         if not type or type.carries == "daisy" then return fault.kind ~= "cut_off" end
@@ -7200,8 +7199,7 @@ end
 --
 -- What all carriers have in common: one frame in a buffer, and the columns of a packet.
 
--- Tells whether the tree is needed. It is not for one-line output, if filters, columns and colours use other protocols
--- only.
+-- Tells whether the tree is needed: not for one-line output if filters, columns and colours use only other protocols.
 local has_tree
 do
     local this_dissector
@@ -7243,7 +7241,7 @@ do
     end
 end
 
--- Which conversations are ours, and where frames are: see Claims and Finding below.
+-- Claims and Finding below decide which conversations are a brick's, and where frames start.
 local claiming, finding = {}, {}
 
 -- Each carrier below adds a table: `dissectors`, by Wireshark's type of ports; `register`, which registers them;
@@ -7253,7 +7251,7 @@ local carriers = {}
 -- The number of the first packet with data of which the capture has only the beginning, as with a snap length.
 local first_cut = math.huge
 
--- Tells whether the capture cut a packet, and data end there.
+-- Tells whether data end where the capture cut their packet.
 local function is_cut_by_capture(tvb, stop, pinfo)
     if stop < tvb:len() or pinfo.caplen >= pinfo.len then return false end
     first_cut = math.min(first_cut, pinfo.number)
@@ -7288,8 +7286,7 @@ local function is_usual_length(length)
     return length >= MIN_LENGTH and length <= MAX_LENGTH
 end
 
--- Tells whether the length field at an offset can be a frame's. Downloads may be longer than all others, by their
--- header.
+-- Tells whether the length field at an offset can be a frame's; those of downloads may be larger than all others.
 local function is_length(text, at)
     local length = reading.unsigned16(text, at)
     if is_usual_length(length) then return true end
@@ -7299,7 +7296,7 @@ local function is_length(text, at)
     return type.carries == "system" and (not number or command ~= nil and command.is_long == true)
 end
 
--- Tells whether a frame may start at an offset, by as much of its header as there is.
+-- Tells whether a frame may start at an offset, judging by as much of its header as is present.
 local function may_start(text, at)
     if #text - at < LENGTH_FIELD then return #text > at end
     local type = byte(text, at + HEADER_SIZE)
@@ -7316,14 +7313,14 @@ end
 
 -- Claims ------------------------------------------------------------------------------------------------------------
 --
--- Which conversations are ours: other protocols use the same ports and channels as bricks. The rule is in ev3proto's
--- tables; here it is applied. Decisions are made in the first pass, and kept.
+-- Decides which conversations are a brick's, since other protocols use the same ports and channels. The rule is in
+-- ev3proto's tables. Decisions are made in the first pass, and kept.
 
--- What data turn out to be: OURS; PART if more is needed to decide; nil if they are not ours.
+-- Results of judging data: OURS; PART if more is needed to decide; nil if they are not a brick's.
 local OURS, PART = "ours", "part"
 
--- What is found in them: CHAIN, a plausible command; SINGLE, whole frames that a reply may prove; OPEN, what may become
--- a command.
+-- Results of searching them: CHAIN, a plausible command; SINGLE, whole frames that a reply may prove; OPEN, bytes that
+-- may become a command.
 local CHAIN, SINGLE, OPEN = "chain", "single", "open"
 
 do
@@ -7444,7 +7441,7 @@ do
         end
     end
 
-    -- Claims a conversation from a command that waits for a reply on, if a frame of another side is that reply.
+    -- Claims a conversation, beginning with a waiting command, if a frame from another side is its reply.
     local function is_proved(conversation, side, reply)
         local held = conversation.held or {}
         for index = #held, 1, -1 do
@@ -7515,7 +7512,7 @@ do
         return found, place
     end
 
-    -- Takes note of a message of a claimed conversation, in the first pass.
+    -- Records a message of a claimed conversation, in the first pass.
     function claiming.note(conversation, message)
         if not claiming.is_claimed(conversation) or conversation.state == "sure" then return end
         conversation.has_frame = true
@@ -7546,11 +7543,11 @@ end
 
 -- Finding -----------------------------------------------------------------------------------------------------------
 --
--- Frames in streams that are not claimed yet, or out of step after a gap: a header alone is often a coincidence, so a
--- frame is also judged by its contents and by what follows it.
+-- Finds frames in streams that are not claimed yet, or out of step after a gap. A header alone is often a coincidence,
+-- so a frame is also judged by its contents and by what follows it.
 
 do
-    -- Maximum number of places in one piece of a stream where a frame is tried.
+    -- Maximum number of places in one piece of a stream where a frame is parsed.
     local MOST_TRIALS = 64
 
     -- Maximum number of following headers that are checked.
@@ -7559,7 +7556,7 @@ do
     -- The minimum size of a command that is cut or inside a packet: one byte of operations, as NOP, proves nothing.
     local LEAST = COMMAND_HEADER_SIZE + 2
 
-    -- Tells whether an incomplete frame at an offset may turn out to have no fault.
+    -- Tells whether an incomplete frame at an offset may become one without a fault.
     function finding.may_become(text, at, accepts)
         if not may_start(text, at) then return false end
         local code, number = byte(text, at + HEADER_SIZE, at + HEADER_SIZE + 1)
@@ -7642,8 +7639,7 @@ do
         return false
     end
 
-    -- Counts the headers that follow each other from an offset on; nil if none can start there. A few are enough: the
-    -- next gap may come soon.
+    -- Counts consecutive headers from an offset on, a few at most; nil if none can start there.
     function finding.follow(text, at)
         local size, count = #text, 0
         while at < size and count < MOST_FOLLOWING do
@@ -7721,7 +7717,7 @@ do
         return open
     end
 
-    -- Judges a frame that seems to come in several packets, between which packets may be missing: OURS, PART, or nil.
+    -- Judges a frame that seems to be split over several packets, with possible gaps between them: OURS, PART, or nil.
     -- The newest packet starts at `joint`.
     function finding.judge_split(text, at, accepts, joint, is_last)
         local stop = stop_of(text, at)
@@ -7734,7 +7730,7 @@ do
         local type = message.type
         local is_sound = type and accepts(type) and claiming.is_sensible(message)
         if not following then return nil end
-        -- Few random bytes are operations.
+        -- Random bytes are rarely valid operations.
         if is_sound and (following > 0 or type.is_command and type.carries == "direct") then return OURS end
         -- After a gap between two packets, frames start in the newer one.
         local inside, following_inside = finding.find_step(text, is_sound and joint or at + 1, accepts, 0, joint)
@@ -7825,8 +7821,8 @@ do
         return said, stop
     end
 
-    -- Adds the bytes between two offsets, which are outside of frames. `length` is what the length field there says.
-    -- They may belong to a frame that the capture cut, in this packet or before.
+    -- Adds the bytes between two offsets, which are outside of frames; `length` is the length field there. They may
+    -- belong to a frame that the capture cut, in this packet or before.
     function streaming.dissect_no_frame(tvb, at, stop, length, pinfo, tree, is_shown)
         local said = format("no frame (%s)", phrases.plural(stop - at, "byte"))
         local reason = "bytes that are in no frame, as after a gap in the capture"
@@ -7870,8 +7866,8 @@ do
         return following ~= nil and place < stop
     end
 
-    -- Judges what begins at an offset: OURS for a frame that can be dissected; PART for one that has to wait, with the
-    -- number of bytes it needs, if known, and the step of the stream; nil if it is not a frame.
+    -- Judges the bytes from an offset on: OURS for a frame that can be dissected; PART for one that has to wait, with
+    -- the number of bytes it needs, if known, and the step of the stream; nil if it is not a frame.
     local function judge_frame(text, at, stream, step)
         local code, stop = byte(text, at + HEADER_SIZE), stop_of(text, at)
         if step == "lost" or stop and not is_length(text, at) then return nil end
@@ -7883,7 +7879,7 @@ do
             if is_misleading(text, at, stop, stream.accepts) then return nil end
         end
         if stream.is_last or code and stop <= stream.reported then return OURS end
-        -- There may be a gap before it: it is judged again with each packet.
+        -- There may be a gap before it, so it is judged again with each packet.
         if step == "likely" and at == 0 then return PART, nil, step end
         return PART, stop and stop - stream.reported, "sure"
     end
@@ -7895,10 +7891,10 @@ do
     --   is_last    there is nothing more to wait for
     --   step       "sure" if a frame starts with the piece, "likely" if one does unless there is a gap before it,
     --              "lost" if it must be searched for
-    --   start      how many bytes of it are done, if there are any
+    --   start      how many bytes of it are done, if any
     --   joint      where in the piece the newest packet starts; `first` is 0 if a packet starts with the piece, too
-    --   may_gap    nothing tells of gaps between the packets
-    --   accepts    tells which types go its way, if that is known
+    --   may_gap    gaps between the packets go unnoticed
+    --   accepts    tells which types go in its direction, if that is known
     function streaming.dissect(tvb, text, stream, conversation, number, pinfo, tree, is_shown)
         local at, captured, lost, start = stream.start or 0, #text, 0, tvb:offset()
         local step = stream.step
@@ -7971,7 +7967,7 @@ do
     -- The "port" of the host; that of a device is the number of its endpoint.
     local HOST = 0xFFFFFFFF
 
-    -- Looking up these methods for each packet would take longer than they do.
+    -- Looking up these methods for each packet would take longer than calling them.
     local bytes_of, captured_len, offset_of = Tvb.raw, Tvb.len, Tvb.offset
 
     local function is_from_host(pinfo)
@@ -8132,8 +8128,8 @@ end
 
 -- Bluetooth ---------------------------------------------------------------------------------------------------------
 --
--- Wireshark passes the stream on piece by piece and does not join them: an incomplete frame waits here for its rest.
--- The first pass keeps what was waiting before each packet.
+-- Wireshark passes the stream on in pieces and does not join them: an incomplete frame waits here for its rest. The
+-- first pass keeps the bytes that were waiting before each packet.
 
 do
     -- Our packets, by number. `accepts` tells which types go this way. `step` is "lost" if the stream was out of step
@@ -8187,7 +8183,7 @@ do
         end
     end
 
-    -- Tells whether a text is only the beginning of a frame.
+    -- Tells whether a text is the incomplete beginning of a frame.
     local function is_part(text)
         local stop = stop_of(text, 0)
         return not stop or is_length(text, 0) and stop > #text
@@ -8225,8 +8221,8 @@ do
         packet.list, packet.earlier, packet.before = list, #list, sub(left, place + 1)
     end
 
-    -- Looks for a reason to claim a channel, and makes the record of the packet if there is one. What may become a
-    -- command is kept: text that is typed comes letter by letter.
+    -- Looks for a reason to claim a channel, and makes the packet's record if it finds one. The beginning of a possible
+    -- command is kept: typed text, for example, arrives letter by letter.
     local function claim(conversation, stream, piece, missing, offset, pinfo)
         local number, left, starts = pinfo.number, stream.left, {}
         for index, start in ipairs(stream.starts or {}) do
@@ -8257,7 +8253,7 @@ do
         if stream.step ~= "lost" then
             local part = is_part(text)
             if #text < HEADER_SIZE or part and #text < stream.look_at then return part end
-            -- A frame that comes byte by byte is not examined at each byte.
+            -- A frame that arrives byte by byte is not examined again at each byte.
             stream.look_at = floor(#text * 1.25) + 1
             if not is_length(text, 0) then return false end
             return finding.judge_split(text, 0, accepts, joint) == PART
@@ -8266,7 +8262,7 @@ do
         return place == 0 and not following
     end
 
-    -- Joins a packet with what waits for it, in the first pass.
+    -- Joins a packet with the bytes that wait for it, in the first pass.
     local function join(stream, piece, packet, number)
         local left = stream.left
         if left == "" then return end
@@ -8388,7 +8384,7 @@ do
 
     local tcp_ports = DissectorTable.get("tcp.port")
 
-    -- Looking up these methods for each packet would take longer than they do.
+    -- Looking up these methods for each packet would take longer than calling them.
     local bytes_of, offset_of = Tvb.raw, Tvb.offset
 
     -- Lists of addresses by port, each with the `name` of its brick: `announced`, where bricks listen by their beacons;
@@ -8423,7 +8419,7 @@ do
         return known
     end
 
-    -- Returns a packet's conversation, and its direction in that.
+    -- Returns a packet's conversation, and the packet's direction.
     local function connection_of(pinfo)
         local from, to, port, other = pinfo.src, pinfo.dst, pinfo.src_port, pinfo.dst_port
         local ends = port * 0x10000 + other
@@ -8630,7 +8626,7 @@ do
             return CHAIN, place
         end
 
-        -- Requests more of what may become a frame or a text, from an offset on.
+        -- Requests the rest of a possible frame or text, from an offset on.
         local function ask_for_more(known, text, place, pinfo)
             local starts = {}
             for _, start in ipairs(known.starts) do

@@ -15,7 +15,7 @@ class Account:
     last_ns    the last packet's time
     forgotten  pending commands and bytes that were evicted at the memory limit
     cut        packets of which some bytes were not captured
-    strange    packets where those of bricks may be, such as on "TCP port 5555", that were not recognised, by that place
+    strange    unrecognised packets in a brick's usual place, such as "TCP port 5555", by that place
     frames     bytes of frames
     texts      bytes of beacons, unlock texts and their answers
     padding    bytes after the frame in USB reports, and polls between the frames of a stream

@@ -34,7 +34,7 @@ class Held(NamedTuple):
 
     side: Hashable
     frames: list[bytes]
-    adopt: Callable[[], list[Event]]  # gives their events, once they are proved
+    adopt: Callable[[], list[Event]]  # returns their events, once they are proved
 
 
 def _is_proof(record: Record) -> bool:
@@ -113,7 +113,7 @@ class Claim:
         return found, place, []
 
     def _has_replies(self, text: bytes) -> bool:
-        """Counts complete replies. Returns whether they begin a claim."""
+        """Counts complete replies, and returns whether they begin a claim."""
         frames = self._finder.frames_of(text)
         are_replies = all(is_complete_reply(self._schema.read_frame(frame, strict=False)) for frame in frames)
         self._replies = self._replies + len(frames) if are_replies and sum(map(len, frames)) == len(text) else 0

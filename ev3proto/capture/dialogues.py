@@ -35,7 +35,7 @@ def is_error(message: Message) -> bool:
 def dialogues(events: Iterable[Event], patience_ns: int | None = None) -> Iterator[RequestReply]:
     """Yields commands with their replies when they are complete; at the end unanswered commands.
 
-    A command is yielded without its reply after `patience_ns`, and again with it if that comes later. So is the oldest
+    A command is yielded without its reply after `patience_ns`, and again with it if it comes later. So is the oldest
     of more than MOST_PENDING.
     """
     waiting: Bounded[int, Record] = Bounded(MOST_PENDING)

@@ -140,7 +140,7 @@ def _is_same(path: Path, other: Path) -> bool:
     return path.is_file() and filecmp.cmp(path, other, shallow=False)
 
 
-# What is moved
+# Files in transfer
 
 
 @dataclass(slots=True)
@@ -271,7 +271,7 @@ class _Files:
             moving = self._new(record, transfer.path, parts_of(path), direction, transfer.command)
             if moving is not None:
                 moving.transfer = transfer
-                # It is kept as long as its id is used, so no other one can get that id.
+                # Kept while its id is in use, so that no other transfer can get the same id.
                 self._known[id(transfer)] = moving
         return moving
 

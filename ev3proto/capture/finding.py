@@ -1,8 +1,7 @@
 """Finding the next frame in a stream that is out of step.
 
-Five bytes look like a header once in some thousand offsets of any data. So a whole valid frame must be there, and what
-follows it may be the next one. An incomplete frame must be able to become valid. The dissector finds frames in the same
-way.
+In any data, one in a few thousand offsets looks like a header. So a frame must be whole and valid, and what follows it
+may be the next one; an incomplete frame must be able to become valid. The dissector does the same.
 """
 
 from __future__ import annotations
@@ -19,10 +18,10 @@ from ev3proto.tables import system
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_LENGTH, MIN_LENGTH, SYSTEM_COMMAND_TYPES, MessageType
 
 Accepts = Callable[[MessageType], bool]
-"""Tells which message types go the way of a stream."""
+"""Tells which message types go in the direction of a stream."""
 
 MOST_TRIALS = 64
-"""Maximum number of offsets in a piece of a stream at which a frame is tried."""
+"""Maximum number of offsets in a piece of a stream at which a frame is parsed."""
 
 MOST_FOLLOWING = 2
 """Number of following headers that confirm a frame."""
@@ -98,7 +97,7 @@ class Finder:
         return is_sensible(self._schema.read_frame(buffer[at:end], strict=False))
 
     def is_self_evident(self, buffer: bytes, at: int) -> bool:
-        """Returns whether a valid frame is one whatever follows it: few bytes are operations by chance."""
+        """Returns whether a valid frame needs no other one after it: operations are rarely valid by chance."""
         member = _TYPES.get(buffer[at + HEADER_SIZE - 1])
         return member is not None and member.is_command and member.carries == "direct"
 
@@ -118,10 +117,7 @@ class Finder:
         return True
 
     def follow(self, buffer: bytes, at: int) -> int | None:
-        """Returns the number of headers from here on, one after the other; None if no frame can be here.
-
-        It counts only a few: the next gap may come soon.
-        """
+        """Returns the number of consecutive headers from here on, a few at most; None if no frame can be here."""
         size, count = len(buffer), 0
         while at < size and count < MOST_FOLLOWING:
             at = polls_end(buffer, at)

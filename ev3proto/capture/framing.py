@@ -1,8 +1,8 @@
-"""Framing: one direction of a byte stream is cut into frames, the texts around them, and bytes between these.
+"""Framing: cuts one direction of a byte stream into frames, the texts around them, and the bytes between these.
 
 Nothing in a stream marks the start of a frame: each starts where the last one ended. If that chain breaks (the capture
-begins in the middle, bytes were not captured, a length is impossible) the stream is out of step, and the next offset
-with a whole valid frame is searched for.
+begins in the middle, bytes were not captured, a length is impossible), the stream is out of step: the next whole valid
+frame has to be found.
 """
 
 from __future__ import annotations
@@ -240,7 +240,7 @@ class Cutter:
             if kind is PartKind.LOST:
                 first, least = at, 1
                 if self._in_step:
-                    # Without a possible gap, this is the sender's fault: the packet has everything.
+                    # If there can be no gap, this is the sender's fault: the packet is complete.
                     first, least = at + 1, 1 if self._may_gap else LENGTH_FIELD if at else HEADER_SIZE
                 reason = self._lost(buffer, at)
                 end, waits = self._look_on(buffer, first, -1 if is_last else len(buffer) - least)
@@ -345,10 +345,7 @@ class Cutter:
         return found in (Found.SINGLE, Found.CHAIN) or (self._trials > 0 and not is_last)
 
     def _look_on(self, buffer: bytes, at: int, latest: int) -> tuple[int, bool]:
-        """Returns where a stream that is out of step continues, and whether more bytes are needed to tell.
-
-        `latest` is the last offset at which a header may begin; negative if the stream has ended.
-        """
+        """Returns where a stream continues if its next header begins by `latest`, and whether more bytes are needed."""
         found, place = self._finder.next_step(buffer, max(at, self._passed), self._begins(), self.accepts)
         if found is Found.OPEN and latest < 0:
             found, place = Found.NOTHING, len(buffer)
@@ -364,7 +361,7 @@ class Cutter:
                 return place, True
         self._passed = 0
         if found in (Found.NOTHING, Found.OPEN):
-            # A frame that comes byte by byte is not judged with each of them.
+            # A frame that arrives byte by byte is not judged again at each byte.
             self._next_try = (len(buffer) - place) * 5 // 4 + 1
             return place, True
         self._in_step = True

@@ -80,7 +80,7 @@ class Latencies:
             below += self._buckets[number]
             if below >= rank:
                 break
-        # The value that is as near to one end of the bucket as to the other, relative to both.
+        # The value with the same relative distance to both ends of the bucket.
         middle = SHORTEST * math.exp(number * _GROWTH) * (1 - ACCURACY) if number else SHORTEST
         return min(max(middle, self._shortest), self._longest)
 

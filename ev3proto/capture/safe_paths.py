@@ -71,10 +71,10 @@ def numbered(name: str, number: int) -> str:
 
 
 class Shelf:
-    """A folder that gives each file a place.
+    """A folder in which each file gets a path of its own.
 
-    No place is given twice, no existing one (unless `force`, and then only a file's), none through a symbolic link, and
-    none that some file systems take for another one: `A` is `a`.
+    No path is used twice. An existing one is used only with `force`, and only a file's; a symbolic link is never
+    followed. Names that differ only in case, such as `A` and `a`, are the same name.
     """
 
     def __init__(self, folder: Path, *, force: bool = False) -> None:
@@ -111,7 +111,7 @@ class Shelf:
         while (found := self._folder_at(folder / numbered(name, number))) is None:
             number += 1
         self._folders[folder, _key(name)] = found
-        # It may exist under a name that is the same to some file systems; no file can have that either.
+        # It may exist under a name that differs in case; no file can have that name either.
         self._taken.add((folder, _key(found.name)))
         return found
 
@@ -139,5 +139,5 @@ def _is_file(path: Path) -> bool:
 
 
 def _key(name: str) -> str:
-    """Returns a key that is the same for names that some file systems take for one."""
+    """Returns the same key for names that some file systems do not distinguish."""
     return os.path.normcase(name).casefold()

@@ -57,7 +57,7 @@ def check(
     context = _context(frame, dialect, carrier, alone)
     findings = _in_order(_unswapped(context, _findings(context)))
     if findings and (text := mangled(frame)) is not None:
-        # What follows from it is not worth a finding.
+        # All other findings follow from this one.
         findings = [codes.MANGLED.finding(*text)]
     accepted, rejected_at = _answer(context, findings)
     return Report(frame, accepted, rejected_at, tuple(findings), dialect, carrier)
@@ -68,7 +68,7 @@ _ERROR, _WARNING, _HINT = Severity
 
 
 def _in_order(findings: list[Finding]) -> list[Finding]:
-    """Returns the findings by offset and then severity, without hints on bytes that must be changed in any case."""
+    """Returns the findings by offset and then severity, without hints about bytes that have an error."""
     if len(set(map(_OFFSET, findings))) == len(findings):
         return sorted(findings, key=_OFFSET)
     errors = [finding for finding in findings if finding.severity is _ERROR]
@@ -105,7 +105,7 @@ def _context(frame: bytes, dialect: str, carrier: str | None, alone: bool) -> Ch
 
 
 def _unswapped(context: CheckContext, findings: list[Finding]) -> list[Finding]:
-    """Returns the findings; those that swapping the two bytes of the memory word fixes become one."""
+    """Returns the findings; those that would go if the memory word's bytes were swapped become one."""
     frame, end = context.frame, COMMAND_HEADER_SIZE
     errors = [finding for finding in findings if finding.severity is _ERROR]
     if not 0 < len(errors) <= _MOST_BY_HAND or {error.code for error in errors} - _OF_MEMORY:
@@ -137,7 +137,7 @@ def _findings(context: CheckContext) -> list[Finding]:
     if isinstance(message, DirectCommand):
         found += check_command_header(context, message)
         if context.end > MAX_FRAME:
-            return [*found, *check_refusals(context, is_out_of_step=False)]  # no other byte of it is relevant
+            return [*found, *check_refusals(context, is_out_of_step=False)]  # the brick reads none of its bytes
         inside: list[Finding] = []
         local, shared = check_arguments(context, inside)
         found += check_refusals(context, is_out_of_step=any(map(is_swallowing, inside)))

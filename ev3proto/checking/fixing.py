@@ -86,10 +86,7 @@ _FEWER = sorted((_Step(bits) for bits in range(1, _ALL.value)), key=len, reverse
 
 
 def _better(report: Report, tried: _Fixing) -> tuple[_Fixing, Report] | None:
-    """Returns the fix with the most steps that improves a frame, and the report on the result.
-
-    Better means: the brick accepts it, with fewer findings and no more errors than before.
-    """
+    """Returns the fix with the most steps whose result is accepted with fewer findings and no more errors, if any."""
     if not tried.changes:
         return None
     fewer = (steps for steps in _FEWER if steps in tried.made and steps != tried.made)
@@ -287,7 +284,7 @@ def _most(command: DirectCommand, scope: str) -> int:
 
 
 def _spanned(command: DirectCommand, size: int) -> bytearray:
-    """Returns for each byte of the frame whether it is between a jump and its target and must keep its length."""
+    """Returns 1 for each byte of the frame between a jump and its target, where no encoding may be shortened."""
     spanned = bytearray(size)
     for operation in command.operations:
         if not operation_facts(operation.schema).is_jump:

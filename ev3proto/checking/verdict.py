@@ -171,10 +171,10 @@ class Refusal(NamedTuple):
 
 
 def _after_list(data: bytes, at: int, end: int, kind: Type, counter: Argument) -> int | Refusal:
-    """Returns the offset after the elements of a list, which are not checked; beyond `end` if they reach there."""
+    """Returns the offset after the elements of a list, which are not checked; beyond `end` if they do not fit."""
     count = _number(counter)
     if kind is Type.VALUES:
-        # Rule 10. Each value takes at least one byte: more values than bytes end beyond the code.
+        # Rule 10. Each value takes at least one byte: more values than bytes cannot fit.
         count &= 0xFFFFFFFF
         if count > end - at:
             return Refusal(Reason.CUT_OFF, counter.offset, count >= SPINNING)

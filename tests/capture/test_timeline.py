@@ -336,7 +336,7 @@ def test_beyond_the_limit_marks_are_counted() -> None:
     assert {mark.outcome for mark in timeline.marks} == {MarkState.ERROR, MarkState.UNANSWERED}
     cells = specification(timeline)["datasets"]["cells"]
     assert len(cells) == 200
-    assert "the darker, the more in 50 ms" in summary(timeline)[1]
+    assert "darker means more in 50 ms. Problems are marked; the slowest answer" in summary(timeline)[1]
     assert "in packet 8" in cells[0]["tip"]["slowest answer"]
 
 

@@ -1,4 +1,4 @@
-"""Claims of conversations with byte streams: what waits for more bytes, and what a claim gives to the streams."""
+"""Claims of conversations that are byte streams: the pending bytes, and how a claim hands them to its streams."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ class StreamClaim(Claim):
         return sum(MARK_SIZE + len(data) for data in pending)
 
     def feed(self, stream: Stream, piece: Piece) -> list[Event]:
-        """Takes the next bytes of a direction. Returns the events of those that are claimed."""
+        """Takes the next bytes of a direction and returns the events of those that are claimed."""
         side = _side(stream)
         self._streams[side] = stream
         if not self.is_claimed:
@@ -75,7 +75,7 @@ class StreamClaim(Claim):
         return self._counted(stream, stream.feed(piece))
 
     def _counted(self, stream: Stream, events: list[Event]) -> list[Event]:
-        """Counts the events of a packet. If that ends the claim, adds those of the pending bytes."""
+        """Counts the events of a packet, and adds those of the pending bytes if that ends the claim."""
         if self.is_sure:
             return events
         records, unread = [], stream.cutter.passed
@@ -173,7 +173,7 @@ class StreamClaim(Claim):
         return events + self._counted(stream, self._started(stream, _after(pieces, place)))
 
     def _started(self, stream: Stream, pieces: list[Piece]) -> list[Event]:
-        """Returns the events of pieces of which the first begins with a frame."""
+        """Returns the events of pieces that begin with a frame."""
         stream.cutter.accepts = self._goes_out if _side(stream) is self.to_brick else self._comes_back
         stream.cutter.begin(in_step=True)
         return [event for piece in pieces for event in stream.feed(piece)]

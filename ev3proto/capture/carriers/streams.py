@@ -89,7 +89,7 @@ class Stream:
         return events
 
     def _cut_off(self, missing: int) -> list[Event]:
-        """Ends the newest packet, of which bytes are missing. Reports them, unless they are the rest of a cut frame."""
+        """Ends a packet that the capture has cut, and reports the missing bytes unless they belong to a cut frame."""
         left = self.cutter.left
         lacking = frame_size(left) - len(left) if len(left) >= HEADER_SIZE else 0
         pieces = self.cutter.cut_off(missing)

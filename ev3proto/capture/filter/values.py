@@ -47,7 +47,7 @@ ORDER: dict[str, Callable[[Any, Any], bool]] = {
     ">": operator.gt,
     ">=": operator.ge,
 }
-"""The relations of numbers. != needs all values of a name, not one, and is not here."""
+"""The relations of numbers. `!=` is missing, since it must hold for all values of a name, not for one."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -35,11 +35,10 @@ _MOST_MAGIC = max(map(len, MAGICS))
 
 
 class _Source(io.RawIOBase):
-    """A raw stream around a read function, which can show its first bytes. It does not close the stream behind it.
+    """A raw stream around a read function, which can show its first bytes and does not close the stream behind it."""
 
-    A pipe may return less than requested, and a damaged gzip stream returns the bytes before the damage only if no more
-    are requested at once.
-    """
+    # A pipe may return less than requested, and a damaged gzip stream returns the bytes before the damage only if no
+    # more are requested at once.
 
     def __init__(self, read: Callable[[int], bytes]) -> None:
         self._read = read

@@ -66,7 +66,7 @@ def specification(timeline: Timeline, title: str = "") -> Json:
     return heading | {
         "$schema": f"https://vega.github.io/schema/vega-lite/v{VERSION}.json",
         "params": [
-            # One time for all views, whichever is dragged.
+            # All views show the same time, whichever is dragged.
             {"name": "time", "select": dragged, "bind": "scales", "views": chart.timed},
             {"name": "picked", "select": clicked, "bind": "legend", "views": chart.timed[:1]},
             {"name": "margin", "value": round(chart.margin)},
@@ -90,7 +90,7 @@ def specification(timeline: Timeline, title: str = "") -> Json:
 
 
 def summary(timeline: Timeline) -> list[str]:
-    """Returns the lines under the title: time, duration, counts of messages and troubles, and what is not drawn."""
+    """Returns the lines under the title: time, duration, counts of messages and problems, and what is not drawn."""
     begin, length = timeline.origin_ns + round(timeline.begin * NANOSECONDS), timeline.end - timeline.begin
     when = f"from {clock(begin)}, {duration(length)}" if timeline.is_timed else "in their order, without times"
     troubles = (
@@ -104,8 +104,8 @@ def summary(timeline: Timeline) -> list[str]:
     lines = [f"{when}: {', '.join((_count(timeline.messages, 'message'), *how))}"]
     if timeline.bin_width:
         lines.append(
-            f"Too much to mark one by one: the darker, the more in {_extent(timeline, timeline.bin_width)}; what went"
-            f" wrong has marks{', and below is the slowest answer in that time' if timeline.is_timed else ''}."
+            f"Too many messages to mark individually; darker means more in {_extent(timeline, timeline.bin_width)}."
+            f" Problems are marked{'; the slowest answer of each interval is below' if timeline.is_timed else ''}."
         )
     else:
         lines.append("A mark shows when a command was sent, and its bar reaches to the reply.")
@@ -147,7 +147,7 @@ class _Chart:
         for brick, tally in timeline.bricks.items():
             if homes[brick] == brick:
                 self._panel(brick, tally, {name for name, home in homes.items() if home == brick})
-        # What went wrong is drawn over the rest.
+        # Problems are drawn over the rest.
         self.datasets["marks"].sort(key=lambda datum: "bad" in datum)
         self.views += self._latency()
         title = (
@@ -391,7 +391,7 @@ class _Chart:
         return {"field": field, "type": "quantitative", "scale": scale, "axis": axis}
 
     def _symbol(self) -> Json:
-        """Returns the look of symbols: smaller if there are many; troubles stay large and have a white rim."""
+        """Returns the look of symbols: smaller if there are many; problems stay large and have a white rim."""
         many = len(self.datasets["marks"])
         outcomes = self._timeline.outcomes
         words = {outcome.value: f"{outcome.value}: {outcomes[outcome]:,}" for outcome in MarkState}

@@ -76,7 +76,7 @@ def picture(chart: dict[str, Any], form: Form) -> bytes:
         png: bytes = vl_convert.vegalite_to_png(chart, vl_version=VERSION, scale=PNG_SCALE, allowed_base_urls=[])
         return png
     svg: str = vl_convert.vegalite_to_svg(chart, vl_version=VERSION, allowed_base_urls=[])
-    # The library counts clipping paths and gradients on from picture to picture.
+    # The library continues to number clipping paths and gradients from one picture to the next.
     numbers: dict[str, str] = {}
     return re.sub(
         r'((?:id="|url\(#)(?:clip|gradient_))(\d+)',

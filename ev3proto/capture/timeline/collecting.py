@@ -1,6 +1,6 @@
 """Turns events into marks, in memory that does not grow with the capture.
 
-Up to MOST_MARKS, everything has its own mark. Beyond that, marks are counted in bins of time, and only troubles
+Up to MOST_MARKS, everything has its own mark. Beyond that, marks are counted in bins of time, and only problems
 are kept one by one, up to MOST_TROUBLES.
 """
 
@@ -24,7 +24,7 @@ MOST_MARKS = 20_000
 """Maximum number of marks that are drawn one by one."""
 
 MOST_TROUBLES = 2_000
-"""Maximum number of troubles that are drawn one by one if the rest is counted."""
+"""Maximum number of problems that are drawn one by one if the rest is counted."""
 
 MOST_FILES = 500
 """Maximum number of files that are drawn."""

@@ -150,11 +150,11 @@ class Timeline:
     origin_ns: int  # time of the capture's first event, in nanoseconds since 1970-01-01 UTC: 0 on the axis
     begin: float  # start of the picture, in seconds since then
     end: float  # end of the picture
-    marks: list[Mark]  # all marks in the order of time; if there are too many, only those of troubles and files
+    marks: list[Mark]  # all marks in the order of time; if there are too many, only those of problems and files
     cells: dict[tuple[Lane, float], Cell]  # if there are too many marks: counts by lane and start of the bin
     bin_width: float  # width of a bin in seconds, 0 without bins
     bricks: dict[str, Tally]  # totals of each brick by name, in the order of their first events
-    unshown: int  # troubles and files that were counted, but not drawn
+    unshown: int  # problems and files that were counted, but not drawn
     is_timed: bool = True  # the capture has times; otherwise a second is a line of the text
 
     @property

@@ -1,6 +1,6 @@
-"""Hints about a command that is tried by itself: what does nothing, and numbers that are easily mistaken.
+"""Hints about a command that is tried by itself: operations without effect, and numbers that are easily confused.
 
-In a capture or a log, other commands do the rest, so these hints are not for frames in those.
+Frames in a capture or a log get none of them, since other commands may complete what they begin.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ _PERCENT = "%"
 
 
 def check_alone(context: CheckContext) -> Iterator[Finding]:
-    """Checks a direct command that is not among others."""
+    """Checks a direct command that is tried by itself."""
     if not context.is_whole:
         return
     is_started = Effect.RUNS_MOTORS in context.effects

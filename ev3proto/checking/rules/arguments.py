@@ -266,7 +266,7 @@ def longer_finding(operation: CheckedOperation, argument: Argument, has_jumps: b
 
 
 def _shorter_way_back(argument: Argument, value: int) -> bytes:
-    """Returns a jump to the same place in fewer bytes: its end, from which it is counted, moves."""
+    """Returns a jump to the same target in fewer bytes; its distance, counted from its end, changes."""
     for length in range(1, argument.length):
         data = encode_integer(value + argument.length - length)
         if len(data) == length:
@@ -358,7 +358,7 @@ def check_arguments(context: CheckContext, found: list[Finding]) -> tuple[list[U
                 local.append((operation, footprint(operation.parsed, number, arguments)))
             else:
                 known = facts.of(number, argument.parameter)
-                # A range compares all of its numbers, one by one, with a value that is not a whole number.
+                # `in` compares a value that is not a whole number with all numbers of a range, one by one.
                 form = argument.form
                 if type(value) is not int or value not in known.legal or kind == JUMP or form.handle or form.address:
                     wrong = value_finding(operation, number, argument, known)

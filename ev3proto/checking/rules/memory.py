@@ -69,7 +69,7 @@ _Identity = tuple[str, int, Encoding, int, int, int | None]
 
 
 def _identity(use: Use) -> _Identity:
-    """Returns the key by which two variables have the same finding."""
+    """Returns the key that variables with the same finding share."""
     operation, place = use
     return operation.name, place.number, place.argument.form, place.start, place.size, place.most
 
@@ -90,7 +90,7 @@ def _again(finding: Finding, offset: int) -> Finding:
 
 def _places(used: list[Use], asked: int) -> Iterator[Finding]:
     """Yields findings about variables that are misaligned or beyond the requested memory."""
-    # One variable may be wrong in a thousand places: its finding is made once.
+    # The same mistake may occur a thousand times, so its finding is made once.
     said: dict[_Identity, list[Finding]] = {}
     written: Taken | None = None
     for use in used:

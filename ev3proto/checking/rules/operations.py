@@ -179,11 +179,7 @@ class _Way:
 
 
 def _counted(operation: CheckedOperation, jump: Argument, target: int) -> int:
-    """Returns the distance for a jump to an offset in the frame.
-
-    It is counted from the end of the jump, which moves if the new number takes more bytes than the
-    current one.
-    """
+    """Returns the distance from the end of a jump to an offset; a number that takes more bytes moves that end."""
     kept = jump.length if jump.form.kind == CONSTANT else 0
     for width, numbers in CONSTANT_RANGES.items():
         length = 1 + width
@@ -225,7 +221,7 @@ def check_effects(context: CheckContext) -> Iterator[Finding]:
 
 
 def _waits(operation: CheckedOperation) -> bool:
-    """Returns whether the operation gives time to what was started. A loop may be a wait."""
+    """Returns whether the operation lets time pass; a jump counts, because loops are used to wait."""
     return operation.has(Effect.WAITS) or operation.facts.is_jump
 
 
@@ -396,7 +392,7 @@ def _spins(context: CheckContext) -> Finding:
 
 
 def _fault(context: CheckContext, fault: Fault) -> Finding:
-    """Returns the finding about what stops the parser. What the validator makes of later bytes follows from it."""
+    """Returns the finding about what stops the parser, which is the cause of all later refusals."""
     start = _faulty_start(context)
     if context.operations and context.operations[-1].start == start:
         return _faulty_argument(context, context.operations[-1], fault)

@@ -1,6 +1,6 @@
-"""The commonest mistake by hand: a number as a raw byte, where the firmware expects an identification byte.
+"""The most common mistake by hand: a number as a raw byte, where the firmware expects an identification byte.
 
-75 as `4B` is the variable LV(11), -100 as `9C` is a text up to the next zero, and -20 as `EC` begins nothing. The
+75 as `4B` is the variable LV(11), -100 as `9C` is a text up to the next zero, and -20 as `EC` is undefined. The
 documented values of a parameter decide whether a byte may be meant as a number.
 """
 
@@ -23,19 +23,19 @@ _BYTE = 1 << 8
 _WORD = 1 << 16
 _NUMBERS = (Type.DATA8, Type.DATA16, Type.DATA32)
 _FIRST_ODD_LABEL = LABEL_BYTE + 4
-"""Identification bytes of labels that no program writes for one: the firmware ignores their last bits."""
+"""The first identification byte that the firmware reads as a label, but no program writes for one."""
 _NOT_NUMBERS = (Role.JUMP, Role.LABEL)
 
 
 def takes_a_number(parameter: Parameter) -> bool:
-    """Returns whether a parameter reads a number, and not a place in the code."""
+    """Returns whether a parameter reads a number that is not the target of a jump."""
     is_single = parameter.length is None and parameter.indexed_by is None
     is_read = parameter.direction is Direction.IN and is_single
     return is_read and parameter.type in _NUMBERS and parameter.role not in _NOT_NUMBERS
 
 
 def raw_numbers(known: ParameterFacts, data: bytes, at: int) -> list[int]:
-    """Returns the numbers as which the bytes at an offset may be meant: documented values of the parameter.
+    """Returns the documented values of a parameter that raw bytes at an offset may mean.
 
     One byte, unsigned or else signed; for a parameter of more bytes also two, as in `B8 01` for 440.
     """
@@ -53,10 +53,7 @@ def _numbers(known: ParameterFacts, data: bytes, at: int, is_legal: Callable[[in
 
 
 def _sure_numbers(known: ParameterFacts, data: bytes, at: int) -> list[int]:
-    """Returns the same for a byte that cannot begin an argument: if none are documented, all values of the type.
-
-    A number of two bytes comes first if the parameter has as many.
-    """
+    """Returns the same for a byte that cannot begin an argument, where undocumented values count, too."""
     limits = known.limits
     if known.domain is None and limits is not None:
         found = _numbers(known, data, at, lambda number: limits.low <= number <= limits.high)
@@ -137,7 +134,7 @@ def raw_start(operation: CheckedOperation, known: ParameterFacts, data: bytes, a
     if not numbers:
         return None
     if form is not None and form.kind != TEXT and not (form.handle or form.address):
-        return None  # the argument is what it says, and cut off
+        return None  # a real argument that is cut off
     what = "begins no argument" if form is None else f"begins {_said(form)}, which the frame does not end"
     return codes.RAW_BYTE.finding(
         at,

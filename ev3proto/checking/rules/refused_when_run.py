@@ -1,4 +1,4 @@
-"""What passes the validator and still fails or does nothing when it runs, whatever the state of the brick."""
+"""Operations that pass the validator, but fail or do nothing on every brick."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _OFFICIAL = "official"
 
 
 def check_failures(context: CheckContext) -> Iterator[Finding]:
-    """Checks for operations that fail on every brick, handles of nothing, refused letters and added suffixes."""
+    """Checks for operations that fail on every brick, handles never created, refused letters and added suffixes."""
     made: list[Role] = []
     if context.has_jumps:
         # The order is unknown.

@@ -1,7 +1,7 @@
 """Bluetooth between host and controller: connections, L2CAP channels, and RFCOMM in them.
 
 A capture may begin before or after any of them was set up, so RFCOMM is recognised by its checksum, on any L2CAP
-channel. A packet that the capture has cut counts on channels that had whole ones.
+channel. A packet that the capture has cut is accepted on a channel that had a whole one.
 """
 
 from __future__ import annotations
@@ -209,7 +209,7 @@ class Bluetooth:
                 yield weight
                 return
             part = _Part(data, L2CAP.size + L2CAP.unpack_from(data)[0], weight)
-        # Of a packet that the capture has cut, the remaining part is read.
+        # A packet that the capture has cut is read as far as it was captured.
         is_cut = len(data) < length
         if len(part.data) < part.size and not is_cut:
             connection.parts[side] = part

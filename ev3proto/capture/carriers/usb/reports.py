@@ -69,10 +69,8 @@ class Reports:
         return Claim(self._context.schema, lambda member: member.is_command, is_sure=is_sure)
 
     def _earlier(self, claim: Claim, packet: Packet, found: Urb) -> list[Event] | None:
-        """Returns the events of earlier commands if a report, which may prove them, is claimed; else None.
-
-        Reports of other devices may begin like a frame, so the report's size must be that of the frame's type.
-        """
+        """Returns the events of the earlier commands that a report proves, if the report is claimed; else None."""
+        # Reports of other devices may begin like a frame, so the report's size must be that of the frame's type.
         frame = found.frame
         reported = len(found.data) + packet.size - len(packet.data)
         is_big = reported == MAX_FRAME

@@ -120,8 +120,8 @@ class Connections:
         self._budget = context.budget
         self._connections: Bounded[Ends, _Connection] = Bounded(MOST_CONNECTIONS)
         self._halves: dict[Ends, _Half] = {}
-        # The places to which beacons are answered, those at which bricks listen by their beacons, and the bricks' ends
-        # of connections on other ports.
+        # Where beacons are answered, where bricks listen according to their beacons, and the bricks' ends of
+        # connections on other ports.
         self._answered: Bounded[Place, None] = Bounded(MOST_BRICKS)
         self._named: Bounded[Place, None] = Bounded(MOST_BRICKS)
         self._elsewhere: Bounded[Ends, Place] = Bounded(MOST_CONNECTIONS)
@@ -286,7 +286,7 @@ class Connections:
                 del self._halves[way]
                 events += self._end_half(half)
                 half.back = None
-            oldest.halves.clear()  # breaks reference cycles, which Python collects only now and then
+            oldest.halves.clear()  # breaks reference cycles, which Python collects only occasionally
         return connection
 
     def _end_half(self, half: _Half) -> list[Event]:

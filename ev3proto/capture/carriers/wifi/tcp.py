@@ -90,7 +90,7 @@ class Reassembly:
             data = data[self._position - at :]
             at = self._position
         if data:
-            # By the offset alone: where two differ, the first captured one counts.
+            # Sorted by offset only: if two segments differ, the one captured first counts.
             insort(self._ahead, (at, piece._replace(data=data)), key=_offset_of)
             self._waiting += len(data)
             self._go_on(found)
@@ -118,7 +118,7 @@ class Reassembly:
         return [Hole(0)]
 
     def _look_back(self, at: int, data: bytes, found: list[Piece | Hole | Late]) -> None:
-        """Takes bytes before the position: repeated ones, or late ones from a hole or before the start."""
+        """Takes bytes before the position: repeated ones, or late ones that fill a hole or precede the start."""
         end = at + len(data)
         for start, stop in ((min(at, 0), 0), *self._holes):
             first, last = max(start, at), min(stop, end)

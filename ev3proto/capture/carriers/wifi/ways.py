@@ -1,4 +1,4 @@
-"""The direction of a connection's data, if the ports of its ends do not tell it."""
+"""The direction of a connection's data, if its ports do not tell it."""
 
 from __future__ import annotations
 

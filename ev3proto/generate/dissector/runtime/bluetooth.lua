@@ -1,7 +1,7 @@
 -- Bluetooth ---------------------------------------------------------------------------------------------------------
 --
--- Wireshark passes the stream on piece by piece and does not join them: an incomplete frame waits here for its rest.
--- The first pass keeps what was waiting before each packet.
+-- Wireshark passes the stream on in pieces and does not join them: an incomplete frame waits here for its rest. The
+-- first pass keeps the bytes that were waiting before each packet.
 
 do
     -- Our packets, by number. `accepts` tells which types go this way. `step` is "lost" if the stream was out of step
@@ -55,7 +55,7 @@ do
         end
     end
 
-    -- Tells whether a text is only the beginning of a frame.
+    -- Tells whether a text is the incomplete beginning of a frame.
     local function is_part(text)
         local stop = stop_of(text, 0)
         return not stop or is_length(text, 0) and stop > #text
@@ -93,8 +93,8 @@ do
         packet.list, packet.earlier, packet.before = list, #list, sub(left, place + 1)
     end
 
-    -- Looks for a reason to claim a channel, and makes the record of the packet if there is one. What may become a
-    -- command is kept: text that is typed comes letter by letter.
+    -- Looks for a reason to claim a channel, and makes the packet's record if it finds one. The beginning of a possible
+    -- command is kept: typed text, for example, arrives letter by letter.
     local function claim(conversation, stream, piece, missing, offset, pinfo)
         local number, left, starts = pinfo.number, stream.left, {}
         for index, start in ipairs(stream.starts or {}) do
@@ -125,7 +125,7 @@ do
         if stream.step ~= "lost" then
             local part = is_part(text)
             if #text < HEADER_SIZE or part and #text < stream.look_at then return part end
-            -- A frame that comes byte by byte is not examined at each byte.
+            -- A frame that arrives byte by byte is not examined again at each byte.
             stream.look_at = floor(#text * 1.25) + 1
             if not is_length(text, 0) then return false end
             return finding.judge_split(text, 0, accepts, joint) == PART
@@ -134,7 +134,7 @@ do
         return place == 0 and not following
     end
 
-    -- Joins a packet with what waits for it, in the first pass.
+    -- Joins a packet with the bytes that wait for it, in the first pass.
     local function join(stream, piece, packet, number)
         local left = stream.left
         if left == "" then return end

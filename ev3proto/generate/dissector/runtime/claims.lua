@@ -1,13 +1,13 @@
 -- Claims ------------------------------------------------------------------------------------------------------------
 --
--- Which conversations are ours: other protocols use the same ports and channels as bricks. The rule is in ev3proto's
--- tables; here it is applied. Decisions are made in the first pass, and kept.
+-- Decides which conversations are a brick's, since other protocols use the same ports and channels. The rule is in
+-- ev3proto's tables. Decisions are made in the first pass, and kept.
 
--- What data turn out to be: OURS; PART if more is needed to decide; nil if they are not ours.
+-- Results of judging data: OURS; PART if more is needed to decide; nil if they are not a brick's.
 local OURS, PART = "ours", "part"
 
--- What is found in them: CHAIN, a plausible command; SINGLE, whole frames that a reply may prove; OPEN, what may become
--- a command.
+-- Results of searching them: CHAIN, a plausible command; SINGLE, whole frames that a reply may prove; OPEN, bytes that
+-- may become a command.
 local CHAIN, SINGLE, OPEN = "chain", "single", "open"
 
 do
@@ -128,7 +128,7 @@ do
         end
     end
 
-    -- Claims a conversation from a command that waits for a reply on, if a frame of another side is that reply.
+    -- Claims a conversation, beginning with a waiting command, if a frame from another side is its reply.
     local function is_proved(conversation, side, reply)
         local held = conversation.held or {}
         for index = #held, 1, -1 do
@@ -199,7 +199,7 @@ do
         return found, place
     end
 
-    -- Takes note of a message of a claimed conversation, in the first pass.
+    -- Records a message of a claimed conversation, in the first pass.
     function claiming.note(conversation, message)
         if not claiming.is_claimed(conversation) or conversation.state == "sure" then return end
         conversation.has_frame = true

@@ -4,7 +4,7 @@
 -- and afterwards those that are displayed. What the first pass finds is kept by the place of each message; later passes
 -- look it up.
 
--- Reading and showing one message: further below.
+-- The functions that read and show one message are defined below.
 local messages = {}
 
 local dialogues = {}
@@ -20,7 +20,7 @@ do
     -- of its file.
     local replies, requests, delays, bodies, transfers
 
-    -- Equal bodies as one string.
+    -- One string for all equal bodies.
     local shared_bodies
 
     local conversations

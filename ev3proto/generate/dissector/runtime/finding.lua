@@ -1,10 +1,10 @@
 -- Finding -----------------------------------------------------------------------------------------------------------
 --
--- Frames in streams that are not claimed yet, or out of step after a gap: a header alone is often a coincidence, so a
--- frame is also judged by its contents and by what follows it.
+-- Finds frames in streams that are not claimed yet, or out of step after a gap. A header alone is often a coincidence,
+-- so a frame is also judged by its contents and by what follows it.
 
 do
-    -- Maximum number of places in one piece of a stream where a frame is tried.
+    -- Maximum number of places in one piece of a stream where a frame is parsed.
     local MOST_TRIALS = 64
 
     -- Maximum number of following headers that are checked.
@@ -13,7 +13,7 @@ do
     -- The minimum size of a command that is cut or inside a packet: one byte of operations, as NOP, proves nothing.
     local LEAST = COMMAND_HEADER_SIZE + 2
 
-    -- Tells whether an incomplete frame at an offset may turn out to have no fault.
+    -- Tells whether an incomplete frame at an offset may become one without a fault.
     function finding.may_become(text, at, accepts)
         if not may_start(text, at) then return false end
         local code, number = byte(text, at + HEADER_SIZE, at + HEADER_SIZE + 1)
@@ -96,8 +96,7 @@ do
         return false
     end
 
-    -- Counts the headers that follow each other from an offset on; nil if none can start there. A few are enough: the
-    -- next gap may come soon.
+    -- Counts consecutive headers from an offset on, a few at most; nil if none can start there.
     function finding.follow(text, at)
         local size, count = #text, 0
         while at < size and count < MOST_FOLLOWING do
@@ -175,7 +174,7 @@ do
         return open
     end
 
-    -- Judges a frame that seems to come in several packets, between which packets may be missing: OURS, PART, or nil.
+    -- Judges a frame that seems to be split over several packets, with possible gaps between them: OURS, PART, or nil.
     -- The newest packet starts at `joint`.
     function finding.judge_split(text, at, accepts, joint, is_last)
         local stop = stop_of(text, at)
@@ -188,7 +187,7 @@ do
         local type = message.type
         local is_sound = type and accepts(type) and claiming.is_sensible(message)
         if not following then return nil end
-        -- Few random bytes are operations.
+        -- Random bytes are rarely valid operations.
         if is_sound and (following > 0 or type.is_command and type.carries == "direct") then return OURS end
         -- After a gap between two packets, frames start in the newer one.
         local inside, following_inside = finding.find_step(text, is_sound and joint or at + 1, accepts, 0, joint)

@@ -2,8 +2,7 @@
 --
 -- What all carriers have in common: one frame in a buffer, and the columns of a packet.
 
--- Tells whether the tree is needed. It is not for one-line output, if filters, columns and colours use other protocols
--- only.
+-- Tells whether the tree is needed: not for one-line output if filters, columns and colours use only other protocols.
 local has_tree
 do
     local this_dissector
@@ -45,7 +44,7 @@ do
     end
 end
 
--- Which conversations are ours, and where frames are: see Claims and Finding below.
+-- Claims and Finding below decide which conversations are a brick's, and where frames start.
 local claiming, finding = {}, {}
 
 -- Each carrier below adds a table: `dissectors`, by Wireshark's type of ports; `register`, which registers them;
@@ -55,7 +54,7 @@ local carriers = {}
 -- The number of the first packet with data of which the capture has only the beginning, as with a snap length.
 local first_cut = math.huge
 
--- Tells whether the capture cut a packet, and data end there.
+-- Tells whether data end where the capture cut their packet.
 local function is_cut_by_capture(tvb, stop, pinfo)
     if stop < tvb:len() or pinfo.caplen >= pinfo.len then return false end
     first_cut = math.min(first_cut, pinfo.number)
@@ -90,8 +89,7 @@ local function is_usual_length(length)
     return length >= MIN_LENGTH and length <= MAX_LENGTH
 end
 
--- Tells whether the length field at an offset can be a frame's. Downloads may be longer than all others, by their
--- header.
+-- Tells whether the length field at an offset can be a frame's; those of downloads may be larger than all others.
 local function is_length(text, at)
     local length = reading.unsigned16(text, at)
     if is_usual_length(length) then return true end
@@ -101,7 +99,7 @@ local function is_length(text, at)
     return type.carries == "system" and (not number or command ~= nil and command.is_long == true)
 end
 
--- Tells whether a frame may start at an offset, by as much of its header as there is.
+-- Tells whether a frame may start at an offset, judging by as much of its header as is present.
 local function may_start(text, at)
     if #text - at < LENGTH_FIELD then return #text > at end
     local type = byte(text, at + HEADER_SIZE)

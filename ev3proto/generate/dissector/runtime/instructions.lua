@@ -1,8 +1,8 @@
 -- The instruction set, made ready -----------------------------------------------------------------------------------
 --
--- The tables above are written for readers. Here each parameter becomes what reading an argument needs. Wireshark needs
--- all fields at startup; an operation gets its parameters when it is first seen, because a capture has few operations,
--- and the garbage collector visits everything again and again.
+-- The tables above are written for people. Here they become tables for reading arguments. Wireshark needs all fields at
+-- startup; an operation gets its parameters when it is first seen, because a capture uses few operations, and the
+-- garbage collector visits everything repeatedly.
 
 -- Returns a table whose entries are made on first use.
 local function made_late(make)

@@ -161,7 +161,7 @@ do
         return concat(pieces)
     end
 
-    -- Returns the subject of a system message; for a piece of a file that is the file and its progress.
+    -- Returns the subject of a system message; for a piece of a file, the file and its progress.
     local function subject_text(message, place)
         local transfer = dialogues.transfer_at(place)
         local is_first = message.command.transfer == "begin" and message.type.is_command
@@ -255,7 +255,7 @@ do
         at = at + 2
         if not payload or stop - at < DAISY.sensor_report_size then return line end
         for _, declared in ipairs(DAISY.sensor_report) do
-            -- The last part takes the rest.
+            -- The last part extends to the end.
             local after = declared.size and at + declared.size or stop
             if after > at then payload:add(report_field[declared.name], bytes_between(view, at, after)) end
             at = after
@@ -274,8 +274,7 @@ do
         { direct = show_direct_command, system = show_system_message, daisy = show_daisy_command }
     local SHOW_REPLY = { direct = show_direct_reply, system = show_system_message, daisy = show_daisy_reply }
 
-    -- Tells whether a frame of which the capture has only the beginning has a fault there: with zeros in place of the
-    -- rest, it has the same one.
+    -- Tells whether a fault in the captured beginning of a frame is real: with zeros for the rest, it is the same.
     local function is_real(fault, message)
         local type = message.type
         if not type or type.carries == "daisy" then return fault.kind ~= "cut_off" end

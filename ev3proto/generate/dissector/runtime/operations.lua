@@ -48,7 +48,7 @@ do
         end
     end
 
-    -- Adds the expert information that the brick refuses the index of a variable.
+    -- Adds the expert information for a variable whose index the brick refuses.
     local function complain_of_index(item, parameter, encoding, index, alignment)
         local reason = "%s: the index of a %s must be a multiple of %d, the brick refuses %s"
         local sort = encoding.handle and "handle" or TYPE_NAMES[parameter.type]
@@ -113,7 +113,7 @@ do
         end
         if encoding.scope then
             check_variable(item, parameter, encoding, value)
-            -- An address is not a value, but the place of one.
+            -- An address is the place of a value, not a value.
             if not item and encoding.kind == GLOBAL and parameter.is_output and not encoding.address then
                 note_output(parameter, encoding, value)
             end
@@ -191,7 +191,7 @@ do
         summaries, summary_count = {}, 0
     end
 
-    -- Returns what a direct command is without a tree, by its bytes after the type: `line`, `after`, `fault` and
+    -- Returns the summary of a direct command without a tree, by its bytes after the type: `line`, `after`, `fault` and
     -- `first` as above, its `complaints`, and its `outputs`. Offsets are those in the frame.
     function operations.summary_of(body)
         local summary = summaries[body]

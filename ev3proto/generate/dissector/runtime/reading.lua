@@ -39,7 +39,7 @@ do
     local function single(text, at)
         if at + 4 > #text then return nil end
         local value = unpack("<f", text, at + 1)
-        -- All NaNs are shown alike.
+        -- All NaNs look the same.
         return value == value and value or 0 / 0
     end
 

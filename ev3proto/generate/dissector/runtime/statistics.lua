@@ -182,7 +182,7 @@ local function width_of(text)
     return select(2, gsub(text, "[^\128-\191]", ""))
 end
 
--- Formats a table with columns as narrow as their contents, because Wireshark's text windows wrap lines after some 70
+-- Formats a table with columns as narrow as their contents, because Wireshark's text windows wrap lines after about 70
 -- characters. The first column is left-aligned, the others are right-aligned.
 local function columns_text(lines)
     local widths, out = {}, {}
@@ -247,7 +247,7 @@ end
 
 -- Export ------------------------------------------------------------------------------------------------------------
 
--- Windows drops dots and blanks at the end of a name.
+-- Windows drops dots and spaces at the end of a name.
 local function without_end(name)
     return (gsub(name, "[%. ]+$", ""))
 end
@@ -265,7 +265,7 @@ local function safe_name(path, taken)
     local name = gsub(path:match("[^/\\]*$"), "[\194-\244][\128-\191]+", "_")
     name = gsub(gsub(name, "[^%w%._%- ]", "_"), "^[%. ]+", "_")
     name = cut_name(without_end(name))
-    -- Names of devices on Windows, which also drops blanks before the first dot.
+    -- Names of devices on Windows, which also drops spaces before the first dot.
     local stem = gsub(name:match("^[^%.]*"):upper(), " +$", "")
     if name == "" or stem:match("^CO[MN]%d?$") or stem:match("^LPT%d$") or stem:match("^[PANX][RUL][NXL]$") then
         name = "_" .. name

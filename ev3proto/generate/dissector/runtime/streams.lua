@@ -79,8 +79,8 @@ do
         return said, stop
     end
 
-    -- Adds the bytes between two offsets, which are outside of frames. `length` is what the length field there says.
-    -- They may belong to a frame that the capture cut, in this packet or before.
+    -- Adds the bytes between two offsets, which are outside of frames; `length` is the length field there. They may
+    -- belong to a frame that the capture cut, in this packet or before.
     function streaming.dissect_no_frame(tvb, at, stop, length, pinfo, tree, is_shown)
         local said = format("no frame (%s)", phrases.plural(stop - at, "byte"))
         local reason = "bytes that are in no frame, as after a gap in the capture"
@@ -124,8 +124,8 @@ do
         return following ~= nil and place < stop
     end
 
-    -- Judges what begins at an offset: OURS for a frame that can be dissected; PART for one that has to wait, with the
-    -- number of bytes it needs, if known, and the step of the stream; nil if it is not a frame.
+    -- Judges the bytes from an offset on: OURS for a frame that can be dissected; PART for one that has to wait, with
+    -- the number of bytes it needs, if known, and the step of the stream; nil if it is not a frame.
     local function judge_frame(text, at, stream, step)
         local code, stop = byte(text, at + HEADER_SIZE), stop_of(text, at)
         if step == "lost" or stop and not is_length(text, at) then return nil end
@@ -137,7 +137,7 @@ do
             if is_misleading(text, at, stop, stream.accepts) then return nil end
         end
         if stream.is_last or code and stop <= stream.reported then return OURS end
-        -- There may be a gap before it: it is judged again with each packet.
+        -- There may be a gap before it, so it is judged again with each packet.
         if step == "likely" and at == 0 then return PART, nil, step end
         return PART, stop and stop - stream.reported, "sure"
     end
@@ -149,10 +149,10 @@ do
     --   is_last    there is nothing more to wait for
     --   step       "sure" if a frame starts with the piece, "likely" if one does unless there is a gap before it,
     --              "lost" if it must be searched for
-    --   start      how many bytes of it are done, if there are any
+    --   start      how many bytes of it are done, if any
     --   joint      where in the piece the newest packet starts; `first` is 0 if a packet starts with the piece, too
-    --   may_gap    nothing tells of gaps between the packets
-    --   accepts    tells which types go its way, if that is known
+    --   may_gap    gaps between the packets go unnoticed
+    --   accepts    tells which types go in its direction, if that is known
     function streaming.dissect(tvb, text, stream, conversation, number, pinfo, tree, is_shown)
         local at, captured, lost, start = stream.start or 0, #text, 0, tvb:offset()
         local step = stream.step

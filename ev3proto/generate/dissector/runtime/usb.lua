@@ -6,7 +6,7 @@ do
     -- The "port" of the host; that of a device is the number of its endpoint.
     local HOST = 0xFFFFFFFF
 
-    -- Looking up these methods for each packet would take longer than they do.
+    -- Looking up these methods for each packet would take longer than calling them.
     local bytes_of, captured_len, offset_of = Tvb.raw, Tvb.len, Tvb.offset
 
     local function is_from_host(pinfo)

@@ -1,7 +1,7 @@
 -- Reply values ------------------------------------------------------------------------------------------------------
 --
--- A reply to a direct command is just memory. The output parameters of the command that name global variables tell what
--- is where in it.
+-- A reply to a direct command is only memory. The command's output parameters that are global variables tell what it
+-- contains and where.
 
 local reply_values = {}
 do

@@ -7,7 +7,7 @@ do
 
     local tcp_ports = DissectorTable.get("tcp.port")
 
-    -- Looking up these methods for each packet would take longer than they do.
+    -- Looking up these methods for each packet would take longer than calling them.
     local bytes_of, offset_of = Tvb.raw, Tvb.offset
 
     -- Lists of addresses by port, each with the `name` of its brick: `announced`, where bricks listen by their beacons;
@@ -42,7 +42,7 @@ do
         return known
     end
 
-    -- Returns a packet's conversation, and its direction in that.
+    -- Returns a packet's conversation, and the packet's direction.
     local function connection_of(pinfo)
         local from, to, port, other = pinfo.src, pinfo.dst, pinfo.src_port, pinfo.dst_port
         local ends = port * 0x10000 + other
@@ -249,7 +249,7 @@ do
             return CHAIN, place
         end
 
-        -- Requests more of what may become a frame or a text, from an offset on.
+        -- Requests the rest of a possible frame or text, from an offset on.
         local function ask_for_more(known, text, place, pinfo)
             local starts = {}
             for _, start in ipairs(known.starts) do

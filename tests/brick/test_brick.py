@@ -16,11 +16,6 @@ def exchange(brick: Brick, frame: str) -> list[str]:
     return [reply.hex(" ") for reply in brick.receive(bytes.fromhex(frame.replace("|", " ")))]
 
 
-@pytest.fixture
-def brick() -> Brick:
-    return Brick()
-
-
 REMEMBERED = "0C 00|01 00|80|04 00|3A 83 9B 27 17 2A 60"
 """MOVE32_32 of a constant to GV0, without a reply."""
 

@@ -19,11 +19,6 @@ REPLY, ERROR = 0x03, 0x05
 
 
 @pytest.fixture
-def brick(tmp_path: Path) -> Brick:
-    return Brick(tmp_path)
-
-
-@pytest.fixture
 def projects(tmp_path: Path, brick: Brick) -> Path:
     """The folder ../prjs of the brick."""
     return tmp_path / "prjs"

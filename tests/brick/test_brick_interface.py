@@ -8,11 +8,6 @@ from support.brick import RefusedError, answer, ask
 from ev3proto.brick import Brick
 
 
-@pytest.fixture
-def brick() -> Brick:
-    return Brick()
-
-
 def rows(brick: Brick, first: int, count: int) -> list[str]:
     """Rows that are shown, in hex."""
     return [row.hex() for row in brick.display.rows[first : first + count]]

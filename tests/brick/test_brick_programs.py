@@ -26,11 +26,6 @@ BLINK = bytes.fromhex(
 """Two rounds of half a second, a subcall that draws a text, in a thread and a subcall."""
 
 
-@pytest.fixture
-def brick(tmp_path: Path) -> Brick:
-    return Brick(tmp_path)
-
-
 def image(*objects: tuple[int, int, int, bytes], globals: int = 0) -> bytes:
     """An image of objects: owner, triggers, bytes of locals, code."""
     at = 16 + 12 * len(objects)

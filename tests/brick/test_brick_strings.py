@@ -11,11 +11,6 @@ from ev3proto.brick import Brick
 from ev3proto.messages import GV, LV
 
 
-@pytest.fixture(scope="module")
-def brick() -> Brick:
-    return Brick()
-
-
 def text(brick: Brick, *code: bytes, size: int = 80) -> bytes:
     """The text that operations leave at GV0."""
     brick.receive(command(op("MOVE8_8", 0, GV(0)), reply=False))

@@ -14,11 +14,6 @@ from ev3proto.messages import GV, LV
 NAN_8, NAN_16, NAN_32, NAN_F = -128, -32768, -2147483648, 0x7FC00000
 
 
-@pytest.fixture(scope="module")
-def brick() -> Brick:
-    return Brick()
-
-
 def integer(brick: Brick, *code: bytes, size: int = 4) -> int:
     kind, memory = run(brick, *code, globals=size)
     assert kind == OK

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import io
-
 from support.messages import voltage, volts
 from support.packets import RAW_IP, Capture, Connection
+from support.reading import opened
 
-from ev3proto.capture import Event, read
+from ev3proto.capture import Event
 from ev3proto.capture.dialogues import dialogues
 
 TONE = bytes.fromhex("0e002a0080000094010182b80182e803")
@@ -20,7 +19,7 @@ def captured(*frames: tuple[bool, bytes]) -> list[Event]:
     connection = Connection(capture)
     for from_host, frame in frames:
         capture.add(connection.segment(from_host, frame))
-    return list(read(io.BytesIO(capture.data())).events())
+    return opened(capture.data())[0]
 
 
 def numbers(events: list[Event], patience_ns: int | None = None) -> list[tuple[int | None, int | None]]:

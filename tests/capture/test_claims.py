@@ -22,6 +22,7 @@ from support.claims import (
     way,
 )
 from support.packets import RAW_IP, USBMON, Capture, Connection, Device, cut
+from support.reading import records
 from support.strangers import checked_modbus
 from support.wireshark import Tshark
 
@@ -72,7 +73,7 @@ def captured(carrier: str) -> tuple[bytes, dict[int, str]]:
 
 def read_by_us(data: bytes) -> list[int]:
     """The packets with messages, by the built-in reader."""
-    return sorted({event.numbers[-1] for event in read(io.BytesIO(data)).events() if isinstance(event, Record)})
+    return sorted({record.numbers[-1] for record in records(data)})
 
 
 def dissected(tshark: Tshark, data: bytes, *words: str) -> list[int]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 from collections import Counter
 from collections.abc import Callable, Iterator
 
@@ -10,11 +9,12 @@ import pytest
 from support.frames import Segment
 from support.losses import Lossy, lossy
 from support.packets import RAW_IP, Capture, Connection
+from support.reading import records
 from support.wireshark import Tshark
 
 import ev3proto
 from benchmarks.dialogue import dialogue, usual_dialogue
-from ev3proto.capture import Direction, Record, read
+from ev3proto.capture import Direction
 from ev3proto.schema.header import frame_size
 
 COUNT = 300
@@ -44,8 +44,7 @@ DIALOGUES: dict[str, Callable[[int], Iterator[Segment]]] = {
 
 def read_by_us(data: bytes) -> Counter[Segment]:
     """The messages that the built-in reader finds in a capture."""
-    records = (event for event in read(io.BytesIO(data)).events() if isinstance(event, Record))
-    return Counter(Segment(record.direction is Direction.SENT, record.frame) for record in records)
+    return Counter(Segment(record.direction is Direction.SENT, record.frame) for record in records(data))
 
 
 def dissected(tshark: Tshark, data: bytes, *words: str) -> Counter[Segment]:

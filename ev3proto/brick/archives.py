@@ -20,7 +20,7 @@ _GZIP = 16
 
 
 def pack(storage: Storage, path: bytes, archive: bytes) -> bool:
-    """Writes an archive of a file or a folder with its contents. Returns False where that is impossible."""
+    """Writes an archive of a file or a folder with its contents. Returns False if that is impossible."""
     buffer = io.BytesIO()
     folder, _, name = path.rstrip(b"/").rpartition(b"/")
     with tarfile.open(fileobj=buffer, mode="w:gz") as tar:
@@ -48,17 +48,14 @@ def _members(storage: Storage, folder: bytes, name: bytes, depth: int) -> Iterat
 
 
 def unpack(storage: Storage, archive: bytes) -> bool:
-    """Unpacks an archive beside it. Returns False if it is invalid, or contains what is not allowed.
-
-    Links, special files and names that lead elsewhere are not allowed, nor is more than fits.
-    """
+    """Unpacks an archive beside it. Returns False for an invalid or too large one, or one that leads outside."""
     data = storage.read(archive)
     if data is None:
         return False
     folder = archive.rpartition(b"/")[0]
     folder = folder + b"/" if folder else b""
     try:
-        # Never more than there is room for: a small archive can hold terabytes of zeros.
+        # Never more than fits: a small archive can hold terabytes of zeros.
         whole = zlib.decompressobj(zlib.MAX_WBITS | _GZIP).decompress(data, storage.quota + _HEADS)
         with tarfile.open(fileobj=io.BytesIO(whole), mode="r:") as tar:
             for number, entry in enumerate(tar):

@@ -11,12 +11,12 @@ from ev3proto.tables.mailboxes import BOXES, MOST_CONTENT, MOST_NAME
 class Mailbox:
     """One mailbox."""
 
-    name: bytes = b""  # what senders call it
+    name: bytes = b""  # the name by which senders address it
     type: int = 0  # the type of its values, one of DATA_FORMAT
     is_open: bool = False  # whether a program has opened it
-    # room for a message: the latest one overwrites the start of earlier ones; there is no queue
+    # the buffer: each message overwrites the start of earlier ones; there is no queue
     content: bytearray = field(default_factory=lambda: bytearray(MOST_CONTENT))
-    size: int = 0  # bytes of the latest message
+    size: int = 0  # length of the latest message in bytes
     written: int = 0  # messages since it was opened
     read: int = 0  # number of times one was read
 
@@ -33,14 +33,14 @@ class Mailboxes:
         self.boxes = [Mailbox() for _ in range(BOXES)]
 
     def open(self, number: int, name: bytes, type: int) -> bool:
-        """Opens an empty box. Returns False where it is open already."""
+        """Opens an empty box. Returns False if it is already open."""
         if self.boxes[number].is_open:
             return False
         self.boxes[number] = Mailbox(name[:MOST_NAME], type, True)
         return True
 
     def deliver(self, name: bytes, content: bytes) -> None:
-        """Delivers a message to the first box of that name, open or closed; without one it is dropped.
+        """Delivers a message to the first box of that name, open or closed; drops it if there is none.
 
         A message longer than a box is cut, where the firmware overwrites the next box.
         """

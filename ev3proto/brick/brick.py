@@ -1,8 +1,8 @@
 """The virtual brick: frames in, frames out, and a clock that only the caller advances. No I/O.
 
-It is made of the machine, which executes direct commands and programs, and of the parts that operations act on. A
-direct command that waits keeps the whole brick from reading on, as on the real one: what arrives meanwhile is served
-in order when it has ended.
+It consists of the machine, which executes direct commands and programs, and of the parts that operations act on. As on
+the real brick, a waiting direct command keeps the whole brick from reading: frames that arrive meanwhile are served in
+order once it has ended.
 """
 
 from __future__ import annotations
@@ -62,7 +62,7 @@ _DIRECT = {int(member): member.wants_reply for member in MessageType if member.k
 _SYSTEM = {int(member): member.wants_reply for member in MessageType if member.kind == "system-command"}
 
 AFTER_CODE = bytes((_OBJECT_END,)) + bytes(8)
-"""What the firmware puts after the operations of a direct command, and some of the zeros that follow."""
+"""The bytes that the firmware adds after the operations of a direct command, and some of the zeros that follow."""
 
 LOCALS = 64
 """Local memory of every direct command: always the maximum, whatever it requests."""
@@ -75,7 +75,7 @@ _MOST_SECONDS = 10**12
 
 
 class Addressed(NamedTuple):
-    """A frame that waits or a reply, and its connection."""
+    """A waiting frame or a reply, with its connection."""
 
     channel: Hashable
     frame: bytes
@@ -119,7 +119,7 @@ class Brick(Equipment):
 
     @property
     def terminal(self) -> bytes:
-        """What UI_WRITE's text buffer has gathered since it was flushed."""
+        """The contents of UI_WRITE's text buffer since the last flush."""
         return bytes(self.console.text)
 
     def plug(
@@ -165,15 +165,15 @@ class Brick(Equipment):
             self.machine.end_program(program, STOP)
 
     def start(self, image: bytes, name: str = "program", slot: int = USER_SLOT) -> Program | None:
-        """Starts a program as PROGRAM_START would; one that runs in its slot ends.
+        """Starts a program as PROGRAM_START would; it replaces one that runs in the slot.
 
         Args:
             image: Contents of an .rbf file.
-            name: What its folder in prjs is called: letters, digits, _ and -, any others become _.
-            slot: Number of the slot, that for programs of users by default.
+            name: The name of its folder in prjs: letters, digits, _ and -; other characters become _.
+            slot: Number of the slot; by default the one for user programs.
 
         Returns:
-            The program; None where the brick refuses the image.
+            The program; None if the brick refuses the image.
         """
         project = f"../prjs/{re.sub(r'[^A-Za-z0-9_-]', '_', name)[:_MOST_NAME] or 'program'}/"
         self.files.make_folder(project.rstrip("/").encode())
@@ -187,7 +187,7 @@ class Brick(Equipment):
         """Takes a frame.
 
         Args:
-            frame: One whole frame; bytes after it are ignored, as those of a USB report are.
+            frame: One whole frame; bytes after it are ignored, like the padding of a USB report.
 
         Returns:
             The replies that are due at once; none while a command is busy or wants none.
@@ -252,18 +252,18 @@ class Brick(Equipment):
 
     @property
     def is_busy(self) -> bool:
-        """Whether a direct command is under way: a real brick reads from no connection until it has ended."""
+        """Whether a direct command is in progress: a real brick reads from no connection until it has ended."""
         return self._command is not None
 
     def end_command(self) -> list[Addressed]:
-        """Ends the direct command under way, which has failed then. Returns the replies that became due."""
+        """Ends the direct command in progress as failed. Returns the replies that became due."""
         if self._command is not None:
             self.machine.end_program(self._command.program, FAIL)
         self._serve()
         return self._take()
 
     def disconnect(self, channel: Hashable) -> list[Addressed]:
-        """Ends a connection: its waiting frames are dropped; its command under way runs on, and is not answered.
+        """Ends a connection: its waiting frames are dropped; its command in progress continues, but is not answered.
 
         Returns the replies that became due to others.
         """
@@ -327,10 +327,7 @@ class Brick(Equipment):
         self._command = command
 
     def _continue(self) -> bool:
-        """Executes the direct command under way until it ends, waits, or the call has lasted long enough.
-
-        Returns whether it has ended.
-        """
+        """Executes the direct command in progress until it ends, waits or takes too long. Returns whether it ended."""
         command = self._command
         assert command is not None
         program = command.program
@@ -396,7 +393,7 @@ class Brick(Equipment):
         return any(program is not None and program.status == RUNNING for program in self.machine.slots)
 
     def _turn_programs(self, *, always: bool) -> None:
-        """Gives every program its turns of a tick, in equal shares; with `always`, a few operations at least."""
+        """Gives every program its turns of a tick, in equal shares; with `always`, at least a few operations."""
         running = [program for program in self.machine.slots if program is not None and program.slot != CMD_SLOT]
         for number, program in enumerate(running):
             left, waiting = program.due or OPERATIONS_PER_TICK, 0
@@ -417,7 +414,7 @@ class Brick(Equipment):
 
 @dataclass
 class _Command:
-    """The direct command under way."""
+    """The direct command in progress."""
 
     channel: Hashable
     counter: int
@@ -425,4 +422,4 @@ class _Command:
     global_size: int
     program: Program
     executed: int = 0  # operations so far, without those that waited
-    spent: float = 0.0  # seconds of this computer's processor that it has taken
+    spent: float = 0.0  # CPU seconds of this computer that it has taken

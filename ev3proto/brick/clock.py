@@ -15,13 +15,13 @@ OPERATIONS_PER_TICK = 300
 """Operations of all turns of a program in a tick: a real brick executes some hundred thousand a second."""
 
 QUICK_OPERATIONS = 16
-"""Operations without CMD between two looks at the time. Those with one may take long: it is checked after each."""
+"""Operations without CMD between two checks of the time; it is also checked after each with one, which may be slow."""
 
 MOST_OPERATIONS = 3_000_000
-"""Operations after which a direct command is ended: the firmware would execute it for ever."""
+"""Operations after which a direct command is ended, which the firmware would execute forever."""
 
 OPERATIONS_OF_A_TURN = 20
-"""Operations that a turn counts at least, if an object gives up the rest of it."""
+"""Minimum number of operations that a turn counts, if an object gives up the rest of it."""
 
 MOST_PROCESSOR_SECONDS = 5.0
 """CPU seconds of this computer that a direct command may take."""

@@ -1,4 +1,4 @@
-"""How the firmware turns numbers of one type into another, and cuts the results of arithmetic to their width."""
+"""Conversions between the types of numbers, and results of arithmetic cut to their width, as in the firmware."""
 
 from __future__ import annotations
 
@@ -62,15 +62,13 @@ def narrowed(value: int, source_nan: int, target: Type) -> int:
 
 
 def widened(value: int, source_nan: int, target: Type) -> int:
-    """Returns an integer as a wider type has it; NaN stays NaN."""
+    """Returns an integer converted to a wider type; NaN stays NaN."""
     return RANGES[target].nan if value == source_nan else value
 
 
 def float_to_integer(bits: int, target: Type) -> int:
-    """Returns a single as an integer, limited to the target's range and cut towards zero; NaN stays NaN.
-
-    Limits of 32 bits are singles themselves, so the lowest one is -2147483648, which is the pattern for NaN.
-    """
+    """Returns a single as an integer, limited to the target's range and cut towards zero; NaN stays NaN."""
+    # Limits of 32 bits are singles themselves, so the lowest one is -2147483648, which is the pattern for NaN.
     low, high, nan = RANGES[target]
     if is_nan(bits):
         return nan

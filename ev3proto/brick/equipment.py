@@ -25,10 +25,10 @@ from ev3proto.brick.storage import Storage
 class Equipment:
     """What operations act on: `vm.brick` in their handlers.
 
-    microseconds  what the clock says, counted from when the brick was switched on
+    microseconds  the clock, counted from when the brick was switched on
     is_dead       a program has switched it off
     tests_until   the clock's time at which the permission for factory tests ends
-    parts         all that changes with time
+    parts         everything that changes with time
     """
 
     def __init__(self, root: str | Path | None, dialect: str, stop: Callable[[], None]) -> None:

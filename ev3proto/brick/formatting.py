@@ -6,7 +6,7 @@ import math
 import re
 
 MOST_CHARACTERS = 4096
-"""Width and precision beyond which a format is cut: no text of the brick has that much room."""
+"""Maximum width and precision of a format, more than fits in any text of the brick."""
 
 _CONVERSION = re.compile(
     rb"%(?P<flags>[-+ 0#']*)(?P<width>\d*)(?:\.(?P<precision>-?\d*))?(?P<size>hh|h|ll|l|L|q|j|z|t)?(?P<kind>[a-zA-Z%])?"
@@ -30,15 +30,12 @@ def fixed(value: float, decimals: int) -> str:
 
 
 def padded(text: str, figures: int) -> str:
-    """Fills a number's text up with blanks to a width: on the left, or on the right for a negative width."""
+    """Pads a number's text with spaces to a width: on the left, or on the right for a negative width."""
     return text.rjust(figures) if figures >= 0 else text.ljust(-figures)
 
 
 def formatted(pattern: bytes, value: int | float) -> bytes:
-    """Writes one number in a format of C's printf.
-
-    Every conversion gets the value, where the firmware has one for the first only, as the kind that it wants.
-    """
+    """Writes a number in a format of C's printf; every conversion gets it (in the firmware, only the first)."""
     return _CONVERSION.sub(lambda found: _converted(found, value), pattern)
 
 
@@ -77,7 +74,7 @@ def _converted(found: re.Match[bytes], value: int | float) -> bytes:
 
 
 def _narrowed(value: int, size: bytes | None, kind: str) -> int:
-    """Returns the value as `hh` or `h` take it, as 8 or 16 bits; other sizes take all of it."""
+    """Returns the value cut to 8 or 16 bits for `hh` or `h`; unchanged for other sizes."""
     bits = {b"hh": 8, b"h": 16}.get(size or b"")
     if bits is None:
         return value

@@ -14,7 +14,7 @@ HANDLES = 250
 """Handles of one slot, the program's own memory included."""
 
 NO_HANDLE = -1
-"""The handle that programs get where none is left."""
+"""The handle that programs get when none is left."""
 
 
 class Array:
@@ -40,7 +40,7 @@ class HandleTable:
         self._entries: dict[int, object] = {}
 
     def add(self, entry: object) -> int | None:
-        """Adds an entry under the lowest free number, which is returned; None when no number is left."""
+        """Adds an entry under the lowest free number. Returns the number; None if none is left."""
         number = 1
         while number in self._entries:
             number += 1

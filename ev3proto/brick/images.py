@@ -52,12 +52,12 @@ class Images:
 
 
 def _first_operation(part: CodeObject) -> int:
-    """Returns where an object's operations begin: after the table of parameters that a subcall has."""
+    """Returns where an object's operations begin: after the parameter table, if it is a subcall."""
     return part.offset + (len(table_bytes(part.parameters)) if part.kind is ObjectKind.SUBCALL else 0)
 
 
 def load(slot: int, image: Image, started: int, dialect: str) -> Program | None:
-    """Makes a program of an image, with its first object ready to run; None where the image is damaged or too large."""
+    """Makes a program of an image, with its first object ready to run; None if the image is damaged or too large."""
     try:
         parsed = parse(image.data, strict=False, dialect=dialect)
     except DecodeError:

@@ -1,7 +1,7 @@
 """The machine that executes byte code: it reads parameters, finds the handlers and gives every object its turns.
 
-The parameters are read as the firmware reads them, while the operation is executed: a variable's bounds are those of
-the memory that is there, an array can be given for its first element, a number is cut to the parameter's type.
+As in the firmware, parameters are read while the operation is executed: a variable only has to be within the existing
+memory, an array can be given for its first element, a number is cut to the parameter's type.
 """
 
 from __future__ import annotations
@@ -44,10 +44,7 @@ _Form = tuple[int, int, _Unpack | None, int]
 
 
 def _forms() -> tuple[_Form, ...]:
-    """Returns the meaning of each identification byte, for values that are read at once.
-
-    The kind; of a short form its value; of a long constant how its number is unpacked, and its bytes in all.
-    """
+    """Returns for each identification byte: kind, value of a short form, unpacking of a long constant, size."""
     shorts = {CONSTANT: _SHORT_CONSTANT, LOCAL: _SHORT_LOCAL, GLOBAL: _SHORT_GLOBAL}
     layouts = {1: "<xb", 2: "<xh", 4: "<xi"}
     forms: list[_Form] = []
@@ -76,9 +73,9 @@ Zeros follow it. What an operation writes to a constant is lost with the next on
 def _integer(
     read: Callable[[Place], int], layout: struct.Struct, wrap: Callable[[int], int]
 ) -> Callable[[Machine], int]:
-    """Reads a parameter of an integer type: short forms and constants at once, all others by their place.
+    """Reads a parameter of an integer type: short forms and constants directly, all others by their place.
 
-    Programs (`ev3proto run`, `brick`) execute 2.6 times as many operations a second as by places alone.
+    That makes programs (`ev3proto run`, `brick`) 2.6 times as fast as places alone.
     """
     from_memory = layout.unpack_from
 
@@ -102,12 +99,12 @@ def _integer(
 class Machine:
     """The machine with its five slots."""
 
-    program: Program  # the one that runs at this moment
-    object: ProgramObject  # that of it that runs
+    program: Program  # the running program
+    object: ProgramObject  # its running object
 
     def __init__(self, brick: Equipment, dispatch: Dispatch) -> None:
-        self.brick = brick  # the brick that it is part of
-        self.slots: list[Program | None] = [None] * SLOTS  # the programs, by slot; None where there has been none
+        self.brick = brick  # the brick that it belongs to
+        self.slots: list[Program | None] = [None] * SLOTS  # the programs, by slot; None for an unused slot
         self.code = bytearray()
         self.ip = 0  # offset of the next byte to read
         self.global_memory = bytearray()
@@ -197,7 +194,7 @@ class Machine:
                 self.brick.settings.log_error("VM_PROGRAM_INSTRUCTION_BREAK" if is_unknown else "VM_PROGRAM_FAIL_BREAK")
             self.end_program(program, FAIL)
         except Exception:
-            # A defect, which would come again with each turn.
+            # A defect, which would occur again at each turn.
             self.end_program(program, FAIL)
             raise
         executed = most - left
@@ -205,7 +202,7 @@ class Machine:
         return executed, is_waiting
 
     def start_program(self, slot: int, image: Image) -> bool:
-        """Makes a program of an image and starts it in a slot. False, and an error in the log, where it is damaged."""
+        """Makes a program of an image and starts it in a slot. Returns False and logs an error if it is damaged."""
         program = load(slot, image, self.microseconds, self.brick.dialect)
         if program is None:
             self.brick.settings.log_error("VM_PROGRAM_VALIDATION")
@@ -307,7 +304,7 @@ class Machine:
         return Place(place.buffer, place.at, handle) if array is None else Place(array.data, 0, handle)
 
     def _label(self, number: int) -> int:
-        """Returns the distance to a label; any other number is itself. WildAccess for a label that is not set."""
+        """Returns the distance to a label; any other number is itself. Raises WildAccess if the label is not set."""
         if not 0 < number < LABELS:
             return number
         offset = self.program.label(number)
@@ -318,7 +315,7 @@ class Machine:
     # Slots and handles
 
     def program_in(self, slot: int) -> Program | None:
-        """Returns the program that runs in a slot or ran there last; None where there is none."""
+        """Returns the program that runs in a slot or ran there last; None if there was none."""
         if slot == CURRENT_SLOT:
             return self.program
         return self.slots[slot] if 0 <= slot < SLOTS else None
@@ -365,7 +362,7 @@ class Machine:
         return array is not None and self.resize_array(array, elements)
 
     def resize_array(self, array: Array, elements: int) -> bool:
-        """Resizes an array; new elements are zero. Returns False when there is no memory."""
+        """Resizes an array; new elements are zero. Returns False if there is no memory left."""
         size = elements * array.type.size
         if size < 0 or not self.has_room(size - len(array.data)):
             return False

@@ -15,10 +15,10 @@ MOST_RECENT = 10
 class OpenFile:
     """A file that a program has opened."""
 
-    place: Path  # of the file, for comparing
+    place: Path  # path of the file, to compare
     stream: StoredFile
     for_writing: bool  # whether it was opened to write or to append
-    name: bytes  # by which it was opened
+    name: bytes  # the name used to open it
     is_log: bool = False  # whether it is a data log
 
     def read(self, most: int) -> bytes:

@@ -18,7 +18,7 @@ class NoOperation(Failure):
 
 
 class Busy(OperationExit):
-    """The operation has to wait: it is executed again, parameters and all, when the program has its next turn."""
+    """The operation has to wait: it is executed again, with its parameters, at the program's next turn."""
 
 
 class Leave(OperationExit):

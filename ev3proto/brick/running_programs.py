@@ -41,7 +41,7 @@ class ProgramObject:
     local_memory: bytearray  # its variables; those of its owner for a block
     local_size: int  # bytes of them that its header asks for
     kind: ObjectKind = ObjectKind.THREAD  # thread, subcall or block
-    triggers: int = 0  # how many triggers start it; 0: it is started by itself
+    triggers: int = 0  # number of triggers that start it; 0: it starts with its program
     parameters: tuple[ProgramParameter, ...] = ()  # as a subcall declares them
     status: int = STOPPED  # one of OBJSTAT
     ip: int = 0  # offset of the next operation
@@ -94,7 +94,7 @@ class Program:
         for begin, stop in zip(starts, [*starts[1:], self.end], strict=True):
             code = bytes(self.code[begin:stop])
             for offset in operation_offsets(code):
-                # The number is a short constant, 0 to 31: the validator lets no other constant pass but long ones.
+                # The number is a short constant, 0 to 31: of other constants, the validator accepts only long ones.
                 if code[offset] == _LABEL and offset + 1 < len(code):
                     found[label_number(code, offset + 1)] = begin + offset
         return found

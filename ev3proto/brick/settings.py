@@ -13,10 +13,10 @@ class Settings:
     """Settings of a brick that was never used before."""
 
     name: str = "EV3"  # as on its display
-    volume: int = int(CONSTANTS["DEFAULT_VOLUME"])  # 0 to 100 by right; any byte is kept
-    minutes: int = int(CONSTANTS["DEFAULT_SLEEPMINUTES"])  # after which an idle brick switches off; any byte is kept
+    volume: int = int(CONSTANTS["DEFAULT_VOLUME"])  # meant to be 0 to 100; any byte is accepted
+    minutes: int = int(CONSTANTS["DEFAULT_SLEEPMINUTES"])  # until an idle brick switches off; any byte is accepted
     bluetooth: bool = True  # whether it is on
-    visible: bool = True  # whether others see the brick by Bluetooth
+    visible: bool = True  # whether the brick is visible by Bluetooth
     bluetooth_address: str = "0016530f0c1e"  # 12 hexadecimal digits in lower case
     mode2: bool = False  # Bluetooth's mode for Apple devices
     wifi: bool = False  # whether it is on
@@ -26,7 +26,7 @@ class Settings:
     errors: list[int] = field(default_factory=list)  # the log of errors, oldest first
 
     def log_error(self, name: str) -> None:
-        """Adds an error by its name; where the log is full it is dropped."""
+        """Adds an error by its name, unless the log is full."""
         self.log_error_number(NUMBERS[name])
 
     def log_once(self, name: str) -> None:

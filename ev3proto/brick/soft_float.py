@@ -1,7 +1,7 @@
-"""Arithmetic on singles as the brick's processor does it, which has no unit for floats.
+"""Arithmetic on singles as on the brick's processor, which has no floating-point unit.
 
-Numbers are IEEE's, so Python's own give the same once they are rounded to singles. What differs from one processor to
-another is which NaN comes out, and its bits are in the reply: those rules are the ones of the ARM's software floats.
+Numbers are IEEE's, so Python's results are the same once they are rounded to singles. But processors differ in which
+NaN they return, and its bits are in the reply: here they follow the ARM's software floats.
 Values are the 32 bits of a single.
 """
 

@@ -1,7 +1,7 @@
 """The brick's files: a folder of this computer serves as /home/root/lms2012, and nothing outside it is reached.
 
-Paths are bytes, as on the brick. A relative one starts in `sys`. One that leads out of the folder leads nowhere.
-Symbolic links, pipes and anything else but files and folders are never opened; they can be listed and deleted.
+Paths are bytes, as on the brick. A relative one starts in `sys`. A path that leads out of the folder does not exist.
+Only files and folders are opened; symbolic links, pipes and others can be listed and deleted.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ _OPEN_FLAGS = getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0) | geta
 
 
 _PIECE = 1 << 16
-"""Bytes that are copied at once."""
+"""Bytes that are copied at a time."""
 
 
 class Totals(NamedTuple):
@@ -79,7 +79,7 @@ class Storage:
         for part in parts[len(HOME) :]:
             if place != self.root and not _is_folder(place):
                 return None
-            # A name of the brick is one name here, too: no separator or drive of another system.
+            # The brick's name must be a single name here, too, without separators or drives of this system.
             name = os.fsdecode(part)
             if Path(name).name != name:
                 return None
@@ -249,7 +249,7 @@ class Storage:
         return True
 
     def remove(self, path: bytes) -> bool:
-        """Deletes a file, or a folder and the files in it; folders in it stay, and so does the folder then."""
+        """Deletes a file, or a folder with its files; a folder that contains folders stays, with these."""
         path = path.rstrip(b"/")
         place = self.locate(path)
         if place is not None and _is_folder(place):
@@ -328,10 +328,10 @@ class Storage:
 
 
 class StoredFile(io.FileIO):
-    """An open file, whose bytes count while they are on the disk."""
+    """An open file, whose bytes count for the quota while they are on the disk."""
 
     def __init__(self, storage: Storage, descriptor: int, mode: str) -> None:
-        """Takes a descriptor over."""
+        """Takes over a descriptor."""
         super().__init__(descriptor, mode)
         self._storage = storage
         self._is_appended = mode == "ab"
@@ -339,7 +339,7 @@ class StoredFile(io.FileIO):
         storage.opened(self._inode)
 
     def put(self, data: bytes) -> bool:
-        """Writes; False where the quota or the disk has no room, which then may have taken some of it."""
+        """Writes data. Returns False if the quota or the disk is full; a part may have been written."""
         storage, before = self._storage, self._size()
         end = len(data) + (before if self._is_appended else self.tell())
         if storage.used + max(0, end - before) > storage.quota:

@@ -58,7 +58,7 @@ _ADDRESS_ROOM = int(CONSTANTS["BTADRSIZE"])
 class Answer(NamedTuple):
     """The answer to a system command."""
 
-    status: SystemStatus  # how it went
+    status: SystemStatus  # the status
     fields: Mapping[str, Any]  # by name: the reply's other fields, possibly more
     is_error: bool = True  # whether a status that is a failure makes it an error reply
 
@@ -71,7 +71,7 @@ class Request(NamedTuple):
     rest: bytes  # the bytes after them
 
     def number(self, name: str) -> int:
-        """Returns a number; 0 where the frame ends before it, as in the firmware's buffer."""
+        """Returns a number; 0 if the frame ends before it, as in the firmware's buffer."""
         return int(self.fields.get(name, 0))
 
     def text(self, name: str) -> bytes:
@@ -86,9 +86,9 @@ class Transfer:
     channel: Hashable  # the connection that began it
     command: str  # the command that began it
     stream: StoredFile | io.BytesIO  # where it is written to or read from
-    size: int  # its bytes in all
+    size: int  # its total size in bytes
     place: Path | None = None  # of the file, to see which program has it open; None for a listing
-    done: int = 0  # bytes that have been moved
+    done: int = 0  # bytes transferred so far
 
 
 Function = Callable[["SystemCommands", Request], Answer | None]
@@ -107,7 +107,7 @@ def _answers(name: str) -> Callable[[Function], Function]:
 
 
 class SystemCommands:
-    """The transfers under way, and a method for each system command."""
+    """The transfers in progress, and a method for each system command."""
 
     def __init__(self, brick: Equipment, machine: Machine) -> None:
         self._brick = brick
@@ -117,8 +117,8 @@ class SystemCommands:
     def answer(self, channel: Hashable, frame: bytes) -> tuple[bool, bytes] | None:
         """Executes a system command.
 
-        Returns whether it is an error reply, and what follows the header in the reply; None for commands that have no
-        reply and for those that the firmware does not know.
+        Returns whether the reply is an error, and its bytes after the header; None for commands without a reply and
+        for those that the firmware does not know.
         """
         if len(frame) <= HEADER_SIZE:
             return None

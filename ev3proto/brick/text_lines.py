@@ -1,4 +1,4 @@
-"""Texts of several lines and the delimiters between them, as text boxes and text files have them."""
+"""Texts of several lines with delimiters between them, as in text boxes and text files."""
 
 from __future__ import annotations
 
@@ -23,10 +23,8 @@ _FONT_MARKS = (1, 2, 3)
 
 
 def lines_of(text: bytes, delimiter: bytes) -> Iterator[int]:
-    """Yields where the lines of a text end, after their delimiters; what follows the last delimiter does not count.
-
-    The text is read once, as the firmware reads it: an incomplete delimiter hides what follows it.
-    """
+    """Yields the ends of a text's lines, after their delimiters; anything after the last delimiter does not count."""
+    # The text is read once, as in the firmware: an incomplete delimiter hides what follows it.
     at = 0
     while delimiter and at < len(text):
         found = 0

@@ -1,4 +1,4 @@
-"""The six buttons: what holds them down, and the presses that the firmware keeps until a program reads them.
+"""The six buttons: who holds them down, and the presses that the firmware keeps until a program reads them.
 
 A button is held by hand (`Brick.press`) or by the virtual finger of UI_BUTTON.PRESS. The firmware looks at the
 buttons every 10 ms: what an operation presses shows later, or to the next command. A press by hand shows at once.
@@ -37,7 +37,7 @@ _NOT_REPEATED = (BUTTONS["enter"], BUTTONS["back"])
 class Button:
     """One button: whether it is down, and its presses that no program has read yet."""
 
-    held: set[str] = field(default_factory=set)  # by a hand, by an operation
+    held: set[str] = field(default_factory=set)  # "hand" and "finger", an operation
     down: bool = False  # as the firmware saw it last
     activated: bool = False  # it was pressed, or held long enough to count once more
     long: bool = False  # it was held for 3 s; set again as long as it is held
@@ -61,8 +61,8 @@ class Buttons(Part):
 
     def __init__(self, back_pressed: Callable[[], None]) -> None:
         """Creates released buttons; `back_pressed` is called for the back button unless it is blocked."""
-        self.click = False  # a press was asked for and found: the sign for the brick to click
-        self.back_block = 0  # what SET_BACK_BLOCK set
+        self.click = False  # a program asked for a press and found one: the brick has to click
+        self.back_block = 0  # the value of SET_BACK_BLOCK
         self._buttons = {number: Button() for number in BUTTONS.values()}
         self._touches: list[_Touch] = []
         self._back_pressed = back_pressed

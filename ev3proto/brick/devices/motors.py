@@ -61,13 +61,13 @@ class Motor:
 
     def __init__(self) -> None:
         self.type = TYPE.members["TYPE_NONE"]  # TYPE_NONE for an empty port
-        self.wanted = 0  # what POWER or SPEED asked for last, -100 to 100, without polarity
+        self.wanted = 0  # the value of the last POWER or SPEED, -100 to 100, without polarity
         self.polarity = 1  # 1 or -1
-        self.is_running = False  # whether START made it run for ever
+        self.is_running = False  # whether START made it run without end
         self.is_held = False  # its values are as they were plugged in, until a command moves it
         self.is_moving_by_angle = False
         self.phases: list[Phase] = []  # the remaining phases of a move; the first is in progress
-        self.owner = 0  # object whose move is under way; 0 without one
+        self.owner = 0  # object that began the current move; 0 without one
         self.partner: Motor | None = None
         self._target = 0.0
         self._speed = 0.0
@@ -87,14 +87,14 @@ class Motor:
 
     @property
     def tacho(self) -> int:
-        """Degrees in the present move; 0 in one that has no angle."""
+        """Degrees in the current move; 0 in a move without an angle."""
         if self.is_held:
             return self._held[0]
         return round(self._position - self._move_from) if self.is_moving_by_angle else 0
 
     @property
     def sensor_count(self) -> int:
-        """Degrees as the motor has them as a sensor."""
+        """Degrees that the motor reports as a sensor."""
         return self._held[1] if self.is_held else round(self._position - self._count_from)
 
     @property
@@ -104,7 +104,7 @@ class Motor:
 
     @property
     def is_busy(self) -> bool:
-        """Whether a move that has an end is under way."""
+        """Whether a move that has an end is in progress."""
         return bool(self.phases)
 
     # Commands
@@ -118,19 +118,19 @@ class Motor:
         self._position = self._count_from = self._move_from = 0.0
 
     def clear_count(self) -> None:
-        """Makes the present position 0 of the count as a sensor."""
+        """Makes the current position 0 of the count as a sensor."""
         self._count_from = self._position
         tacho, _, speed = self._held
         self._held = (tacho, 0, speed)
 
     def set_reading(self, value: int, *, is_speed: bool) -> None:
-        """Pretends that the motor as a sensor reads a value, its speed or its count."""
+        """Sets the value that the motor reports as a sensor, its speed or its count."""
         tacho, count, speed = (self.tacho, self.sensor_count, self.speed_now)
         self._held = (tacho, count, value) if is_speed else (tacho, value, speed)
         self._count_from = self._position - self._held[1]
 
     def reset(self) -> None:
-        """Makes the present position 0 of the count of the present move."""
+        """Makes the current position 0 of the count of the current move."""
         self._move_from = self._position
 
     def stop(self) -> None:
@@ -139,7 +139,7 @@ class Motor:
         self._speed = 0.0
 
     def _leave(self) -> None:
-        """Ends the present move; the other motor of a synchronous move floats."""
+        """Ends the current move; the other motor of a synchronous move floats."""
         partner, self.partner = self.partner, None
         if partner is not None:
             partner.partner = None
@@ -167,7 +167,7 @@ class Motor:
             self._target = float(self.wanted * self.polarity)
 
     def start(self) -> None:
-        """Runs until it is stopped, unless it moves already."""
+        """Runs until it is stopped, unless it is already moving."""
         if self.is_running or self.is_busy:
             return
         self._begin()
@@ -277,7 +277,7 @@ class Motor:
         self._phase_time = 0.0
 
     def _end_move(self) -> None:
-        """Stops with its count kept. The other motor of a synchronous move ends by itself."""
+        """Stops and keeps its count; the other motor of a synchronous move ends by itself."""
         self.owner = 0
         self._target = self._speed = 0.0
         partner, self.partner = self.partner, None

@@ -17,13 +17,13 @@ _ORANGE = {
 _BUSY = WARNING.members["WARNING_BUSY"]
 _BATTERY_LOW = WARNING.members["WARNING_BATTLOW"]
 _EMPTY, _SPAN = 6200, 1300
-"""Millivolts of six empty cells, and from there to full ones."""
+"""Millivolts of six empty cells, and how many more full ones have."""
 _SHOWN = (WARNING.end[1] if WARNING.end else 0) | _BATTERY_LOW
 
 
 @dataclass(frozen=True)
 class Versions:
-    """The brick's versions. A real one has the day of its build in them."""
+    """The brick's versions; a real one's contain the day of its build."""
 
     hardware: bytes = b"V0.60"
     firmware: bytes = b"V1.04H"

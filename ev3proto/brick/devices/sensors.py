@@ -1,7 +1,7 @@
 """Inputs: the sensors on the four ports, and the motors, which can be read as sensors.
 
-A sensor is a model with raw readings for each mode, which stay as they are until a script or a person changes them.
-What programs see of it is what the firmware makes of raw readings: percent, values in a unit, edges counted.
+A sensor is a model with raw readings for each mode, which stay the same until a script or a person changes them.
+Programs see what the firmware computes from raw readings: percent, values in a unit, counted edges.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ _COUNTERS = {_TOUCH: "changes", _NXT_TOUCH: "bumps"}
 """The reading of the second mode of touch sensors."""
 
 _NOT_A_NUMBER = {number: RANGES[kind].nan for number, kind in FORMAT_TYPES.items() if kind in (DATA8, DATA16, DATA32)}
-"""By DATA_FORMAT: the raw value with which a sensor says that it has none."""
+"""By DATA_FORMAT: the raw value by which a sensor reports that it has no value."""
 SPEED_MODE = 2
 _EDGE = 500
 _ANSWER_TIME = 20_000
@@ -55,7 +55,7 @@ _CHANGE_TIME, _INFRARED_CHANGE_TIME = 10_000, 1_100_000
 class Device:
     """The firmware's state of the device on a port.
 
-    type       its type, or the one that a program selected; an empty port has one, too
+    type       its type, or the one that a program selected; an empty port also has one
     plugged    its real type
     readings   raw readings by mode
     mode       the selected mode
@@ -127,7 +127,7 @@ class Device:
 
 @dataclass
 class Calibration:
-    """The raw range that a program gave a mode. CAL_MINMAX fills it in, only CAL_MIN and CAL_MAX bring it into use."""
+    """A program's raw range for a mode. CAL_MINMAX sets it, but only CAL_MIN and CAL_MAX activate it."""
 
     least: float = 0.0
     most: float = 0.0
@@ -173,7 +173,7 @@ class Inputs(Part):
         device.set_readings(readings or {})
 
     def _count_change(self, type: DeviceType) -> None:
-        """Counts a change of type or mode, which every program can ask for."""
+        """Counts a change of type or mode, for each slot to ask for."""
         if type is not _UNKNOWN:
             for slot in self._changed:
                 self._changed[slot] += 1
@@ -215,7 +215,7 @@ class Inputs(Part):
     def select(self, device: Device, type: int, mode: int) -> None:
         """Changes type and mode of a device that is ready; TYPE_KEEP and MODE_KEEP leave them.
 
-        An EV3 touch sensor stays one; a mode that the type has not is its last one.
+        An EV3 touch sensor keeps its type; an unknown mode selects the type's last one.
         """
         if device.is_empty or self.is_busy(device):
             return
@@ -281,7 +281,7 @@ class Inputs(Part):
         return self._calibrations.setdefault((type, mode), Calibration()), DEVICE_TYPES[type].modes[mode]
 
     def calibrate_both(self, type: int, mode: int, least: int, most: int) -> None:
-        """Keeps both ends of a raw range, and leaves it open whether they are used."""
+        """Sets both ends of a raw range, without activating it."""
         found = self._calibration(type, mode)
         if found is not None:
             found[0].least, found[0].most = float(least), float(most)
@@ -304,7 +304,7 @@ class Inputs(Part):
             calibration.most = raw
 
     def uncalibrate(self, type: int, mode: int) -> None:
-        """Brings back the raw range of a type's mode as the tables have it."""
+        """Restores the raw range of a type's mode from the tables."""
         found = self._calibration(type, mode)
         if found is not None:
             found[0].is_used = False

@@ -1,4 +1,4 @@
-"""The speaker: what it plays, and until when. The sound is played only by the page."""
+"""The speaker: what it is playing, and until when. Only the page makes the sound audible."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _MICROSECONDS = 1_000_000
 
 @dataclass(frozen=True)
 class Playing:
-    """A tone or file that is played."""
+    """A tone or file that is being played."""
 
     volume: int  # percent, in steps of 8
     frequency: int  # of a tone, in hertz; 0 for a file
@@ -31,7 +31,7 @@ class Playing:
 
 
 class Sound(Part):
-    """A loudspeaker that is silent."""
+    """A silent loudspeaker."""
 
     def __init__(self) -> None:
         self.playing: Playing | None = None

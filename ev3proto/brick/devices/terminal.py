@@ -6,7 +6,7 @@ ROOM = 255
 """Bytes that the buffer holds; it is flushed when it is full."""
 
 _MOST_PRINTED = 1 << 16
-"""Printed bytes that are kept, the latest ones."""
+"""Maximum number of printed bytes that are kept, the latest ones."""
 
 
 class Terminal:
@@ -16,7 +16,7 @@ class Terminal:
         self.text = bytearray()  # what was written since the last flush
         self.printed = bytearray()  # the last part of what was flushed while the terminal was on
         self.is_on = False  # whether flushing prints
-        self.typed = bytearray()  # what was typed and not read by a program
+        self.typed = bytearray()  # typed, but not yet read by a program
 
     def write(self, text: bytes) -> None:
         """Gathers text; whenever the buffer is full it is flushed."""
@@ -35,11 +35,11 @@ class Terminal:
         self.text.clear()
 
     def take_key(self) -> int:
-        """Returns the next character typed; 0 when there is none."""
+        """Returns the next typed character; 0 without one."""
         return self.typed.pop(0) if self.typed else 0
 
     def take_line(self) -> bytes | None:
-        """Returns the next line typed, without its end; None while there is none."""
+        """Returns the next typed line, without its end; None while it is incomplete."""
         end = next((index for index, character in enumerate(self.typed) if character in b"\r\n"), None)
         if end is None:
             return None

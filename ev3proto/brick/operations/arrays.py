@@ -14,7 +14,7 @@ from ev3proto.tables.move import SIZES
 
 
 def _array(vm: Machine, handle: int) -> Array:
-    """Returns the array of a handle; Failure where there is none."""
+    """Returns the array of a handle; raises Failure for an unknown one."""
     array = vm.program.handles.get(handle, Array)
     if array is None:
         raise Failure
@@ -22,7 +22,7 @@ def _array(vm: Machine, handle: int) -> Array:
 
 
 def _array_of(vm: Machine, slot: int, handle: int) -> Array | None:
-    """Returns the array of a handle in a slot; None where there is none."""
+    """Returns the array of a handle in a slot; None for an unknown one."""
     program = vm.program_in(slot)
     return None if program is None else program.handles.get(handle, Array)
 
@@ -85,7 +85,7 @@ def resize(vm: Machine, handle: int, elements: int) -> None:
 
 @handles("ARRAY.FILL")
 def fill(vm: Machine, handle: int, value: Place) -> None:
-    """Sets all elements. For an unknown handle it waits for ever, as the firmware does."""
+    """Sets all elements; waits forever for an unknown handle, as the firmware does."""
     array = vm.program.handles.get(handle, Array)
     if array is None:
         raise Busy
@@ -103,13 +103,13 @@ def copy(vm: Machine, source: int, destination: int) -> None:
 
 
 def _elements(vm: Machine, handle: int) -> int:
-    """Returns the size of an array in elements; 0 where there is none."""
+    """Returns the size of an array in elements; 0 for an unknown one."""
     array = vm.program.handles.get(handle, Array)
     return 0 if array is None else array.elements
 
 
 def _bytes(vm: Machine, slot: int, handle: int) -> int:
-    """Returns the size of an array in bytes; 0 where there is none."""
+    """Returns the size of an array in bytes; 0 for an unknown one."""
     array = _array_of(vm, slot, handle)
     return 0 if array is None else len(array.data)
 

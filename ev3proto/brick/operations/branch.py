@@ -11,7 +11,7 @@ from ev3proto.brick.handlers import handles
 from ev3proto.brick.machine import Machine
 
 RELATIONS: dict[str, Callable[[Any, Any], bool]] = {"LT": lt, "GT": gt, "EQ": eq, "NEQ": ne, "LTEQ": le, "GTEQ": ge}
-"""What each of them means; with NaN on either side only NEQ holds, as in C."""
+"""The comparisons; with NaN on either side only NEQ is true, as in C."""
 
 NUMBERS: dict[str, Callable[[Machine], float]] = {
     "8": Machine.int8,

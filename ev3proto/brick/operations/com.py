@@ -30,7 +30,7 @@ _NAME = frozenset(NAME_LETTERS.encode())
 
 
 def _must_be(hardware: int, *allowed: int) -> None:
-    """Fails for hardware without the property; what was already written stays."""
+    """Fails for hardware without the property, but keeps results that are already written."""
     if hardware not in allowed:
         raise Failure
 
@@ -88,7 +88,7 @@ def describe_item(vm: Machine, hardware: int, item: int, length: int, name: Plac
 
 @handles("COM_GET.GET_INCOMING")
 def get_incoming(vm: Machine, hardware: int, length: int, name: Place, kind: Place) -> None:
-    """Writes an empty name and a zero: no device asks for a connection."""
+    """Writes an empty name and a zero: no device requests a connection."""
     _must_be(hardware, BLUETOOTH)
     _write(vm, name, b"", length)
     kind.write8(0)
@@ -96,7 +96,7 @@ def get_incoming(vm: Machine, hardware: int, length: int, name: Place, kind: Pla
 
 @handles("COM_GET.GET_ID")
 def get_id(vm: Machine, hardware: int, length: int, destination: Place) -> None:
-    """Writes Bluetooth's address, filled up with zeros; no zero follows where there is no room for one."""
+    """Writes Bluetooth's address, padded with zeros; no zero follows if none fits."""
     _must_be(hardware, BLUETOOTH)
     address = vm.brick.settings.bluetooth_address.encode(STRING_CODING)
     if length < 0:
@@ -107,15 +107,12 @@ def get_id(vm: Machine, hardware: int, length: int, destination: Place) -> None:
 
 @handles("COM_GET.GET_BRICKNAME")
 def get_brick_name(vm: Machine, length: int, name: Place) -> None:
-    """Writes the name, cut to the room for it."""
+    """Writes the name, cut to fit."""
     _write(vm, name, vm.brick.settings.name.encode(STRING_CODING), length)
 
 
 def _room(vm: Machine, place: Place, length: int) -> int | None:
-    """Makes an array as long as was asked for, or as the longest name for -1.
-
-    Returns the room; None where there is no such array.
-    """
+    """Resizes an array to a length, -1 for the longest name. Returns its size; None for an unknown array."""
     if place.handle >= 0 and length == -1:
         length = int(CONSTANTS["BRICKNAMESIZE"])
     return length if vm.resize(place, length) else None

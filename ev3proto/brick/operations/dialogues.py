@@ -46,10 +46,7 @@ def _open(vm: Machine) -> ScreenDialog:
 
 
 def _current(vm: Machine) -> ScreenDialog | None:
-    """Returns the running program's own dialog; one that an ended program left open does not count.
-
-    Waits while another object has blocked the display.
-    """
+    """Returns the running program's dialog, not one that an ended program left; waits while the display is blocked."""
     if vm.brick.display.is_blocked_for(vm.program.slot, vm.object.number):
         raise Busy
     vm.brick.buttons.look(vm.program, vm.microseconds)
@@ -65,7 +62,7 @@ def _close(vm: Machine) -> None:
 
 
 def _under_way(vm: Machine, state: Place) -> ScreenDialog | None:
-    """Returns the open dialog; None where it has to be opened, which is noted in the state."""
+    """Returns the open dialog; None if it has to be opened, which is noted in the state."""
     dialog = _current(vm)
     if state.read8() and dialog is not None:
         return dialog

@@ -93,7 +93,7 @@ computes(
 
 @handles("UI_DRAW.POPUP")
 def popup(vm: Machine, is_open: int) -> None:
-    """Opens a window over what is drawn, or closes it. Waits until what was drawn before is shown."""
+    """Opens a window over the canvas, or closes it. Waits until everything drawn before is shown."""
     display = vm.brick.display
     if _is_blocked(vm) or (is_open and display.is_in_use):
         raise Busy
@@ -110,7 +110,7 @@ _draw_picture = _drawing(Display.picture)
 
 @handles("UI_DRAW.BMPFILE", places=("NAME",))
 def bmpfile(vm: Machine, color: int, x: int, y: int, name: Place) -> None:
-    """Draws a picture from a file; nothing without such a file, or where its name is not allowed."""
+    """Draws a picture from a file; nothing if the file is missing or its name is not allowed."""
     path = None if _is_blocked(vm) else checked_name(vm, name)
     if path is None:
         return
@@ -121,7 +121,7 @@ def bmpfile(vm: Machine, color: int, x: int, y: int, name: Place) -> None:
 
 @handles("UI_DRAW.PICTURE")
 def picture(vm: Machine, color: int, x: int, y: int, address: int) -> None:
-    """Draws a picture from memory, where FILE.LOAD_IMAGE has put it; nothing for address 0."""
+    """Draws a picture that FILE.LOAD_IMAGE has put into memory; nothing for address 0."""
     image = vm.images.get(address)
     if image is not None:
         _draw_picture(vm, color, x, y, read_picture(image.data))

@@ -1,4 +1,4 @@
-"""TST: the tests of the factory. All but opening them fail while they are closed; they close after 10 seconds."""
+"""TST: the factory tests. They have to be opened first, and close after 10 seconds; closed ones fail."""
 
 from __future__ import annotations
 

@@ -20,7 +20,7 @@ _AS_THEY_ARE = (b".", b"/", b"~", b'"')
 
 
 _MOST_PATH = 118
-"""Bytes of a path that is put together or looked up; longer ones are cut."""
+"""Maximum length in bytes of a path that is joined or looked up; longer ones are cut."""
 
 
 def _looked_up(vm: Machine, name: bytes) -> bytes:
@@ -44,7 +44,7 @@ computes({"FILENAME.EXIST": _exists, "FILENAME.TOTALSIZE": _total_size})
 
 @handles("FILENAME.SPLIT")
 def split(vm: Machine, path: bytes, length: int, folder: Place, name: Place, extension: Place) -> None:
-    """Writes each part, cut to the room for it."""
+    """Writes each part, cut to fit."""
     parts = paths.split(path)
     for place, text in zip((folder, name, extension), parts, strict=True):
         _write(vm, place, text, length)
@@ -83,7 +83,7 @@ def _archive(path: bytes) -> bytes:
 
 @handles("FILENAME.PACK")
 def pack(vm: Machine, path: bytes) -> None:
-    """Writes an archive beside what is packed."""
+    """Writes an archive beside the packed file or folder."""
     path = in_own_folder(vm, path)
     archives.pack(vm.brick.files, path, _archive(path))
 

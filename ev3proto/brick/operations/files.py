@@ -25,7 +25,7 @@ _MOST_NUMBER = 64
 
 
 def checked_name(vm: Machine, place: Place) -> bytes | None:
-    """Reads a file's name, in the program's own folder unless it names another one; None where it is not allowed.
+    """Reads a file's name, in the program's own folder unless it names another one; None if it is not allowed.
 
     The error is logged unless the log has it already. Forbidden characters are replaced in memory.
     """
@@ -44,7 +44,7 @@ def in_own_folder(vm: Machine, name: bytes) -> bytes:
 
 
 def opened_name(vm: Machine, place: Place) -> bytes:
-    """Reads the name of a file to open. A forbidden one is tried again, with its characters replaced by then."""
+    """Reads the name of a file to open; a forbidden one is tried again once its characters are replaced."""
     name = checked_name(vm, place)
     if name is None:
         raise Busy
@@ -52,7 +52,7 @@ def opened_name(vm: Machine, place: Place) -> bytes:
 
 
 def add(vm: Machine, file: OpenFile, handle: Place) -> None:
-    """Writes the handle of an open file; -1 and a failure where none is left."""
+    """Writes the handle of an open file; -1 and a failure if none is left."""
     number = vm.program.handles.add(file)
     handle.write16(NO_HANDLE if number is None else number)
     if number is None:
@@ -62,7 +62,7 @@ def add(vm: Machine, file: OpenFile, handle: Place) -> None:
 
 
 def open_to_write(vm: Machine, name: bytes, handle: Place, *, append: bool, is_log: bool = False) -> OpenFile:
-    """Opens a file to write; handle 0 and a failure where that is impossible."""
+    """Opens a file to write; handle 0 and a failure if that is impossible."""
     files = vm.brick.files
     file, found = files.open_to_write(name, append=append), files.locate(name)
     if file is None or found is None:
@@ -110,7 +110,7 @@ def close(vm: Machine, handle: int) -> None:
 
 @handles("FILE.GET_HANDLE", places=("NAME",))
 def get_handle(vm: Machine, place: Place, handle: Place, for_writing: Place) -> None:
-    """Writes -1 where no file is open by that name; another path to the same file is another name."""
+    """Writes -1 if no file was opened by that name; another path to the same file is another name."""
     number, file = find_open(vm, opened_name(vm, place))
     handle.write16(number)
     for_writing.write8(file is not None and file.for_writing)
@@ -153,14 +153,14 @@ def read_text(vm: Machine, handle: int, delimiter: int, length: int, destination
 
 
 def _write_read(vm: Machine, destination: Place, data: bytes, most: int) -> None:
-    """Writes what was read, and a zero where it is not as much as was asked for; a negative number is never that."""
+    """Writes the bytes read, and a zero unless they are as many as requested, which a negative number never is."""
     if most <= 0 or vm.resize(destination, most):
         destination.write_bytes(data + b"\0" * (len(data) != most))
 
 
 @handles("FILE.READ_VALUE")
 def read_value(vm: Machine, handle: int, delimiter: int, value: Place) -> None:
-    """Reads a number; 0 where the text is not a number, or where it fails."""
+    """Reads a number; 0 if the text is not a number, or if it fails."""
     value.write_float(0.0)
     text = _file(vm, handle, False).read_until(DELIMITERS.get(delimiter, b""), _MOST_NUMBER)
     number = read_number(text)
@@ -169,7 +169,7 @@ def read_value(vm: Machine, handle: int, delimiter: int, value: Place) -> None:
 
 @handles("FILE.READ_BYTES")
 def read_bytes(vm: Machine, handle: int, count: int, destination: Place) -> None:
-    """Reads bytes; a zero follows where the file ended early."""
+    """Reads bytes; a zero follows if the file ended early."""
     _write_read(vm, destination, _file(vm, handle, False).read(count), count)
 
 
@@ -214,7 +214,7 @@ def _remove(vm: Machine, path: bytes) -> None:
 
 @handles("FILE.MOVE", places=("SOURCE", "DEST"))
 def move(vm: Machine, source: Place, target: Place) -> None:
-    """Copies: the source stays. The target is deleted, even where there is nothing to copy."""
+    """Copies: the source stays. The target is deleted, even if there is nothing to copy."""
     origin = checked_name(vm, source)
     goal = None if origin is None else checked_name(vm, target)
     if origin is None or goal is None:
@@ -226,7 +226,7 @@ def move(vm: Machine, source: Place, target: Place) -> None:
 
 
 def _entry(vm: Machine, folder: bytes, item: int) -> bytes | None:
-    """Returns the name of an entry of a folder, counted from 1; None where there is none."""
+    """Returns the name of an entry of a folder, counted from 1; None for an unknown one."""
     names = vm.brick.files.shown(folder)
     return names[item - 1] if 1 <= item <= len(names) else None
 
@@ -244,7 +244,7 @@ def delete_entry(vm: Machine, folder: bytes, item: int) -> None:
     """Deletes a folder in a folder, with its files.
 
     The name follows the folder as it is, without a slash and without its extension. So a file that has one is not
-    found, and an entry that is not there means the folder itself.
+    found, and a missing entry means the folder itself.
     """
     name = _entry(vm, folder, item) or b""
     _remove(vm, folder + name.partition(b".")[0])
@@ -264,7 +264,7 @@ def put_recent(vm: Machine, place: Place) -> None:
 
 @handles("FILE.GET_CACHE_FILE")
 def recent_name(vm: Machine, item: int, length: int, destination: Place) -> None:
-    """Writes a recent file's name, empty where there is none; fails for a number outside the list."""
+    """Writes a recent file's name, or an empty one; fails for a number outside the list."""
     if not 1 <= item <= MOST_RECENT:
         raise Failure
     recent = vm.brick.recent.paths
@@ -316,7 +316,7 @@ def _make_folder(vm: Machine, path: bytes) -> bool:
 
 
 def _number_of(vm: Machine, folder: bytes, name: bytes) -> int:
-    """Returns the number of an entry of a folder, counted from 1; 0 where there is none."""
+    """Returns the number of an entry of a folder, counted from 1; 0 for an unknown one."""
     names = [entry.partition(b".")[0] for entry in vm.brick.files.shown(folder)]
     return names.index(name) + 1 if name in names else 0
 

@@ -9,7 +9,7 @@ from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.errors import ERRORS
 
 NUMBER_ROOM = 10
-"""Elements of an array for the text of an error that has no name."""
+"""Array size for the text of an error without a name."""
 
 NO_ERROR_ROOM = 26
 """Default array size for an empty error text."""
@@ -32,9 +32,10 @@ computes(
 
 @handles("INFO.ERRORTEXT")
 def error_text(vm: Machine, number: int, length: int, destination: Place) -> None:
-    """Writes the name of an error; of one without a name, its number, for which an array gets ten elements at most.
+    """Writes the name of an error, or the number of one without a name; an array is resized to fit.
 
-    The text is empty where the length is 0. No error and a length of -1 give an array 26 elements.
+    The text is empty if the length is 0. An array gets at most ten elements for a number, and 26 for no error and a
+    length of -1.
     """
     if number == 0 and length == -1 and destination.handle >= 0:
         if vm.resize(destination, NO_ERROR_ROOM):

@@ -31,7 +31,7 @@ _READINGS: dict[int, tuple[Callable[[Inputs, Device, int], float], Callable[[Pla
     _RAW: (Inputs.raw, lambda place, value: place.write32(_whole(value, NAN32))),
     _SI: (Inputs.si, Place.write_float),
 }
-"""How a reading is taken and written, by its format."""
+"""The functions that take and write a reading, by its format."""
 
 
 def _write(vm: Machine, device: Device, format: int, places: Iterable[Place]) -> None:
@@ -84,7 +84,7 @@ def read_ext(vm: Machine, layer: int, number: int, type: int, mode: int, format:
 
 @handles("INPUT_READY")
 def ready(vm: Machine, layer: int, number: int) -> None:
-    """Waits for the device, on an empty port for ever."""
+    """Waits for the device, forever if the port is empty."""
     device = vm.brick.inputs.device(layer, number)
     if device is not None and vm.brick.inputs.is_busy(device):
         raise Busy
@@ -130,7 +130,7 @@ def sample(vm: Machine, _: int, count: int, __: Place, *arrays: Place) -> None:
 
 
 def _waits(format: int) -> Callable[[Machine, int, int, int, int, list[Place]], None]:
-    """Writes values of a device in the mode asked for, waited for unless the port is empty."""
+    """Writes values of a device in the requested mode; waits for them unless the port is empty."""
 
     def read(vm: Machine, layer: int, number: int, type: int, mode: int, places: list[Place]) -> None:
         device = _found(vm, layer, number)
@@ -153,7 +153,7 @@ handles("INPUT_DEVICE.READY_SI")(_waits(_SI))
 
 @handles("INPUT_DEVICE.GET_FORMAT", computes=True)
 def get_format(vm: Machine, layer: int, number: int) -> tuple[int, ...]:
-    """Returns what its mode's values are like, and how many modes it has."""
+    """Returns the format of its mode's values, and the number of its modes."""
     device = vm.brick.inputs.device(layer, number)
     if device is None:
         return 0, 0, 0, 0
@@ -162,13 +162,13 @@ def get_format(vm: Machine, layer: int, number: int) -> tuple[int, ...]:
 
 @handles("INPUT_DEVICE.GET_FIGURES", computes=True)
 def get_figures(vm: Machine, layer: int, number: int) -> tuple[int, int]:
-    """Returns how its values are shown: figures and decimals."""
+    """Returns the number of figures and decimals with which its values are shown."""
     device = vm.brick.inputs.device(layer, number)
     return (0, 0) if device is None else (device.mode_data.figures, device.mode_data.decimals)
 
 
 def _write_padded(vm: Machine, destination: Place, text: str | None, length: int) -> None:
-    """Writes a text, filled up with blanks to the room for it, and a zero; None is an empty text, without blanks."""
+    """Writes a text, padded with spaces to the room for it, and a zero; None is an empty text without padding."""
     if text is None:
         destination.write_text(b"")
         return
@@ -203,7 +203,7 @@ def get_modename(vm: Machine, layer: int, number: int, mode: int, length: int, d
 
 @handles("INPUT_DEVICE.CLR_ALL")
 def clear_all(vm: Machine, layer: int) -> None:
-    """Clears what sensors have counted, and the motors' counts."""
+    """Clears the counts of sensors and motors."""
     if layer <= 0:
         vm.brick.inputs.clear()
         for motor in vm.brick.outputs.motors:

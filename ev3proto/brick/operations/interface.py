@@ -15,7 +15,7 @@ from ev3proto.brick.text_lines import DELIMITERS, line_of, with_line
 
 _NOTHING = b"nan"
 _MOST_FLOAT, _MOST_FIXED, _MOST_STAMP = 23, 31, 49
-"""Characters that VALUEF, FLOATVALUE and STAMP write at most."""
+"""Maximum number of characters that VALUEF, FLOATVALUE and STAMP write."""
 
 
 # Versions and state of the brick

@@ -40,7 +40,7 @@ class LogBuffer(Array):
         self.used = 0  # bytes that were written
 
     def write(self, vm: Machine, data: bytes) -> bool:
-        """Adds bytes. Returns False where there is no room."""
+        """Adds bytes. Returns False if there is no room."""
         if self.used + len(data) > len(self.data) and not vm.resize_array(self, len(self.data) + BUFFER):
             return False
         self.data[self.used : self.used + len(data)] = data
@@ -81,7 +81,7 @@ def open_log(
 
 
 def _write_or_log(vm: Machine, file: OpenFile | None, data: bytes) -> bool:
-    """Writes to a file; False and an error in the log of errors where that is impossible."""
+    """Writes to a file. Returns False and logs an error if that is impossible."""
     if file is not None and file.for_writing and file.stream.put(data):
         return True
     vm.brick.settings.log_error("FILE_WRITE_ERROR")
@@ -120,7 +120,7 @@ def close_log(vm: Machine, handle: int, place: Place) -> None:
 
 @handles("FILE.GET_LOG_NAME")
 def log_name(vm: Machine, length: int, destination: Place) -> None:
-    """Writes the name of the open log; empty where none is open. An array gets all of it."""
+    """Writes the name of the open log, or an empty one. An array gets all of it."""
     logs = (entry for entry in vm.program.handles.entries() if isinstance(entry, OpenFile) and entry.is_log)
     name = next((log.name for log in logs), b"")
     if destination.handle >= 0:

@@ -25,7 +25,7 @@ def _box(vm: Machine, number: int) -> Mailbox:
 
 @handles("MAILBOX_OPEN")
 def open_box(vm: Machine, number: int, name: bytes, kind: int, depth: int, values: int) -> None:  # noqa: ARG001
-    """Opens an empty mailbox; fails where it is open already."""
+    """Opens an empty mailbox; fails if it is already open."""
     _box(vm, number)
     if not vm.brick.mailboxes.open(number, name, kind):
         raise Failure
@@ -77,10 +77,7 @@ def _read_value(vm: Machine, box: Mailbox, number: int, place: Place) -> None:
 
 
 def _read_array(vm: Machine, box: Mailbox, begin: int, handle: int) -> None:
-    """Gives an array, which a value names by its handle, as many elements as the message has bytes.
-
-    The message has none after that.
-    """
+    """Gives an array, named by a value's handle, as many elements as the message has bytes, and empties the message."""
     array = vm.program.handles.get(handle, Array)
     size, box.size = box.size, 0
     if size > 0 and array is not None and vm.resize_array(array, size):

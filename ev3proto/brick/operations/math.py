@@ -84,10 +84,10 @@ for _name, _function in (
 # MATH
 
 RADIANS = 0.0174532925
-"""Of a degree, as the firmware writes it."""
+"""A degree in radians, as the firmware writes it."""
 
 DEGREES = 57.2957795
-"""Of a radian, as the firmware writes it."""
+"""A radian in degrees, as the firmware writes it."""
 
 MOST_DECIMALS = 9
 
@@ -136,7 +136,7 @@ def _power(base: float, exponent: float) -> float:
 
 
 def _truncated(value: float, decimals: int) -> float:
-    """Cuts X as text with 6 decimals after some of them, 9 at most."""
+    """Cuts X, as a text with 6 decimals, after a number of them (9 at most)."""
     text = fixed(value, 6)
     point = text.find(".")
     return float(text if point < 0 else text[: point + 1 + min(max(decimals, 0), MOST_DECIMALS)])
@@ -173,7 +173,7 @@ computes(
 
 @handles("MATH.ABS", raw=True)
 def absolute(vm: Machine) -> None:
-    """Drops the sign, that of NaN too."""
+    """Drops the sign, also that of NaN."""
     bits = vm.float_bits()
     vm.place().write32(bits & 0x7FFFFFFF)
 

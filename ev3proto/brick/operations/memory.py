@@ -32,7 +32,7 @@ def _variables(vm: Machine, slot: int, number: int) -> tuple[bytearray, int] | N
 
 @handles("MEMORY_READ")
 def memory_read(vm: Machine, slot: int, number: int, offset: int, count: int, destination: Place) -> None:
-    """Writes zeros for bytes outside; nothing where there is no such memory."""
+    """Writes zeros for bytes outside; nothing if the memory does not exist."""
     found = _variables(vm, slot, number)
     if found is None or count <= 0:
         return

@@ -16,7 +16,7 @@ _TYPES = {suffix: kind for suffix, kind, _ in SIZES}
 
 
 def _copy(size: int) -> Callable[[Machine], None]:
-    """Copies the bits of a value, those of NaN too."""
+    """Copies the bits of a value, also those of NaN."""
 
     def copy(vm: Machine) -> None:
         value = vm.place().read_bytes(size)

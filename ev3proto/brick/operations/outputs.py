@@ -80,7 +80,7 @@ def ready(vm: Machine, layer: int, nos: int) -> None:
 
 @handles("OUTPUT_READ", computes=True)
 def read(vm: Machine, layer: int, number: int) -> tuple[int, int]:
-    """Returns the speed in percent and the angle of the present move in degrees."""
+    """Returns the speed in percent and the angle of the current move in degrees."""
     motor = vm.brick.outputs.one(layer, number)
     return (0, 0) if motor is None else (motor.speed_now, motor.tacho)
 

@@ -30,12 +30,12 @@ from ev3proto.tables.declaration import Direction, Type
 from ev3proto.tables.program import aligned
 
 LOAD_ONLY = 2
-"""Of PROGRAM_START: the program is not to run."""
+"""The flag of PROGRAM_START that keeps the program from running."""
 
 
 @handles("SLEEP", raw=True)
 def sleep(_: Machine) -> None:
-    """Ends this turn only."""
+    """Ends only the current turn."""
     raise Sleep
 
 
@@ -71,7 +71,7 @@ def stop_object(vm: Machine, program: Program, number: int) -> None:
 
 
 def start_object(_: Machine, program: Program, number: int) -> None:
-    """Starts an object of a program from its beginning; one that runs, and an unknown one, is ignored."""
+    """Starts an object of a program from its beginning; a running or unknown one is ignored."""
     entry = program.objects.get(number)
     if entry is not None and entry.status == STOPPED:
         entry.start()
@@ -178,7 +178,7 @@ def get_speed(vm: Machine, slot: int) -> int:
 
 @handles("PROGRAM_START")
 def program_start(vm: Machine, slot: int, size: int, address: int, mode: int) -> None:  # noqa: ARG001 - as the firmware
-    """Starts a loaded program; from a direct command only while no user's program and no debugged one runs."""
+    """Starts a loaded program; from a direct command only while neither a user's nor a debugged program runs."""
     image = vm.images.get(address)
     if image is None or mode == LOAD_ONLY or slot not in (USER_SLOT, TERM_SLOT, DEBUG_SLOT):
         return

@@ -20,7 +20,7 @@ MOST_CHARACTERS = 1023
 """Bytes of the buffer in which the firmware builds a text."""
 
 MOST_DASHES = 4
-"""Dashes that NaN is written as, at most."""
+"""Maximum number of dashes for NaN."""
 
 
 computes(
@@ -47,7 +47,7 @@ def strip(vm: Machine, text: bytes, destination: Place) -> None:
 
 @handles("STRINGS.SUB")
 def sub(vm: Machine, text: bytes, sought: bytes, destination: Place) -> None:
-    """Writes what follows the first occurrence of a text; without one, the rest of printf's text for a missing one."""
+    """Writes the text after the first occurrence of another; without one, the rest of printf's missing text."""
     at = text.find(sought)
     rest = (NO_TEXT if at < 0 else text[at:][:MOST_CHARACTERS])[len(sought) :]
     vm.write_text(destination, rest, len(text) + 1)
@@ -55,7 +55,7 @@ def sub(vm: Machine, text: bytes, sought: bytes, destination: Place) -> None:
 
 @handles("STRINGS.NUMBER_TO_STRING")
 def number_to_string(vm: Machine, value: int, figures: int, destination: Place) -> None:
-    """Writes a number filled up with zeros, cut to this number of figures."""
+    """Writes a number padded with zeros, cut to this number of figures."""
     text = formatted(b"%%%s%dd" % (b"0" if figures >= 0 else b"", figures), value)
     if vm.resize(destination, figures + 2):
         destination.write_cut(text, figures + 1)
@@ -95,7 +95,7 @@ def string_to_value(_: Machine, source: Place, destination: Place) -> None:
     source.write_bytes(text)
     number = read_number(text)
     if number is not None and number != number:
-        # The sign of such a number is that of the text.
+        # Such a number has the sign of the text.
         destination.write32(NEGATIVE_NOT_A_NUMBER if math.copysign(1, number) < 0 else NOT_A_NUMBER)
     else:
         destination.write_float(0.0 if number is None else number)

@@ -1,4 +1,4 @@
-"""Operations without effect on a virtual brick: they do nothing, fail, wait for ever or answer a constant."""
+"""Operations without effect on a virtual brick: they do nothing, fail, wait forever or return a constant."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ computes(
     {
         # Commands are never run: the status of a brick without a shell.
         "SYSTEM": lambda *_: -1,
-        # No direct command waits that a program could take.
+        # There is never a waiting direct command that a program could take.
         "COM_READ.COMMAND": lambda *_: (0, 0, 0),
         "COM_TEST": lambda *_: 0,
         "COM_GET.LIST_STATE": lambda *_: 0,

@@ -15,15 +15,15 @@ class Faults:
     delay: float = 0.0  # seconds by which each reply is delayed
     drop: float = 0.0  # share of them that are lost, 0 to 1
     corrupt: float = 0.0  # share of them in which one byte after the length field is changed, 0 to 1
-    random: Random = field(default_factory=Random)  # the source of chance; a seed makes it repeatable
+    random: Random = field(default_factory=Random)  # the random numbers; a seed makes them repeatable
 
     def apply_to(self, reply: bytes) -> bytes | None:
-        """Returns what is sent in place of a reply; None where it is lost."""
+        """Returns the bytes to send for a reply; None if it is lost."""
         if self.drop and self.random.random() < self.drop:
             return None
         if self.corrupt and self.random.random() < self.corrupt:
             changed = bytearray(reply)
-            # The length stays right: what follows the reply can still be read.
+            # The length stays right, so that later replies can still be read.
             changed[self.random.randrange(LENGTH_FIELD, len(reply))] ^= self.random.randint(1, 0xFF)
             return bytes(changed)
         return reply

@@ -26,10 +26,10 @@ _MOST_SERVING = 0.01
 """Seconds for which frames are served before the event loop continues."""
 
 _LONG = 0.1
-"""Seconds after which a command counts as one that keeps others waiting."""
+"""Seconds after which a command counts as keeping others waiting."""
 
 _LEAST_STEP, _MOST_STEP = 500, 10_000
-"""Microseconds that the brick's clock advances at once."""
+"""Microseconds that the brick's clock advances at a time."""
 
 _MOST_ADVANCING = 0.01
 """Seconds after which the event loop continues, even if the brick's clock is still behind."""
@@ -78,13 +78,13 @@ class Observer(Protocol):
         """Learns that a client has connected."""
 
     def frame(self, connection: Connection, frame: bytes, is_from_host: bool) -> None:
-        """Learns of a frame from or to a client."""
+        """Receives a frame from or to a client."""
 
     def left(self, connection: Connection, data: bytes, reason: str) -> None:
         """Learns that the last bytes of a client were not a whole frame, and why."""
 
     def closed(self, connection: Connection) -> None:
-        """Learns that a client has disconnected, and all that it sent is done."""
+        """Learns that a client has disconnected, and that all of its frames are done."""
 
 
 class Connection:
@@ -103,8 +103,8 @@ class Connection:
         self.carrier = carrier  # "wifi" or "bluetooth"
         self.ends = ends  # IP address and port of the client, and those of the brick; on WiFi only
         self.opening = opening  # the texts before the first frame, each with whether the client sent it
-        self.number = 0  # counted from 1, each connection its own
-        self.used = 0.0  # seconds of the brick's time that it has had
+        self.number = 0  # counted from 1 for each connection
+        self.used = 0.0  # seconds of the brick's time that it has used
         self.rests_until = 0.0  # when it is served again, after it kept others waiting
         self.is_gone = False  # whether its client has disconnected; earlier frames are still served, and not answered
         self._host = host
@@ -125,13 +125,13 @@ class Connection:
         self._host.wake()
 
     def throttle(self, is_throttled: bool) -> None:
-        """Learns whether the client leaves too much unread; its frames wait meanwhile."""
+        """Learns whether the client leaves too much unread; while it does, its frames wait."""
         self._is_throttled = is_throttled
         if not is_throttled:
             self._host.wake()
 
     def close(self) -> None:
-        """Learns that the client has disconnected; what it sent before is still done, as on the real brick."""
+        """Learns that the client has disconnected; as on the real brick, its earlier frames are still served."""
         self.is_gone = True
         self._is_throttled = False
         self._host.serve_disconnected()
@@ -176,7 +176,7 @@ class Connection:
         return frame
 
     def send(self, frame: bytes, delay: float) -> None:
-        """Sends a reply, after a while if that is asked for."""
+        """Sends a reply, with the requested delay."""
         if delay:
             self._delayed += 1
             asyncio.get_running_loop().call_later(delay, self._send_late, frame)
@@ -237,7 +237,7 @@ class Host:
         self.wake()
 
     def queued(self) -> None:
-        """Says that a client waits until another one disconnects."""
+        """Reports that a client waits until another one disconnects."""
         self.say_once("a client waits until another one disconnects; a real brick serves one, too (see --clients)")
 
     def _end_disconnected(self) -> None:
@@ -305,7 +305,7 @@ class Host:
         self._tell(lambda observer: observer.frame(connection, reply, False))
 
     def _tell(self, news: Callable[[Observer], None]) -> None:
-        """Calls all observers. One that has a defect is not called again."""
+        """Calls all observers, except those that have raised an error before."""
         for observer in list(self.observers):
             try:
                 news(observer)
@@ -323,7 +323,7 @@ class Host:
         return best
 
     def _take_up(self, connection: Connection) -> None:
-        # A client that was idle has not saved up time.
+        # Idle clients do not save up time.
         connection.used = self._virtual = max(connection.used, self._virtual)
         self._current = (connection, self._loop.time())
         frame = connection.take()
@@ -334,10 +334,7 @@ class Host:
             self._current = None
 
     def _guarded(self, act: Callable[[], list[Addressed]], place: str) -> bool:
-        """Calls the brick, and delivers the replies. Reports a defect, and returns False then.
-
-        A defect must not take the brick away from all clients.
-        """
+        """Calls the brick and delivers the replies. Returns False after a defect, which must not stop the server."""
         try:
             self._deliver(act())
         except Exception as error:
@@ -404,7 +401,7 @@ class Host:
                 channel.send(sent, self.faults.delay)
 
     def _schedule(self) -> None:
-        """Schedules the next look at the clock."""
+        """Schedules the next check of the clock."""
         if self._timer is not None:
             self._timer.cancel()
         if self.brick.is_computing or self._is_behind():
@@ -419,7 +416,7 @@ class Host:
 
 
 def _unfinished(left: bytes) -> str:
-    """Returns what was not served of what a client has sent: whole frames, or one whose rest never came."""
+    """Returns a client's bytes that were not served: whole frames, or an incomplete one."""
     frames = 0
     while len(left) >= LENGTH_FIELD and len(left) >= frame_size(left):
         frames += left[:LENGTH_FIELD] != _POLL

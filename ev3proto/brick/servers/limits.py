@@ -7,7 +7,7 @@ PATIENCE = 10.0
 """Seconds after which a direct command is ended when another client waits for it."""
 
 MOST_BUFFERED = 1 << 17
-"""Bytes of a client that are kept unread by the brick; the client is read on when they are fewer. One frame fits."""
+"""Bytes of a client that the brick has not read yet; at this limit reading pauses. One frame fits."""
 
 MOST_UNREAD = 1 << 16
 """Bytes of replies that a client leaves unread before its next frame waits."""

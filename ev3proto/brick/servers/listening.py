@@ -1,7 +1,7 @@
 """A TCP port whose clients cannot use up the file descriptors of this process.
 
-One descriptor is kept in reserve, with which further clients are accepted and disconnected. asyncio's own servers log
-an error for each client that they cannot accept, many times.
+One descriptor is kept in reserve, to accept and disconnect further clients. asyncio's own servers log errors repeatedly
+for each client that they cannot accept.
 """
 
 from __future__ import annotations

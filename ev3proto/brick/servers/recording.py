@@ -1,4 +1,4 @@
-"""`--record`: a capture of what goes over the brick's connections, made without a network to capture on."""
+"""`--record`: a capture of the brick's connections, written directly instead of captured on a network."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ class Recorder:
     """Writes a pcapng file while the brick is on."""
 
     def __init__(self, path: Path, say: Say) -> None:
-        """Opens the file, and empties it. OSError where it cannot be written."""
+        """Opens the file, and empties it. Raises OSError if it cannot be written."""
         self._say = say
         self._path = path
         self._stream = GrowingFile(path)
@@ -29,7 +29,7 @@ class Recorder:
         return self._recording.packets
 
     def opened(self, connection: Connection) -> None:
-        """Records what precedes the first frame: on WiFi the TCP handshake, the unlock text and its answer."""
+        """Records the beginning of a connection: on WiFi the TCP handshake, the unlock text and its answer."""
         carrier = Carrier(connection.carrier)
         self._try(lambda: self._recording.opened(connection, carrier, *connection.ends))
         for data, is_from_host in connection.opening:
@@ -44,7 +44,7 @@ class Recorder:
         self._try(lambda: self._recording.data(connection, data, True))
 
     def closed(self, connection: Connection) -> None:
-        """Records what follows the last frame."""
+        """Records the end of a connection."""
         self._try(lambda: self._recording.closed(connection))
 
     def close(self) -> None:

@@ -30,7 +30,7 @@ _SHOWING = (Effect.SHOWS, Effect.DIALOG)
 
 @dataclass
 class _Kind:
-    """All findings with one code: the first of them, where that is, and how many frames have one."""
+    """All findings with one code: the first one, its place, and the number of frames that have one."""
 
     report: Report
     finding: Finding

@@ -111,7 +111,7 @@ class Script:
             brick.release(step.release)
 
     def times(self) -> Iterator[tuple[float, Step]]:
-        """Yields the steps in the order of their times, again and again where there is a period."""
+        """Yields the steps in the order of their times, repeatedly if there is a period."""
         steps = sorted(self.steps, key=lambda step: step.at)
         begin = 0.0
         while steps:
@@ -123,7 +123,7 @@ class Script:
 
 
 def read_script(path: Path) -> Script:
-    """Reads a script. Raises OSError, and ScriptError, which says where and what is possible."""
+    """Reads a script. Raises OSError, and ScriptError with the place and what is possible there."""
     with path.open("rb") as stream:
         text = stream.read(MOST_SCRIPT + 1)
     if len(text) > MOST_SCRIPT:

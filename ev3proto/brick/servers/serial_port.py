@@ -98,7 +98,7 @@ class SerialPort:
         if data and self._connection is not None:
             self._connection.feed(data)
         elif not data:
-            # The last program that had it open has closed it. What that changed must not hold for the next one.
+            # The last program that had it open has closed it. Its settings must not apply to the next one.
             self._hang_up()
             self._make_raw(self._master)
             self._timer = self._loop.call_later(_PERIOD, self._wait)
@@ -126,7 +126,7 @@ class SerialPort:
                 self._write()
 
     def pause(self) -> None:
-        """Reads no more for now."""
+        """Stops reading for now."""
         self._loop.remove_reader(self._master)
 
     def resume(self) -> None:

@@ -34,7 +34,7 @@ LOOPBACK = "127.0.0.1"
 SCREENSHOT_SCALE = 3
 
 NETWORK = "ev3proto"
-"""Name of the network that the brick says it is in."""
+"""Name of the network that the brick reports."""
 
 
 @dataclass(frozen=True)
@@ -43,15 +43,15 @@ class Options:
 
     address: str = LOOPBACK  # where clients connect; loopback unless another one is named
     port: int | None = TCP_PORT  # TCP port of WiFi, 0 for any that is free; None: no WiFi
-    beacon: bool = True  # whether it says that it is there
+    beacon: bool = True  # whether it sends beacons
     clients: int = 1  # number of clients that are served at once
     serial: Path | None = None  # where the link to a serial port is to be; None: no such port
     page: int | None = None  # TCP port of the page, 0 for any that is free; None: no page
-    faults: Faults = field(default_factory=Faults)  # what happens to replies
-    record: Path | None = None  # file for a capture of what goes by
+    faults: Faults = field(default_factory=Faults)  # the deliberate faults of replies
+    record: Path | None = None  # file for a capture of the connections
     report: bool = False  # whether clients' frames are checked
     screenshot: Path | None = None  # file for a picture of the display at the end
-    script: Script = field(default_factory=Script)  # what is plugged in, and what happens
+    script: Script = field(default_factory=Script)  # the devices, and events over time
     dialect: str = "official"  # the firmware's instruction set
     serial_number: str | None = None  # 12 hexadecimal digits; None: the usual ones
 
@@ -66,7 +66,7 @@ class Running:
     port: int = 0  # of WiFi; 0 without WiFi
     link: str = ""  # the page's address with its token; empty without a page
     looked: asyncio.Event = field(default_factory=asyncio.Event)  # set when the page was opened
-    reporter: Reporter | None = None  # what has checked the frames so far; None where that was not asked for
+    reporter: Reporter | None = None  # the checks of the frames so far; None if not requested
 
 
 @asynccontextmanager
@@ -141,7 +141,7 @@ def is_loopback(address: str) -> bool:
 
 
 def save_screenshot(brick: Brick, path: Path) -> None:
-    """Writes the display as a picture. OSError where that cannot be."""
+    """Writes the display as a picture. Raises OSError."""
     write_whole(path, write_png(brick.display.rows, WIDTH, SCREENSHOT_SCALE))
 
 
@@ -153,7 +153,7 @@ def _save_screenshot(brick: Brick, path: Path, say: Say) -> None:
 
 
 def _expect_place(path: Path) -> None:
-    """Raises ServerError at once, not at the end, where a file cannot be written."""
+    """Raises ServerError at the start, not at the end, if a file cannot be written."""
     if not os.access(path.parent, os.W_OK):
         reason = "Permission denied" if path.parent.exists() else "No such file or directory"
         raise ServerError(f"{path}: cannot be written: {reason}")
@@ -178,7 +178,7 @@ def _page(host: Host, address: str, port: int) -> AbstractAsyncContextManager[tu
 
 
 async def _follow(script: Script, host: Host) -> None:
-    """Does the steps of a script, each in its time."""
+    """Does the steps of a script, each at its time."""
     loop = asyncio.get_running_loop()
     begin = loop.time()
     for at, step in script.times():

@@ -12,13 +12,13 @@ BEACON_PERIOD = 5.0
 """Seconds from one beacon to the next."""
 
 FIRST_READ = 100
-"""Bytes that the firmware reads to find the unlock text; what else is among them is lost."""
+"""Bytes that the firmware reads to find the unlock text; any others among them are lost."""
 
 _UNLOCK = UNLOCK_REQUEST[1:].encode()
 """The part of the unlock text that the firmware checks."""
 
 _MOST_SAID = 1024
-"""Bytes that are kept of what a client sends before the unlock text is complete, the latest ones."""
+"""Bytes that are kept, the latest ones, until the unlock text is complete."""
 
 _EVERYBODY = "255.255.255.255"
 
@@ -28,10 +28,10 @@ class Unlocking:
 
     def __init__(self) -> None:
         self.said = b""  # the last bytes from the client, up to the end of the read that has the text
-        self.extra = False  # whether the client sent something right behind the text that is lost with it
+        self.extra = False  # whether bytes right behind the text were lost with it
 
     def feed(self, data: bytes) -> bytes | None:
-        """Takes bytes from the client. Returns what follows the text and is not lost; None before the text is there."""
+        """Takes bytes from the client. Returns the kept ones after the unlock text; None until it is there."""
         for at in range(0, len(data), FIRST_READ):
             piece = data[at : at + FIRST_READ]
             self.said = (self.said + piece)[-_MOST_SAID:]
@@ -43,10 +43,8 @@ class Unlocking:
 
 
 def beacon_socket(address: str, port: int) -> tuple[socket.socket, str]:
-    """Returns the socket that sends beacons, and the address that they go to: on loopback, only this computer.
-
-    Hosts answer to the port that the beacon names, or to the one it came from: the same, if that port is free.
-    """
+    """Returns the socket that sends beacons, and their address: on loopback, only this computer."""
+    # Hosts answer to the port that the beacon names, or to the one it came from: the same, if that port is free.
     sender = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
     sender.setblocking(False)
     sender.setsockopt(socket.SOL_SOCKET, socket.SO_BROADCAST, 1)
@@ -60,7 +58,7 @@ def beacon_socket(address: str, port: int) -> tuple[socket.socket, str]:
 
 
 def why_not_open(error: Exception, address: str, port: int, other: str) -> str:
-    """Says why a port cannot be opened, and what to do; `other` is how another port is given."""
+    """Returns why a port cannot be opened, and what to do; `other` tells how to name another port."""
     code = getattr(error, "errno", None)
     if isinstance(error, OverflowError):
         return f"invalid port {port}; expected 0 to 65535"

@@ -18,7 +18,7 @@ from ev3proto.tables.discovery import ACCEPT, BEACON_PORT
 
 
 class Session(Protocol):
-    """A client as the owner of the port knows it, from the answer to its unlock text on."""
+    """A client of the port's owner, once its unlock text is answered."""
 
     def feed(self, data: bytes) -> None:
         """Takes bytes from the client."""
@@ -86,7 +86,7 @@ class Wifi:
     # Clients
 
     def connected(self, client: _Client) -> None:
-        """Takes a client that has connected. Until it sends the unlock text, it does not keep others waiting."""
+        """Takes a connected client, which does not keep others waiting until it sends the unlock text."""
         if self._only_from not in (None, client.address):
             self._host.say_once(f"{client.address} was disconnected: only {self._only_from} is served (--from)")
             client.drop()
@@ -208,7 +208,7 @@ class _Client(asyncio.Protocol):
         ends = (host, port), self._transport.get_extra_info("sockname")[:2]
         opening = (self._unlocking.said, True), (ACCEPT, False)
         self._connection = self._host.open(self, f"{host}:{port}", "wifi", ends, opening)
-        # No zero follows, as in some firmware: it would precede the first reply of clients that read 16 bytes.
+        # No zero follows, unlike in some firmware: clients that read 16 bytes would find it before their first reply.
         self._transport.write(ACCEPT)
         self.resume()
         if self._rest:

@@ -24,7 +24,7 @@ FULL = (1 << WIDTH) - 1
 _PADDING = ROW_BYTES * 8 - WIDTH
 _LEFT = 1 << (WIDTH - 1)
 _LONGEST_WALK = 1 << 15
-"""Steps after which a line ends whose 16-bit error sum overflowed; it would never end on a brick."""
+"""Maximum number of steps of a line whose 16-bit error sum overflowed, which would never end on a brick."""
 
 _LONGEST_OBLIQUE = 0x7FFF // 3
 """Length up to which the error sum of an oblique line does not overflow."""
@@ -207,10 +207,7 @@ class Canvas:
                 self.rows[index] = self.rows[index] & ~mask | pixels & mask
 
     def byte_cell(self, x: int, y: int, width: int, cell_rows: list[int]) -> None:
-        """Draws a cell aligned to whole bytes as the firmware does, without clipping at left and right.
-
-        What is left of the display appears at the right end of the row above, and the other way round.
-        """
+        """Draws a cell aligned to whole bytes; as in the firmware, pixels beyond an edge appear at the opposite one."""
         if x >= 0 and x + width <= WIDTH:
             self.cell(x, y, width, cell_rows)
             return
@@ -241,11 +238,9 @@ def _pixels(x0: int, y0: int, x1: int, y1: int, longest: int) -> _Pixels:
 
 
 def _visible(x0: int, y0: int, x1: int, y1: int) -> _Pixels:
-    """Yields the pixels of a line whose error sum does not overflow.
-
-    The firmware steps along the longer side; after k steps it has made the number of steps along the shorter side that
-    is nearest to k times the slope, the lower one of two.
-    """
+    """Yields the pixels of a line whose error sum does not overflow."""
+    # The firmware steps along the longer side; after k steps it has made the number of steps along the shorter side
+    # that is nearest to k times the slope, the lower one of two.
     dx, dy = abs(x1 - x0), abs(y1 - y0)
     step_x, step_y = 1 if x0 < x1 else -1, 1 if y0 < y1 else -1
     is_flat = dx >= dy

@@ -1,4 +1,4 @@
-"""The display: the canvas, what is shown, the selected font, saved pictures.
+"""The display: the canvas, the visible picture, the selected font, saved pictures.
 
 Shapes are drawn by the canvas. This file draws what needs letters and icons, and handles the display as a
 whole: showing, saving, the line at the top.
@@ -45,7 +45,7 @@ class Display(Part):
         self.is_headed = False  # whether there is a line at the top
         self._settings = settings or Settings()
         self._battery = battery or Battery()
-        self.graph = Graph()  # what GRAPH_SETUP set up
+        self.graph = Graph()  # the graph of GRAPH_SETUP
         self.is_in_use = False  # something was drawn that is not shown yet
         self.is_blocked = False  # only the object that opened a popup may draw
         self._owner: tuple[int, int] | None = None
@@ -98,7 +98,7 @@ class Display(Part):
         self.canvas.fillwindow(color, y, height)
 
     def select_font(self, font: int) -> None:
-        """Selects a font by its number, clamped to those there are."""
+        """Selects a font by its number, clamped to the known ones."""
         self.font = min(max(font, min(FONTS)), max(FONTS))
 
     def store(self, level: int) -> None:
@@ -133,7 +133,7 @@ class Display(Part):
     # Text
 
     def text(self, color: int, x: int, y: int, text: bytes, font: int | None = None) -> None:
-        """Draws characters, as far as the display is wide; colour 0 inverts, those without a glyph leave a gap."""
+        """Draws characters up to the right edge; colour 0 inverts them, those without a glyph leave a gap."""
         letters = FONTS[self.font if font is None else font]
         for character in text:
             if x >= WIDTH - letters.width:

@@ -48,8 +48,8 @@ class Summary(NamedTuple):
 class Graph:
     """A graph as GRAPH_SETUP left it.
 
-    `size` is how many samples are kept, one for each column of the display at most.
-    `items` read the scale and value of each item from memory, at every use.
+    `size` is the number of samples kept, at most one for each column of the display.
+    `items` read the scale and value of each item from memory at every use.
     """
 
     x: int = 0
@@ -62,7 +62,7 @@ class Graph:
         self.samples = [deque(maxlen=max(min(self.size, WIDTH), 0)) for _ in self.items]
 
     def sample(self) -> None:
-        """Stores the value of each item; the oldest is lost where there are `size` of them."""
+        """Stores the value of each item; the oldest is lost if there are already `size` of them."""
         for item, samples in zip(self.items, self.samples, strict=True):
             samples.append(item().value)
 

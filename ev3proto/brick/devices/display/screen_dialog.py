@@ -1,4 +1,4 @@
-"""Dialogues: windows that wait for a button. They work as the firmware's, and look different."""
+"""Dialogues: windows that wait for a button. They work like the firmware's, but look different."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ class ScreenDialog:
     """A window over what was drawn before."""
 
     display: Display  # the display that shows it
-    owner: object  # the program that asks
-    choice: int = 0  # which of several things is selected, counted from 0
+    owner: object  # the program that opened it
+    choice: int = 0  # the number of the selected element, counted from 0
     text: bytes = b""  # the text typed so far
     _before: Canvas = field(init=False)
 
@@ -52,7 +52,7 @@ class ScreenDialog:
         return top + (_ICON.height + _MARGIN if shown else 0)
 
     def _text(self, text: bytes, top: int) -> None:
-        """Draws a text in as many lines as there is room for."""
+        """Draws a text in as many lines as fit."""
         most = (_WIDTH - 2 * _MARGIN) // _LINE.width
         for line in range((_TOP + _HEIGHT - top) // _LINE.height):
             part = text[line * most : (line + 1) * most]
@@ -92,7 +92,7 @@ class ScreenDialog:
         self.display.update()
 
     def type_key(self, up: bool, down: bool, left: bool, right: bool) -> None:
-        """Types with four buttons: up and down change the last character, right adds one, left takes one away."""
+        """Types with four buttons: up and down change the last character, right adds one, left removes one."""
         if right:
             self.text += _CHARACTERS[1:2]
         elif left:

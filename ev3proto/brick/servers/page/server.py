@@ -122,7 +122,7 @@ class _Page:
     # Connections
 
     def connected(self, server: web.Server) -> asyncio.BaseProtocol:
-        """Takes a connection. Beyond the limit, the oldest that shows no page gives way."""
+        """Takes a connection; beyond the limit, the oldest one without an open page is closed."""
         open_ones = set(server.connections)
         self._connections = {each: None for each in self._connections if each in open_ones}
         if len(self._connections) >= MOST_PAGE_CONNECTIONS:
@@ -132,7 +132,7 @@ class _Page:
         return connection
 
     def full(self) -> None:
-        """Closes the oldest connection that shows no page."""
+        """Closes the oldest connection without an open page."""
         for connection in [each for each in self._connections if each not in self._shown][:1]:
             del self._connections[connection]
             if connection.transport is not None:
@@ -237,7 +237,7 @@ class _Page:
         return socket
 
     async def _send(self, socket: web.WebSocketResponse) -> None:
-        """Sends what has changed, and waits for a page that does not read."""
+        """Sends the changes, and waits for a page that does not read."""
         unshown = self.watcher.open()
         changes = Changes(self._host.brick, unshown, lambda: [each.name for each in self._host.connections])
         try:

@@ -68,7 +68,7 @@ class Changes:
         self._last: dict[str, Any] = {}
 
     def take(self) -> dict[str, Any]:
-        """Returns what is new, by key; an empty dict if nothing is."""
+        """Returns the changed parts by key; an empty dict without changes."""
         now = _state(self._brick) | {"clients": list(self._clients())}
         last, self._last = self._last, now
         new: dict[str, Any] = {} if last else {"facts": _facts()}
@@ -130,7 +130,7 @@ def _sensors(brick: Brick) -> list[dict[str, Any]]:
 
 
 def answer(brick: Brick, text: str) -> dict[str, Any] | None:
-    """Runs an action of a page, a JSON object. Returns what to send back, an `error` if it is impossible."""
+    """Runs an action of a page, a JSON object. Returns the answer, an `error` if it is impossible."""
     try:
         return _act(brick, json.loads(text))
     except (json.JSONDecodeError, RecursionError):

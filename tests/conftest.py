@@ -22,6 +22,8 @@ from support.digests import digest_of
 from support.effort import THOROUGH
 from support.wireshark import Tshark
 
+from ev3proto.brick import Brick
+
 # Hundreds of processes are started; without compiled modules, each would compile the package.
 os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 sys.dont_write_bytecode = False
@@ -78,6 +80,12 @@ def tshark() -> Iterator[Tshark]:
     """The tshark of EV3PROTO_TSHARK, or the default, with the dissector loaded."""
     with Tshark.from_setting() as tshark:
         yield tshark
+
+
+@pytest.fixture
+def brick(tmp_path: Path) -> Brick:
+    """A virtual brick with nothing plugged in, whose files are in an empty folder."""
+    return Brick(tmp_path)
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:

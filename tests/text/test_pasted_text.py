@@ -147,6 +147,27 @@ def test_the_lines_of_a_block_that_is_not_an_array() -> None:
     ]
 
 
+NUMBERS_OF_PROSE = (
+    "{} <script>alert(1)</script>",
+    "{} <td>1</td>",
+    "{} = 16 bytes",
+    "sent {} (16)",
+    "say '{}' (16)",
+    "{} took(3)",
+)
+
+
+@pytest.mark.parametrize("form", NUMBERS_OF_PROSE)
+def test_a_number_of_prose_is_not_the_last_byte(form: str) -> None:
+    for data in (TONE, b"\x0f" + TONE[1:]):
+        assert [(piece.data, piece.problem) for piece in pieces(form.format(data.hex()))] == [(data, None)]
+    assert only("[6, 0, 42, 0, 128, 0, 0, 1] (8)").data == b"\x06\x00*\x00\x80\x00\x00\x01"
+
+
+def test_a_byte_in_brackets_is_one() -> None:
+    assert only("0e 00 2a 00 80 00 00 94 01 01 82 b8 01 82 e8 (03)").data == TONE
+
+
 def test_several_frames_in_a_line() -> None:
     assert [piece.data for piece in pieces(f"frames = [{TONE!r}, {REPLY!r}]")] == [TONE, REPLY]
     assert [piece.data for piece in pieces(f"frames = [{list(TONE)}, {list(REPLY)}]")] == [TONE, REPLY]
@@ -320,17 +341,33 @@ def test_a_line_of_a_megabyte_is_read_and_a_longer_one_is_not() -> None:
     assert "was not read" in (too_long.problem or "")
 
 
-def test_lines_are_read_as_they_come() -> None:
+AT_ONCE = {
+    "03 00 2a 00 02": 1,
+    TONE.hex(): 1,
+    "Sent 0x|06:00|2A:00|80|00:00|01|": 1,
+    "12:30:45 sent 06 00 2a 00 80 00 00 82": 1,
+    # The last operation is unknown, so no line below can complete it.
+    "07 00 2a 00 80 00 00 01 fb": 1,
+    # Bytes are missing, or follow the frame: the next line may continue it.
+    "06 00 2a 00 80 00 00 82": 2,
+    "06 00 2a 00 80 00 00 82 e8 03": 2,
+    "Sent 0x|09:00|2A:00|80|00:00|01|": 3,
+}
+"""Lines with a frame, and how many are read before it is given out."""
+
+
+@pytest.mark.parametrize("line", AT_ONCE)
+def test_lines_are_read_as_they_come(line: str) -> None:
     given_out: list[int] = []
 
     def lines() -> Iterator[str]:
         for number in range(3):
             given_out.append(number)
-            yield "03 00 2a 00 02\n"
+            yield f"{line}\n"
 
     found = read_text(lines())
-    assert next(found).data == REPLY
-    assert given_out == [0]
+    assert next(found).line == 1
+    assert len(given_out) == AT_ONCE[line]
 
 
 @pytest.mark.parametrize(

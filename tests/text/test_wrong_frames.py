@@ -50,6 +50,24 @@ def test_a_wrong_head_is_named_in_every_notation(name: str, head: str) -> None:
     assert [piece.data for piece in read_text(text.splitlines(keepends=True))] == [frame]
 
 
+UNKNOWN_TYPE = "0900e31a06003f0273f529"
+
+
+@pytest.mark.parametrize("form", ["{}", "{}  ", "0x{}", "Sent {}", "'{}'"])
+def test_a_wrong_type_in_hex_without_blanks(form: str) -> None:
+    text = form.format(UNKNOWN_TYPE)
+    (piece,) = read_text([f"{text}\n"])
+    assert (piece.data.hex(), piece.problem) == (UNKNOWN_TYPE, None)
+    assert read_argument(text).data == piece.data
+
+
+@pytest.mark.parametrize("form", ["12:30:45 sent {}", "{}", "0x|{}|", "Sent 0x|{}|"])
+def test_two_lines_with_the_same_wrong_length(form: str) -> None:
+    wrong = headed(TONE, len(TONE))
+    text = f"{form.format(wrong.hex(':'))}\n" * 2
+    assert [(piece.line, piece.data) for piece in read_text(text.splitlines())] == [(1, wrong), (2, wrong)]
+
+
 @each("name, head", product(("blanks", "C", "repr", "hexdump -C", "lesson"), HEADS))
 def test_a_wrong_head_of_a_command_with_a_reply(name: str, head: str) -> None:
     frame = HEADS[head][0](SENSOR)
@@ -148,3 +166,22 @@ def test_a_second_frame_behind_the_first_is_another_one() -> None:
 def test_a_wrong_length_does_not_swallow_the_lines_below() -> None:
     lines = ["0e002a0080000094010182b80182e803\n", "2e002a0080000094010182b80182e8\n", "06002a0080000001\n"]
     assert [piece.data.hex() for piece in read_text(lines)] == [line.strip() for line in lines]
+
+
+ONE_A_LINE = ("{}", "cmd[{at}] = {};", "  {at}: {}", "12:34:56.789 -> {}")
+
+
+@pytest.mark.parametrize("form", ONE_A_LINE)
+def test_bytes_below_a_frame_of_one_byte_a_line_are_reported(form: str) -> None:
+    lines = [form.format(byte, at=at) + "\n" for at, byte in enumerate([*TONE, 7, 8])]
+    assert [piece.data for piece in read_text(lines[:17])] == [TONE]
+    frame, rest = read_text(lines[:18])
+    assert (frame.data, frame.problem, rest.data, rest.line) == (TONE, None, b"", 18)
+    assert rest.problem == "1 byte follows the frame that ends in line 17: 7"
+    assert [*read_text(lines)][1].problem == "2 bytes follow the frame that ends in line 17: 7 8"
+    assert [piece.data for piece in read_text([*lines[:17], *lines[:17]])] == [TONE, TONE]
+
+
+def test_rows_of_a_dump_below_a_complete_frame_are_reported() -> None:
+    dump = NOTATIONS["xxd"](TONE)
+    assert [piece.data for piece in read_text([*dump.splitlines(), "00000011: 0708 09"])] == [TONE, b""]

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from ev3proto.schema.header import frame_size, may_have_length
-from ev3proto.text.paste.frames import LOOKS, may_begin
+from ev3proto.text.paste.frames import LOOKS, is_wrong_frame, may_begin
 from ev3proto.text.paste.near import Near
 from ev3proto.text.paste.notations import NUMBERS
 from ev3proto.text.paste.pieces import LEAST, Head
@@ -172,5 +172,13 @@ class Group:
             # Unless the frame in front of it needs all of these bytes.
             sizes = [(len(data) + len(run.data(name) or b""), data) for name, data in known if len(data) > 1]
             return not any(frame_size(data) >= size for size, data in sizes)
-        begun = (data for _, data in known if len(data) >= LEAST and may_have_length(data))
-        return len(own) >= LOOKS and may_begin(own) and any(len(data) >= frame_size(data) for data in begun)
+        if len(own) < LOOKS or not may_begin(own):
+            return False
+        begun = [bytes(data) for _, data in known if len(data) >= LEAST and may_have_length(data)]
+        # Two lines of a log may have the same wrong length.
+        are_wrong = _is_wrong(own) and any(map(_is_wrong, begun))
+        return are_wrong or any(len(data) >= frame_size(data) for data in begun)
+
+
+def _is_wrong(data: bytes) -> bool:
+    return is_wrong_frame(data, is_alone=False, is_decimal=False)

@@ -30,7 +30,7 @@ _IS_INDEX = re.compile(r"\w+\s?\]")
 _LESSON = re.compile(r"0[xX]\|")
 _CUT = re.compile(r"(?:\\?x?[0-9a-fA-F])?[\s:|,\"']{0,4}(?:\.{3}|\u2026)")
 _NEXT = re.compile(r"[\s,:;|-]*+(?P<word>[^\s,:;|\"'`\[\](){}<>]+)")
-_REMARK = re.compile(r"\s*(?://|#|;|/\*)")
+_REMARK = re.compile(r"\s*(?://|#|;|=|/\*)")
 _BYTES = re.compile(r"(?<!\w)(?:0x)?[0-9a-fA-F]{2}(?!\w)|\\x[0-9a-fA-F]{2}")
 _ADDRESS = re.compile(r"(?:[0-9a-fA-F]{2}[:-]){5}[0-9a-fA-F]{2}(?![:-])")
 _OPEN_STRING = re.compile(

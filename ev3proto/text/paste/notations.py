@@ -81,7 +81,8 @@ GAPS = (
     ),
     Form("entity", "&nbsp;", r"&\#?\w{2,5};"),
     Form("the lesson's mark", "0x|", r"0[xX](?=\|)"),
-    Form("call", "data.Add(", rf"(?<!\w)(?!{_MACRO})(?:[A-Za-z_]\w*\.)?[A-Za-z_]\w*\s?\(|as\s(?:u8|byte)\b"),
+    Form("type behind", " as u8", r"(?<!\w)as\s(?:u8|byte)\b"),
+    Form("call", "data.Add(", rf"(?<!\w)(?!{_MACRO}|{_H}{{2}}\s)(?:[A-Za-z_]\w*\.)?[A-Za-z_]\w*\s?\("),
 )
 """What separates two numbers of a run."""
 
@@ -242,6 +243,28 @@ def values_in(notation: Notation, line: str, start: int, end: int) -> list[str]:
     # Where nothing but digits and separators is in a run, each word is a value.
     is_plain = _IS_PLAIN.fullmatch(line, start, end)
     return _WORDS.findall(line, start, end) if is_plain else notation.value.findall(line, start, end)
+
+
+_NUMBER_OF_PROSE = re.compile(
+    r"""
+    (?P<bytes> (?> (?: (?P<last>[0-9a-fA-F]+) (?!\w) [\s,:|]* )+ ) )
+    [\])}"'`]?\s*
+    (?: (?:</?\w+>\s*)* [A-Za-z_][\w.]*\s?\( | = | </?\w{2,}> | \( ) \W* (?P<number>\w+)
+    """,
+    re.VERBOSE,
+)
+"""Bytes, and a number in the words after them: `0f002a80 <script>alert(1)`, `0f 00 2a 80 = 4`, `0f002a80 (4)`."""
+_LEAST_DIGITS = 8
+
+
+def end_of_bytes(line: str, start: int, end: int) -> int:
+    """Returns where a run of numbers ends whose last number may belong to the words that follow the bytes."""
+    found = _NUMBER_OF_PROSE.fullmatch(line, start, end)
+    if found is None or len(found["bytes"]) < _LEAST_DIGITS:
+        return end
+    if len(found["last"]) == len(found["number"]) and line[found.end("bytes")] == "(":
+        return end
+    return start + len(found["bytes"].rstrip(" \t,:|"))
 
 
 # Expressions

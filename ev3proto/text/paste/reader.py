@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 from collections import deque
 from collections.abc import Iterable, Iterator, Sequence
+from typing import NamedTuple
 
 from ev3proto.text.paste.frames import bare_reason, is_one_frame, may_begin
 from ev3proto.text.paste.groups import Group, Row
@@ -45,7 +46,9 @@ _MAY_HAVE = re.compile(
     # ... or the second of a group of hex digits (0f00xxxx, 0f000000800000, 0f00, 0f.00.00).
       | (?<=[0-9a-fA-F]{2}0.)(?:
             (?=\W?[0-9a-fA-F]{2}\W?[0-9a-fA-F]{2}\W?[08][0-589aA]) | (?=[xX]{4}|[mM]{4})
-          | (?<!\w[0-9a-fA-F]{2}0.)(?!\w))
+          # All hex digits of a word, if its type may be wrong.
+          | (?<!\w[0-9a-fA-F]{2}0.)(?!\w)
+          | (?:(?<!\w[0-9a-fA-F]{2}0.)|(?<=0[xX][0-9a-fA-F]{2}0.))(?=(?:[0-9a-fA-F]{2}){5,}(?!\w)))
       | (?<=\.0.)(?=\.[0-9a-fA-F]{2})
     )
     # A small byte is an escape in a string: \x0f, \u000f, \u{f}, \17.
@@ -99,6 +102,13 @@ _MOST_WORDS = MAX_COLLECTED
 """Characters of a line in which a frame may be among words, and which is explained."""
 
 
+class Ended(NamedTuple):
+    """A frame over several lines that is complete: its last row, and how many rows it had."""
+
+    row: Row
+    count: int
+
+
 class Reader:
     """Reads the frames of a text."""
 
@@ -109,6 +119,7 @@ class Reader:
         self._has_any = False
         self._found: list[Pasted] = []
         self._strange: Pasted | None = None
+        self._ended: Ended | None = None
 
     def read(self, lines: Iterable[str]) -> Iterator[Pasted]:
         """Yields all pieces in the lines, in their order."""
@@ -118,7 +129,7 @@ class Reader:
                 self._close()
                 problem = f"the line has more than {MAX_LINE} characters and was not read"
                 self._found.append(Pasted(b"", number, short(line, MAX_TEXT), problem=problem))
-            elif self._group is not None or _may_have(line):
+            elif self._group is not None or self._rows_before(number) or _may_have(line):
                 self._take(line, number)
             else:
                 self._pass(line)
@@ -144,7 +155,7 @@ class Reader:
                 self._finish(self._group)
                 return
             self._close()
-            if not _may_have(line):
+            if not self._rows_before(number) and not _may_have(line):
                 self._pass(line)
                 return
         is_shown_again = _EXCERPT.match(line) or (self._has_frame and _STRACE_DUMP.match(line))
@@ -254,7 +265,7 @@ class Reader:
             pieces += here
             if reading.has_frames:
                 position = run.end
-                is_open = len(runs) == 1 and (reading.has_rest or (run.is_row and not reading.is_flawless))
+                is_open = len(runs) == 1 and (reading.has_rest or (run.is_row and reading.breaks_off))
         return pieces, is_open
 
     def _pieces(
@@ -356,9 +367,11 @@ class Reader:
         if notation is NUMBERS:
             numbers = _every(bare_line, number)
             marked = [place for place, token in enumerate(numbers.tokens) if WIDTH[token] <= 0]
-            index = 0 if group is None else len(group.tracks[1].runs)
+            index = len(group.tracks[1].runs) if group is not None else self._rows_before(number)
             is_mixed = 0 < len(marked) < len(numbers.tokens)
             places = marked if is_mixed else without_indexes(numbers.tokens, index, 1)
+            if places is None and group is None:
+                places = without_indexes(numbers.tokens, 0, 1)
             every = None if places is None else numbers.only(places)
         is_head = not bare_line[: run.start].strip(AROUND + "*b")
         depth = sum(map(bare_line.count, "([{")) - sum(map(bare_line.count, ")]}"))
@@ -367,6 +380,10 @@ class Reader:
         return Row(
             number, line, (run, every), is_head, is_tail, has_comma, depth, label is not None, offset
         ), in_comment
+
+    def _rows_before(self, number: int) -> int:
+        """Returns the number of rows of the frame that ended in the line above."""
+        return self._ended.count if self._ended is not None and self._ended.row.number == number - 1 else 0
 
     def _is_opened(self) -> bool:
         """Returns whether the line above ends with an opening bracket."""
@@ -417,6 +434,7 @@ class Reader:
                 best = run.readings[0]
                 if best.is_whole and best.is_flawless and self._emit(self._joined(group, run)):
                     self._end()
+                    self._ended = Ended(last, len(track.runs))
                     return
         if not last.is_tail or (group.was_opened and group.depth <= 0):
             self._close()
@@ -469,19 +487,38 @@ class Reader:
                 return
             is_row = not any(row.is_labelled for row in rows)
             is_one = len(rows) > 1 and (group.is_array or _are_of_one(rows))
-            if is_one and (one := wrong_frame(run, first.line, is_row=is_row)):
+            one = wrong_frame(run, first.line, is_row=is_row) if is_one else None
+            is_later = one is not None and one.place[0] != first.number and not one.is_strange
+            if is_later and wrong_frame(track.runs[0], first.line, is_row=True) is not None:
+                continue
+            if one is not None:
                 self._miss([one], rows, group.said)
                 return
-        self._apart(rows, near, group.said)
+        if not self._is_left_over(group):
+            self._apart(rows, near, group.said)
+
+    def _is_left_over(self, group: Group) -> bool:
+        """Reports rows that continue those of a frame which is complete without them; tells whether they do."""
+        first, ended = group.rows[0], self._ended
+        if ended is None or not self._rows_before(first.number) or not first.follows(ended.row):
+            return False
+        values = [value for run in (group.live[0].runs if group.live else ()) for value in run.tokens]
+        are_bytes = max(map(len, values), default=0) <= len("0x00") and len(values) == len(group.rows)
+        if not (first.has_offset or are_bytes) or not "".join(values).strip("0x"):
+            return False
+        count = max(map(len, group.data()), default=0)
+        follow = "1 byte follows" if count == 1 else f"{count} bytes follow"
+        problem = f"{follow} the frame that ends in line {ended.row.number}: {short(' '.join(values))}"
+        self._found.append(Pasted(b"", first.number, short(first.line, MAX_TEXT), problem=problem))
+        return True
 
     def _apart(self, rows: list[Row], near: list[Near], said: Head) -> None:
         """Emits what each of some rows has by itself, which are not one frame together."""
         left: list[Row] = []
         for row in rows if len(rows) > 1 else ():
             run = row.runs[0]
-            if left and run is not None and row.is_head and row.is_tail and not run.readings[0].has_frames:
-                # There is nothing else in the row.
-                begun = None if row.has_offset else wrong_frame(run, row.line, is_row=True)
+            if left and run is not None and row.is_tail and not run.readings[0].has_frames:
+                begun = None if row.has_offset else wrong_frame(run, row.line, is_row=row.is_head)
                 if begun is not None:
                     self._miss(near, left[:1], said)
                     left, near = [], [begun]
@@ -543,8 +580,8 @@ def _unknown(run: Run, part: Part, start: int, stop: int, lines: dict[int, str])
 def _may_have(line: str) -> bool:
     """Returns whether a frame, or its first row, may be in a line."""
     time = _TIME_FIRST.match(line)
-    found = _MAY_HAVE.search(line, time.end() if time else 0)
-    return found is not None or (len(line) < _MOST_ONE and _ONE.match(line) is not None)
+    start = time.end() if time else 0
+    return _MAY_HAVE.search(line, start) is not None or (len(line) < _MOST_ONE and _ONE.match(line, start) is not None)
 
 
 def _every(line: str, number: int) -> Run:

@@ -22,10 +22,11 @@ from ev3proto.text.paste.frames import (
     fronts,
     is_command,
     is_echo,
+    is_fine_so_far,
     is_flawless,
     is_sure,
 )
-from ev3proto.text.paste.notations import NUMBERS, STRINGS, Notation, values_in
+from ev3proto.text.paste.notations import NUMBERS, STRINGS, Notation, end_of_bytes, values_in
 from ev3proto.text.paste.pieces import LEAST
 from ev3proto.text.paste.values import EXPRESSION, READINGS, UNLIKELY, WIDTH, joined, unknown_bytes
 
@@ -39,8 +40,9 @@ class Run:
     check_sum: int | None = None
 
     def __init__(self, notation: Notation, line: str, start: int, end: int, number: int = 0) -> None:
-        self.notation, self.line, self.start, self.end, self.number = notation, line, start, end, number
-        self.take(values_in(notation, line, start, end))
+        self.notation, self.line, self.start, self.number = notation, line, start, number
+        self.end = end_of_bytes(line, start, end) if notation is NUMBERS else end
+        self.take(values_in(notation, line, start, self.end))
 
     def take(self, tokens: list[str]) -> None:
         """Sets the values, and by them the readings they may have."""
@@ -246,6 +248,12 @@ class Reading(NamedTuple):
         """What tells the likelier of two readings: whether its frames are all, their bytes, whether it is complete."""
         natural = sum(frame.end - frame.start for _, frame in self.frames if frame.is_natural)
         return self.is_whole, natural, self.is_complete, sum(frame.end - frame.start for _, frame in self.frames)
+
+    @property
+    def breaks_off(self) -> bool:
+        """Whether the next lines may have the end of a frame, whose length is too small."""
+        frames = (part.data[frame.start : frame.end] for part, frame in self.frames)
+        return any(is_fine_so_far(frame) and not is_flawless(frame) for frame in frames)
 
     @property
     def is_flawless(self) -> bool:

@@ -50,6 +50,13 @@ def test_a_wrong_head_is_named_in_every_notation(name: str, head: str) -> None:
     assert [piece.data for piece in read_text(text.splitlines(keepends=True))] == [frame]
 
 
+def test_a_wrong_frame_in_a_line_of_strace() -> None:
+    wrong = headed(TONE, len(TONE) - 1)
+    escaped = NOTATIONS["hex escapes"](wrong)
+    (piece,) = read_text([f'write(3, "{escaped}", 17) = 17\n'])
+    assert (piece.data, piece.problem) == (wrong, None)
+
+
 UNKNOWN_TYPE = "0900e31a06003f0273f529"
 
 

@@ -225,7 +225,8 @@ def _broken(run: Run, part: Part, line: str) -> Near:
             data = data[:-1]
     elif (found := _NEXT.match(line, run.end)) and not _REMARK.match(line, run.end):
         word = found["word"]
-        is_short = len(word) <= _MOST_WORD or word.startswith("0x")
+        is_closed = run.notation is STRINGS and run.tokens[-1][-1] in "\"'`"
+        is_short = (len(word) <= _MOST_WORD or word.startswith("0x")) and not is_closed
         is_among = is_short and (_BYTES.search(line, found.end()) or len(word) == len(run.tokens[-1]))
         if is_among or word[:2] in ("\\x", "\\X"):
             problem = f"column {found.start('word') + 1}: {_not_a_byte(word, is_hex=0 not in run.widths)}"

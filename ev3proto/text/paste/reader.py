@@ -106,7 +106,7 @@ class Ended(NamedTuple):
     """A frame over several lines that is complete: its last row, and how many rows it had."""
 
     row: Row
-    count: int
+    rows: int
 
 
 class Reader:
@@ -383,7 +383,7 @@ class Reader:
 
     def _rows_before(self, number: int) -> int:
         """Returns the number of rows of the frame that ended in the line above."""
-        return self._ended.count if self._ended is not None and self._ended.row.number == number - 1 else 0
+        return self._ended.rows if self._ended is not None and self._ended.row.number == number - 1 else 0
 
     def _is_opened(self) -> bool:
         """Returns whether the line above ends with an opening bracket."""

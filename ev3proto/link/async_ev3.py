@@ -37,7 +37,7 @@ class AsyncEV3(Verbs[Coroutine[Any, Any, bytes], Coroutine[Any, Any, Any]]):
     """
 
     def __init__(self, **arguments: Any) -> None:
-        """Selects a brick; `connect`, or `async with`, connects.
+        """Selects a brick; `connect` or `async with` connects to it.
 
         Args:
             arguments: Those of `EV3`.

@@ -23,17 +23,17 @@ TURN = 0.1
 """Seconds after which the reading thread checks whether the connection was closed, if nothing can unblock it."""
 
 MOST_UNFETCHED = 8192
-"""Replies that are kept until they are asked for by their counter."""
+"""Maximum number of replies that are kept until they are fetched by their counter."""
 
 MOST_UNASKED = 256
-"""Frames that the brick has sent by itself, kept until they are taken."""
+"""Maximum number of frames that the brick has sent unasked, kept until they are taken."""
 
 _MOST_SHOWN = 24
 _JOIN = 5.0
 
 
 def known_timeout(seconds: float | None) -> float | None:
-    """Returns seconds to wait, limited to what Python can wait; None waits for ever. ValueError for anything else."""
+    """Returns seconds to wait, limited to Python's maximum; None waits forever. Raises ValueError."""
     if seconds is None:
         return None
     if not isinstance(seconds, int | float) or not seconds >= 0:
@@ -49,7 +49,7 @@ class Ticket:
     def __init__(self, prepared: Prepared | None, request: Request) -> None:
         self.prepared = prepared  # the command as prepared; None where a whole frame was given
         self.request = request  # the command that it became
-        self.reply: Future[bytes] = Future()  # the future frame of its reply; done at once where it wants none
+        self.reply: Future[bytes] = Future()  # the future frame of its reply; done at once if it wants none
 
     def result(self, reply: bytes) -> Result:
         """Returns the program's result for a reply; the reply itself for a whole frame. Raises LinkError."""
@@ -159,7 +159,7 @@ class Channel:
             self._forget(ticket)
 
     def take_unasked(self) -> list[bytes]:
-        """Returns the frames that the brick has sent by itself since the last call, oldest first."""
+        """Returns the frames that the brick has sent unasked since the last call, oldest first."""
         with self._state:
             found = list(self._unasked)
             self._unasked.clear()

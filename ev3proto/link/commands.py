@@ -34,7 +34,7 @@ class SyncMode(StrEnum):
     STD = "STD"  # requests a reply if there is global memory, and waits for it
     # requests a reply if there is global memory, and waits only when the program calls `wait_for_reply`
     ASYNC = "ASYNC"
-    SYNC = "SYNC"  # always requests a reply, and waits for it: the brick has done everything when the program continues
+    SYNC = "SYNC"  # always requests a reply, and waits for it: when the program continues, the brick is done
 
     @classmethod
     def of(cls, name: str) -> SyncMode:
@@ -88,7 +88,7 @@ def counter_of(given: bytes | int) -> int:
 
 
 def direct(operations: Operations, local_mem: int, global_mem: int, mode: SyncMode, dialect: str) -> Prepared:
-    """Prepares a direct command; for a memory of 0, operations request what they need. Raises BuildError."""
+    """Prepares a direct command; operations request the memory they need if it is 0. Raises BuildError."""
     if isinstance(operations, bytes | bytearray):
         body = write_memory(global_mem, local_mem) + bytes(operations)
         return _direct(body, bool(global_mem), mode, is_named=False, dialect=dialect)
@@ -123,7 +123,7 @@ def _listed(operations: object) -> tuple[Draft | Operation | Label, ...]:
 
 
 def system(given: bytes | bytearray | SystemCommand, reply: bool) -> Prepared:
-    """Prepares a system command; a message has itself whether it wants a reply. Raises BuildError."""
+    """Prepares a system command; a message itself says whether it wants a reply. Raises BuildError."""
     if isinstance(given, SystemCommand):
         wants_reply, body = given.wants_reply and reply, given.build()[HEADER_SIZE:]
     elif isinstance(given, bytes | bytearray) and given:

@@ -47,7 +47,7 @@ class Shared:
             self._users += 1
 
     def release(self) -> None:
-        """Counts one user less; the last one closes it."""
+        """Counts one user fewer; the last one closes it."""
         with self._lock:
             self._users -= 1
             if self._users:

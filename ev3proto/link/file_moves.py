@@ -35,10 +35,10 @@ Progress = Callable[[int, int], None]
 """Called with the bytes moved so far and their total."""
 
 MOST_FILE = 1 << 28
-"""Bytes of the largest file that is moved, and of the largest listing: more than any brick has room for in its RAM."""
+"""Maximum size in bytes of files and listings: more than fits into any brick's RAM."""
 
 MOST_NAMES = 100_000
-"""Names in a folder, which a brick has no room for: further ones are not read."""
+"""Maximum number of names in a folder, more than fit on a brick; further ones are not read."""
 
 PATIENCE = 10.0
 """Seconds without a new name after which a listing counts as endless."""
@@ -56,7 +56,7 @@ class File(NamedTuple):
 
 
 class Listing(NamedTuple):
-    """What is in a folder, in the order in which the brick lists it; `.` and `..` are omitted."""
+    """The contents of a folder, in the brick's order; `.` and `..` are omitted."""
 
     folders: tuple[str, ...]
     files: tuple[File, ...]
@@ -183,7 +183,7 @@ class _Names:
 
 
 def _compared(data: bytes, path: str) -> Task[File]:
-    """Returns the file as the brick lists it. Raises TransferError where it differs."""
+    """Returns the file as the brick lists it. Raises TransferError if it differs."""
     folder, name = posixpath.split(path)
     listing = yield from list_dir(folder or ("/" if path.startswith("/") else "."))
     found = next((file for file in listing.files if file.name == name), None)
@@ -199,7 +199,7 @@ def _compared(data: bytes, path: str) -> Task[File]:
 
 
 def _begun(reply: SystemReply, path: str) -> int:
-    """Returns the handle that the brick gave. Raises SystemCommandError where it gave none."""
+    """Returns the handle that the brick gave. Raises SystemCommandError if it gave none."""
     _check(reply, path)
     handle = reply.fields.get("handle")
     if not isinstance(handle, int):

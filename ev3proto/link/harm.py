@@ -1,4 +1,4 @@
-"""What a message may do to a brick besides reading: a list of what is harmless, by the facts in the tables.
+"""The effects of a message on a brick besides reading: a list of what is harmless, by the facts in the tables.
 
 A proxy for untrusted clients forwards only what is on the list. A replay also sends what `--allow` names, by group.
 """
@@ -27,8 +27,8 @@ from ev3proto.tables.validation import LABELS
 class Harm(StrEnum):
     """A group of effects, as it is named on the command line."""
 
-    text: str  # what it is, completing "it ..."
-    effects: tuple[Effect, ...]  # the gravest first
+    text: str  # a description that completes "it ..."
+    effects: tuple[Effect, ...]  # the most serious first
 
     def __new__(cls, name: str, text: str, *effects: Effect) -> Harm:
         """Creates a group from its name, text and effects."""
@@ -82,7 +82,7 @@ _MOST_REPLIED = MAX_FRAME - HEADER_SIZE
 """Bytes of global memory that fit into a reply."""
 
 _MOST_WAITS = 16
-"""Operations of one command that may wait for a sensor, each for 1.2 s at most."""
+"""Maximum number of operations in a command that may wait for a sensor, each for 1.2 s at most."""
 
 _LONGEST_TEXT = 127
 """Bytes of the longest text that an operation returns; the firmware reads its length as a signed byte."""
@@ -100,7 +100,7 @@ _Found = tuple[list[tuple[str, tuple[Effect, ...]]], list[str]]
 def harms_of(message: Message, allowed: Container[str] = (), handles: Container[int] = ()) -> dict[Harm, str]:
     """Returns what a message may do besides reading: each group with the first operation that does it.
 
-    `allowed` has groups and full names; `handles` those of files that the sender has opened and may read on and close.
+    `allowed` has groups and full names; `handles` has those of files that the sender opened, and may read and close.
     """
     if isinstance(message, DirectCommand) and message.fault is None:
         effects, unknown = _of_direct(message)
@@ -126,7 +126,7 @@ def _of_system(command: SystemCommand, handles: Container[int]) -> _Found:
         return [], ["the frame"]
     effects, path, handle = entry.effects, command.fields.get("path", ""), command.fields.get("handle")
     if Effect.READS in effects and handle is not None and handle not in handles:
-        # The firmware does not check whose file it is: another client would lose it, or its place in it.
+        # The firmware does not check whose file it is: another client could lose the file, or its position in it.
         effects = (Effect.COMPUTES,)
     return [(entry.name, effects)], [entry.name] if isinstance(path, str) and len(path) >= WHOLE else []
 
@@ -153,7 +153,7 @@ def _of_direct(command: DirectCommand) -> _Found:
 def _only_reads(
     operation: Operation, places: Sequence[Footprint], requested: _Memory, files: Container[object]
 ) -> bool:
-    """Returns whether an operation that is declared as reading has arguments with which it does nothing else."""
+    """Returns whether an operation that is declared as reading does nothing else with these arguments."""
     return (
         _is_bounded(operation, places, requested)
         and all(_end(place) <= _GRANTED[place.argument.kind] for place in places)
@@ -171,7 +171,7 @@ def _is_expected(argument: Argument, files: Container[object]) -> bool:
     if parameter.type is Type.HANDLE:
         return (argument.kind, argument.value) in files
     if parameter.type is Type.STRING:
-        # The firmware tries a name that is not allowed for ever.
+        # The firmware never stops trying to open a forbidden name.
         return argument.kind == TEXT and parameter.most == WHOLE and is_allowed(argument.raw[1:-1])
     if argument.is_variable:
         return parameter.range is None
@@ -182,11 +182,9 @@ def _is_expected(argument: Argument, files: Container[object]) -> bool:
 def _is_bounded(
     operation: Operation, places: Sequence[Footprint], memory: _Memory, targets: Container[object] = ()
 ) -> bool:
-    """Returns whether any brick reads an operation as it is read here, and it writes and jumps only where it may.
-
-    Older firmware takes the arguments of a CMD that it does not know for operations. A count in a variable is its
-    index when the firmware checks a command, and its value when it runs it.
-    """
+    """Returns whether every brick reads an operation in the same way, and it writes and jumps only where it may."""
+    # Older firmware takes the arguments of an unknown CMD for operations. A count in a variable is its index when the
+    # firmware checks a command, and its value when it runs it.
     declaration, cmd = operation.declaration, operation.cmd
     counts = {one.name for one, after in pairwise(declaration.parameters) if after.type is Type.VALUES}
     texts = {one.length for one in declaration.parameters if one.is_output and one.type is Type.STRING}
@@ -213,7 +211,7 @@ def _is_bounded(
 
 
 def _end(place: Footprint) -> float:
-    """Returns the first byte after the memory that an operation uses at most through an argument."""
+    """Returns the end of the memory that an operation may use through an argument."""
     if place.most is not None:
         return place.start + place.most
     parameter = place.argument.parameter
@@ -236,7 +234,7 @@ def _files(operations: Sequence[Operation]) -> frozenset[object]:
 
 
 def _targets(operations: Sequence[Operation]) -> frozenset[object]:
-    """Returns where jumps may lead: the offsets of operations and of the end, and labels."""
+    """Returns the allowed targets of jumps: the offsets of operations and of the end, and labels."""
     arguments = (argument for operation in operations for argument in operation.arguments)
     labels = {whole_number(one) for one in arguments if one.parameter.role is Role.LABEL}
     return frozenset(

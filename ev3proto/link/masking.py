@@ -74,7 +74,7 @@ def masked(frame: bytes, request: bytes | None = None, dialect: str = "official"
 
 
 def masked_opening(text: bytes) -> bytes:
-    """Returns what a WiFi client and a brick say before the first frame, without serial number and unknown lines."""
+    """Returns the texts on WiFi before the first frame, without serial number and unknown lines."""
     return b"".join(map(_masked_line, text.splitlines(keepends=True)))
 
 
@@ -106,10 +106,8 @@ def _is_shown(message: DirectCommand | DaisyCommand) -> bool:
 
 
 def _is_public(argument: Argument) -> bool:
-    """Returns whether an argument is a number or a public text, or a variable into which the brick writes one.
-
-    A variable that the brick reads may hold a part of a text, unless it selects one of few things.
-    """
+    """Returns whether an argument is a number or a public text, or a variable into which the brick writes one."""
+    # A variable that the brick reads may hold a part of a text, unless the parameter has only a few documented values.
     parameter, form = argument.parameter, argument.form
     if form.handle or form.address or form.kind in (JUMP, TEXT):
         return False
@@ -137,7 +135,7 @@ def _code(frame: bytes, operations: tuple[Operation, ...], start: int) -> bytes:
 
 @cache
 def _lengths(declaration: Declaration) -> frozenset[object]:
-    """Returns the names of the parameters that say how long a text, an array or a list is."""
+    """Returns the names of the parameters that give the length of a text, an array or a list."""
     parameters = declaration.parameters
     counts = [one.name for one, after in pairwise(parameters) if after.type is Type.VALUES]
     counts += [parameter.name for parameter in parameters if parameter.type is Type.COUNT]
@@ -153,10 +151,8 @@ def _argument(argument: Argument) -> bytes:
 
 
 def _memory(frame: bytes, reply: DirectReply, asked: Message | None) -> bytes:
-    """Masks a direct reply except the values of a harmless command.
-
-    What no output of the command covers, the end of a text among it, may be left over from an earlier command.
-    """
+    """Masks a direct reply except the values of a harmless command."""
+    # Bytes outside of the command's outputs, or after the end of a text, may be left over from an earlier command.
     hidden = bytearray(_written_over(frame))
     if reply.is_error or not isinstance(asked, DirectCommand) or asked.fault is not None:
         return bytes(hidden)

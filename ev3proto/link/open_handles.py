@@ -1,4 +1,4 @@
-"""The file handles that a brick has given to one client, as its replies tell."""
+"""The file handles that a brick has given to one client, according to its replies."""
 
 from __future__ import annotations
 
@@ -7,10 +7,10 @@ from ev3proto.tables.system import SYSTEM_BY_NUMBER, SystemStatus
 
 
 class OpenHandles:
-    """Handles of files and listings that are open."""
+    """Handles of open files and listings."""
 
     def __init__(self) -> None:
-        """Starts without any."""
+        """Starts without handles."""
         self._handles: set[int] = set()
 
     def __contains__(self, handle: object) -> bool:

@@ -35,7 +35,7 @@ def known_verbosity(value: int) -> int:
 
 
 def frame_printer(direction: str, level: int, request: bytes | None, dialect: str) -> Callable[[bytes], None] | None:
-    """Returns a function that logs a frame and prints it, at level 2 with its meaning; None where neither is done."""
+    """Returns a function that logs a frame and prints it, at level 2 with its meaning; None if it does neither."""
     is_logged = LOGGER.isEnabledFor(logging.DEBUG)
     if not (level or is_logged):
         return None
@@ -64,7 +64,7 @@ def frame_line(direction: str, frame: bytes) -> str:
 
 
 def meaning_line(frame: bytes, request: bytes | None, dialect: str) -> str:
-    """Returns what a frame says, on one line; for a reply, `request` is the frame of its command."""
+    """Returns the meaning of a frame on one line; for a reply, `request` is the frame of its command."""
     message = parse(frame, strict=False, dialect=dialect)
     if request is None:
         return f"    {visible(plain_text(command_spans(message)))}"

@@ -1,7 +1,7 @@
-"""The proxy: a WiFi brick for any program, which forwards everything to another brick, and the replies back.
+"""The proxy: looks like a WiFi brick to any program, forwards everything to another brick, and returns its replies.
 
-Clients connect to the port of the virtual brick (`ev3proto.brick.servers.wifi`), one is served at a time, and others
-wait. Frames go through as they are, counters included. One thread reads from the brick, all else is one event loop.
+Clients connect to the port of a virtual brick (`ev3proto.brick.servers.wifi`); one is served at a time, others wait.
+Frames pass unchanged, counters included. One thread reads from the brick; everything else runs in one event loop.
 """
 
 from __future__ import annotations
@@ -50,10 +50,10 @@ _TURN = 0.1
 _MOST_WAITING = 1024
 
 _MOST_FILES = 16
-"""Files that a client may have open with --read-only; the brick has 64 handles for all clients."""
+"""Maximum number of files that a client may have open with --read-only; the brick has 64 handles in all."""
 
 _GRACE = 10.0
-"""Seconds for which the replies to a client that has disconnected are kept from the next one."""
+"""Seconds for which replies to a disconnected client are withheld from the next one."""
 
 
 @dataclass(frozen=True)
@@ -64,15 +64,15 @@ class ProxyOptions:
     port: int = 0  # 0 for any that is free
     only_from: str | None = None  # the address that clients must have; None for any
     is_read_only: bool = False  # only commands that read go through
-    is_masked: bool = False  # names, addresses and PINs are kept out of the recording and of all that is shown and said
-    faults: Faults = field(default_factory=Faults)  # what happens to replies
+    is_masked: bool = False  # names, addresses and PINs are masked in the recording and in all output
+    faults: Faults = field(default_factory=Faults)  # the deliberate faults of replies
     dialect: str = "official"  # the firmware's instruction set
     announced: str | None = None  # serial number in the UDP beacon, by which programs find the proxy; None: no beacon
     beacon_port: int = BEACON_PORT  # the UDP port that the beacon goes to
 
 
 Shown = Callable[[RequestReply], None]
-"""Receives each command with its reply, or without one where it wants none."""
+"""Receives each command with its reply, or without one if it wants none."""
 
 Say = Callable[[str], None]
 """Receives messages for the user of the proxy."""
@@ -92,7 +92,7 @@ class Proxy:
         recording: Recording | None = None,
     ) -> None:
         """Opens the port. Raises PortInUseError."""
-        self.lost: ConnectionLostError | None = None  # why the connection to the brick is gone; None while it is there
+        self.lost: ConnectionLostError | None = None  # why the connection to the brick is lost; None while it is open
         packets = None if recording is None else lambda: recording.packets
         if options.is_masked:
             wire.label, peer = "the brick", "brick"
@@ -144,7 +144,7 @@ class Proxy:
             self._client.close()
 
     def act(self, call: Callable[[], None]) -> None:
-        """Does something in the event loop; an error ends the proxy."""
+        """Makes a call in the event loop; an error ends the proxy."""
         try:
             call()
         except ConnectionLostError as error:
@@ -232,7 +232,7 @@ class Proxy:
             self._to_client(client, client.answered(reply), reply)
 
     def _refusal(self, client: _Client, message: Message, frame: bytes) -> SystemStatus | None:
-        """Says why a message does not go to the brick. Returns what a system command is told; None for others."""
+        """Reports why a message is not forwarded. Returns the status for a system command; None for others."""
         if self._options.is_read_only and (harms := harms_of(message, handles=client.handles)):
             reasons = ", ".join(f"{name} {harm.text}" for harm, name in harms.items())
             status = SystemStatus.NO_PERMISSION
@@ -317,7 +317,7 @@ class Proxy:
 class _Sent:
     """A command that waits for its reply."""
 
-    client: _Client  # who sent it
+    client: _Client  # its sender
     command: Record  # as it is shown
     frame: bytes  # as it was sent
     key: tuple[str, int, int]  # what it shares with its reply

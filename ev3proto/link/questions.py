@@ -68,7 +68,7 @@ class Sensors(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Question(Generic[T]):
-    """A property: the operations that read it, and how their values make it."""
+    """A property: the operations that read it, and the function that makes it from their values."""
 
     operations: tuple[Draft, ...]
     answer: Callable[[list[Any]], T]

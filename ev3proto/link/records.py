@@ -1,4 +1,4 @@
-"""Records of the frames to and from a brick, as a capture of them would give."""
+"""Records of the frames to and from a brick, like those from a capture."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ class Records:
     def __init__(
         self, carrier: Carrier, peer: str, dialect: str = "official", packets: Callable[[], int] | None = None
     ) -> None:
-        """Starts at number 1; `packets` tells how many packets were recorded, the one with the frame included."""
+        """Starts at number 1; `packets` returns the number of recorded packets, the frame's own included."""
         self._packets = packets
         self.start_ns = time.time_ns()
         self._sent = Route(carrier, HOST, peer, Direction.SENT, None, peer)

@@ -1,6 +1,6 @@
 """The replay of a capture's commands: which are sent, in which form, and how the replies differ from the recorded ones.
 
-No I/O here: the caller sends what `frame_for` returns and passes the replies.
+There is no I/O here: the caller sends the frames of `frame_for` and passes on the replies.
 """
 
 from __future__ import annotations
@@ -35,8 +35,8 @@ class Step:
     """A command of a capture."""
 
     command: Record  # as it was recorded
-    reply: Record | None  # the recorded reply, None where there was none
-    harms: dict[Harm, str]  # the reasons to omit it, each with its operation; empty where it is sent
+    reply: Record | None  # the recorded reply, None without one
+    harms: dict[Harm, str]  # the reasons to omit it, each with its operation; empty if it is sent
 
 
 class Likeness(Enum):
@@ -64,7 +64,7 @@ def steps(pairs: Iterable[RequestReply], allowed: frozenset[str]) -> list[Step]:
 
 
 def _harms(message: Message, allowed: frozenset[str], handles: OpenHandles) -> dict[Harm, str]:
-    """Returns why a message is omitted. One whose type is not known cannot be sent with a new counter at all."""
+    """Returns why a message is omitted; one of unknown type cannot be sent with a new counter at all."""
     return {Harm.UNKNOWN: "the frame"} if message.type is None else harms_of(message, allowed, handles)
 
 
@@ -126,7 +126,7 @@ def _has_handle(message: Message) -> bool:
 
 
 def _outcome(message: Message) -> tuple[MessageType | None, int | None]:
-    """Returns the type and status of a reply. The size of a file's piece depends on the brick; its end is ignored."""
+    """Returns the type and status of a reply; END_OF_FILE is ignored, as the size of pieces depends on the brick."""
     if not isinstance(message, SystemReply):
         return message.type, None
     entry = SYSTEM_BY_NUMBER.get(message.number)

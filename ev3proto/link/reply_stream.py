@@ -1,7 +1,7 @@
 """Splits the bytes from a brick into frames, and resyncs after other bytes by the counters of waiting commands.
 
 Nothing in a stream marks the start of a frame. Some firmware answers some commands with zeros, a USB report may be
-broken, a bad radio loses bytes. A reader of captures looks for the next faultless frame; a client has a better sign:
+damaged, a radio may lose bytes. A reader of captures looks for the next faultless frame; a client has better evidence:
 the counter of a frame that answers one of its commands.
 """
 
@@ -14,7 +14,7 @@ from ev3proto.schema.header import HEADER_SIZE, Header, frame_size
 from ev3proto.tables.frame import GRANTED_GLOBALS, LENGTH_FIELD, MIN_LENGTH, MessageType
 
 LARGEST_REPLY = HEADER_SIZE + GRANTED_GLOBALS
-"""Bytes of the largest reply. The firmware grants more global memory than a frame of the usual size carries."""
+"""Maximum size of a reply in bytes. The firmware grants more global memory than a frame of the usual size carries."""
 
 _TYPES = frozenset(map(int, MessageType))
 _REPLIES = frozenset(int(member) for member in MessageType if not member.is_command)
@@ -28,7 +28,7 @@ class Garbage:
 
 
 class ReplyStream:
-    """Splits what a brick sends into frames. It keeps at most one incomplete frame."""
+    """Splits a brick's bytes into frames. It keeps at most one incomplete frame."""
 
     def __init__(self, is_expected: Callable[[int], bool]) -> None:
         """Starts a stream; `is_expected` says whether a command with a counter waits for its reply."""
@@ -51,7 +51,7 @@ class ReplyStream:
         return size - len(buffer) if HEADER_SIZE <= size <= LARGEST_REPLY else 0
 
     def feed(self, data: bytes) -> list[bytes | Garbage]:
-        """Takes any number of bytes. Returns the frames that are complete with them, and what is between frames."""
+        """Takes any number of bytes. Returns the frames that they complete, and the bytes between frames."""
         buffer = self._buffer
         buffer += data
         found: list[bytes | Garbage] = []

@@ -1,4 +1,4 @@
-"""The serial number of a brick, asked for on a new connection."""
+"""The serial number of a brick, read on a new connection."""
 
 from __future__ import annotations
 

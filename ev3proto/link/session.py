@@ -20,7 +20,7 @@ FIRST_COUNTER = 42
 """The counter of the first command, as in the lessons."""
 
 MOST_ABANDONED = 1024
-"""Abandoned commands whose counters are not used again yet, in case their replies come after all."""
+"""Maximum number of abandoned commands whose counters are not reused yet, in case their replies come after all."""
 
 _ASKING = frozenset(int(member) for member in MessageType if member.wants_reply)
 
@@ -150,7 +150,7 @@ class Session:
 
 
 def pairing_key(frame: bytes) -> tuple[str, int, int]:
-    """Returns what a command and its reply have in common: whose message it is, the counter, and the system command."""
+    """Returns the key that a command and its reply share: kind of message, counter, and system command."""
     _, counter, code = Header.read(frame)
     carries = MessageType(code).carries
     number = frame[HEADER_SIZE] if carries == "system" and len(frame) > HEADER_SIZE else 0

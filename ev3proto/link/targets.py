@@ -37,8 +37,8 @@ class Target:
     """A brick and the way to it."""
 
     way: Way  # how it is reached
-    # WiFi: address or serial number, None for the brick whose beacon comes first. USB: serial number, None for the only
-    # brick. Bluetooth: MAC address. Serial: the port. Virtual: the folder of its files, None for no files.
+    # WiFi: address or serial number, None for the first brick whose beacon arrives. USB: serial number, None for the
+    # only brick. Bluetooth: MAC address. Serial: the port. Virtual: the folder of its files, None for no files.
     host: str | None = None
     port: int | None = None  # WiFi: the TCP port, None for the usual one
 
@@ -53,7 +53,7 @@ class Target:
 
     @property
     def serial_number(self) -> str | None:
-        """The host as the brick itself writes its serial number, 12 lower-case hex digits; None for any other host."""
+        """The host as a serial number in the brick's own form, 12 lower-case hex digits; None for any other host."""
         if self.host is None or not _SERIAL_NUMBER.fullmatch(self.host):
             return None
         return re.sub("[:-]", "", self.host).lower()
@@ -85,7 +85,7 @@ def is_port_name(host: str) -> bool:
 
 
 def target_from_environment() -> Target | None:
-    """Returns the brick that EV3PROTO_TARGET names; None where it is not set. Raises ValueError."""
+    """Returns the brick that EV3PROTO_TARGET names; None if it is not set. Raises ValueError."""
     text = os.environ.get(TARGET_VARIABLE)
     if not text:
         return None

@@ -1,4 +1,4 @@
-"""Bluetooth: the standard library's RFCOMM socket, where this Python has one."""
+"""Bluetooth: the standard library's RFCOMM socket, if this Python has one."""
 
 from __future__ import annotations
 

@@ -20,10 +20,10 @@ _TURN = 0.1
 
 
 class SerialWire:
-    """An open port; `Wire` says what its methods do."""
+    """An open port; `Wire` documents its methods."""
 
     def __init__(self, port: serial.Serial) -> None:
-        """Takes an open port over."""
+        """Takes over an open port."""
         self.carrier = Carrier.BLUETOOTH
         self.label = f"the brick at {port.name}"
         self._port = port

@@ -14,10 +14,10 @@ _CHUNK = 1 << 16
 
 
 class SocketWire:
-    """A connected socket; `Wire` says what its methods do."""
+    """A connected socket; `Wire` documents its methods."""
 
     def __init__(self, connected: socket.socket, carrier: Carrier, label: str, first: bytes = b"") -> None:
-        """Takes a socket over; `first` are bytes that were read from it already."""
+        """Takes over a socket; `first` are bytes that were already read from it."""
         self.carrier = carrier
         self.label = label
         self._socket = connected

@@ -14,7 +14,7 @@ from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME
 UDEV_RULE = (
     f'SUBSYSTEMS=="usb", ATTRS{{idVendor}}=="{USB_VENDOR:04x}", ATTRS{{idProduct}}=="{USB_PRODUCT:04x}", MODE="0666"'
 )
-"""The rule that lets all users of a Linux computer talk to a brick."""
+"""The udev rule that gives all users of a Linux computer access to a brick."""
 
 _REPORT_ID = b"\0"
 """The report number that hidapi expects before a report. It is not sent."""
@@ -23,10 +23,10 @@ _MILLISECONDS = 1000
 
 
 class UsbWire:
-    """An open device of hidapi; `Wire` says what its methods do."""
+    """An open device of hidapi; `Wire` documents its methods."""
 
     def __init__(self, device: Any, serial_number: str) -> None:
-        """Takes an open device over."""
+        """Takes over an open device."""
         self.carrier = Carrier.USB
         self.label = f"the brick {serial_number or 'on USB'}"
         self._device = device

@@ -16,14 +16,14 @@ from ev3proto.tables.carriers import DEFAULT_CARRIER
 from ev3proto.temporary import temporary_folder
 
 _TURN = 0.01
-"""Seconds from one look at the clock to the next."""
+"""Seconds between two checks of the clock."""
 
 
 class VirtualWire:
-    """A virtual brick; `Wire` says what its methods do."""
+    """A virtual brick; `Wire` documents its methods."""
 
     def __init__(self, brick: Brick, leave: Callable[[], object] = lambda: None) -> None:
-        """Takes a brick over, whose clock follows the real one from now on; `leave` is called once, at the end."""
+        """Takes over a brick, whose clock follows the real one from now on; `leave` is called once, at the end."""
         self.carrier = DEFAULT_CARRIER
         self.label = "the virtual brick"
         self._brick = brick

@@ -18,7 +18,7 @@ from ev3proto.tables.carriers import Carrier
 from ev3proto.tables.discovery import ACCEPT, BEACON_PORT, TCP_PORT
 
 _ANY_SERIAL = "0" * 12
-"""The serial number that is sent where it is not known: the brick does not compare it."""
+"""The serial number that is sent if the real one is unknown: the brick does not compare it."""
 
 _ANSWER = b"ev3proto"
 """The answer to a beacon; any datagram will do."""
@@ -60,7 +60,7 @@ def discover(serial_number: str | None, timeout: float, *, interface: str = "", 
             except TimeoutError:
                 break
             except (DecodeError, OSError):
-                continue  # not a beacon, or one that cannot be read: the next one may be better
+                continue  # not a beacon, or an unreadable one: wait for the next one
             found = _found(beacon, sender[0])
             if found is None:
                 continue
@@ -73,7 +73,7 @@ def discover(serial_number: str | None, timeout: float, *, interface: str = "", 
 
 
 def _found(beacon: Beacon, address: str) -> Found | None:
-    """Returns a brick by its beacon; None where the beacon makes no sense."""
+    """Returns a brick by its beacon; None if the beacon makes no sense."""
     serial_number = beacon.serial.lower()
     if beacon.tcp_port is None or not _DIGITS.fullmatch(serial_number):
         return None
@@ -132,7 +132,7 @@ def connect(address: str, port: int, timeout: float, serial_number: str = _ANY_S
 
 
 def _accepted(connected: socket.socket, place: str, deadline: float) -> bytes:
-    """Waits for the answer to the unlock text. Returns what came after it."""
+    """Waits for the answer to the unlock text. Returns the bytes after it."""
     text = b""
     while len(text) < len(ACCEPT):
         connected.settimeout(max(deadline - time.monotonic(), 0.001))

@@ -7,7 +7,7 @@ from typing import Protocol
 from ev3proto.tables.carriers import Carrier
 
 SEND_TIMEOUT = 30.0
-"""Seconds after which a brick that takes no bytes counts as gone."""
+"""Seconds after which a brick that accepts no bytes is considered gone."""
 
 
 class Wire(Protocol):

@@ -25,7 +25,7 @@ _OBJECT_END = "OBJECT_END"
 _HANDLE_SIZE = 2
 
 MOST_OF_A_CODE = 1000
-"""Findings of one code that are kept; the others are counted."""
+"""Maximum number of findings kept for each code; further ones are only counted."""
 
 
 def check_program(image: bytes | bytearray | memoryview, *, dialect: str = "official") -> ProgramReport:
@@ -73,7 +73,7 @@ class _Check:
         }
 
     def findings(self) -> Iterator[Finding]:
-        """Yields all of them; those of code that several objects share once."""
+        """Yields all findings; those about shared code once."""
         if not self._walk.accepted:
             refusal = self._refusal(self._walk.position or 0, str(self._walk.reason))
             yield refusal

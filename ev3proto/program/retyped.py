@@ -1,7 +1,7 @@
 """Operations whose argument types depend on the rest of the program.
 
-The subcall declares what a CALL hands over, and the operation that made an array what ARRAY.FILL writes. The tables
-know neither, so that a float would be read as a whole number. Here such an operation gets a schema that reads it right.
+The subcall declares the arguments of a CALL, and the operation that made an array determines those of ARRAY.FILL. The
+tables know neither, so a float would be read as a whole number. Here such an operation gets the right schema.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ _MAKERS = {
 """The operations that create arrays, and the types of their elements."""
 
 Handles = dict[tuple[str, int], Type | None]
-"""By the kind and index of the variable that holds a handle: the type of its array; None where several are made."""
+"""By the kind and index of the variable that holds a handle: the type of its array; None if several are made."""
 
 Kinds = tuple[tuple[Type, Direction], ...]
 

@@ -1,7 +1,7 @@
 """The firmware's validator for programs: one index moves from the end of the headers to the stated size.
 
 The brick starts what it accepts. Codes are read one after the other, in the order of the headers, as if there were no
-gaps between them; the offsets in the headers are hardly looked at. So a program may pass and then run other bytes than
+gaps between them; the offsets in the headers are mostly ignored. So a program may pass and then run other bytes than
 those that were validated.
 """
 
@@ -47,8 +47,8 @@ REASONS = {
 class ObjectRead(NamedTuple):
     """The bytes that the validator reads for an object."""
 
-    offset: int  # of the object's code: as its header says, or where the validator is when that says 0
-    start: int | None  # where it starts to read; None where it reads nothing
+    offset: int  # of the object's code: from its header, or the validator's position if that is 0
+    start: int | None  # where it starts to read; None if it reads nothing
     end: int  # where it stops
     is_ended: bool = False  # whether it found an OBJECT_END
 

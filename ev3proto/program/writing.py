@@ -308,7 +308,7 @@ class Writer(OperationWriter):
             if symbol is not None and firmware_names().get(symbol) == value:
                 return symbol
         elif parameter.type is Type.DATAF:
-            # An integer there is a mistake to other assemblers, and gets a warning from ours.
+            # Other assemblers refuse an integer there, and ours warns about it.
             return f"!{value}" if value else "0" if self.rules.long_floats else "0.0F"
         elif parameter.name == OBJECT_PARAMETER and 0 < value <= len(self.names):
             return self.names[value - 1]

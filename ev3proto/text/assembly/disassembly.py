@@ -1,9 +1,9 @@
-"""Messages and operations as assembly, in either notation. Nothing of a frame is lost.
+"""Messages and operations as assembly, in either notation, without losing any part of a frame.
 
-The notation of the firmware's macros names every encoding: `opSOUND, LC0(TONE), LC0(1), LC2(440), LC2(1000)`. LEGO's,
-the one of its sources, cannot: `SOUND(TONE,1,440,1000)` has each value as an assembler encodes it. Any other encoding
-is written as a macro there, too, `LC2(1)`, and so are variables without a name. Programs are written by
-the same writer, `ev3proto.program.writing`, which has names for more.
+The notation of the firmware's macros names every encoding: `opSOUND, LC0(TONE), LC0(1), LC2(440), LC2(1000)`. That of
+LEGO's sources does not: in `SOUND(TONE,1,440,1000)` each value has the encoding that an assembler chooses. Any other
+encoding is written as a macro, `LC2(1)`, and so are variables without a name. Programs are written by
+`ev3proto.program.writing`, which has names for more.
 """
 
 from __future__ import annotations
@@ -238,7 +238,7 @@ def end_of(step: Operation) -> int:
 
 
 class _Jump(NamedTuple):
-    """A jump to a place that can have a label: where it leads, where its last argument starts, how that is encoded."""
+    """A jump to a place that can have a label: its target, and the offset and encoding of its last argument."""
 
     goal: int
     start: int
@@ -376,7 +376,7 @@ def _text(argument: Argument) -> tuple[str, int | float | str]:
 
 
 def _encoded(argument: Argument, value: int | float | str) -> bytes:
-    """Returns the bytes that a plain value gets as this argument; none where it cannot be there."""
+    """Returns the bytes of a plain value as this argument; none if it cannot be one."""
     if argument.form.handle or argument.form.address:
         return b""
     try:

@@ -91,7 +91,7 @@ class PendingMessage:
     def message(
         self, local: LocalNames, sizes: Mapping[str, int], dialect: str, counter: int, reply: bool | None
     ) -> Message:
-        """Returns the message; counter and reply are for a header that does not say them. Raises SourceError."""
+        """Returns the message; counter and reply are for a header without them. Raises SourceError."""
         if self.type is None and not self.parts and not self.is_frame:
             raise SourceError(self.at, "this message has no operation, and the brick refuses an empty one")
         body = joined(self.parts, local.labels, OF_FRAMES)

@@ -27,7 +27,7 @@ NOT_NUMBERS = tuple(f"{kind}_NAN" for kind in (DATA8, DATA16, DATA32, DATAF))
 """The firmware's names for the value of each type that means "not a number"."""
 
 OBJECT_PARAMETER = "OBJID"
-"""The name of all parameters that are objects, whether the firmware looks for one there or for its memory."""
+"""The name of all parameters that are numbers of objects."""
 
 
 class Place(NamedTuple):
@@ -109,7 +109,7 @@ def is_object(parameter: Parameter | None) -> bool:
 
 @dataclass
 class LocalNames:
-    """The names of one object, or of one message: variables and defines so far, labels with the places they are at."""
+    """The names of one object, or of one message: variables and defines so far, and labels with their places."""
 
     places: dict[str, Place] = field(default_factory=dict)
     defines: dict[str, Define] = field(default_factory=dict)

@@ -1,6 +1,6 @@
 r"""The notations of assembly, each as settings of one grammar.
 
-    MACROS   frames: the C macros of the firmware and LEGO's notation, mixed as people like
+    MACROS   frames: the C macros of the firmware and LEGO's notation, freely mixed
     STRICT   programs, as the public assembler lmsasm reads them; what `decode` writes of an image
     LEGO     programs, as LEGO's own assembler reads its sources: a statement a line, blanks between words
     BASIC    programs, as EV3 Basic's compiler writes them
@@ -30,7 +30,7 @@ NUMBER_PATTERN = r"(?:0[xX]|\$)[0-9a-fA-F]+|0[bB][01]+|(?:\d+(?:\.\d*)?|\.\d+)(?
 """Pattern of a number."""
 
 TEMPLATES = ("INIT", "INLINE")
-"""Words of EV3 Basic that begin pieces of code for its compiler, which become no object."""
+"""Words of EV3 Basic that begin templates for its compiler, which are not objects."""
 
 _BLANK = r"[ \t\f\v\x1a\ufeff]"
 
@@ -44,19 +44,19 @@ FORMS = (
     *("LC0", "LC1", "LC2", "LC4", "LCX", "LCF", "LCS", "LCS_OLD", "LAB1"),
     *("LV0", "LV1", "LV2", "LV4", "LVX", "LV", "GV0", "GV1", "GV2", "GV4", "GVX", "GV"),
 )
-"""The macros that fix how a value is encoded."""
+"""The macros that name the encoding of a value."""
 
 SHORTEST = ("LCX", "LVX", "LV", "GVX", "GV")
-"""Those of them that leave it to us."""
+"""Those that name only the kind, and leave the width to the assembler."""
 
 MARKS = ("HND", "ADR")
-"""The macros that set a bit of what they enclose."""
+"""The macros that set a bit in the encoding of the enclosed value."""
 
 CUT = "..."
 """Ends an operation or a system command that is cut short."""
 
 STATUS = "status"
-"""The name by which a system reply's status is given."""
+"""The name of a system reply's status."""
 
 
 def command_name(entry: SystemCommand) -> str:
@@ -65,7 +65,7 @@ def command_name(entry: SystemCommand) -> str:
 
 
 class Jumps(Enum):
-    """How long the distance to a label is."""
+    """The width of the distance to a label."""
 
     SHORTEST = "shortest"  # as short as it can be; each starts short and only grows
     SHRUNK = "shrunk"  # the same by EV3-G's way: each starts with three bytes and only shrinks
@@ -91,7 +91,7 @@ OF_FRAMES = Rules("frames", Jumps.SHORTEST, lowest=(-32, -127, -32767), indexes=
 OF_LEGO = Rules("lego", Jumps.THREE)
 OF_EV3_G = Rules("shortest", Jumps.SHRUNK, long_floats=True, shares=True)
 OF_BASIC = Rules("basic", Jumps.FORWARD, lowest=(-32, -128, -32768), long_floats=True)
-"""EV3 Basic aligns elements, too, which its notation says: a source that was written back has its places already."""
+"""EV3 Basic also aligns elements; only its notation has that, because sources written from images have fixed places."""
 
 
 class Known(Enum):

@@ -243,7 +243,7 @@ class ProgramAssembler:
         return self._objects[shared - 1] if 0 < shared <= len(self._objects) else one
 
     def _check_new(self, at: int, name: str) -> None:
-        """Refuses a name that is declared twice, or warns; also warns of the firmware's names."""
+        """Refuses a name that is declared twice, or warns; also warns about the firmware's names."""
         if name in firmware_names() and not self._notation.folds:
             self.warnings.append((at, f"{name} is a name of the firmware, which means something else from here on"))
         names = self._names

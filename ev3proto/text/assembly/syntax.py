@@ -82,7 +82,7 @@ class Raw(NamedTuple):
 
 
 class Unchecked(NamedTuple):
-    """`!x`: a value whose type is not to be checked."""
+    """`!x`: a value whose type is not checked."""
 
     at: int
     value: Value
@@ -92,7 +92,7 @@ Value = Number | Text | Name | Element | Marked | Distance | Sum | Form | Raw | 
 
 
 class WrittenArgument(NamedTuple):
-    """A value, and the name in front of it where it has one: `max_bytes=1000`."""
+    """A value, and the name before it, if any: `max_bytes=1000`."""
 
     name: Name | None
     value: Value

@@ -25,6 +25,7 @@ def only(text: str) -> Pasted:
 
 
 WAYS = {
+    "underscores": "0e_00_2a_00_80_00_00_94_01_01_82_b8_01_82_e8_03",
     "lesson, no 0x": "0E:00|2A:00|80|00:00|94|01|01|82:B8:01|82:E8:03|",
     "remark behind": "0e002a0080000094010182b80182e803  # a tone",
     "C array": """unsigned char cmd[] = {
@@ -154,6 +155,7 @@ NUMBERS_OF_PROSE = (
     "sent {} (16)",
     "say '{}' (16)",
     "{} took(3)",
+    "['{}'].pack('C*')",
 )
 
 
@@ -164,7 +166,9 @@ def test_a_number_of_prose_is_not_the_last_byte(form: str) -> None:
     assert only("[6, 0, 42, 0, 128, 0, 0, 1] (8)").data == b"\x06\x00*\x00\x80\x00\x00\x01"
 
 
-def test_a_byte_in_brackets_is_one() -> None:
+def test_a_byte_in_brackets_or_a_call_is_one() -> None:
+    assert only("x = [6, 0, 42, 0, 128, 0, 0, chr(1)]").data == b"\x06\x00*\x00\x80\x00\x00\x01"
+    assert only("x = [6, 0, 42, 0, 128, 0, 0, (byte)1]").data == b"\x06\x00*\x00\x80\x00\x00\x01"
     assert only("0e 00 2a 00 80 00 00 94 01 01 82 b8 01 82 e8 (03)").data == TONE
 
 

@@ -247,9 +247,9 @@ def values_in(notation: Notation, line: str, start: int, end: int) -> list[str]:
 
 _NUMBER_OF_PROSE = re.compile(
     r"""
-    (?P<bytes> (?> (?: (?P<last>[0-9a-fA-F]+) (?!\w) [\s,:|]* )+ ) )
+    (?P<bytes> (?> (?: (?:0[xX])? (?P<last>[0-9a-fA-F]+) (?!\w) [\s,:|]* )+ ) )
     [\])}"'`]?\s*
-    (?: (?:</?\w+>\s*)* [A-Za-z_][\w.]*\s?\( | = | </?\w{2,}> | \( ) \W* (?P<number>\w+)
+    (?: (?:</?\w+>\s*)* \.? [A-Za-z_][\w.]*\s?\( | = | </?\w{2,}> | \( ) \W* (?P<number>\w+)
     """,
     re.VERBOSE,
 )
@@ -260,7 +260,7 @@ _LEAST_DIGITS = 8
 def end_of_bytes(line: str, start: int, end: int) -> int:
     """Returns where a run of numbers ends whose last number may belong to the words that follow the bytes."""
     found = _NUMBER_OF_PROSE.fullmatch(line, start, end)
-    if found is None or len(found["bytes"]) < _LEAST_DIGITS:
+    if found is None or len(found["bytes"]) < _LEAST_DIGITS or found["bytes"].rstrip().endswith(","):
         return end
     if len(found["last"]) == len(found["number"]) and line[found.end("bytes")] == "(":
         return end

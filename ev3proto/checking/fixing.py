@@ -22,6 +22,7 @@ from ev3proto.schema.frame import read_last
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, frame_size, may_be_long, with_length, write_memory
 from ev3proto.semantics.facts import operation_facts
 from ev3proto.semantics.footprint import Footprint, footprints, needed, unread
+from ev3proto.semantics.mangled import unmangled
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL
 from ev3proto.tables.frame import GRANTED_GLOBALS, LENGTH_FIELD, MAX_FRAME, MAX_LOCALS, MAX_LONG_FRAME, MessageType
 
@@ -53,10 +54,15 @@ def fix(
     given = frame.build() if isinstance(frame, Message) else as_bytes(frame, "a frame")
     report = check(given, dialect=dialect, carrier=carrier)
     changes: list[Change] = []
+    undone = unmangled(given)
+    if undone is not None and (after := check(undone[0], dialect=dialect, carrier=carrier)).accepted:
+        before, cause = f"{len(given)} bytes", undone[1]
+        changes.append(Change("frame", before, f"{len(undone[0])} bytes", f"a text had changed it: {cause}"))
+        given, report = undone[0], after
     unswapped = swapped(report)
     if unswapped is not None:
-        before, after = (data[HEADER_SIZE:COMMAND_HEADER_SIZE].hex(":").upper() for data in (given, unswapped))
-        changes.append(Change("memory", before, after, "the low byte comes first"))
+        old, new = (data[HEADER_SIZE:COMMAND_HEADER_SIZE].hex(":").upper() for data in (given, unswapped))
+        changes.append(Change("memory", old, new, "the low byte comes first"))
         report = check(unswapped, dialect=dialect, carrier=carrier)
     steps = _ALL if shorten else _ALL & ~_Step.ENCODINGS
     while report.findings:

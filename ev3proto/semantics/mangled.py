@@ -39,6 +39,16 @@ def mangled(data: bytes) -> Mangled | None:
     return None if found is None or _is_flawless(data) else found
 
 
+def unmangled(data: bytes) -> tuple[bytes, str] | None:
+    """Returns the frame that a text changed, and what changed it; None where that is not certain."""
+    if _is_flawless(data):
+        return None
+    for original, cause in ((_without_utf8(data), "UTF-8"), (data.replace(b"\r\n", b"\n"), "0D 0A for 0A")):
+        if original != data and _is_flawless(original):
+            return original, cause
+    return None
+
+
 def _found(data: bytes) -> Iterator[Mangled]:
     if _is_flawless(original := _without_utf8(data)):
         at = next(place for place, (one, other) in enumerate(zip(data, original, strict=False)) if one != other)

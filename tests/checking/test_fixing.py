@@ -56,6 +56,29 @@ def test_a_wrong_length_field_of_a_system_command() -> None:
     assert (fixed.frame, told(fixed)) == (frame, ["length field: 5 -> 20"])
 
 
+MANGLED = {
+    "0E:00|2A:00|C2:80|00:00|C2:94:01:01:C2:82:C2:B8:01:C2:82:C3:A8:03": ("22 bytes", "a text had changed it: UTF-8"),
+    "0E:00|0D:0A:00|80|00:00|94:01:01:82:B8:01:82:E8:03": ("17 bytes", "a text had changed it: 0D 0A for 0A"),
+}
+
+
+@pytest.mark.parametrize("text", MANGLED)
+def test_a_text_that_changed_a_frame_is_undone(text: str) -> None:
+    counter = "0A" if "0D:0A" in text else "2A"
+    fixed = fix(frame_of(text))
+    before, why = MANGLED[text]
+    assert fixed.frame == frame_of(f"0E:00|{counter}:00|80|00:00|94:01:01:82:B8:01:82:E8:03")
+    assert [(change.what, change.before, change.after, change.why) for change in fixed.changes] == [
+        ("frame", before, "16 bytes", why)
+    ]
+    assert fixed.report.accepted
+
+
+def test_bytes_that_a_text_lost_are_not_guessed() -> None:
+    lost = frame_of("0E:00|2A:00|3F|00:00|3F:01:01:3F:3F:01:3F:3F:03")
+    assert fix(lost).frame == lost
+
+
 def test_a_frame_that_is_cut_off_stays() -> None:
     cut = frame_of("0E:00|2A:00|80|00:00|94|01|01|82:B8:01|82:E8")
     fixed = fix(cut)

@@ -52,6 +52,16 @@ def test_twice_the_text_takes_twice_the_time(name: str) -> None:
     assert_linear(reading, SIZE, MOST_SIZE)
 
 
+def test_rows_of_zeros_after_a_faulty_frame_take_linear_time() -> None:
+    frame, zeros = f"08 00 2a 00 00 04 00 ff 01 60{' 00' * 6}\n", f"{'00 ' * 15}00\n"
+
+    def reading(size: int) -> Work:
+        lines = [frame, *[zeros] * (size // len(zeros))]
+        return lambda: [None for _ in read_text(lines)]
+
+    assert_linear(reading, SIZE, MOST_SIZE)
+
+
 @pytest.mark.parametrize("rows", EXAMPLES[:: effort(60, 1)])
 def test_eight_times_the_notation_takes_at_most_ten_times_the_time(rows: str) -> None:
     whole = " ".join(rows.split("\n"))

@@ -134,8 +134,7 @@ OF_THE_INPUT = {
     "send serial:/dev/none NOP()": "no such serial port: /dev/none; pair the brick with this computer first (on Linux,"
     " `rfcomm bind 0 MAC` then creates /dev/rfcomm0)",
     "brick --script port.toml --quiet": "port.toml: ports.9: unknown port; expected one of 1, 2, 3, 4, A, B, C, D",
-    "brick --script broken.toml --quiet": "broken.toml: invalid TOML at line 1, column 5; keys are written as in"
-    ' name = "EV3", tables as in [ports.1], texts in quotes',
+    "brick --script broken.toml --quiet": "broken.toml: invalid TOML: Invalid value (at line 1, column 5)",
     "brick --no-wifi --serial none/ev3 --quiet": "none/ev3: cannot be created: No such file or directory",
     "export c-header -o empty.txt --check": "empty.txt is out of date; run this without --check to write it again",
 }

@@ -24,7 +24,6 @@ release = "enter"
 from __future__ import annotations
 
 import math
-import re
 import tomllib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
@@ -47,9 +46,6 @@ LEAST_PERIOD = 0.01
 
 _PORT_NAMES = (*(str(number) for number in range(1, PORTS + 1)), *MOTOR_PORTS)
 _MOST_NAME = 12
-
-_SAID_TWICE = ("Cannot ", "Duplicate ")
-"""The beginning of Python's message about a duplicate key or table."""
 
 Readings = dict[int, tuple[float, ...]]
 
@@ -129,34 +125,10 @@ def read_script(path: Path) -> Script:
     if len(text) > MOST_SCRIPT:
         raise ScriptError(f"it has more than {MOST_SCRIPT} bytes")
     try:
-        return _Reading().script(_parsed(text))
-    except ScriptError:
-        raise
-    except ValueError:  # Python refuses numbers of more than 4300 digits, even in its own error message
-        raise ScriptError("it has a number that is too large") from None
-
-
-def _parsed(text: bytes) -> dict[str, Any]:
-    """Returns the tables and keys of a script. Raises ScriptError, and ValueError for a number with too many digits."""
-    try:
-        return tomllib.loads(text.decode())
-    except UnicodeDecodeError as error:
-        raise ScriptError(f"invalid UTF-8: byte 0x{text[error.start]:02X} at offset {error.start}") from None
-    except RecursionError:
-        raise ScriptError("lists or tables are nested too deeply") from None
-    except tomllib.TOMLDecodeError as error:
-        raise ScriptError(_no_toml(str(error))) from None
-
-
-def _no_toml(said: str) -> str:
-    """Rewords Python's message about invalid TOML for scripts."""
-    place = re.search(r"(line \d+), column \d+", said)
-    if said.startswith(_SAID_TWICE):
-        return f"duplicate key or table at {place[1] if place else 'the end'}; remove one of the two"
-    return (
-        f'invalid TOML at {place[0] if place else "the end"}; keys are written as in name = "EV3", tables as in'
-        " [ports.1], texts in quotes"
-    )
+        found = tomllib.loads(text.decode())
+    except (ValueError, RecursionError) as error:
+        raise ScriptError(f"invalid TOML: {error}") from None
+    return _Reading().script(found)
 
 
 @dataclass

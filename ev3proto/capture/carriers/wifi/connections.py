@@ -27,19 +27,15 @@ from ev3proto.capture.carriers.wifi.internet import (
     usual_transport,
 )
 from ev3proto.capture.carriers.wifi.tcp import Hole, Late, Reassembly
-from ev3proto.capture.carriers.wifi.ways import (
-    frame_goes_to_brick,
-    may_come_from_brick,
-    may_go_to_brick,
-    text_goes_to_brick,
-)
 from ev3proto.capture.framing import Cutter
 from ev3proto.capture.packets import Interface, Packet
 from ev3proto.capture.record import Announcement, Direction, Event, Route, TextKind
 from ev3proto.errors import DecodeError, counted
 from ev3proto.schema.discovery import Beacon, is_beacon
+from ev3proto.schema.header import HEADER_SIZE, unpack_header
 from ev3proto.tables.carriers import Carrier
-from ev3proto.tables.discovery import BEACON_PORT, TCP_PORT, UNLOCK_REQUEST
+from ev3proto.tables.discovery import ACCEPT, BEACON_PORT, TCP_PORT, UNLOCK_REQUEST
+from ev3proto.tables.frame import MessageType
 
 MOST_CONNECTIONS = 1024
 """Maximum number of connections; the least recently used are evicted."""
@@ -52,6 +48,18 @@ _BEACON_PORT = port_bytes(BEACON_PORT)
 
 _MOST_IP = 1 << 16
 """An upper bound of the size of an IP packet, in bytes."""
+
+
+def _may_go_to_brick(member: MessageType) -> bool:
+    """Returns whether messages of a type go to the brick. Bricks in a chain send commands both ways."""
+    return member.is_command or member.carries == "daisy"
+
+
+def _may_come_from_brick(member: MessageType) -> bool:
+    return not member.is_command or member.carries == "daisy"
+
+
+_REPLIES = frozenset(int(member) for member in MessageType if not _may_go_to_brick(member))
 
 
 def _transport(link: int, data: bytes) -> Transport | None:
@@ -69,7 +77,7 @@ class _Connection:
         self.ends = ends
         self.place = f"on TCP port {int.from_bytes(port, 'big')}"
         self.conversation = context.conversation()
-        self.claim = StreamClaim(context, may_go_to_brick, may_come_from_brick, is_sure=is_sure, has_texts=True)
+        self.claim = StreamClaim(context, _may_go_to_brick, _may_come_from_brick, is_sure=is_sure, has_texts=True)
         self.halves: dict[Ends, _Half] = {}
 
 
@@ -165,10 +173,10 @@ class Connections:
         is_target, is_source = target_port(ends) in self._ports, source_port(ends) in self._ports
         if flags & SYN and (is_target or is_source):
             return not flags & ACK
-        if (told := text_goes_to_brick(data)) is not None:
-            return told
+        if data.startswith((_UNLOCK_START, ACCEPT)):
+            return data.startswith(_UNLOCK_START)
         if is_target:
-            return not is_source or frame_goes_to_brick(data)
+            return not is_source or len(data) < HEADER_SIZE or unpack_header(data, 0)[2] not in _REPLIES
         return not is_source and self._elsewhere.get(_both_ways(ends)) == target_of(ends)
 
     def _segment(self, packet: Packet, segment: Transport, half: _Half | None) -> Iterable[Event]:

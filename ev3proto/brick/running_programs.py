@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from ev3proto.brick.handles import HandleTable
 from ev3proto.brick.places import Place
-from ev3proto.checking.verdict import operation_offsets
+from ev3proto.checking.verdict import validator
 from ev3proto.program import ProgramParameter
 from ev3proto.tables import operations
 from ev3proto.tables.enumerations import OBJSTAT, RESULT, SLOT
@@ -93,7 +93,9 @@ class Program:
         starts = sorted({entry.begin for entry in self.objects.values()})
         for begin, stop in zip(starts, [*starts[1:], self.end], strict=True):
             code = bytes(self.code[begin:stop])
-            for offset in operation_offsets(code):
+            offsets: list[int] = []
+            validator("official").scan(code, 0, len(code), offsets)
+            for offset in offsets:
                 # The number is a short constant, 0 to 31: of other constants, the validator accepts only long ones.
                 if code[offset] == _LABEL and offset + 1 < len(code):
                     found[label_number(code, offset + 1)] = begin + offset

@@ -253,7 +253,7 @@ class _Files:
 
     def _moving(self, record: Record, message: SystemCommand | SystemReply, entry: SystemEntry) -> _Moving | None:
         """Returns the file that a message belongs to, if any."""
-        if _is_listing(entry) and not self._listings:
+        if entry.name in LISTINGS and not self._listings:
             return None
         if record.transfer is not None:
             return self._of_transfer(record, record.transfer)
@@ -330,10 +330,6 @@ class _Files:
 
 def _status(reply: SystemReply) -> str:
     return reply.status.name if reply.status is not None else f"status {reply.status_code}"
-
-
-def _is_listing(entry: SystemEntry) -> bool:
-    return any(field.kind is Kind.LISTING for field in entry.reply)
 
 
 def _begins_image(entry: SystemEntry) -> bool:

@@ -38,10 +38,7 @@ _COMMANDS = frozenset(int(member) for member in MessageType if member.is_command
 class Clock:
     """A clock for the frames of a text, which never goes back."""
 
-    def __init__(self, begin_ns: int = BEGIN_NS, step_ns: int = STEP_NS) -> None:
-        """Starts a text."""
-        self._begin_ns = begin_ns
-        self._step_ns = step_ns
+    def __init__(self) -> None:
         self._days_ns = 0
         self._last_ns: int | None = None
 
@@ -51,9 +48,9 @@ class Clock:
         A time that goes back by more than half a day has passed midnight; by less, it counts as that of the last frame.
         """
         last_ns = self._last_ns
-        found = None if time is None else _nanoseconds(time, self._begin_ns)
+        found = None if time is None else _nanoseconds(time)
         if found is None:
-            now_ns = self._begin_ns if last_ns is None else last_ns + self._step_ns
+            now_ns = BEGIN_NS if last_ns is None else last_ns + STEP_NS
         else:
             now_ns, has_date = found
             now_ns += 0 if has_date else self._days_ns
@@ -64,7 +61,7 @@ class Clock:
         return self._last_ns
 
 
-def _nanoseconds(text: str, begin_ns: int) -> tuple[int, bool] | None:
+def _nanoseconds(text: str) -> tuple[int, bool] | None:
     """Returns a printed time in nanoseconds since 1970-01-01 UTC, and whether it has a date; None for other text."""
     found = _TIME.fullmatch(text.strip())
     if found is None:
@@ -80,7 +77,7 @@ def _nanoseconds(text: str, begin_ns: int) -> tuple[int, bool] | None:
         when = when.replace(tzinfo=UTC)
     part_ns = int((found["part"] or "0").ljust(9, "0"))
     since = int(when.timestamp()) * NANOSECONDS + part_ns
-    return (since, True) if date else (begin_ns - begin_ns % _DAY_NS + since, False)
+    return (since, True) if date else (BEGIN_NS + since, False)
 
 
 def read_log(pieces: Iterable[Pasted], *, dialect: str = "official", memory: int = DEFAULT_MEMORY) -> Capture:

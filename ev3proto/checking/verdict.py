@@ -231,13 +231,6 @@ def validator(dialect: str, is_latest: bool = False) -> Validator:
 _DIRECT = {member.value for member in MessageType if member.kind == "direct-command"}
 
 
-def operation_offsets(code: bytes, dialect: str = "official") -> list[int]:
-    """Returns the offsets of the operations that the validator sees in byte code, up to one that it refuses."""
-    starts: list[int] = []
-    validator(dialect).scan(code, 0, len(code), starts)
-    return starts
-
-
 def verdict(frame: bytes, dialect: str = "official") -> Verdict:
     """Returns the brick's verdict on the frame of a direct command. No content of a frame makes it raise.
 

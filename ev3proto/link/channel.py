@@ -83,9 +83,9 @@ class Channel:
         """
         return self._send(prepared, lambda: self._session.command(prepared.kind, prepared.body), before)
 
-    def send_frame(self, frame: bytes, before: Callable[[bytes], None] | None = None) -> Ticket:
+    def send_frame(self, frame: bytes) -> Ticket:
         """Sends a frame as it is, counter included. Raises LinkError if a command with that counter is waiting."""
-        return self._send(None, lambda: self._session.adopt(frame), before)
+        return self._send(None, lambda: self._session.adopt(frame), None)
 
     def send_again(self, frame: bytes) -> Ticket:
         """Sends a frame of a known type with a new counter. Raises ConnectionLostError."""

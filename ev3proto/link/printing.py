@@ -58,8 +58,9 @@ def frame_line(direction: str, frame: bytes) -> str:
     text = as_hex(message)
     if isinstance(message, SystemReply) and len(frame) > HEADER_SIZE + 1:
         # The answered command and its status are groups of their own.
-        command, status, rest = (part.hex(":").upper() for part in _parts(frame))
-        text = "|".join([*text.split("|")[:_HEADER_GROUPS], command, status, *filter(None, (rest,)), ""])
+        body = frame[HEADER_SIZE:]
+        groups = (part.hex(":").upper() for part in (body[:1], body[1:2], body[2:]) if part)
+        text = "|".join([*text.split("|")[:_HEADER_GROUPS], *groups, ""])
     return f"{direction} {text}"
 
 
@@ -70,9 +71,3 @@ def meaning_line(frame: bytes, request: bytes | None, dialect: str) -> str:
         return f"    {visible(plain_text(command_spans(message)))}"
     command = parse(request, strict=False, dialect=dialect)
     return f"    {visible(plain_text(reply_spans(Exchange(message, command, values_of(message, command)))))}"
-
-
-def _parts(frame: bytes) -> tuple[bytes, bytes, bytes]:
-    """Returns the command, the status and the rest of a system reply."""
-    command, status, *_ = body = frame[HEADER_SIZE:]
-    return bytes((command,)), bytes((status,)), body[2:]

@@ -20,6 +20,7 @@ _DIGITS = re.compile("[0-9a-f]{12}")
 _UNKNOWN = "0" * 12
 _ROOM = 13
 _TURN = 0.1
+_TIMEOUT = 2.0
 
 
 def announced_number(target: Target, wire: Wire) -> str:
@@ -27,13 +28,13 @@ def announced_number(target: Target, wire: Wire) -> str:
     return target.serial_number or serial_number_of(wire) or _UNKNOWN
 
 
-def serial_number_of(wire: Wire, timeout: float = 2.0) -> str | None:
+def serial_number_of(wire: Wire) -> str | None:
     """Returns a brick's serial number, 12 lower-case hex digits, or None. Raises ConnectionLostError."""
     asked = command(com_get.get_id(HWTYPE.members["HW_BT"], _ROOM), reply=True)
     session = Session()
     request = session.command(MessageType.DIRECT_COMMAND_REPLY, asked.build()[HEADER_SIZE:])
     wire.send(request.frame)
-    deadline = time.monotonic() + timeout
+    deadline = time.monotonic() + _TIMEOUT
     while time.monotonic() < deadline:
         for event in session.feed(wire.receive(_TURN)):
             if isinstance(event, Answered):

@@ -57,13 +57,13 @@ def beacon_socket(address: str, port: int) -> tuple[socket.socket, str]:
     return sender, "127.0.0.1" if ipaddress.ip_address(address).is_loopback else _EVERYBODY
 
 
-def why_not_open(error: Exception, address: str, port: int, other: str) -> str:
-    """Returns why a port cannot be opened, and what to do; `other` tells how to name another port."""
+def why_not_open(error: Exception, address: str, port: int) -> str:
+    """Returns why a port cannot be opened, and what to do."""
     code = getattr(error, "errno", None)
     if isinstance(error, OverflowError):
         return f"invalid port {port}; expected 0 to 65535"
     if code == errno.EADDRINUSE:
-        return f"port {port} of {address} is in use: end what uses it, or give another one ({other})"
+        return f"port {port} of {address} is in use: end what uses it, or give another one (--port 0 takes any)"
     if code == errno.EACCES:
         return f"port {port} needs administrator rights; take one above 1023"
     if code == errno.EADDRNOTAVAIL:

@@ -65,7 +65,7 @@ class Wifi:
         try:
             await self._listener.open(address, port)
         except (OSError, OverflowError, UnicodeError) as error:
-            raise ServerError(why_not_open(error, address, port, "--port 0 takes any")) from None
+            raise ServerError(why_not_open(error, address, port)) from None
         self.address, self.port = self._listener.address, self._listener.port
 
     def announce(self, beacon: Callable[[], Beacon], port: int = BEACON_PORT) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from ev3proto.checking import codes
 from ev3proto.checking.context import CheckContext, CheckedOperation
@@ -74,20 +75,6 @@ def _identity(use: Use) -> _Identity:
     return operation.name, place.number, place.argument.form, place.start, place.size, place.most
 
 
-def _again(finding: Finding, offset: int) -> Finding:
-    """Returns the finding about a variable, moved to another offset."""
-    return Finding(
-        finding.severity,
-        finding.code,
-        offset,
-        finding.length,
-        finding.message,
-        finding.help,
-        finding.operation,
-        finding.parameter,
-    )
-
-
 def _places(used: list[Use], asked: int) -> Iterator[Finding]:
     """Yields findings about variables that are misaligned or beyond the requested memory."""
     # The same mistake may occur a thousand times, so its finding is made once.
@@ -105,7 +92,7 @@ def _places(used: list[Use], asked: int) -> Iterator[Finding]:
                 is_written = written.has_some_of(place.start, place.end)
                 found = said[key] = list(_wrongly_placed(use, asked, is_written))
             for finding in found:
-                yield _again(finding, place.argument.offset)
+                yield replace(finding, offset=place.argument.offset)
 
 
 def _furthest(place: Footprint) -> int:
@@ -211,7 +198,7 @@ def _overlaps(used: list[Use], *, is_kept: bool) -> Iterator[Finding]:
                     said[both] = _destroyed(before[1], use, is_kept)
                 finding = said[both]
                 if finding is not None:
-                    yield _again(finding, place.argument.offset)
+                    yield replace(finding, offset=place.argument.offset)
             results[start:end] = [(key, use)] * (end - start)
 
 
